@@ -1,0 +1,141 @@
+//! One message for one fault: what is wrong, where, which limit it breaks, and what to do next.
+//!
+//! Every stage has its own error enum; each converts into a [`Diagnostic`], which the command line prints (text or
+//! JSON) and turns into an exit code.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// Who has to act on a fault; decides the exit code (CONTRACT: 2 bad input, 3 undecided, 4 environment).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Fault {
+    /// The input is wrong: exit code 2.
+    Input,
+    /// No certificate could be produced within the limits: exit code 3.
+    Undecided,
+    /// The machine lacks something (mesher, disk, memory): exit code 4.
+    Environment,
+}
+
+impl Fault {
+    /// The process exit code of CONTRACT.md.
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Fault::Input => 2,
+            Fault::Undecided => 3,
+            Fault::Environment => 4,
+        }
+    }
+}
+
+/// Where a fault sits. Everything is optional: a line in a file, a path inside a YAML document, or nothing.
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Place {
+    /// The file as the user named it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// 1-based line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+    /// 1-based column.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<usize>,
+    /// Path inside the document, for example `bolts.rows[1]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<String>,
+}
+
+/// One fault, ready to be shown.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Diagnostic {
+    /// Stable short code, for example `spec/unknown-key`.
+    pub code: &'static str,
+    /// Who has to act.
+    pub fault: Fault,
+    /// One sentence: the quantity, its value and the limit it breaks.
+    pub message: String,
+    /// Where.
+    pub place: Place,
+    /// What to do next.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// A fault of the input (exit code 2).
+    pub fn input(code: &'static str, message: impl Into<String>) -> Self {
+        Self { code, fault: Fault::Input, message: message.into(), place: Place::default(), help: None }
+    }
+
+    /// A fault of the machine or its set-up (exit code 4).
+    pub fn environment(code: &'static str, message: impl Into<String>) -> Self {
+        Self { fault: Fault::Environment, ..Self::input(code, message) }
+    }
+
+    /// No certificate within the limits (exit code 3).
+    pub fn undecided(code: &'static str, message: impl Into<String>) -> Self {
+        Self { fault: Fault::Undecided, ..Self::input(code, message) }
+    }
+
+    /// Names the file.
+    pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
+        self.place.file = Some(file.into());
+        self
+    }
+
+    /// Names the place inside the document.
+    pub fn path(mut self, path: impl Into<String>) -> Self {
+        self.place.path = Some(path.into());
+        self
+    }
+
+    /// Gives line and column, both counted from 1.
+    pub fn at(mut self, line: usize, column: usize) -> Self {
+        self.place.line = Some(line);
+        self.place.column = Some(column);
+        self
+    }
+
+    /// Says what to do next.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.message)
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
+/// One or more faults that ended a run; never empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics(pub Vec<Diagnostic>);
+
+impl From<Diagnostic> for Diagnostics {
+    fn from(d: Diagnostic) -> Self {
+        Self(vec![d])
+    }
+}
+
+impl Diagnostics {
+    /// The exit code of the first fault.
+    pub fn exit_code(&self) -> u8 {
+        self.0.first().map_or(2, |d| d.fault.exit_code())
+    }
+}
+
+/// `, did you mean "x"?` for the closest of `known`, empty if nothing is close.
+pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    known
+        .into_iter()
+        .map(|k| (strsim::damerau_levenshtein(&word.to_lowercase(), &k.to_lowercase()), k))
+        .min()
+        .filter(|(d, k)| *d <= 1 + k.len().max(word.len()) / 4)
+        .map(|(_, k)| format!(", did you mean `{k}`?"))
+        .unwrap_or_default()
+}

@@ -1,0 +1,194 @@
+//! The analysis model: a split mesh with materials, interfaces, supports and loads attached to its faces.
+//!
+//! This is where the two ways in meet: a connection spec becomes one, a user's `MODEL.yaml` is one.
+
+use super::file::{AnalysisKind, Bounds, Friction, Gap};
+use crate::mesh::TetMesh;
+
+/// An isotropic material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Name in the model file.
+    pub name: String,
+    /// Young's modulus \[MPa\].
+    pub e: f64,
+    /// Poisson's ratio.
+    pub nu: f64,
+    /// Yield strength \[MPa\]; `None`: never yields.
+    pub fy: Option<f64>,
+}
+
+/// One outer face of one tet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoundaryFace {
+    /// The tet.
+    pub tet: u32,
+    /// Which of its faces: the one opposite local vertex `local`, see [`crate::mesh::tet::FACES`].
+    pub local: u8,
+}
+
+/// A pair of coincident faces, one on each side of an open interface.
+///
+/// `nodes_a[i]` and `nodes_b[i]` have bit-equal coordinates; `nodes_a` is ordered so that its normal points out of
+/// side A.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FacePair {
+    /// The face on side A.
+    pub a: BoundaryFace,
+    /// The face on side B.
+    pub b: BoundaryFace,
+    /// Vertices on side A, outward order.
+    pub nodes_a: [u32; 3],
+    /// The matching vertices on side B.
+    pub nodes_b: [u32; 3],
+}
+
+/// Unilateral contact with Coulomb friction.
+///
+/// # Sign
+/// Gap `g = u_B − u_A` and the initial gap count opening positive along the normal out of A; the traction
+/// `r = −σ n` on A is positive in pressure, `‖r_T‖ ≤ μ r_N`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactLaw {
+    /// Friction coefficient, ≥ 0.
+    pub mu: f64,
+    /// Initial gap \[mm\].
+    pub gap: Gap,
+    /// Associated or Coulomb.
+    pub friction: Friction,
+}
+
+/// An open interface between two sides of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interface {
+    /// For messages: `BOLT-PLATE` or the face's name.
+    pub name: String,
+    /// Its law.
+    pub law: ContactLaw,
+    /// Its face pairs.
+    pub faces: Vec<FacePair>,
+}
+
+/// Contact with the rigid ground (side B, at rest).
+#[derive(Clone, Debug, PartialEq)]
+pub struct GroundContact {
+    /// Name of the face.
+    pub name: String,
+    /// Its law.
+    pub law: ContactLaw,
+    /// Its faces.
+    pub faces: Vec<BoundaryFace>,
+}
+
+/// A support by component.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// Name of the face.
+    pub name: String,
+    /// Which of x, y, z are held at zero.
+    pub fix: [bool; 3],
+    /// Its faces.
+    pub faces: Vec<BoundaryFace>,
+}
+
+/// A face that follows a rigid motion `u = U + θ × (x − at)` in some components.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidFace {
+    /// Name of the face.
+    pub name: String,
+    /// Which of x, y, z follow the motion; the others are traction-free.
+    pub components: [bool; 3],
+    /// Which of ux, uy, uz, rx, ry, rz are free; the rest are held at zero.
+    pub free: [bool; 6],
+    /// Reference point \[mm\].
+    pub at: [f64; 3],
+    /// Force and moment about `at` carried by the free motions, times the load factor \[N, N mm\].
+    pub action: [f64; 6],
+    /// The same, not multiplied.
+    pub dead_action: [f64; 6],
+    /// Its faces.
+    pub faces: Vec<BoundaryFace>,
+}
+
+/// A traction field over faces: `t(x) = traction0 + gradient·x`, or `−p n`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Traction {
+    /// `t = traction0 + gradient·x` \[MPa, MPa/mm\].
+    Linear {
+        /// Traction at the origin.
+        traction0: [f64; 3],
+        /// `gradient[i][j] = ∂t_i/∂x_j`.
+        gradient: [[f64; 3]; 3],
+    },
+    /// `t = −p n` with n the outward normal \[MPa\].
+    Pressure(f64),
+}
+
+/// A load on faces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceLoad {
+    /// Name of the face.
+    pub name: String,
+    /// Not multiplied by the load factor.
+    pub dead: bool,
+    /// The traction.
+    pub traction: Traction,
+    /// Its faces.
+    pub faces: Vec<BoundaryFace>,
+}
+
+/// A constant force per volume on one body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyLoad {
+    /// The body.
+    pub body: u32,
+    /// Not multiplied by the load factor.
+    pub dead: bool,
+    /// Force \[N/mm³\].
+    pub force: [f64; 3],
+}
+
+/// A rigid motion of the whole assembly that nothing resists and on which no load works: one `[U, θ]` (rotation about
+/// the origin, \[mm, rad\]) per part. The programs remove it by holding one dof per mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeMode {
+    /// `motions[p]` is the motion of part `p`.
+    pub motions: Vec<[f64; 6]>,
+}
+
+/// Everything the two programs need.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnalysisModel {
+    /// Which programs.
+    pub analysis: AnalysisKind,
+    /// Which bounds.
+    pub bounds: Bounds,
+    /// The mesh, split along open interfaces.
+    pub mesh: TetMesh,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Material of each body.
+    pub body_material: Vec<u32>,
+    /// Part of each tet: bodies tied together are one part.
+    pub tet_part: Vec<u32>,
+    /// Names of the parts (their bodies joined by `+`).
+    pub parts: Vec<String>,
+    /// Open interfaces.
+    pub interfaces: Vec<Interface>,
+    /// Contacts with rigid ground.
+    pub ground: Vec<GroundContact>,
+    /// Supports.
+    pub supports: Vec<Support>,
+    /// Rigid faces.
+    pub rigid: Vec<RigidFace>,
+    /// Surface loads.
+    pub surface_loads: Vec<SurfaceLoad>,
+    /// Body loads.
+    pub body_loads: Vec<BodyLoad>,
+    /// Rigid motions that nothing resists and nothing drives.
+    pub free_modes: Vec<FreeMode>,
+    /// How many copies of the meshed part make the structure.
+    pub symmetry: u32,
+    /// What the reader decided or noticed, for the report.
+    pub notes: Vec<String>,
+}

@@ -1,0 +1,8 @@
+//! The analysis model and the two programs made from it.
+
+pub mod analysis;
+pub mod file;
+pub mod program;
+
+pub use analysis::AnalysisModel;
+pub use program::ConicProgram;
