@@ -1,5 +1,6 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
 pub mod tet;
+pub mod topology;
 
 pub use tet::{NamedFaces, TetMesh};

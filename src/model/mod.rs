@@ -1,8 +1,18 @@
 //! The analysis model and the two programs made from it.
 
 pub mod analysis;
+pub mod assemble;
+pub mod dofs;
 pub mod file;
+pub mod holds;
+pub mod kinematic;
+pub mod loads;
 pub mod program;
+pub mod static_form;
+pub mod super_element;
+pub mod tet10;
 
 pub use analysis::AnalysisModel;
+pub use kinematic::Kinematic;
 pub use program::ConicProgram;
+pub use static_form::Static;

@@ -64,3 +64,111 @@ pub struct ConicProgram {
     /// The cones.
     pub cones: Vec<Cone>,
 }
+
+impl SymmetricCsc {
+    /// `A x`.
+    pub fn mul(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.n];
+        for c in 0..self.n {
+            let mut yc = 0.0;
+            for k in self.col_ptr[c]..self.col_ptr[c + 1] {
+                let (r, v) = (self.row_idx[k], self.values[k]);
+                y[r] += v * x[c];
+                if r != c {
+                    yc += v * x[r];
+                }
+            }
+            y[c] += yc;
+        }
+        y
+    }
+
+    /// The diagonal.
+    pub fn diagonal(&self) -> Vec<f64> {
+        (0..self.n)
+            .map(|c| {
+                let range = self.col_ptr[c]..self.col_ptr[c + 1];
+                self.row_idx[range.clone()].binary_search(&c).map_or(0.0, |k| self.values[range.start + k])
+            })
+            .collect()
+    }
+
+    /// Adds `d` to the stored diagonal entry of column `c`.
+    pub fn add_diagonal(&mut self, c: usize, d: f64) {
+        let range = self.col_ptr[c]..self.col_ptr[c + 1];
+        if let Ok(k) = self.row_idx[range.clone()].binary_search(&c) {
+            self.values[range.start + k] += d;
+        }
+    }
+}
+
+impl Csr {
+    /// Number of rows.
+    pub fn nrows(&self) -> usize {
+        self.row_ptr.len().saturating_sub(1)
+    }
+
+    /// Appends a row.
+    pub fn push_row(&mut self, row: &[(u32, f64)]) {
+        if self.row_ptr.is_empty() {
+            self.row_ptr.push(0);
+        }
+        for &(c, v) in row {
+            self.col_idx.push(c as usize);
+            self.values.push(v);
+        }
+        self.row_ptr.push(self.col_idx.len());
+    }
+
+    /// Column indices and values of row `r`.
+    pub fn row(&self, r: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let range = self.row_ptr[r]..self.row_ptr[r + 1];
+        self.col_idx[range.clone()].iter().copied().zip(self.values[range].iter().copied())
+    }
+
+    /// `G x`.
+    pub fn mul(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.nrows()).map(|r| self.row(r).map(|(c, v)| v * x[c]).sum()).collect()
+    }
+
+    /// `Gᵀ z`.
+    pub fn mul_transpose(&self, z: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.ncols];
+        for (r, &zr) in z.iter().enumerate().take(self.nrows()) {
+            for (c, v) in self.row(r) {
+                y[c] += v * zr;
+            }
+        }
+        y
+    }
+}
+
+impl ConicProgram {
+    /// `½ xᵀPx + qᵀx + c`.
+    pub fn objective(&self, x: &[f64]) -> f64 {
+        let px = self.p.mul(x);
+        crate::math::Sum::of((0..x.len()).map(|i| x[i] * (0.5 * px[i] + self.q[i]))) + self.c
+    }
+
+    /// `G x + h`.
+    pub fn slack(&self, x: &[f64]) -> Vec<f64> {
+        self.g.mul(x).iter().zip(&self.h).map(|(a, b)| a + b).collect()
+    }
+
+    /// First row of each cone.
+    pub fn cone_starts(&self) -> Vec<usize> {
+        self.cones
+            .iter()
+            .scan(0, |row, c| {
+                let start = *row;
+                *row += c.dim();
+                Some(start)
+            })
+            .collect()
+    }
+}
+
+/// Distance of a point from the boundary of its cone along the axis: `s₀ − ‖s₁…‖` (or `s` itself); ≥ 0 inside.
+pub fn cone_margin(s: &[f64]) -> f64 {
+    s[0] - s[1..].iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,18 @@
+//! The two fields of an analysis as plain data: what is certified, stored and drawn.
+
+use crate::math::vec3::V3;
+use crate::model::super_element::PointStress;
+
+/// Displacements of vertices and mid-side nodes, in the order of [`crate::model::kinematic::Tet10Space`] \[mm\].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DisplacementField {
+    /// Displacement of each node.
+    pub u: Vec<V3>,
+}
+
+/// Stress at the points of each macro tet's four subtets, Mandel form \[MPa\].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StressField {
+    /// Stress of each macro tet, `[subtet][point]` as in [`crate::model::super_element`].
+    pub points: Vec<PointStress>,
+}

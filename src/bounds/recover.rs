@@ -1,0 +1,242 @@
+//! From a solver's unknowns to fields that are admissible to rounding.
+//!
+//! A conic solver satisfies its constraints to its tolerance. The displacement is opened by the last violation along a
+//! field that opens every contact; the stress is projected: contact tractions (strictly inside their cones) are first
+//! brought into balance with the loads part by part, then the bodies are solved for exact equilibrium with them.
+
+use super::fields::{DisplacementField, StressField};
+use crate::math::dense::null_space;
+use crate::model::holds::{self, ModelError};
+use crate::model::kinematic::{Kinematic, hold};
+use crate::model::program::{ConicProgram, SymmetricCsc, cone_margin};
+use crate::model::static_form::Static;
+use crate::model::super_element::PARAMETERS;
+use crate::solve::Solution;
+use crate::solve::linear::{LinearError, SparseCholesky};
+use faer::Mat;
+use faer::prelude::Solve;
+use rayon::prelude::*;
+
+/// Why a field could not be recovered.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum RecoverError {
+    /// The linear system failed.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
+    /// An element failed.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// Contact forces could not be balanced inside their cones.
+    #[error("the contact forces of part(s) {0} cannot be balanced inside their friction cones")]
+    Unbalanced(String),
+}
+
+/// The displacement field of a kinematic solution, contacts opened where the solver left them violated.
+pub fn displacement(kinematic: &Kinematic, solution: &Solution) -> Result<DisplacementField, RecoverError> {
+    let mut x = solution.x.clone();
+    let program = &kinematic.program;
+    for _ in 0..3 {
+        let violation = worst_margin(program, &x);
+        if violation >= 0.0 {
+            break;
+        }
+        let opening = opening_field(program, &kinematic.map.block)?;
+        let gain = worst_gain(program, &opening);
+        if gain <= 0.0 {
+            break;
+        }
+        let step = -1.1 * violation / gain;
+        x.iter_mut().zip(&opening).for_each(|(x, w)| *x += step * w);
+    }
+    let full = kinematic.map.expand(&x);
+    Ok(DisplacementField { u: full.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
+}
+
+/// Smallest cone margin of `G x + h` \[mm\].
+fn worst_margin(program: &ConicProgram, x: &[f64]) -> f64 {
+    let s = program.slack(x);
+    program
+        .cone_starts()
+        .iter()
+        .zip(&program.cones)
+        .map(|(&start, c)| cone_margin(&s[start..start + c.dim()]))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Smallest cone margin of `G w` \[mm\].
+fn worst_gain(program: &ConicProgram, w: &[f64]) -> f64 {
+    let s = program.g.mul(w);
+    program
+        .cone_starts()
+        .iter()
+        .zip(&program.cones)
+        .map(|(&start, c)| cone_margin(&s[start..start + c.dim()]))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// A displacement that opens every contact by about 1 mm with little slip: least squares on the gaps, regularised by
+/// the stiffness.
+fn opening_field(program: &ConicProgram, block: &[u32]) -> Result<Vec<f64>, RecoverError> {
+    let diagonal = program.p.diagonal();
+    let weight = 1e4 * diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
+    let system = plus_rows(&program.p, program, weight);
+    let mut target = vec![0.0; program.h.len()];
+    program.cone_starts().into_iter().for_each(|r| target[r] = weight);
+    let factor = SparseCholesky::new(&system, block)?;
+    Ok(factor.solve(&program.g.mul_transpose(&target)))
+}
+
+/// `P + w GᵀG`.
+fn plus_rows(p: &SymmetricCsc, program: &ConicProgram, w: f64) -> SymmetricCsc {
+    let mut extra: Vec<(usize, usize, f64)> = Vec::new();
+    for r in 0..program.h.len() {
+        let row: Vec<(usize, f64)> = program.g.row(r).collect();
+        for &(i, a) in &row {
+            extra.extend(row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i, w * a * b)));
+        }
+    }
+    extra.sort_unstable_by_key(|e| (e.0, e.1));
+    let mut out = SymmetricCsc { n: p.n, col_ptr: vec![0], ..SymmetricCsc::default() };
+    let mut next = extra.into_iter().peekable();
+    for c in 0..p.n {
+        let mut k = p.col_ptr[c];
+        loop {
+            let row_p = (k < p.col_ptr[c + 1]).then(|| p.row_idx[k]);
+            let row_e = next.peek().filter(|e| e.0 == c).map(|e| e.1);
+            let Some(r) = [row_p, row_e].into_iter().flatten().min() else { break };
+            let mut v = 0.0;
+            if row_p == Some(r) {
+                v += p.values[k];
+                k += 1;
+            }
+            while next.peek().is_some_and(|e| e.0 == c && e.1 == r) {
+                v += next.next().map_or(0.0, |e| e.2);
+            }
+            out.row_idx.push(r);
+            out.values.push(v);
+        }
+        out.col_ptr.push(out.row_idx.len());
+    }
+    out
+}
+
+/// The stress field of a static solution, in equilibrium to rounding.
+pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
+    let modes = statics.contact_modes();
+    let z = balanced_tractions(statics, solution, &modes)?;
+    let mut p = statics.program.p.clone();
+    // contact modes that the model already pins as free are pinned once more; no harm, their force is zero
+    hold(&mut p, holds::pins(modes.into_iter().map(|m| m.unknowns).collect()));
+    let factor = SparseCholesky::new(&p, &statics.map.block)?;
+    let mut rhs = statics.loads.clone();
+    if !z.is_empty() {
+        statics.program.g.mul_transpose(&z).iter().zip(&mut rhs).for_each(|(a, b)| *b += a);
+    }
+    let elements = statics.elements.model().mesh.tets.len();
+    let mut parameters = vec![[0.0; PARAMETERS]; elements];
+    add_parameters(statics, &solution.x, true, &mut parameters)?;
+    let mut last = f64::INFINITY;
+    for _ in 0..8 {
+        let t = tractions(statics, &parameters)?;
+        let residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
+        let size = residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        if size == 0.0 || size > 0.3 * last {
+            break;
+        }
+        last = size;
+        add_parameters(statics, &factor.solve(&residual), false, &mut parameters)?;
+    }
+    let points = (0..elements)
+        .into_par_iter()
+        .map(|e| Ok(statics.elements.element(e)?.stress(&parameters[e])))
+        .collect::<Result<_, ModelError>>()?;
+    Ok(StressField { points })
+}
+
+/// Adds the stress parameters of face displacements.
+fn add_parameters(
+    statics: &Static,
+    x: &[f64],
+    particular: bool,
+    parameters: &mut [[f64; PARAMETERS]],
+) -> Result<(), ModelError> {
+    let v = statics.map.expand(x);
+    parameters.par_iter_mut().enumerate().try_for_each(|(e, a)| {
+        let local = statics.elements.dofs(e).map(|d| v[d]);
+        let more = statics.elements.element(e)?.parameters(&local, particular);
+        a.iter_mut().zip(more).for_each(|(a, b)| *a += b);
+        Ok(())
+    })
+}
+
+/// Mass-weighted tractions of all elements on the program's unknowns.
+fn tractions(statics: &Static, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f64>, ModelError> {
+    let local: Vec<[f64; 36]> = parameters
+        .par_iter()
+        .enumerate()
+        .map(|(e, a)| Ok(statics.elements.element(e)?.tractions(a)))
+        .collect::<Result<_, ModelError>>()?;
+    let mut full = vec![0.0; statics.map.full()];
+    for (e, t) in local.iter().enumerate() {
+        for (d, x) in statics.elements.dofs(e).into_iter().zip(t) {
+            full[d] += x;
+        }
+    }
+    Ok(statics.map.reduce(&full))
+}
+
+/// The contact tractions, corrected so that they balance the loads on every rigid motion only contact resists. The
+/// correction at a cone is weighted by the square of its margin, so that it stays well inside.
+fn balanced_tractions(
+    statics: &Static,
+    solution: &Solution,
+    modes: &[crate::model::static_form::ContactMode],
+) -> Result<Vec<f64>, RecoverError> {
+    let program = &statics.program;
+    let mut z = solution.z.clone();
+    if modes.is_empty() || z.is_empty() {
+        return Ok(z);
+    }
+    let starts = program.cone_starts();
+    let rows: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(&m.unknowns)).collect();
+    let needed: Vec<f64> =
+        modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    for _ in 0..3 {
+        let mut weight = vec![0.0; z.len()];
+        for (&start, cone) in starts.iter().zip(&program.cones) {
+            let range = start..start + cone.dim();
+            let m = cone_margin(&z[range.clone()]).max(0.0);
+            weight[range].fill(m * m);
+        }
+        let n = modes.len();
+        let gram = Mat::from_fn(n, n, |i, j| (0..z.len()).map(|r| rows[i][r] * weight[r] * rows[j][r]).sum::<f64>());
+        let missing =
+            Mat::from_fn(n, 1, |i, _| needed[i] - rows[i].iter().zip(&z).map(|(a, b)| a * b).sum::<f64>());
+        // modes that no contact touches have a zero row here; the pseudo-inverse leaves them alone
+        let multipliers = pseudo_solve(&gram, &missing);
+        for r in 0..z.len() {
+            z[r] += weight[r] * (0..n).map(|i| rows[i][r] * multipliers[(i, 0)]).sum::<f64>();
+        }
+    }
+    let inside = starts.iter().zip(&program.cones).all(|(&s, c)| cone_margin(&z[s..s + c.dim()]) >= 0.0);
+    if inside { Ok(z) } else { Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", "))) }
+}
+
+/// Minimum-norm solution of a small symmetric positive semidefinite system.
+fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    // scale to unit diagonal, then drop directions below rounding
+    let n = a.nrows();
+    let d: Vec<f64> = (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scaled = Mat::from_fn(n, n, |i, j| d[i] * a[(i, j)] * d[j]);
+    let mut regular = scaled.clone();
+    for v in null_space(&scaled, 1e-14) {
+        for i in 0..n {
+            for j in 0..n {
+                regular[(i, j)] += v[i] * v[j];
+            }
+        }
+    }
+    let rhs = Mat::from_fn(n, 1, |i, _| d[i] * b[(i, 0)]);
+    let y = regular.partial_piv_lu().solve(&rhs);
+    Mat::from_fn(n, 1, |i, _| d[i] * y[(i, 0)])
+}

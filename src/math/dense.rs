@@ -1,0 +1,84 @@
+//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors.
+
+use faer::Mat;
+
+/// Lower Cholesky factor of a symmetric positive definite matrix of order `N`.
+#[derive(Clone, Debug)]
+pub struct Cholesky<const N: usize> {
+    l: Box<[[f64; N]; N]>,
+}
+
+impl<const N: usize> Cholesky<N> {
+    /// Factors the lower triangle of `a`; `None` when a pivot is not positive.
+    pub fn new(mut a: Box<[[f64; N]; N]>) -> Option<Self> {
+        for j in 0..N {
+            let mut d = a[j][j];
+            for k in 0..j {
+                d -= a[j][k] * a[j][k];
+            }
+            if !(d > 0.0 && d.is_finite()) {
+                return None;
+            }
+            let d = d.sqrt();
+            a[j][j] = d;
+            for i in j + 1..N {
+                let mut s = a[i][j];
+                for k in 0..j {
+                    s -= a[i][k] * a[j][k];
+                }
+                a[i][j] = s / d;
+            }
+        }
+        Some(Self { l: a })
+    }
+
+    /// `L⁻¹ b` in place, for `M` right-hand sides stored as rows `b[i]`.
+    pub fn forward<const M: usize>(&self, b: &mut [[f64; M]; N]) {
+        for i in 0..N {
+            let (done, rest) = b.split_at_mut(i);
+            let row = &mut rest[0];
+            for (k, bk) in done.iter().enumerate() {
+                let l = self.l[i][k];
+                for c in 0..M {
+                    row[c] -= l * bk[c];
+                }
+            }
+            let d = 1.0 / self.l[i][i];
+            row.iter_mut().for_each(|x| *x *= d);
+        }
+    }
+
+    /// `A⁻¹ b` in place.
+    pub fn solve(&self, b: &mut [f64; N]) {
+        for i in 0..N {
+            let mut s = b[i];
+            for k in 0..i {
+                s -= self.l[i][k] * b[k];
+            }
+            b[i] = s / self.l[i][i];
+        }
+        for i in (0..N).rev() {
+            let mut s = b[i];
+            for k in i + 1..N {
+                s -= self.l[k][i] * b[k];
+            }
+            b[i] = s / self.l[i][i];
+        }
+    }
+}
+
+/// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: eigenvectors whose eigenvalue is
+/// below `tolerance` times the largest. Columns of the result; empty when the matrix is regular.
+pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
+    let n = gram.nrows();
+    if n == 0 {
+        return Vec::new();
+    }
+    let Ok(eig) = gram.self_adjoint_eigen(faer::Side::Lower) else { return Vec::new() };
+    let s = eig.S().column_vector();
+    let largest = (0..n).map(|i| s[i].abs()).fold(0.0, f64::max);
+    (0..n)
+        .filter(|&i| largest == 0.0 || s[i] <= tolerance * largest)
+        .map(|i| (0..n).map(|r| eig.U()[(r, i)]).collect())
+        .collect()
+}

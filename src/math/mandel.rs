@@ -1,0 +1,120 @@
+//! Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`, in which inner products are dot products.
+
+use super::vec3::{M3, V3};
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+/// A symmetric tensor in Mandel form.
+pub type Mandel = [f64; 6];
+
+/// Isotropic stiffness `σ = C ε` given by its two moduli.
+///
+/// # Units
+/// MPa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic {
+    /// First Lamé constant.
+    pub lambda: f64,
+    /// Twice the shear modulus.
+    pub two_mu: f64,
+}
+
+impl Isotropic {
+    /// From Young's modulus \[MPa\] and Poisson's ratio.
+    pub fn new(e: f64, nu: f64) -> Self {
+        Self { lambda: e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), two_mu: e / (1.0 + nu) }
+    }
+
+    /// Stress of a strain.
+    pub fn stress(&self, eps: &Mandel) -> Mandel {
+        let p = self.lambda * (eps[0] + eps[1] + eps[2]);
+        let mut s = eps.map(|x| self.two_mu * x);
+        s[0] += p;
+        s[1] += p;
+        s[2] += p;
+        s
+    }
+
+    /// Strain of a stress.
+    pub fn strain(&self, sig: &Mandel) -> Mandel {
+        let tr = sig[0] + sig[1] + sig[2];
+        let k = self.lambda / (self.two_mu + 3.0 * self.lambda) * tr;
+        let mut e = *sig;
+        e[0] -= k;
+        e[1] -= k;
+        e[2] -= k;
+        e.map(|x| x / self.two_mu)
+    }
+}
+
+/// Inner product.
+pub fn dot(a: &Mandel, b: &Mandel) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Frobenius norm.
+pub fn norm(a: &Mandel) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Traction `σ n`.
+pub fn traction(s: &Mandel, n: V3) -> V3 {
+    let (yz, xz, xy) = (s[3] * FRAC_1_SQRT_2, s[4] * FRAC_1_SQRT_2, s[5] * FRAC_1_SQRT_2);
+    [s[0] * n[0] + xy * n[1] + xz * n[2], xy * n[0] + s[1] * n[1] + yz * n[2], xz * n[0] + yz * n[1] + s[2] * n[2]]
+}
+
+/// The 3 × 6 matrix `N(n)` with `σ n = N(n) σ`.
+pub fn normal_operator(n: V3) -> [Mandel; 3] {
+    let r = FRAC_1_SQRT_2;
+    [
+        [n[0], 0.0, 0.0, 0.0, n[2] * r, n[1] * r],
+        [0.0, n[1], 0.0, n[2] * r, 0.0, n[0] * r],
+        [0.0, 0.0, n[2], n[1] * r, n[0] * r, 0.0],
+    ]
+}
+
+/// Mandel form of the symmetric part of a matrix.
+pub fn symmetric_part(m: &M3) -> Mandel {
+    let r = FRAC_1_SQRT_2;
+    [m[0][0], m[1][1], m[2][2], r * (m[1][2] + m[2][1]), r * (m[0][2] + m[2][0]), r * (m[0][1] + m[1][0])]
+}
+
+/// The symmetric matrix of a Mandel vector.
+pub fn to_matrix(s: &Mandel) -> M3 {
+    let (yz, xz, xy) = (s[3] * FRAC_1_SQRT_2, s[4] * FRAC_1_SQRT_2, s[5] * FRAC_1_SQRT_2);
+    [[s[0], xy, xz], [xy, s[1], yz], [xz, yz, s[2]]]
+}
+
+/// The 6 × 6 matrix of the contravariant Piola map `σ̂ ↦ J σ̂ Jᵀ / det J` in Mandel form.
+///
+/// It maps divergence-free fields to divergence-free fields and keeps tractions continuous, so one null space computed
+/// on a reference tetrahedron serves every element.
+pub fn piola(j: &M3, det: f64) -> [Mandel; 6] {
+    let mut p = [[0.0; 6]; 6];
+    for c in 0..6 {
+        let mut unit = [0.0; 6];
+        unit[c] = 1.0;
+        let s = to_matrix(&unit);
+        let mut m = [[0.0; 3]; 3];
+        for a in 0..3 {
+            for b in 0..3 {
+                let mut x = 0.0;
+                for k in 0..3 {
+                    for l in 0..3 {
+                        x += j[a][k] * s[k][l] * j[b][l];
+                    }
+                }
+                m[a][b] = x / det;
+            }
+        }
+        let col = [m[0][0], m[1][1], m[2][2], SQRT_2 * m[1][2], SQRT_2 * m[0][2], SQRT_2 * m[0][1]];
+        for r in 0..6 {
+            p[r][c] = col[r];
+        }
+    }
+    p
+}
+
+/// `M s` for a 6 × 6 matrix.
+pub fn mul(m: &[Mandel; 6], s: &Mandel) -> Mandel {
+    std::array::from_fn(|i| dot(&m[i], s))
+}

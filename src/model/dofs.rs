@@ -1,0 +1,81 @@
+//! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid face.
+
+/// Each full unknown as a linear combination of the program's unknowns; an empty combination is held at zero.
+#[derive(Clone, Debug, Default)]
+pub struct DofMap {
+    start: Vec<usize>,
+    terms: Vec<(u32, f64)>,
+    /// Number of the program's unknowns.
+    pub n: usize,
+    /// The first `plain` unknowns are single full unknowns; the rest are motions of rigid faces.
+    pub plain: usize,
+    /// Block (node, face or rigid motion) of each of the program's unknowns, for orderings.
+    pub block: Vec<u32>,
+}
+
+impl DofMap {
+    /// Builds the map from the combination of each full unknown.
+    pub fn new(combinations: Vec<Vec<(u32, f64)>>, plain: usize, block: Vec<u32>) -> Self {
+        let mut start = Vec::with_capacity(combinations.len() + 1);
+        let mut terms = Vec::with_capacity(combinations.len());
+        start.push(0);
+        for c in combinations {
+            terms.extend(c);
+            start.push(terms.len());
+        }
+        Self { start, terms, n: block.len(), plain, block }
+    }
+
+    /// The combination of full unknown `i`.
+    pub fn terms(&self, i: usize) -> &[(u32, f64)] {
+        &self.terms[self.start[i]..self.start[i + 1]]
+    }
+
+    /// The unknown that full unknown `i` is, if it is one of its own.
+    pub fn own(&self, i: usize) -> Option<usize> {
+        match self.terms(i) {
+            [(k, _)] if (*k as usize) < self.plain => Some(*k as usize),
+            _ => None,
+        }
+    }
+
+    /// Number of full unknowns.
+    pub fn full(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// Full values of the program's unknowns `x`.
+    pub fn expand(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.full()).map(|i| self.terms(i).iter().map(|&(k, c)| c * x[k as usize]).sum()).collect()
+    }
+
+    /// Forces on the program's unknowns from forces on the full ones (the transpose of [`Self::expand`]).
+    pub fn reduce(&self, f: &[f64]) -> Vec<f64> {
+        let mut r = vec![0.0; self.n];
+        for (i, &fi) in f.iter().enumerate() {
+            for &(k, c) in self.terms(i) {
+                r[k as usize] += c * fi;
+            }
+        }
+        r
+    }
+
+    /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
+    pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
+        let mut row: Vec<(u32, f64)> = full
+            .iter()
+            .flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w)))
+            .collect();
+        row.sort_unstable_by_key(|t| t.0);
+        let largest = row.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+        let mut merged: Vec<(u32, f64)> = Vec::with_capacity(row.len());
+        for (k, w) in row {
+            match merged.last_mut() {
+                Some(last) if last.0 == k => last.1 += w,
+                _ => merged.push((k, w)),
+            }
+        }
+        merged.retain(|t| t.1.abs() > 1e-13 * largest);
+        merged
+    }
+}

@@ -1,0 +1,324 @@
+//! The kinematic program: 10-node tetrahedra, contact cones at the Bernstein coefficients of gap and slip.
+//!
+//! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. Gap and slip are quadratic on a
+//! face; a quadratic polynomial lies in a convex cone wherever its six Bernstein coefficients do, so the contact law
+//! holds at every point of the interface, not only at nodes.
+
+use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
+use super::assemble::assemble;
+use super::dofs::DofMap;
+use super::holds::{self, FacePoints, ModelError, RigidMotions};
+use super::loads::{face_corners, face_nodes};
+use super::program::{Cone, ConicProgram};
+use super::tet10;
+use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
+use crate::math::vec3::{self, V3};
+use crate::mesh::TetMesh;
+use crate::mesh::topology::EdgeTable;
+use std::collections::BTreeSet;
+
+/// Ends of the edges of a face, by position: mid-side nodes 3, 4, 5 of a 6-node triangle.
+pub const FACE_EDGES: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
+
+/// The displacement space: vertices, then mid-side nodes.
+#[derive(Clone, Debug, Default)]
+pub struct Tet10Space {
+    /// Coordinates of vertices and mid-side nodes \[mm\].
+    pub nodes: Vec<V3>,
+    /// Number of vertices; edge `i` carries node `vertices + i`.
+    pub vertices: usize,
+    /// The edges.
+    pub edges: EdgeTable,
+}
+
+impl Tet10Space {
+    /// The space on a mesh.
+    pub fn new(mesh: &TetMesh) -> Self {
+        let edges = EdgeTable::new(mesh);
+        let mut nodes = mesh.nodes.clone();
+        nodes.extend(edges.nodes.iter().map(|e| {
+            let (a, b) = (mesh.nodes[e[0] as usize], mesh.nodes[e[1] as usize]);
+            vec3::scale(0.5, vec3::add(a, b))
+        }));
+        Self { nodes, vertices: mesh.nodes.len(), edges }
+    }
+
+    /// The ten nodes of tet `e`.
+    pub fn tet(&self, mesh: &TetMesh, e: usize) -> [usize; 10] {
+        std::array::from_fn(|i| {
+            if i < 4 { mesh.tets[e][i] as usize } else { self.vertices + self.edges.of_tet[e][i - 4] as usize }
+        })
+    }
+
+    /// The six nodes of a triangle given by its vertices: the vertices, then the mid-sides of [`FACE_EDGES`].
+    pub fn triangle(&self, v: [u32; 3]) -> [usize; 6] {
+        std::array::from_fn(|i| {
+            if i < 3 {
+                v[i] as usize
+            } else {
+                let [a, b] = FACE_EDGES[i - 3];
+                // every edge of a mesh face is in the table of the same mesh
+                self.vertices + self.edges.find(v[a], v[b]).unwrap_or(0) as usize
+            }
+        })
+    }
+}
+
+struct Points<'a> {
+    model: &'a AnalysisModel,
+    space: &'a Tet10Space,
+}
+
+impl FacePoints for Points<'_> {
+    fn points(&self, face: &BoundaryFace) -> Vec<usize> {
+        self.space.triangle(face_nodes(&self.model.mesh, face)).to_vec()
+    }
+    fn position(&self, point: usize) -> V3 {
+        self.space.nodes[point]
+    }
+    fn count(&self) -> usize {
+        self.space.nodes.len()
+    }
+    fn block(&self, point: usize) -> u32 {
+        point as u32
+    }
+}
+
+/// A Bernstein coefficient of the gap on an interface: a vertex, or an edge with its two ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ControlPoint {
+    /// Unit normal out of side A.
+    pub normal: V3,
+    /// Friction coefficient.
+    pub mu: f64,
+    /// Coefficient of the initial gap \[mm\].
+    pub gap: f64,
+    /// Nodes on side A: vertex, or mid-side and ends.
+    pub a: [usize; 3],
+    /// Nodes on side B; `None`: rigid ground.
+    pub b: Option<[usize; 3]>,
+    /// An edge: the coefficient is `2 u_mid − ½ (u_i + u_j)`.
+    pub edge: bool,
+}
+
+impl ControlPoint {
+    /// Node weights of the coefficient.
+    pub fn weights(&self) -> &'static [f64] {
+        if self.edge { &[2.0, -0.5, -0.5] } else { &[1.0] }
+    }
+
+    /// The coefficient of the jump `u_B − u_A` of nodal displacements.
+    pub fn jump(&self, u: &[V3]) -> V3 {
+        let side = |n: &[usize; 3]| {
+            self.weights().iter().zip(n).fold([0.0; 3], |s, (&w, &i)| vec3::add(s, vec3::scale(w, u[i])))
+        };
+        vec3::sub(self.b.as_ref().map_or([0.0; 3], &side), side(&self.a))
+    }
+}
+
+/// The kinematic program of a model.
+#[derive(Clone, Debug)]
+pub struct Kinematic {
+    /// Its conic program.
+    pub program: ConicProgram,
+    /// Its displacement space.
+    pub space: Tet10Space,
+    /// Full displacements from the program's unknowns.
+    pub map: DofMap,
+    /// Unknowns of the rigid faces.
+    pub rigid: Vec<RigidMotions>,
+    /// The control point of each cone.
+    pub points: Vec<ControlPoint>,
+}
+
+/// Every distinct control point of the model's contacts.
+pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
+    let mut out = Vec::new();
+    for interface in &model.interfaces {
+        let mut seen = BTreeSet::new();
+        for f in &interface.faces {
+            let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
+            let b = Some(space.triangle(f.nodes_b));
+            points_of_face(&interface.law, &corners, space.triangle(f.nodes_a), b, &mut seen, &mut out);
+        }
+    }
+    for ground in &model.ground {
+        let mut seen = BTreeSet::new();
+        for f in &ground.faces {
+            let corners = face_corners(&model.mesh, f);
+            let a = space.triangle(face_nodes(&model.mesh, f));
+            points_of_face(&ground.law, &corners, a, None, &mut seen, &mut out);
+        }
+    }
+    out
+}
+
+/// A control point's identity: nodes on both sides and the normal, rounded so that faces of one plane share it.
+type Key = (usize, usize, [i64; 3]);
+
+fn points_of_face(
+    law: &ContactLaw,
+    corners: &[V3; 3],
+    a: [usize; 6],
+    b: Option<[usize; 6]>,
+    seen: &mut BTreeSet<Key>,
+    out: &mut Vec<ControlPoint>,
+) {
+    let area = vec3::area_vector(corners);
+    let normal = vec3::scale(1.0 / vec3::norm(area), area);
+    let rounded = normal.map(|x| (x * 1e6).round() as i64);
+    for i in 0..6 {
+        if !seen.insert((a[i], b.map_or(usize::MAX, |b| b[i]), rounded)) {
+            continue;
+        }
+        let edge = i >= 3;
+        let (pick, gap): (&dyn Fn(&[usize; 6]) -> [usize; 3], f64) = if edge {
+            let [p, q] = FACE_EDGES[i - 3];
+            let mid = vec3::scale(0.5, vec3::add(corners[p], corners[q]));
+            let g = 2.0 * law.gap.at(mid) - 0.5 * (law.gap.at(corners[p]) + law.gap.at(corners[q]));
+            (&move |n| [n[i], n[p], n[q]], g)
+        } else {
+            (&move |n| [n[i]; 3], law.gap.at(corners[i]))
+        };
+        out.push(ControlPoint { normal, mu: law.mu, gap, a: pick(&a), b: b.as_ref().map(pick), edge });
+    }
+}
+
+/// Nodal forces of all loads, load factor 1 \[N\].
+fn nodal_forces(model: &AnalysisModel, space: &Tet10Space) -> Vec<f64> {
+    let mut f = vec![0.0; 3 * space.nodes.len()];
+    let body = model.body_forces();
+    if body.iter().any(|b| *b != [0.0; 3]) {
+        let weights = tet10::shape_integrals();
+        for e in 0..model.mesh.tets.len() {
+            let b = body[model.mesh.tet_body[e] as usize];
+            let v = model.mesh.volume(e);
+            for (i, n) in space.tet(&model.mesh, e).into_iter().enumerate() {
+                (0..3).for_each(|d| f[3 * n + d] += weights[i] * v * b[d]);
+            }
+        }
+    }
+    for load in &model.surface_loads {
+        for face in &load.faces {
+            let corners = face_corners(&model.mesh, face);
+            let nodes = space.triangle(face_nodes(&model.mesh, face));
+            let area = vec3::area_vector(&corners);
+            let size = vec3::norm(area);
+            let normal = vec3::scale(1.0 / size, area);
+            for (l, w) in TRIANGLE_4 {
+                let x = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
+                let t = load.at(x, normal);
+                for (n, s) in nodes.iter().zip(triangle_p2(l)) {
+                    (0..3).for_each(|d| f[3 * n + d] += w * size * s * t[d]);
+                }
+            }
+        }
+    }
+    f
+}
+
+impl Kinematic {
+    /// Builds the program.
+    pub fn new(model: &AnalysisModel) -> Result<Self, ModelError> {
+        let space = Tet10Space::new(&model.mesh);
+        let (map, rigid) = holds::number_unknowns(model, &Points { model, space: &space })?;
+        let materials = model.stiffnesses();
+        let mut p = assemble::<30, ModelError>(
+            model.mesh.tets.len(),
+            &map,
+            |e| {
+                let nodes = space.tet(&model.mesh, e);
+                std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
+            },
+            |e| {
+                let body = model.mesh.tet_body[e] as usize;
+                Ok(tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]))
+            },
+        )?;
+        let mut f = map.reduce(&nodal_forces(model, &space));
+        holds::add_rigid_actions(model, &rigid, &mut f);
+        pin_free_modes(model, &space, &map, &mut p);
+        let mut program =
+            ConicProgram { p, q: f.iter().map(|x| -x).collect(), c: 0.0, ..ConicProgram::default() };
+        program.g.ncols = map.n;
+        let mut points = Vec::new();
+        for point in control_points(model, &space) {
+            if push_cone(&mut program, &map, &point) {
+                points.push(point);
+            }
+        }
+        Ok(Self { program, space, map, rigid, points })
+    }
+}
+
+/// Adds the cone `(g_N + g₀, μ g_T) ∈ K³` (or `g_N + g₀ ≥ 0`) of a control point; false when nothing of it can move.
+fn push_cone(program: &mut ConicProgram, map: &DofMap, point: &ControlPoint) -> bool {
+    let (t1, t2) = vec3::tangents(point.normal);
+    let direction = |n: V3, factor: f64| {
+        let mut full = Vec::new();
+        for (i, &w) in point.weights().iter().enumerate() {
+            for d in 0..3 {
+                if let Some(b) = point.b {
+                    full.push((3 * b[i] + d, factor * w * n[d]));
+                }
+                full.push((3 * point.a[i] + d, -factor * w * n[d]));
+            }
+        }
+        map.row(&full)
+    };
+    let normal = direction(point.normal, 1.0);
+    let slip = [direction(t1, point.mu), direction(t2, point.mu)];
+    let rows = [&normal, &slip[0], &slip[1]];
+    push_rows(program, &rows, point.mu, point.gap)
+}
+
+/// Adds the rows of one contact cone; false (and nothing added) when all of them are empty.
+pub fn push_rows(program: &mut ConicProgram, rows: &[&Vec<(u32, f64)>; 3], mu: f64, offset: f64) -> bool {
+    let used = if mu > 0.0 { 3 } else { 1 };
+    if rows[..used].iter().all(|r| r.is_empty()) {
+        return false;
+    }
+    for (i, row) in rows[..used].iter().enumerate() {
+        program.g.push_row(row);
+        program.h.push(if i == 0 { offset } else { 0.0 });
+    }
+    program.cones.push(if mu > 0.0 { Cone::SecondOrder(3) } else { Cone::NonNegative });
+    true
+}
+
+/// Holds one vertex displacement per free rigid motion.
+fn pin_free_modes(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    map: &DofMap,
+    p: &mut super::program::SymmetricCsc,
+) {
+    if model.free_modes.is_empty() {
+        return;
+    }
+    let part = model.node_parts();
+    let motions = model
+        .free_modes
+        .iter()
+        .map(|mode| {
+            let mut x = vec![0.0; map.n];
+            for v in 0..space.vertices {
+                let u = holds::rigid_displacement(&mode.motions[part[v] as usize], [0.0; 3], space.nodes[v]);
+                for d in 0..3 {
+                    if let Some(k) = map.own(3 * v + d) {
+                        x[k] = u[d];
+                    }
+                }
+            }
+            x
+        })
+        .collect();
+    hold(p, holds::pins(motions));
+}
+
+/// Stiffens the given unknowns by the mean diagonal; their force is zero, so their value becomes zero.
+pub fn hold(p: &mut super::program::SymmetricCsc, unknowns: Vec<usize>) {
+    let diagonal = p.diagonal();
+    let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
+    unknowns.into_iter().for_each(|k| p.add_diagonal(k, mean));
+}

@@ -1,0 +1,361 @@
+//! The static program: super-elements condensed to displacements of their faces, traction cones at face vertices.
+//!
+//! `min ½ vᵀKv − fᵀv` over face displacements v, the multipliers of traction equilibrium; its optimal value is −Π_c of a
+//! statically admissible stress field, a lower bound of the exact potential energy. Cones bound the mass-weighted jumps
+//! `Σ_b M_ab (v_B − v_A)_b + ∫ φ_a g₀ n`, conjugate to the traction at face vertex a.
+
+use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
+use super::assemble::assemble;
+use super::dofs::DofMap;
+use super::holds::{self, FacePoints, ModelError, RigidMotions};
+use super::kinematic::{hold, push_rows};
+use super::loads::face_corners;
+use super::program::ConicProgram;
+use super::super_element::{self, SuperElement, TRACTIONS};
+use crate::math::mandel::Isotropic;
+use crate::math::quadrature::{TRIANGLE_4, triangle_mass};
+use crate::math::vec3::{self, V3};
+use crate::mesh::TetMesh;
+use crate::mesh::topology::FaceTable;
+use rayon::prelude::*;
+
+/// Geometry shared by the static program and the recovery of its stresses.
+pub struct SuperElements<'a> {
+    model: &'a AnalysisModel,
+    /// The faces, each with 9 displacement unknowns (3 vertices in increasing node order × 3 components).
+    pub faces: FaceTable,
+    materials: Vec<Isotropic>,
+    body: Vec<V3>,
+    origin: V3,
+}
+
+impl<'a> SuperElements<'a> {
+    /// Numbers the faces of the model's mesh.
+    pub fn new(model: &'a AnalysisModel) -> Self {
+        // the particular stress of a body force vanishes at the mesh's first node: small numbers, any origin of axes
+        let origin = model.mesh.nodes.first().copied().unwrap_or_default();
+        Self {
+            model,
+            faces: FaceTable::new(&model.mesh),
+            materials: model.stiffnesses(),
+            body: model.body_forces(),
+            origin,
+        }
+    }
+
+    /// The element of tet `e`.
+    pub fn element(&self, e: usize) -> Result<SuperElement, ModelError> {
+        let corners = self.model.mesh.corners(e);
+        let body = self.model.mesh.tet_body[e] as usize;
+        let force = self.body[body];
+        let force = (force != [0.0; 3]).then_some((force, self.origin));
+        SuperElement::new(corners, self.materials[body], force).ok_or_else(|| {
+            let c = super_element::centroid(&corners);
+            ModelError::FlatTet { tet: e, x: c[0], y: c[1], z: c[2] }
+        })
+    }
+
+    /// Full unknowns of tet `e` in the element's order.
+    pub fn dofs(&self, e: usize) -> [usize; TRACTIONS] {
+        let mut d = [0; TRACTIONS];
+        for k in 0..4 {
+            let at = self.faces.positions(&self.model.mesh, e, k);
+            for p in 0..3 {
+                for c in 0..3 {
+                    d[9 * k + 3 * p + c] = 9 * self.faces.of_tet[e][k] as usize + 3 * at[p] + c;
+                }
+            }
+        }
+        d
+    }
+
+    /// Part a face belongs to.
+    pub fn part(&self, face: usize) -> usize {
+        self.model.tet_part[self.faces.tets[face].0 as usize] as usize
+    }
+
+    /// The model the elements belong to.
+    pub fn model(&self) -> &AnalysisModel {
+        self.model
+    }
+
+    /// First full unknown of each vertex of a triangle that is local face `face.local` of `face.tet`; `nodes` gives the
+    /// order.
+    pub fn vertex_dofs(&self, face: &BoundaryFace, nodes: [u32; 3]) -> [usize; 3] {
+        let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
+        nodes.map(|n| 9 * f + 3 * self.faces.nodes[f].iter().position(|m| *m == n).unwrap_or(0))
+    }
+}
+
+struct Points<'a> {
+    mesh: &'a TetMesh,
+    faces: &'a FaceTable,
+}
+
+impl FacePoints for Points<'_> {
+    fn points(&self, face: &BoundaryFace) -> Vec<usize> {
+        let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
+        vec![3 * f, 3 * f + 1, 3 * f + 2]
+    }
+    fn position(&self, point: usize) -> V3 {
+        self.mesh.nodes[self.faces.nodes[point / 3][point % 3] as usize]
+    }
+    fn count(&self) -> usize {
+        3 * self.faces.nodes.len()
+    }
+    fn block(&self, point: usize) -> u32 {
+        (point / 3) as u32
+    }
+}
+
+/// A vertex of a contact face: where one traction cone sits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactVertex {
+    /// Unit normal out of side A.
+    pub normal: V3,
+    /// Friction coefficient.
+    pub mu: f64,
+    /// First full unknown of each vertex on side A; this cone's vertex is `index`.
+    pub a: [usize; 3],
+    /// The same on side B; `None`: rigid ground.
+    pub b: Option<[usize; 3]>,
+    /// Which vertex of the face.
+    pub index: usize,
+    /// Area of the face \[mm²\].
+    pub area: f64,
+    /// `∫ φ_a g₀` \[mm³\].
+    pub gap: f64,
+}
+
+/// The static program of a model.
+pub struct Static<'a> {
+    /// Its conic program.
+    pub program: ConicProgram,
+    /// Its elements.
+    pub elements: SuperElements<'a>,
+    /// Full face displacements from the program's unknowns.
+    pub map: DofMap,
+    /// Unknowns of the rigid faces.
+    pub rigid: Vec<RigidMotions>,
+    /// The face vertex of each cone.
+    pub vertices: Vec<ContactVertex>,
+    /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions must balance.
+    pub loads: Vec<f64>,
+}
+
+fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
+    let model = elements.model;
+    let mut out = Vec::new();
+    let mut face = |law: &ContactLaw, corners: &[V3; 3], a: [usize; 3], b: Option<[usize; 3]>| {
+        let vector = vec3::area_vector(corners);
+        let area = vec3::norm(vector);
+        for index in 0..3 {
+            let gap = TRIANGLE_4
+                .iter()
+                .map(|(l, w)| {
+                    let x = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
+                    w * area * l[index] * law.gap.at(x)
+                })
+                .sum();
+            out.push(ContactVertex { normal: vec3::scale(1.0 / area, vector), mu: law.mu, a, b, index, area, gap });
+        }
+    };
+    for interface in &model.interfaces {
+        for f in &interface.faces {
+            let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
+            let b = elements.vertex_dofs(&f.b, f.nodes_b);
+            face(&interface.law, &corners, elements.vertex_dofs(&f.a, f.nodes_a), Some(b));
+        }
+    }
+    for ground in &model.ground {
+        for f in &ground.faces {
+            let nodes = super::loads::face_nodes(&model.mesh, f);
+            face(&ground.law, &face_corners(&model.mesh, f), elements.vertex_dofs(f, nodes), None);
+        }
+    }
+    out
+}
+
+/// Mass-weighted surface loads on the full unknowns \[N\].
+fn face_forces(elements: &SuperElements) -> Vec<f64> {
+    let model = elements.model;
+    let mut f = vec![0.0; 9 * elements.faces.nodes.len()];
+    for load in &model.surface_loads {
+        for face in &load.faces {
+            let corners = face_corners(&model.mesh, face);
+            let dofs = elements.vertex_dofs(face, super::loads::face_nodes(&model.mesh, face));
+            let vector = vec3::area_vector(&corners);
+            let area = vec3::norm(vector);
+            let normal = vec3::scale(1.0 / area, vector);
+            let t = corners.map(|x| load.at(x, normal));
+            for a in 0..3 {
+                for b in 0..3 {
+                    (0..3).for_each(|d| f[dofs[a] + d] += triangle_mass(a, b) * area * t[b][d]);
+                }
+            }
+        }
+    }
+    f
+}
+
+impl<'a> Static<'a> {
+    /// Builds the program.
+    pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        let elements = SuperElements::new(model);
+        let (map, rigid) =
+            holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
+        let mut p = assemble::<TRACTIONS, ModelError>(
+            model.mesh.tets.len(),
+            &map,
+            |e| elements.dofs(e),
+            |e| Ok(elements.element(e)?.stiffness()),
+        )?;
+        let mut loads = map.reduce(&face_forces(&elements));
+        holds::add_rigid_actions(model, &rigid, &mut loads);
+        let mut q: Vec<f64> = loads.iter().map(|x| -x).collect();
+        let mut c = 0.0;
+        if model.body_forces().iter().any(|b| *b != [0.0; 3]) {
+            let terms: Vec<([f64; TRACTIONS], f64)> = (0..model.mesh.tets.len())
+                .into_par_iter()
+                .map(|e| Ok(elements.element(e)?.body_terms()))
+                .collect::<Result<_, ModelError>>()?;
+            let mut full = vec![0.0; map.full()];
+            for (e, (linear, constant)) in terms.iter().enumerate() {
+                c += constant;
+                for (d, x) in elements.dofs(e).into_iter().zip(linear) {
+                    full[d] += x;
+                }
+            }
+            map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
+        }
+        pin_free_modes(&elements, &map, &mut p);
+        let mut program = ConicProgram { p, q, c, ..ConicProgram::default() };
+        program.g.ncols = map.n;
+        let mut vertices = Vec::new();
+        for v in contact_vertices(&elements) {
+            if push_cone(&mut program, &map, &v) {
+                vertices.push(v);
+            }
+        }
+        Ok(Self { program, elements, map, rigid, vertices, loads })
+    }
+}
+
+/// Adds the cone of one contact vertex; false when nothing of it can move.
+fn push_cone(program: &mut ConicProgram, map: &DofMap, v: &ContactVertex) -> bool {
+    let (t1, t2) = vec3::tangents(v.normal);
+    let direction = |n: V3, factor: f64| {
+        let mut full = Vec::new();
+        for b in 0..3 {
+            let w = factor * triangle_mass(v.index, b) * v.area;
+            for d in 0..3 {
+                if let Some(side) = v.b {
+                    full.push((side[b] + d, w * n[d]));
+                }
+                full.push((v.a[b] + d, -w * n[d]));
+            }
+        }
+        map.row(&full)
+    };
+    let normal = direction(v.normal, 1.0);
+    let slip = [direction(t1, v.mu), direction(t2, v.mu)];
+    push_rows(program, &[&normal, &slip[0], &slip[1]], v.mu, v.gap)
+}
+
+/// The motion of every part as displacements of the program's own unknowns (motions of rigid faces are left at zero).
+pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl Fn(usize) -> [f64; 6]) -> Vec<f64> {
+    let mesh = &elements.model.mesh;
+    let mut x = vec![0.0; map.n];
+    for (f, nodes) in elements.faces.nodes.iter().enumerate() {
+        let motion = motion_of_part(elements.part(f));
+        for (p, &n) in nodes.iter().enumerate() {
+            let u = holds::rigid_displacement(&motion, [0.0; 3], mesh.nodes[n as usize]);
+            for d in 0..3 {
+                if let Some(k) = map.own(9 * f + 3 * p + d) {
+                    x[k] = u[d];
+                }
+            }
+        }
+    }
+    x
+}
+
+fn pin_free_modes(elements: &SuperElements, map: &DofMap, p: &mut super::program::SymmetricCsc) {
+    let modes = &elements.model.free_modes;
+    if modes.is_empty() {
+        return;
+    }
+    let motions = modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect();
+    hold(p, holds::pins(motions));
+}
+
+/// A rigid motion of parts and rigid faces that no support resists, only contact.
+pub struct ContactMode {
+    /// The motion in the program's unknowns.
+    pub unknowns: Vec<f64>,
+    /// The motion `[U, θ]` about the origin of each part.
+    pub parts: Vec<[f64; 6]>,
+}
+
+impl Static<'_> {
+    /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the
+    /// loads.
+    pub fn contact_modes(&self) -> Vec<ContactMode> {
+        let model = self.elements.model;
+        let parts = model.parts.len();
+        let faces = &self.elements.faces;
+        // motions about the middle of the model, rotations scaled to its size
+        let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
+            (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
+        });
+        let centre: V3 = std::array::from_fn(|d| 0.5 * (lo[d] + hi[d]));
+        let size = vec3::norm(vec3::sub(hi, lo)).max(f64::MIN_POSITIVE);
+        let unit: [[f64; 6]; 6] = std::array::from_fn(|m| {
+            let mut v = [0.0; 6];
+            v[m] = if m < 3 { 1.0 } else { 1.0 / size };
+            v
+        });
+        let rigid = self.map.n - self.map.plain;
+        let n = 6 * parts + rigid;
+        let mut gram = faer::Mat::<f64>::zeros(n, n);
+        for f in 0..faces.nodes.len() {
+            for (p, &node) in faces.nodes[f].iter().enumerate() {
+                for d in 0..3 {
+                    let full = 9 * f + 3 * p + d;
+                    if self.map.own(full).is_some() {
+                        continue;
+                    }
+                    let part = self.elements.part(f);
+                    let x = model.mesh.nodes[node as usize];
+                    let mut row: Vec<(usize, f64)> =
+                        (0..6).map(|m| (6 * part + m, holds::rigid_displacement(&unit[m], centre, x)[d])).collect();
+                    row.extend(
+                        self.map.terms(full).iter().map(|&(k, c)| (6 * parts + k as usize - self.map.plain, -c)),
+                    );
+                    for &(i, a) in &row {
+                        for &(j, b) in &row {
+                            gram[(i, j)] += a * b;
+                        }
+                    }
+                }
+            }
+        }
+        crate::math::dense::null_space(&gram, 1e-11)
+            .into_iter()
+            .map(|c| {
+                let motions: Vec<[f64; 6]> = (0..parts)
+                    .map(|p| {
+                        let theta: V3 = std::array::from_fn(|d| c[6 * p + 3 + d] / size);
+                        let u: V3 = std::array::from_fn(|d| c[6 * p + d]);
+                        // about the origin: U + θ × (x − centre) = (U − θ × centre) + θ × x
+                        let u = vec3::sub(u, vec3::cross(theta, centre));
+                        [u[0], u[1], u[2], theta[0], theta[1], theta[2]]
+                    })
+                    .collect();
+                let mut unknowns = part_motions(&self.elements, &self.map, |p| motions[p]);
+                unknowns[self.map.plain..].copy_from_slice(&c[6 * parts..]);
+                ContactMode { unknowns, parts: motions }
+            })
+            .collect()
+    }
+}

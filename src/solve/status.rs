@@ -1,0 +1,76 @@
+//! What a solve returns: status, unknowns, multipliers. Outcomes are data, not errors.
+
+use serde::{Deserialize, Serialize};
+
+/// How a solve ended. Only `Optimal` can become a bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SolveStatus {
+    /// Solved to the asked tolerance.
+    Optimal,
+    /// The objective falls without limit along a direction: no equilibrium.
+    Unbounded,
+    /// No point satisfies the cones.
+    Infeasible,
+    /// Stopped short of the tolerance.
+    ReducedAccuracy,
+    /// Iteration limit reached.
+    IterationLimit,
+    /// Time limit reached.
+    TimeLimit,
+    /// Numerical trouble.
+    NumericalError,
+    /// Stopped by the user.
+    Interrupted,
+}
+
+impl SolveStatus {
+    /// In the words of a report.
+    pub fn words(self) -> &'static str {
+        match self {
+            SolveStatus::Optimal => "optimal",
+            SolveStatus::Unbounded => "unbounded",
+            SolveStatus::Infeasible => "infeasible",
+            SolveStatus::ReducedAccuracy => "reduced accuracy",
+            SolveStatus::IterationLimit => "iteration limit",
+            SolveStatus::TimeLimit => "time limit",
+            SolveStatus::NumericalError => "numerical error",
+            SolveStatus::Interrupted => "interrupted",
+        }
+    }
+}
+
+/// Primal and dual unknowns of a [`crate::model::ConicProgram`].
+///
+/// For `Unbounded`, `x` is the direction along which the objective falls.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// How the solve ended.
+    pub status: SolveStatus,
+    /// Unknowns.
+    pub x: Vec<f64>,
+    /// Multipliers of the cones: `P x + q = Gᵀ z`.
+    pub z: Vec<f64>,
+    /// Interior-point iterations (1 for a linear solve).
+    pub iterations: u32,
+    /// Wall time \[s\].
+    pub seconds: f64,
+}
+
+/// Limits and reporting of a solve.
+pub struct SolveOptions<'a> {
+    /// Relative duality gap and residuals at which to stop.
+    pub tolerance: f64,
+    /// Iterations at most.
+    pub max_iterations: u32,
+    /// Wall time at most \[s\].
+    pub time_limit: f64,
+    /// Told every iteration: number, gap, residual.
+    pub progress: Option<&'a (dyn Fn(u32, f64, f64) + Sync)>,
+}
+
+impl Default for SolveOptions<'_> {
+    fn default() -> Self {
+        Self { tolerance: 1e-8, max_iterations: 100, time_limit: f64::INFINITY, progress: None }
+    }
+}
