@@ -6,6 +6,7 @@
 //!
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 
+pub mod adapt;
 pub mod assembly;
 pub mod bounds;
 pub mod cli;

@@ -7,7 +7,7 @@ use super::linear::{SparseCholesky, solve_refined};
 use super::status::{Solution, SolveOptions, SolveStatus};
 use crate::model::program::{Cone, ConicProgram};
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use std::time::Instant;
 
 /// Scales of a program: `x = x_scale·x̂`, `z = z_scale·row_scale·ẑ`.
@@ -90,6 +90,12 @@ pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> S
     let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
         return failed(SolveStatus::NumericalError);
     };
+    if let Some(tell) = options.progress.clone() {
+        solver.set_termination_callback(move |info: &DefaultInfo<f64>| {
+            tell(info.iterations, info.gap_rel, info.res_primal.max(info.res_dual));
+            false
+        });
+    }
     solver.solve();
     let sol = &solver.solution;
     let status = match sol.status {

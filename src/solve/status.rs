@@ -1,6 +1,7 @@
 //! What a solve returns: status, unknowns, multipliers. Outcomes are data, not errors.
 
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// How a solve ended. Only `Optimal` can become a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -57,19 +58,23 @@ pub struct Solution {
     pub seconds: f64,
 }
 
+/// Told at every iteration: its number, the relative gap, the residual.
+pub type Iterations = Arc<dyn Fn(u32, f64, f64) + Send + Sync>;
+
 /// Limits and reporting of a solve.
-pub struct SolveOptions<'a> {
+#[derive(Clone)]
+pub struct SolveOptions {
     /// Relative duality gap and residuals at which to stop.
     pub tolerance: f64,
     /// Iterations at most.
     pub max_iterations: u32,
     /// Wall time at most \[s\].
     pub time_limit: f64,
-    /// Told every iteration: number, gap, residual.
-    pub progress: Option<&'a (dyn Fn(u32, f64, f64) + Sync)>,
+    /// Told every iteration.
+    pub progress: Option<Iterations>,
 }
 
-impl Default for SolveOptions<'_> {
+impl Default for SolveOptions {
     fn default() -> Self {
         Self { tolerance: 1e-8, max_iterations: 100, time_limit: f64::INFINITY, progress: None }
     }

@@ -1,0 +1,3 @@
+//! Passes of dual analysis over meshes.
+
+pub mod pass;

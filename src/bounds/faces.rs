@@ -1,0 +1,106 @@
+//! What each outer face of the mesh is asked for: supports, loads, rigid motion, contact.
+
+use crate::math::vec3::{self, V3};
+use crate::mesh::tet::FACES;
+use crate::model::AnalysisModel;
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad};
+
+/// Key of a boundary face: tet and local face.
+pub type FaceKey = (u32, u8);
+
+/// The role of one outer face.
+#[derive(Clone, Debug, Default)]
+pub struct FaceRole<'a> {
+    /// Components held at zero or moving rigidly: their traction is a reaction.
+    pub reaction: [bool; 3],
+    /// Loads on the face.
+    pub loads: Vec<&'a SurfaceLoad>,
+    /// In contact: its traction is a contact traction.
+    pub contact: bool,
+}
+
+impl FaceRole<'_> {
+    /// Prescribed traction at a point \[MPa\].
+    pub fn load(&self, x: V3, n: V3) -> V3 {
+        self.loads.iter().fold([0.0; 3], |t, l| vec3::add(t, l.at(x, n)))
+    }
+}
+
+fn key(f: &BoundaryFace) -> FaceKey {
+    (f.tet, f.local)
+}
+
+/// The roles of all outer faces that have one; faces without an entry are free.
+pub fn roles(model: &AnalysisModel) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
+    let mut roles: std::collections::BTreeMap<FaceKey, FaceRole<'_>> = Default::default();
+    for s in &model.supports {
+        for f in &s.faces {
+            let r = roles.entry(key(f)).or_default();
+            (0..3).for_each(|d| r.reaction[d] |= s.fix[d]);
+        }
+    }
+    for s in &model.rigid {
+        for f in &s.faces {
+            let r = roles.entry(key(f)).or_default();
+            (0..3).for_each(|d| r.reaction[d] |= s.components[d]);
+        }
+    }
+    for l in &model.surface_loads {
+        for f in &l.faces {
+            roles.entry(key(f)).or_default().loads.push(l);
+        }
+    }
+    for i in &model.interfaces {
+        for f in &i.faces {
+            roles.entry(key(&f.a)).or_default().contact = true;
+            roles.entry(key(&f.b)).or_default().contact = true;
+        }
+    }
+    for g in &model.ground {
+        for f in &g.faces {
+            roles.entry(key(f)).or_default().contact = true;
+        }
+    }
+    roles
+}
+
+/// One contact face seen from side A.
+pub struct ContactFace<'a> {
+    /// Its law.
+    pub law: &'a ContactLaw,
+    /// Side A.
+    pub a: BoundaryFace,
+    /// Vertices on side A, outward order.
+    pub nodes_a: [u32; 3],
+    /// Side B with the matching vertices; `None`: rigid ground.
+    pub b: Option<(BoundaryFace, [u32; 3])>,
+}
+
+/// Every contact face of the model, interfaces first.
+pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
+    let pair = |law, f: &FacePair| ContactFace { law, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) };
+    let interfaces = model.interfaces.iter().flat_map(|i| i.faces.iter().map(move |f| pair(&i.law, f)));
+    let ground = model.ground.iter().flat_map(|g| {
+        g.faces.iter().map(move |f| ContactFace {
+            law: &g.law,
+            a: *f,
+            nodes_a: FACES[f.local as usize].map(|i| model.mesh.tets[f.tet as usize][i]),
+            b: None,
+        })
+    });
+    interfaces.chain(ground).collect()
+}
+
+impl ContactFace<'_> {
+    /// Corners \[mm\].
+    pub fn corners(&self, model: &AnalysisModel) -> [V3; 3] {
+        self.nodes_a.map(|n| model.mesh.nodes[n as usize])
+    }
+
+    /// Unit normal out of side A and area \[mm²\].
+    pub fn normal(&self, model: &AnalysisModel) -> (V3, f64) {
+        let a = vec3::area_vector(&self.corners(model));
+        let size = vec3::norm(a);
+        (vec3::scale(1.0 / size, a), size)
+    }
+}

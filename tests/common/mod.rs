@@ -1,0 +1,109 @@
+//! Meshes and models for tests.
+#![allow(dead_code, missing_docs)]
+
+use bracket::mesh::{NamedFaces, TetMesh};
+
+/// A structured block of tets (six per cell), interior nodes jittered by `jitter` × cell size.
+pub struct Block {
+    pub cells: [usize; 3],
+    pub min: [f64; 3],
+    pub max: [f64; 3],
+    pub jitter: f64,
+    pub seed: u64,
+}
+
+impl Block {
+    pub fn new(cells: [usize; 3], max: [f64; 3]) -> Self {
+        Self { cells, min: [0.0; 3], max, jitter: 0.0, seed: 1 }
+    }
+
+    pub fn jittered(mut self, seed: u64) -> Self {
+        self.jitter = 0.2;
+        self.seed = seed;
+        self
+    }
+
+    /// The mesh: body of each cell by `body(centre)`, planes that must stay flat by `flat(axis, coordinate)`.
+    pub fn mesh(
+        &self,
+        bodies: &[&str],
+        body: impl Fn([f64; 3]) -> usize,
+        flat: impl Fn(usize, f64) -> bool,
+    ) -> TetMesh {
+        let [nx, ny, nz] = self.cells;
+        let h: [f64; 3] = std::array::from_fn(|d| (self.max[d] - self.min[d]) / self.cells[d] as f64);
+        let id = |i: usize, j: usize, k: usize| (i + (nx + 1) * (j + (ny + 1) * k)) as u32;
+        let mut state = self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        let mut nodes = Vec::new();
+        for k in 0..=nz {
+            for j in 0..=ny {
+                for i in 0..=nx {
+                    let at = [i, j, k];
+                    nodes.push(std::array::from_fn(|d| {
+                        let x = self.min[d] + h[d] * at[d] as f64;
+                        let fixed = at[d] == 0 || at[d] == self.cells[d] || flat(d, x);
+                        let r = random();
+                        if fixed { x } else { x + 2.0 * self.jitter * h[d] * r }
+                    }));
+                }
+            }
+        }
+        let mut tets = Vec::new();
+        let mut tet_body = Vec::new();
+        for k in 0..nz {
+            for j in 0..ny {
+                for i in 0..nx {
+                    let c = |a: usize, b: usize, c: usize| id(i + a, j + b, k + c);
+                    let centre: [f64; 3] =
+                        std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
+                    for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+                        let mut at = [0; 3];
+                        let mut t = [c(0, 0, 0); 4];
+                        for (n, &d) in path.iter().enumerate() {
+                            at[d] = 1;
+                            t[n + 1] = c(at[0], at[1], at[2]);
+                        }
+                        if [[0, 2, 1], [2, 1, 0], [1, 0, 2]].contains(&path) {
+                            t.swap(1, 2);
+                        }
+                        tets.push(t);
+                        tet_body.push(body(centre) as u32);
+                    }
+                }
+            }
+        }
+        let mut mesh =
+            TetMesh { nodes, tets, tet_body, bodies: bodies.iter().map(|b| b.to_string()).collect(), faces: vec![] };
+        let names = [["X0", "X1"], ["Y0", "Y1"], ["Z0", "Z1"]];
+        for d in 0..3 {
+            for (side, value) in [self.min[d], self.max[d]].into_iter().enumerate() {
+                let triangles = triangles_where(&mesh, |x| x[d] == value);
+                mesh.faces.push(NamedFaces { name: names[d][side].into(), triangles });
+            }
+        }
+        mesh
+    }
+}
+
+/// All tet faces whose corners satisfy `inside`, each once.
+pub fn triangles_where(mesh: &TetMesh, inside: impl Fn([f64; 3]) -> bool) -> Vec<[u32; 3]> {
+    let mut out = Vec::new();
+    for t in &mesh.tets {
+        for f in bracket::mesh::tet::FACES {
+            let mut n = f.map(|i| t[i]);
+            if n.iter().all(|&i| inside(mesh.nodes[i as usize])) {
+                n.sort_unstable();
+                out.push(n);
+            }
+        }
+    }
+    out.sort_unstable();
+    out.dedup();
+    out
+}
