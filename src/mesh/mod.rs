@@ -1,7 +1,9 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
 pub mod error;
+pub mod merge;
 pub mod msh;
+pub mod split;
 pub mod tet;
 pub mod topology;
 

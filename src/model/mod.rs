@@ -3,6 +3,7 @@
 pub mod analysis;
 pub mod file;
 pub mod program;
+pub mod resolve;
 
 pub use analysis::AnalysisModel;
 pub use program::ConicProgram;
