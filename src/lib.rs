@@ -15,3 +15,4 @@ pub mod math;
 pub mod mesh;
 pub mod model;
 pub mod solve;
+pub mod spec;

@@ -182,7 +182,8 @@ fn run_kinematic(
         }
         SolveStatus::Unbounded => {
             let u = kinematic.map.expand(&solution.x);
-            let moved = model.node_parts().into_iter().enumerate().map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]]));
+            let moved =
+                model.node_parts().into_iter().enumerate().map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]]));
             run.mechanism = Some(mechanism(model, moved));
         }
         _ => {}

@@ -9,8 +9,8 @@ use crate::math::Sum;
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{TETRAHEDRON_2, TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
+use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
-use crate::mesh::topology::FaceTable;
 use crate::model::AnalysisModel;
 use crate::model::holds::rigid_displacement;
 use crate::model::kinematic::{Tet10Space, control_points};
@@ -122,7 +122,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField) -> StaticCerti
         }
     }
     let roles = roles(model);
-    let faces = FaceTable::new(mesh);
+    let faces = FaceNumbering::new(mesh);
     let mut max_traction = 0.0f64;
     for e in 0..mesh.tets.len() {
         for k in 0..4 {
@@ -326,11 +326,8 @@ fn fit_rigid(
     rigid: &crate::model::analysis::RigidFace,
 ) -> ([f64; 6], f64) {
     use faer::prelude::Solve;
-    let mut nodes: Vec<usize> = rigid
-        .faces
-        .iter()
-        .flat_map(|f| space.triangle(crate::model::loads::face_nodes(&model.mesh, f)))
-        .collect();
+    let mut nodes: Vec<usize> =
+        rigid.faces.iter().flat_map(|f| space.triangle(crate::model::loads::face_nodes(&model.mesh, f))).collect();
     nodes.sort_unstable();
     nodes.dedup();
     let free: Vec<usize> = (0..6).filter(|&i| rigid.free[i]).collect();

@@ -199,8 +199,7 @@ fn balanced_tractions(
     }
     let starts = program.cone_starts();
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(&m.unknowns)).collect();
-    let needed: Vec<f64> =
-        modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    let needed: Vec<f64> = modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
     for _ in 0..3 {
         let mut weight = vec![0.0; z.len()];
         for (&start, cone) in starts.iter().zip(&program.cones) {
@@ -210,8 +209,7 @@ fn balanced_tractions(
         }
         let n = modes.len();
         let gram = Mat::from_fn(n, n, |i, j| (0..z.len()).map(|r| rows[i][r] * weight[r] * rows[j][r]).sum::<f64>());
-        let missing =
-            Mat::from_fn(n, 1, |i, _| needed[i] - rows[i].iter().zip(&z).map(|(a, b)| a * b).sum::<f64>());
+        let missing = Mat::from_fn(n, 1, |i, _| needed[i] - rows[i].iter().zip(&z).map(|(a, b)| a * b).sum::<f64>());
         // modes that no contact touches have a zero row here; the pseudo-inverse leaves them alone
         let multipliers = pseudo_solve(&gram, &missing);
         for r in 0..z.len() {

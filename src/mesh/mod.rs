@@ -1,6 +1,12 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
+pub mod error;
+pub mod merge;
+pub mod msh;
+pub mod numbering;
+pub mod split;
 pub mod tet;
 pub mod topology;
 
+pub use error::MeshError;
 pub use tet::{NamedFaces, TetMesh};

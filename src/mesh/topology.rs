@@ -1,81 +1,67 @@
-//! Faces and edges of a tet mesh, numbered once and in a fixed order.
+//! Which tets meet at which face.
 
-use super::tet::{EDGES, FACES, TetMesh};
+use super::tet::FACES;
 
-/// The distinct triangle faces of a mesh.
+/// One face of one tet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FaceRow {
+    /// Its nodes, increasing.
+    pub key: [u32; 3],
+    /// The tet.
+    pub tet: u32,
+    /// The face opposite this local vertex.
+    pub local: u8,
+    /// True when the outward order of the nodes is an even permutation of `key`.
+    pub even: bool,
+}
+
+/// All faces of a mesh, sorted by nodes, then by tet.
 #[derive(Clone, Debug, Default)]
 pub struct FaceTable {
-    /// Node indices of each face, increasing.
-    pub nodes: Vec<[u32; 3]>,
-    /// Face of each tet's local face (opposite local vertex `i`).
-    pub of_tet: Vec<[u32; 4]>,
-    /// Tets of each face; the second is absent on the outside.
-    pub tets: Vec<(u32, Option<u32>)>,
+    rows: Vec<FaceRow>,
+}
+
+/// The nodes in increasing order, and whether that is an even permutation.
+pub fn sorted(mut t: [u32; 3]) -> ([u32; 3], bool) {
+    let mut even = true;
+    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
+        if t[i] > t[j] {
+            t.swap(i, j);
+            even = !even;
+        }
+    }
+    (t, even)
+}
+
+/// Nodes of the face of `tet` opposite local vertex `local`, outward for a positive tet.
+pub fn face_nodes(tet: &[u32; 4], local: u8) -> [u32; 3] {
+    FACES[local as usize].map(|v| tet[v])
 }
 
 impl FaceTable {
-    /// Numbers the faces in increasing order of their nodes.
-    pub fn new(mesh: &TetMesh) -> Self {
-        let mut all: Vec<([u32; 3], u32, u8)> = Vec::with_capacity(4 * mesh.tets.len());
-        for (e, t) in mesh.tets.iter().enumerate() {
-            for (k, f) in FACES.iter().enumerate() {
-                let mut n = f.map(|i| t[i]);
-                n.sort_unstable();
-                all.push((n, e as u32, k as u8));
+    /// Collects and sorts the faces.
+    pub fn new(tets: &[[u32; 4]]) -> Self {
+        let mut rows = Vec::with_capacity(4 * tets.len());
+        for (e, tet) in tets.iter().enumerate() {
+            for local in 0..4u8 {
+                let (key, even) = sorted(face_nodes(tet, local));
+                rows.push(FaceRow { key, tet: e as u32, local, even });
             }
         }
-        all.sort_unstable();
-        let mut table = FaceTable { of_tet: vec![[0; 4]; mesh.tets.len()], ..Default::default() };
-        for (n, e, k) in all {
-            if table.nodes.last() == Some(&n) {
-                if let Some(owners) = table.tets.last_mut() {
-                    owners.1 = Some(e);
-                }
-            } else {
-                table.nodes.push(n);
-                table.tets.push((e, None));
-            }
-            table.of_tet[e as usize][k as usize] = (table.nodes.len() - 1) as u32;
-        }
-        table
+        rows.sort_unstable();
+        Self { rows }
     }
 
-    /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's increasing nodes.
-    pub fn positions(&self, mesh: &TetMesh, tet: usize, k: usize) -> [usize; 3] {
-        let nodes = self.nodes[self.of_tet[tet][k] as usize];
-        FACES[k].map(|i| nodes.iter().position(|n| *n == mesh.tets[tet][i]).unwrap_or(0))
-    }
-}
-
-/// The distinct edges of a mesh: the mid-side nodes of its 10-node tets.
-#[derive(Clone, Debug, Default)]
-pub struct EdgeTable {
-    /// End nodes of each edge, increasing.
-    pub nodes: Vec<[u32; 2]>,
-    /// Edge of each tet's local edge.
-    pub of_tet: Vec<[u32; 6]>,
-}
-
-impl EdgeTable {
-    /// Numbers the edges in increasing order of their nodes.
-    pub fn new(mesh: &TetMesh) -> Self {
-        let key = |t: &[u32; 4], e: &[usize; 2]| {
-            let (a, b) = (t[e[0]], t[e[1]]);
-            [a.min(b), a.max(b)]
-        };
-        let mut nodes: Vec<[u32; 2]> = mesh.tets.iter().flat_map(|t| EDGES.iter().map(move |e| key(t, e))).collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let of_tet = mesh
-            .tets
-            .iter()
-            .map(|t| EDGES.map(|e| nodes.binary_search(&key(t, &e)).map_or(0, |i| i as u32)))
-            .collect();
-        Self { nodes, of_tet }
+    /// The tets at the face with these nodes (any order): none, one (outer face), two, or more in a broken mesh.
+    pub fn owners(&self, nodes: [u32; 3]) -> &[FaceRow] {
+        let (key, _) = sorted(nodes);
+        let start = self.rows.partition_point(|r| r.key < key);
+        let end = start + self.rows[start..].iter().take_while(|r| r.key == key).count();
+        &self.rows[start..end]
     }
 
-    /// The edge between two nodes.
-    pub fn find(&self, a: u32, b: u32) -> Option<u32> {
-        self.nodes.binary_search(&[a.min(b), a.max(b)]).ok().map(|i| i as u32)
+    /// Every face once, with its tets.
+    pub fn faces(&self) -> impl Iterator<Item = &[FaceRow]> {
+        self.rows.chunk_by(|a, b| a.key == b.key)
     }
 }

@@ -30,7 +30,11 @@ pub fn assemble<const M: usize, E: Send>(
     Ok(a)
 }
 
-fn pattern<const M: usize>(elements: usize, map: &DofMap, dofs: &(impl Fn(usize) -> [usize; M] + Sync)) -> SymmetricCsc {
+fn pattern<const M: usize>(
+    elements: usize,
+    map: &DofMap,
+    dofs: &(impl Fn(usize) -> [usize; M] + Sync),
+) -> SymmetricCsc {
     let unknowns: Vec<Vec<u32>> = (0..elements)
         .into_par_iter()
         .map(|e| {

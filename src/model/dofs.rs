@@ -62,10 +62,8 @@ impl DofMap {
 
     /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
     pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
-        let mut row: Vec<(u32, f64)> = full
-            .iter()
-            .flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w)))
-            .collect();
+        let mut row: Vec<(u32, f64)> =
+            full.iter().flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w))).collect();
         row.sort_unstable_by_key(|t| t.0);
         let largest = row.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
         let mut merged: Vec<(u32, f64)> = Vec::with_capacity(row.len());

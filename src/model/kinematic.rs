@@ -14,7 +14,7 @@ use super::tet10;
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
-use crate::mesh::topology::EdgeTable;
+use crate::mesh::numbering::EdgeNumbering;
 use std::collections::BTreeSet;
 
 /// Ends of the edges of a face, by position: mid-side nodes 3, 4, 5 of a 6-node triangle.
@@ -28,13 +28,13 @@ pub struct Tet10Space {
     /// Number of vertices; edge `i` carries node `vertices + i`.
     pub vertices: usize,
     /// The edges.
-    pub edges: EdgeTable,
+    pub edges: EdgeNumbering,
 }
 
 impl Tet10Space {
     /// The space on a mesh.
     pub fn new(mesh: &TetMesh) -> Self {
-        let edges = EdgeTable::new(mesh);
+        let edges = EdgeNumbering::new(mesh);
         let mut nodes = mesh.nodes.clone();
         nodes.extend(edges.nodes.iter().map(|e| {
             let (a, b) = (mesh.nodes[e[0] as usize], mesh.nodes[e[1] as usize]);
@@ -238,8 +238,7 @@ impl Kinematic {
         let mut f = map.reduce(&nodal_forces(model, &space));
         holds::add_rigid_actions(model, &rigid, &mut f);
         pin_free_modes(model, &space, &map, &mut p);
-        let mut program =
-            ConicProgram { p, q: f.iter().map(|x| -x).collect(), c: 0.0, ..ConicProgram::default() };
+        let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), c: 0.0, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut points = Vec::new();
         for point in control_points(model, &space) {
@@ -287,12 +286,7 @@ pub fn push_rows(program: &mut ConicProgram, rows: &[&Vec<(u32, f64)>; 3], mu: f
 }
 
 /// Holds one vertex displacement per free rigid motion.
-fn pin_free_modes(
-    model: &AnalysisModel,
-    space: &Tet10Space,
-    map: &DofMap,
-    p: &mut super::program::SymmetricCsc,
-) {
+fn pin_free_modes(model: &AnalysisModel, space: &Tet10Space, map: &DofMap, p: &mut super::program::SymmetricCsc) {
     if model.free_modes.is_empty() {
         return;
     }

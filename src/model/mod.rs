@@ -8,6 +8,7 @@ pub mod holds;
 pub mod kinematic;
 pub mod loads;
 pub mod program;
+pub mod resolve;
 pub mod static_form;
 pub mod super_element;
 pub mod tet10;

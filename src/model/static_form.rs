@@ -16,14 +16,14 @@ use crate::math::mandel::Isotropic;
 use crate::math::quadrature::{TRIANGLE_4, triangle_mass};
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
-use crate::mesh::topology::FaceTable;
+use crate::mesh::numbering::FaceNumbering;
 use rayon::prelude::*;
 
 /// Geometry shared by the static program and the recovery of its stresses.
 pub struct SuperElements<'a> {
     model: &'a AnalysisModel,
     /// The faces, each with 9 displacement unknowns (3 vertices in increasing node order × 3 components).
-    pub faces: FaceTable,
+    pub faces: FaceNumbering,
     materials: Vec<Isotropic>,
     body: Vec<V3>,
     origin: V3,
@@ -36,7 +36,7 @@ impl<'a> SuperElements<'a> {
         let origin = model.mesh.nodes.first().copied().unwrap_or_default();
         Self {
             model,
-            faces: FaceTable::new(&model.mesh),
+            faces: FaceNumbering::new(&model.mesh),
             materials: model.stiffnesses(),
             body: model.body_forces(),
             origin,
@@ -89,7 +89,7 @@ impl<'a> SuperElements<'a> {
 
 struct Points<'a> {
     mesh: &'a TetMesh,
-    faces: &'a FaceTable,
+    faces: &'a FaceNumbering,
 }
 
 impl FacePoints for Points<'_> {
@@ -202,8 +202,7 @@ impl<'a> Static<'a> {
     /// Builds the program.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         let elements = SuperElements::new(model);
-        let (map, rigid) =
-            holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
+        let (map, rigid) = holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
         let mut p = assemble::<TRACTIONS, ModelError>(
             model.mesh.tets.len(),
             &map,

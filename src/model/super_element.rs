@@ -115,9 +115,7 @@ fn reference() -> &'static Reference {
         let rt = Mat::from_fn(96, 66, |i, j| rows[j][i]);
         let q = rt.qr().compute_Q();
         let basis: [[[Mandel; PARAMETERS]; 4]; 4] = std::array::from_fn(|k| {
-            std::array::from_fn(|p| {
-                std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)]))
-            })
+            std::array::from_fn(|p| std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)])))
         });
         let mut traction = Box::new([[0.0; PARAMETERS]; TRACTIONS]);
         for k in 0..4 {

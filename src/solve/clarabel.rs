@@ -25,8 +25,7 @@ impl Scaling {
         let mut rows = vec![1.0; program.h.len()];
         for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
             let range = start..start + cone.dim();
-            let largest =
-                range.clone().flat_map(|r| program.g.row(r)).map(|(_, v)| v.abs()).fold(0.0f64, f64::max);
+            let largest = range.clone().flat_map(|r| program.g.row(r)).map(|(_, v)| v.abs()).fold(0.0f64, f64::max);
             rows[range].fill(if largest > 0.0 { 1.0 / largest } else { 1.0 });
         }
         let offset = program.h.iter().zip(&rows).map(|(h, s)| (h * s).abs()).fold(0.0f64, f64::max);

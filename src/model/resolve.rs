@@ -1,0 +1,155 @@
+//! From `MODEL.yaml` and a mesh to an [`AnalysisModel`]: every rule of CONTRACT.md is checked here.
+
+mod actions;
+mod held;
+mod interfaces;
+mod materials;
+mod motions;
+mod names;
+mod parts;
+
+use super::analysis::AnalysisModel;
+use super::file::{AnalysisKind, ModelFile, Nodes};
+use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::mesh::TetMesh;
+use crate::mesh::merge;
+use crate::mesh::msh;
+use crate::mesh::split::{TetFace, split};
+use crate::mesh::topology::FaceTable;
+use crate::spec::yaml;
+use std::path::Path;
+
+/// Reads a `MODEL.yaml` and the mesh it names (a path relative to it).
+pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        Diagnostic::input("model/read", format!("the model file `{}` cannot be read: {e}", path.display()))
+            .file(path)
+            .help("check the path and the right to read it; the file must be UTF-8 text")
+    })?;
+    let parsed = yaml::parse::<ModelFile>(&text, path)?;
+    let mesh_path = path.parent().unwrap_or(Path::new("")).join(&parsed.value.mesh);
+    if !mesh_path.is_file() {
+        let mut d = Diagnostic::input("model/no-mesh", format!("there is no mesh file `{}`", mesh_path.display()));
+        d.place = parsed.index.place("mesh");
+        return Err(d.help("the path is relative to the model file; make the mesh with `gmsh -3`").into());
+    }
+    let (mesh, mut notes) = msh::read_with_notes(&mesh_path)?;
+    let mut model = resolve(&parsed.value, mesh, &|path| parsed.index.place(path))?;
+    notes.append(&mut model.notes);
+    model.notes = notes;
+    Ok(model)
+}
+
+/// Checks `file` against `mesh` and makes the model; `place` tells where a path such as `supports[1].face` stands.
+///
+/// All faults of the file's values are told at once; faults of the geometry, which need sound values, follow alone.
+pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -> Result<AnalysisModel, Diagnostics> {
+    let mut mesh = mesh;
+    let mut notes = Vec::new();
+    let mut faults = Faults { place, all: Vec::new() };
+
+    unavailable(file, &mut faults);
+    let (materials, body_material) = materials::read(file, &mesh, &mut faults);
+    materials::check_units(file, &mesh, &mut notes);
+    if ![1, 2, 4].contains(&file.symmetry) {
+        let m = format!("`symmetry` is {}, it counts copies of the meshed part: 1, 2 or 4", file.symmetry);
+        faults.add("model/value", "symmetry", m, "write 1, 2 or 4");
+    }
+    if let Some(adapt) = &file.adapt {
+        if !(adapt.target_gap > 0.0 && adapt.target_gap < 1.0) {
+            let m = format!("`target_gap` is {}, it must lie between 0 and 1", adapt.target_gap);
+            faults.add("model/value", "adapt.target_gap", m, "write a fraction such as 0.05");
+        }
+        notes.push("mesh adaptation is not available yet in this version: the given mesh only is analysed".to_string());
+    }
+    if file.nodes == Nodes::Split {
+        let gone = merge::merge_coincident(&mut mesh)?;
+        if gone == 0 && mesh.bodies.len() > 1 && !file.interfaces.is_empty() {
+            notes.push("`nodes: split`, but no two bodies have coincident nodes".to_string());
+        }
+    }
+    let table = FaceTable::new(&mesh.tets);
+    merge::check_matching(&mesh, &table)?;
+    let scene = names::Scene { mesh: &mesh, table: &table };
+
+    let claims = interfaces::claim(file, &scene, &mut faults, &mut notes);
+    let (supports, ground) = held::supports(file, &scene, &claims, &mut faults, &mut notes);
+    let rigid = held::rigid_faces(file, &scene, &claims, &mut faults);
+    held::check_twice(file, &supports, &ground, &rigid, &mut faults);
+    let (surface_loads, body_loads) = actions::loads(file, &scene, &claims, &mut faults);
+    if !faults.all.is_empty() {
+        return Err(Diagnostics(faults.all));
+    }
+
+    let open: Vec<[TetFace; 2]> = claims.open.iter().flat_map(|o| o.faces.iter().copied()).collect();
+    let cut = split(&mesh, &table, &open);
+    let interfaces = interfaces::pairs(&claims, &cut.pairs);
+    let parts = parts::names(&cut, &mut notes);
+    if surface_loads.is_empty() && body_loads.is_empty() && rigid.iter().all(no_action) {
+        notes.push("there is no load".to_string());
+    }
+    let mut model = AnalysisModel {
+        analysis: file.analysis,
+        bounds: file.bounds,
+        mesh: cut.mesh,
+        materials,
+        body_material,
+        tet_part: cut.tet_part,
+        parts,
+        interfaces,
+        ground,
+        supports,
+        rigid,
+        surface_loads,
+        body_loads,
+        free_modes: Vec::new(),
+        symmetry: file.symmetry,
+        notes,
+    };
+    model.free_modes = motions::free_modes(&model)?;
+    for mode in &model.free_modes {
+        let note = format!("{}: no load works on it, it is held at one point", motions::in_words(&model, mode));
+        model.notes.push(note);
+    }
+    Ok(model)
+}
+
+fn no_action(r: &super::analysis::RigidFace) -> bool {
+    r.action.iter().chain(&r.dead_action).all(|a| *a == 0.0)
+}
+
+/// The faults found so far, each with its place.
+pub(crate) struct Faults<'a> {
+    place: &'a dyn Fn(&str) -> Place,
+    all: Vec<Diagnostic>,
+}
+
+impl Faults<'_> {
+    fn add(&mut self, code: &'static str, path: &str, message: impl Into<String>, help: impl Into<String>) {
+        let mut d = Diagnostic::input(code, message).help(help);
+        d.place = (self.place)(path);
+        self.all.push(d);
+    }
+
+    /// A thing of the contract that this version does not do yet.
+    fn unavailable(&mut self, path: &str, what: &str) {
+        let m = format!("{what} is not available yet in this version");
+        let help = "available: `analysis: elastic` with tied interfaces and contact that is frictionless (`mu: 0`) \
+                    or has `friction: associated`";
+        self.add("model/unavailable", path, m, help);
+    }
+}
+
+fn unavailable(file: &ModelFile, faults: &mut Faults<'_>) {
+    match file.analysis {
+        AnalysisKind::Elastic => {}
+        AnalysisKind::Elastoplastic => faults.unavailable("analysis", "`analysis: elastoplastic`"),
+        AnalysisKind::Limit => faults.unavailable("analysis", "`analysis: limit`"),
+    }
+    for (i, p) in file.preload.iter().enumerate() {
+        faults.unavailable(&format!("preload[{i}]"), &format!("preload (of body `{}`)", p.body));
+    }
+}
+
+#[cfg(test)]
+mod tests;

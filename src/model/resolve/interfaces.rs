@@ -1,0 +1,281 @@
+//! Which shared faces are open, and under which law.
+
+use super::Faults;
+use super::names::Scene;
+use crate::mesh::split::{OpenPair, TetFace};
+use crate::mesh::topology::FaceRow;
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface};
+use crate::model::file::{Friction, Gap, InterfaceEntry, Law, ModelFile};
+use std::collections::BTreeMap;
+
+/// An interface before the nodes are split: side A, side B of each face.
+pub(super) struct OpenInterface {
+    pub name: String,
+    pub law: ContactLaw,
+    pub faces: Vec<[TetFace; 2]>,
+}
+
+/// Which faces the entries of `interfaces` speak for.
+#[derive(Default)]
+pub(super) struct Claims {
+    pub open: Vec<OpenInterface>,
+    /// Entry and whether it opens the face, by the first tet face.
+    by_face: BTreeMap<TetFace, (usize, bool)>,
+}
+
+impl Claims {
+    /// True when the face (its first side in the table) is in contact.
+    pub fn is_open(&self, first: TetFace) -> bool {
+        self.by_face.get(&first).is_some_and(|(_, open)| *open)
+    }
+}
+
+/// Reads all entries.
+pub(super) fn claim(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) -> Claims {
+    let mut claims = Claims::default();
+    for (i, entry) in file.interfaces.iter().enumerate() {
+        let path = format!("interfaces[{i}]");
+        let law = read_law(entry, &path, faults, notes);
+        let Some(found) = faces(entry, &path, scene, faults) else { continue };
+        let name = match (&entry.face, &entry.between) {
+            (Some(face), _) => face.clone(),
+            (None, Some([a, b])) => format!("{a}-{b}"),
+            (None, None) => continue,
+        };
+        let mut twice = None;
+        for rows in &found {
+            let first = TetFace::from(&rows[0]).min(TetFace::from(&rows[1]));
+            if let Some((other, _)) = claims.by_face.insert(first, (i, entry.law == Law::Contact)) {
+                twice = Some(other);
+            }
+        }
+        if let Some(other) = twice {
+            let m = format!("faces of the interface `{name}` are already named by interfaces[{other}]");
+            let help = "name each face once: give the wider entry a `face` that leaves the other's out";
+            faults.add("model/face-twice", &path, m, help);
+        }
+        let Some(law) = law else { continue };
+        check_gap(&law.gap, &name, &path, scene, found.iter().map(|r| r[0].key), faults);
+        let faces = found.iter().map(|rows| [TetFace::from(&rows[0]), TetFace::from(&rows[1])]).collect();
+        claims.open.push(OpenInterface { name, law, faces });
+    }
+    claims
+}
+
+/// The interior faces an entry means, side A first; `None` after a fault.
+fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Faults<'_>) -> Option<Vec<[FaceRow; 2]>> {
+    let mut pair = None;
+    if let Some([a, b]) = &entry.between {
+        let at = format!("{path}.between");
+        let ia = scene.body(a, &format!("{at}[0]"), faults);
+        let ib = scene.body(b, &format!("{at}[1]"), faults);
+        pair = Some((ia?, ib?));
+        if ia == ib {
+            let m = format!("an interface lies between two bodies, `{a}` is named twice");
+            faults.add("model/interface", &at, m, "name two different bodies");
+            return None;
+        }
+    }
+    let ordered = |rows: &[FaceRow]| -> Option<[FaceRow; 2]> {
+        let &[p, q] = rows else { return None };
+        let (bp, bq) = (scene.body_of(&p), scene.body_of(&q));
+        match pair {
+            Some((a, b)) if (bp, bq) == (a, b) => Some([p, q]),
+            Some((a, b)) if (bq, bp) == (a, b) => Some([q, p]),
+            Some(_) => None,
+            None if bp < bq => Some([p, q]),
+            None if bp > bq => Some([q, p]),
+            None => None,
+        }
+    };
+    let Some(name) = &entry.face else {
+        let Some([a, b]) = &entry.between else {
+            let m = "an interface needs `between` (two bodies), `face` (a physical surface) or both";
+            faults.add("model/interface", path, m, "write `between: [BODY_A, BODY_B]`");
+            return None;
+        };
+        let found: Vec<_> = scene.table.faces().filter_map(ordered).collect();
+        if found.is_empty() {
+            let m = format!("the bodies `{a}` and `{b}` have no face in common");
+            let help = "bodies touch where they share mesh faces: use `BooleanFragments` in gmsh, and `nodes: split` when each body has its own nodes";
+            faults.add("model/no-contact", &format!("{path}.between"), m, help);
+            return None;
+        }
+        return Some(found);
+    };
+    let at = format!("{path}.face");
+    let named = scene.face(name, &at, faults)?;
+    // a mesh that came split may mark both sides with one name
+    let mut found: Vec<[FaceRow; 2]> = Vec::new();
+    let (mut outer, mut inside) = (0, None);
+    for t in &named.triangles {
+        let owners = scene.table.owners(*t);
+        match ordered(owners) {
+            Some(rows) => found.push(rows),
+            None if owners.len() == 1 => outer += 1,
+            None => inside = Some(scene.body_of(&owners[0])).filter(|b| *b == scene.body_of(&owners[1])).or(inside),
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    let all = named.triangles.len();
+    if pair.is_none() && (outer > 0 || inside.is_some()) {
+        let m = match inside {
+            Some(b) => format!("the face `{name}` lies inside the body `{}`", scene.mesh.bodies[b as usize]),
+            None => format!("{outer} of the {all} triangles of `{name}` are outer faces: no second body touches there"),
+        };
+        let help = "an interface lies between two bodies; add `between` to take the triangles of that pair only";
+        faults.add("model/no-contact", &at, m, help);
+        return None;
+    }
+    if found.is_empty() {
+        let [a, b] = entry.between.clone().unwrap_or_default();
+        let m = format!("the bodies `{a}` and `{b}` have no face in common on `{name}`");
+        faults.add("model/no-contact", &at, m, "check the pair and the physical surface; see `nodes: split`");
+        return None;
+    }
+    Some(found)
+}
+
+/// The law of an entry that opens its faces; `None` when tied, or after a fault.
+fn read_law(
+    entry: &InterfaceEntry,
+    path: &str,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<String>,
+) -> Option<ContactLaw> {
+    let contact_keys =
+        [("mu", entry.mu.is_some()), ("gap", entry.gap.is_some()), ("friction", entry.friction.is_some())];
+    let weld_keys = [
+        ("throat", entry.throat),
+        ("thickness", entry.thickness),
+        ("strength", entry.strength),
+        ("strength_traction", entry.strength_traction),
+    ];
+    let useless = |keys: &mut dyn Iterator<Item = &str>, law: &str, faults: &mut Faults<'_>| {
+        for key in keys {
+            let m = format!("`{key}` means nothing for `law: {law}`");
+            faults.add("model/interface", &format!("{path}.{key}"), m, "remove it, or choose the law it belongs to");
+        }
+    };
+    let mut given_contact = contact_keys.iter().filter(|k| k.1).map(|k| k.0);
+    let mut given_weld = weld_keys.iter().filter(|k| k.1.is_some()).map(|k| k.0);
+    match entry.law {
+        Law::Tied => {
+            useless(&mut given_contact.chain(given_weld), "tied", faults);
+            None
+        }
+        Law::Weld => {
+            useless(&mut given_contact, "weld", faults);
+            for (key, value) in weld_keys {
+                if let Some(v) = value
+                    && !(v.is_finite() && v > 0.0)
+                {
+                    let m = format!("`{key}` of the weld is {v}, it must be > 0");
+                    faults.add("model/value", &format!("{path}.{key}"), m, "mm and MPa, positive");
+                }
+            }
+            let throat = entry.throat.is_some() && entry.thickness.is_some() && entry.strength.is_some();
+            if throat == entry.strength_traction.is_some() {
+                let m = "a weld needs either `throat`, `thickness` and `strength`, or `strength_traction`";
+                faults.add("model/interface", path, m, "give one of the two");
+            }
+            faults.unavailable(&format!("{path}.law"), "`law: weld`");
+            None
+        }
+        Law::Contact => {
+            useless(&mut given_weld, "contact", faults);
+            contact_law(entry.mu, &entry.gap, entry.friction, path, faults, notes)
+        }
+    }
+}
+
+/// The law of a contact, of an interface or with the ground.
+pub(super) fn contact_law(
+    mu: Option<f64>,
+    gap: &Option<Gap>,
+    friction: Option<Friction>,
+    path: &str,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<String>,
+) -> Option<ContactLaw> {
+    let Some(mu) = mu else {
+        let help = "write `mu: 0.3`, or `mu: 0` for a frictionless contact";
+        faults.add("model/contact", path, "a contact needs its friction coefficient `mu`", help);
+        return None;
+    };
+    if !(mu.is_finite() && mu >= 0.0) {
+        let m = format!("`mu` is {mu}, a friction coefficient is ≥ 0");
+        faults.add("model/value", &format!("{path}.mu"), m, "write `mu: 0` for a frictionless contact");
+        return None;
+    }
+    let friction = match friction {
+        Some(Friction::Coulomb) if mu > 0.0 => {
+            faults.unavailable(&format!("{path}.friction"), "`friction: coulomb`");
+            return None;
+        }
+        Some(f) => f,
+        None => {
+            if mu > 0.0 {
+                notes.push(format!("{path} names no friction law: associated is taken"));
+            }
+            Friction::Associated
+        }
+    };
+    Some(ContactLaw { mu, gap: gap.clone().unwrap_or_default(), friction })
+}
+
+/// The initial gap must be finite and not negative at the vertices and the middles of the edges of its faces.
+pub(super) fn check_gap(
+    gap: &Gap,
+    name: &str,
+    path: &str,
+    scene: &Scene<'_>,
+    triangles: impl Iterator<Item = [u32; 3]>,
+    faults: &mut Faults<'_>,
+) {
+    let mut least = (f64::INFINITY, [0.0; 3]);
+    let mut largest: f64 = 0.0;
+    for t in triangles {
+        let x = t.map(|n| scene.mesh.nodes[n as usize]);
+        let middle = |i: usize, j: usize| [0, 1, 2].map(|k| 0.5 * (x[i][k] + x[j][k]));
+        for p in [x[0], x[1], x[2], middle(0, 1), middle(1, 2), middle(2, 0)] {
+            let g = gap.at(p);
+            largest = largest.max(g.abs());
+            // a NaN must not slip through the comparison
+            if g.is_nan() || g < least.0 {
+                least = (g, p);
+            }
+        }
+    }
+    // round-off of a polynomial that touches zero is no penetration
+    if !largest.is_finite() || least.0 < -1e-9 * largest || least.0.is_nan() {
+        let [x, y, z] = least.1;
+        let m = format!("the gap of `{name}` is {} mm at ({x}, {y}, {z}), a gap is finite and ≥ 0", least.0);
+        faults.add(
+            "model/value",
+            &format!("{path}.gap"),
+            m,
+            "parts may not overlap at the start: change the gap or the geometry",
+        );
+    }
+}
+
+/// The interfaces once the nodes are split; `pairs` are in the order of the claims.
+pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> Vec<Interface> {
+    let mut rest = pairs;
+    let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
+    claims
+        .open
+        .iter()
+        .map(|open| {
+            let (mine, others) = rest.split_at(open.faces.len());
+            rest = others;
+            let faces = mine
+                .iter()
+                .map(|p| FacePair { a: face(p.a), b: face(p.b), nodes_a: p.nodes_a, nodes_b: p.nodes_b })
+                .collect();
+            Interface { name: open.name.clone(), law: open.law.clone(), faces }
+        })
+        .collect()
+}

@@ -1,0 +1,74 @@
+//! Materials and which body is made of what.
+
+use super::Faults;
+use crate::diag::did_you_mean;
+use crate::mesh::TetMesh;
+use crate::model::analysis::Material;
+use crate::model::file::ModelFile;
+
+/// Materials in the order of their names, and the material of each body.
+pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) -> (Vec<Material>, Vec<u32>) {
+    let mut materials = Vec::new();
+    for (name, m) in &file.materials {
+        let mut check = |key: &str, value: f64, good: bool, limit: &str, help: &str| {
+            if !good {
+                let message = format!("`{key}` of material `{name}` is {value}, it must be {limit}");
+                faults.add("model/value", &format!("materials.{name}.{key}"), message, help);
+            }
+        };
+        check("E", m.e, m.e.is_finite() && m.e > 0.0, "> 0 MPa", "steel: 210000 MPa");
+        let help = "steel: 0.3; for a nearly incompressible material write 0.4999";
+        check("nu", m.nu, m.nu > -1.0 && m.nu < 0.5, "> -1 and < 0.5", help);
+        if let Some(fy) = m.fy {
+            check("fy", fy, fy.is_finite() && fy > 0.0, "> 0 MPa", "leave `fy` out where nothing yields");
+        }
+        materials.push(Material { name: name.clone(), e: m.e, nu: m.nu, fy: m.fy });
+    }
+    let names = || file.materials.keys().map(String::as_str);
+    for (body, material) in &file.bodies {
+        let path = format!("bodies.{body}");
+        if !mesh.bodies.contains(body) {
+            let hint = did_you_mean(body, mesh.bodies.iter().map(String::as_str));
+            let m = format!("the mesh has no physical volume `{body}`{hint}");
+            faults.add("model/unknown-body", &path, m, format!("the bodies are: {}", mesh.bodies.join(", ")));
+        }
+        if !file.materials.contains_key(material) {
+            let m = format!(
+                "body `{body}` is of material `{material}`, which is not defined{}",
+                did_you_mean(material, names())
+            );
+            let help = format!("the materials are: {}", names().collect::<Vec<_>>().join(", "));
+            faults.add("model/unknown-material", &path, m, help);
+        }
+    }
+    let mut body_material = Vec::new();
+    for body in &mesh.bodies {
+        let Some(material) = file.bodies.get(body) else {
+            let m = format!("body `{body}` of the mesh has no material");
+            faults.add("model/no-material", "bodies", m, format!("add `{body}: MATERIAL` under `bodies`"));
+            continue;
+        };
+        body_material.push(file.materials.keys().position(|n| n == material).unwrap_or(0) as u32);
+    }
+    (materials, body_material)
+}
+
+/// Notes where the numbers look like another unit.
+pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<String>) {
+    let largest = (0..3)
+        .map(|k| {
+            let c = mesh.nodes.iter().map(|x| x[k]);
+            c.clone().fold(f64::NEG_INFINITY, f64::max) - c.fold(f64::INFINITY, f64::min)
+        })
+        .fold(0.0, f64::max);
+    if largest < 10.0 && file.materials.values().any(|m| (1e3..1e7).contains(&m.e)) {
+        notes.push(format!(
+            "warning: the largest dimension of the mesh is {largest} mm: if its lengths are in m, scale them to mm"
+        ));
+    }
+    for (name, m) in &file.materials {
+        if m.e >= 1e8 {
+            notes.push(format!("warning: E of material `{name}` is {:e} MPa: if it is in Pa, divide by 1e6", m.e));
+        }
+    }
+}
