@@ -9,5 +9,7 @@
 pub mod assembly;
 pub mod cli;
 pub mod diag;
+pub mod diag_render;
 pub mod mesh;
 pub mod model;
+pub mod report;
