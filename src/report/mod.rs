@@ -1,6 +1,12 @@
 //! What a run leaves behind: the result folder, its numbers, its page, its pictures and its fields.
 
+mod canvas;
 pub mod data;
 pub mod folder;
+mod lettering;
 pub mod log;
+pub mod raster;
+pub mod surface;
 pub mod vtu;
+
+pub use canvas::Picture;

@@ -1,0 +1,5 @@
+//! What a run leaves behind, tested through files: pictures, fields, the page, the folder.
+
+mod folder;
+mod picture;
+mod vtu;
