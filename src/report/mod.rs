@@ -2,11 +2,14 @@
 
 mod canvas;
 pub mod data;
+pub mod figures;
 pub mod folder;
 mod lettering;
 pub mod log;
+pub mod page;
 pub mod raster;
 pub mod surface;
+pub mod text;
 pub mod vtu;
 
 pub use canvas::Picture;

@@ -8,11 +8,13 @@ use super::lettering::text_width;
 use super::surface::{EdgeKind, Surface, cross, dot, unit, unit_normal};
 use crate::mesh::TetMesh;
 
-/// A crease sharper than this is drawn as an edge of the shape \[rad\].
-const FEATURE_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+/// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the facets of a bolt's
+/// twelve-sided shank and those of a fillet in three facets, below the 60° of its head.
+const FEATURE_ANGLE: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
 const BACKGROUND: Rgb = [255.0, 255.0, 255.0];
 const INK: Rgb = [38.0, 42.0, 48.0];
+const FRAME: Rgb = [150.0, 154.0, 160.0];
 const UNDEFINED: Rgb = [205.0, 205.0, 205.0];
 
 /// Body colours, in the order in which groups of bodies appear.
@@ -122,8 +124,15 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     drawing.triangles(&mut canvas);
     canvas.outline(INK, 0.01 * view.diagonal);
     canvas.blank_below(view.strip_top, BACKGROUND);
-    if let (Some(bands), Some(field)) = (&bands, options.field) {
+    if bands.is_some() {
         canvas.blank_right(view.width as f64 - LEGEND, BACKGROUND);
+    }
+    if view.close {
+        // what the frame cuts is cut on purpose: show the frame
+        let right = view.width as f64 - if bands.is_some() { LEGEND } else { 0.0 };
+        canvas.frame([1.0, 1.0], [right - 1.0, view.strip_top - 1.0], FRAME);
+    }
+    if let (Some(bands), Some(field)) = (&bands, options.field) {
         legend(&mut canvas, bands, field, view.width as f64 - LEGEND + 16.0, view.strip_top);
     }
     strip(&mut canvas, &view, &groups, options);
@@ -165,6 +174,8 @@ struct View {
     strip_top: f64,
     /// Diagonal of the shape \[mm\].
     diagonal: f64,
+    /// Whether the frame cuts the shape.
+    close: bool,
 }
 
 impl View {
@@ -207,6 +218,7 @@ impl View {
             height: (shape_height + 2.0 * MARGIN + STRIP).round() as usize,
             strip_top: shape_height + 2.0 * MARGIN,
             diagonal,
+            close,
         }
     }
 
@@ -302,7 +314,7 @@ impl Bands {
             let step = nice(value.abs().max(1.0));
             return Self { low: (value / step).floor() * step, step, count: 1, extremes };
         }
-        let step = nice((high - low) / 10.0);
+        let step = nice((high - low) / 12.0);
         let first = (low / step + 1e-9).floor();
         let count = ((high / step - 1e-9).ceil() - first).max(1.0) as usize;
         Self { low: first * step, step, count, extremes }
@@ -361,7 +373,7 @@ impl Drawing<'_> {
             if dot(normal, self.view.eye) <= 0.0 {
                 continue;
             }
-            let light = (0.50 + 0.34 * dot(normal, lamp).max(0.0) + 0.22 * normal[2].max(0.0)).min(1.06);
+            let light = (0.58 + 0.30 * dot(normal, lamp).max(0.0) + 0.20 * normal[2].max(0.0)).min(1.06);
             let corners = triangle.nodes.map(|n| points[n as usize]);
             let values =
                 self.options.field.map(|f| triangle.nodes.map(|n| f.values[self.surface.origin[n as usize] as usize]));
@@ -427,7 +439,7 @@ fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64, bottom: f
     if !field.unit.is_empty() {
         title(canvas, &format!("[{}]", field.unit));
     }
-    let height = ((bottom - y - 4.0 * LETTER) / bands.count as f64).min(44.0).max(8.0);
+    let height = ((bottom - y - 4.0 * LETTER) / bands.count as f64).clamp(8.0, 44.0);
     let top = y;
     let label_every = (1.6 * LETTER / height).ceil().max(1.0) as usize;
     for i in 0..bands.count {

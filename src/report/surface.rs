@@ -200,11 +200,10 @@ mod tests {
         for (t, kind) in surface.triangles.iter().zip(&kinds) {
             for i in 0..3 {
                 let edge = [t.nodes[i], t.nodes[(i + 1) % 3]];
-                if edge == [0, 3] || edge == [3, 0] {
-                    if t.nodes.iter().all(|&n| surface.points[n as usize][1] == 0.0) {
-                        assert_eq!(kind[i], EdgeKind::Mesh);
-                        seam += 1;
-                    }
+                let flat = t.nodes.iter().all(|&n| surface.points[n as usize][1] == 0.0);
+                if flat && (edge == [0, 3] || edge == [3, 0]) {
+                    assert_eq!(kind[i], EdgeKind::Mesh);
+                    seam += 1;
                 }
             }
         }

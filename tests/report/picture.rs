@@ -112,12 +112,14 @@ fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
 #[test]
 fn close_up_is_larger_than_the_whole() {
     let mesh = quarter();
-    let red = |p: &Picture| p.rgb.chunks(3).filter(|c| c[0] > 150 && c[1] < 110 && c[2] < 110).count();
+    // the bolt is the third group of bodies: amber
+    let amber = |p: &Picture| p.rgb.chunks(3).filter(|c| c[0] > 130 && c[2] < c[0] / 2 && c[1] > c[2]).count();
     let base = PictureOptions { width: 700, max_height: 600, mirror: &[0, 1], ..Default::default() };
     let far = draw(&mesh, &base);
     let near = draw(&mesh, &PictureOptions { focus: &["BOLT_R1"], ..base });
     keep(&near, "near.png");
-    assert!(red(&near) > 4 * red(&far), "{} {}", red(&near), red(&far));
+    let (near, far) = (amber(&near), amber(&far));
+    assert!(far > 100 && near > 4 * far, "{near} {far}");
 }
 
 #[test]
@@ -125,57 +127,4 @@ fn nothing_to_draw_is_no_panic() {
     let picture = draw(&TetMesh::default(), &PictureOptions::default());
     assert!(picture.width == 1600 && picture.to_png().is_ok());
     assert!(Surface::of(&TetMesh::default()).triangles.is_empty());
-}
-
-/// A `.msh` 2.2 ASCII file, named by `BRACKET_TEST_MSH`, drawn to be looked at.
-#[test]
-fn a_mesh_file_of_your_own() {
-    let Some(file) = std::env::var_os("BRACKET_TEST_MSH") else { return };
-    let text = std::fs::read_to_string(file).expect("the mesh can be read");
-    let lines: Vec<&str> = text.lines().collect();
-    let find = |w: &str| lines.iter().position(|l| *l == w).expect(w);
-    let mut mesh = TetMesh::default();
-    let (names, nodes, elements) = (find("$PhysicalNames"), find("$Nodes"), find("$Elements"));
-    let mut tags = Vec::new();
-    for l in &lines[names + 2..find("$EndPhysicalNames")] {
-        let w: Vec<&str> = l.split_whitespace().collect();
-        if w[0] == "3" {
-            tags.push(w[1].parse::<usize>().expect("tag"));
-            mesh.bodies.push(w[2].trim_matches('"').into());
-        }
-    }
-    let mut index = std::collections::BTreeMap::new();
-    for l in &lines[nodes + 2..find("$EndNodes")] {
-        let w: Vec<&str> = l.split_whitespace().collect();
-        index.insert(w[0], mesh.nodes.len() as u32);
-        mesh.nodes.push([1, 2, 3].map(|i| w[i].parse().expect("coordinate")));
-    }
-    for l in &lines[elements + 2..find("$EndElements")] {
-        let w: Vec<&str> = l.split_whitespace().collect();
-        if w[1] == "4" {
-            let skip = 3 + w[2].parse::<usize>().expect("number of tags");
-            let tag: usize = w[3].parse().expect("physical tag");
-            mesh.tet_body.push(tags.iter().position(|t| *t == tag).expect("named volume") as u32);
-            let mut tet = [0, 1, 2, 3].map(|i| index[w[skip + i]]);
-            if bracket::mesh::tet::signed_volume(&tet.map(|n| mesh.nodes[n as usize])) < 0.0 {
-                tet.swap(2, 3);
-            }
-            mesh.tets.push(tet);
-        }
-    }
-    let start = std::time::Instant::now();
-    let whole = PictureOptions { mirror: &[0, 1], ..Default::default() };
-    keep(&draw(&mesh, &whole), "mesh_whole.png");
-    eprintln!("whole picture: {:.2} s", start.elapsed().as_secs_f64());
-    keep(&draw(&mesh, &PictureOptions::default()), "mesh_quarter.png");
-    let near: Vec<&str> = mesh.bodies.iter().map(String::as_str).filter(|b| b.starts_with("PLATE")).collect();
-    keep(&draw(&mesh, &PictureOptions { focus: &near, ..whole.clone() }), "mesh_near.png");
-    let values: Vec<f64> = mesh.nodes.iter().map(|p| p[0].hypot(p[2]) * 0.3).collect();
-    let displacement: Vec<[f64; 3]> = mesh.nodes.iter().map(|p| [0.0, 0.0, -2e-7 * p[0] * p[0]]).collect();
-    let options = PictureOptions {
-        field: Some(Field { name: "von Mises stress", unit: "MPa", values: &values, range: None }),
-        deformed: Some(Deformed { displacement: &displacement, factor: 250.0 }),
-        ..whole
-    };
-    keep(&draw(&mesh, &options), "mesh_field.png");
 }
