@@ -16,3 +16,5 @@ pub mod mesh;
 pub mod model;
 pub mod solve;
 pub mod spec;
+pub mod diag_render;
+pub mod report;

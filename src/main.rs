@@ -1,16 +1,27 @@
 //! The `bracket` command.
 
+use bracket::cli::{Cli, Format};
+use bracket::diag_render;
 use clap::Parser;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = bracket::cli::Cli::parse();
+    let cli = Cli::parse();
     match bracket::cli::dispatch(&cli) {
         Ok(code) => ExitCode::from(code),
         Err(faults) => {
-            for fault in &faults.0 {
-                eprintln!("error[{}]: {fault}", fault.code);
-            }
+            let mut stderr = std::io::stderr();
+            let text = match cli.common.format {
+                Format::Json => diag_render::json(&faults),
+                // https://no-color.org: any non-empty value switches colour off
+                Format::Text => diag_render::text(
+                    &faults,
+                    stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()),
+                ),
+            };
+            // with standard error closed there is no one left to tell; the exit code still says it
+            let _ = stderr.write_all(text.as_bytes());
             ExitCode::from(faults.exit_code())
         }
     }

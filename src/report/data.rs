@@ -1,0 +1,525 @@
+//! `result.json` (CONTRACT.md, schema 1): the numbers a run leaves behind for other programs.
+//!
+//! Absent is absent: what was not computed is `None` and leaves no key behind; no zero, NaN or null stands for it.
+//! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
+
+use crate::diag::Diagnostic;
+use crate::model::file::AnalysisKind;
+use serde::{Deserialize, Serialize};
+
+/// Version of the form of `result.json`.
+pub const SCHEMA: u32 = 1;
+
+/// Name of the file inside a result folder.
+pub const RESULT_FILE: &str = "result.json";
+
+/// Largest certificate residual of a strict bound, dimensionless (CONTRACT.md, `result.json`).
+pub const RESIDUAL_TOLERANCE: f64 = 1e-9;
+
+/// A whole `result.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ResultFile {
+    /// [`SCHEMA`].
+    pub schema: u32,
+    /// What wrote it.
+    pub tool: Tool,
+    /// Hash of the input, see [`input_hash`].
+    pub input_hash: String,
+    /// How many copies of the meshed part make the structure.
+    pub symmetry: u32,
+    /// The answer in one word.
+    pub verdict: Verdict,
+    /// One entry a load case and kind of analysis.
+    pub cases: Vec<CaseResult>,
+    /// What the user must know, beyond any one case.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+}
+
+/// The program that wrote a result.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Tool {
+    /// `bracket`.
+    pub name: String,
+    /// Its version.
+    pub version: String,
+}
+
+impl Tool {
+    /// This program.
+    pub fn this() -> Self {
+        Self { name: env!("CARGO_PKG_NAME").into(), version: env!("CARGO_PKG_VERSION").into() }
+    }
+}
+
+/// The answer in one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// The demand is below the lower bound and every check holds.
+    Ok,
+    /// The demand is above the upper bound, or a check failed.
+    NotOk,
+    /// The demand lies inside the bracket, or there is no certificate.
+    Undecided,
+    /// There is no demand to judge.
+    None,
+}
+
+/// What `lower` and `upper` bracket.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Potential energy of the whole structure at equilibrium \[N mm\], negative under load.
+    PotentialEnergy,
+    /// Factor on the loads at collapse.
+    LoadFactor,
+}
+
+/// The problem whose solution the bracket contains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Problem {
+    /// No friction anywhere (also: no contact at all).
+    Frictionless,
+    /// Associated friction: slip dilates.
+    Associated,
+    /// Coulomb friction.
+    Coulomb,
+    /// The last problem of the fixed point for Coulomb friction: cones shifted by the slip of the one before.
+    ShiftedCones,
+}
+
+/// An upper bound: a number, or the word `unbounded`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Upper {
+    /// A finite bound.
+    Finite(f64),
+    /// The loads can grow without limit.
+    Unbounded(Unbounded),
+}
+
+/// The word `unbounded`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Unbounded {
+    /// The word itself.
+    Unbounded,
+}
+
+impl Upper {
+    /// The loads can grow without limit.
+    pub const UNBOUNDED: Self = Upper::Unbounded(Unbounded::Unbounded);
+
+    /// The finite bound, if it is one.
+    pub fn finite(self) -> Option<f64> {
+        match self {
+            Upper::Finite(x) => Some(x),
+            Upper::Unbounded(_) => None,
+        }
+    }
+}
+
+impl From<f64> for Upper {
+    fn from(x: f64) -> Self {
+        Upper::Finite(x)
+    }
+}
+
+/// A raw bracket beside the main one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RawBracket {
+    /// Lower bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+}
+
+/// One load case under one kind of analysis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseResult {
+    /// Name of the load case.
+    pub name: String,
+    /// Kind of analysis.
+    pub analysis: AnalysisKind,
+    /// What is bracketed.
+    pub quantity: Quantity,
+    /// Whose solution is bracketed.
+    pub problem: Problem,
+    /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the certificate is strict.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound of the whole structure (Π_p \[N mm\] or load factor); an estimate unless the certificate is strict.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+    /// Relative gap, a fraction (MECHANICS section 1).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Bracket of demand over capacity, lower first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<[f64; 2]>,
+    /// Raw bracket of the frictionless problem.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frictionless: Option<RawBracket>,
+    /// Raw bracket of the problem with associated friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub associated: Option<RawBracket>,
+    /// Value of the fixed point for Coulomb friction: an estimate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coulomb_estimate: Option<f64>,
+    /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\], lower first; only where
+    /// it is rigorous.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_displacement: Option<[f64; 2]>,
+    /// Residuals of the two fields.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Certificate>,
+    /// One row a mesh.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub history: Vec<HistoryRow>,
+    /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_contact_pressure: Option<PeakPressure>,
+    /// What the user must know about this case.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+}
+
+/// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is claimed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PeakPressure {
+    /// Of the kinematic program's contact multipliers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic: Option<f64>,
+    /// Of the static program's tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none", rename = "static")]
+    pub static_: Option<f64>,
+}
+
+/// Residuals of the recovered fields, dimensionless (definitions in CONTRACT.md), recomputed without the solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Certificate {
+    /// True when every residual is within [`RESIDUAL_TOLERANCE`]: only then `lower` and `upper` are bounds.
+    pub strict: bool,
+    /// max |div σ + b| h / max |σ|.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub equilibrium: Option<f64>,
+    /// max |Δt| / max |t|.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traction_jump: Option<f64>,
+    /// max ‖s‖ / (√2 k) − 1; negative inside the yield surface.
+    #[serde(default, rename = "yield", skip_serializing_if = "Option::is_none")]
+    pub yield_: Option<f64>,
+    /// max cone violation / max |r|.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<f64>,
+    /// max |u − u_d| / max |u|.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub compatibility: Option<f64>,
+}
+
+impl Certificate {
+    /// Name, definition and value of each residual, in the order of CONTRACT.md.
+    pub fn residuals(&self) -> [(&'static str, &'static str, Option<f64>); 5] {
+        [
+            ("equilibrium", "max |div σ + b| h / max |σ|", self.equilibrium),
+            ("traction jump", "max |Δt| / max |t|", self.traction_jump),
+            ("yield", "max ‖s‖ / (√2 k) − 1", self.yield_),
+            ("contact", "max cone violation / max |r|", self.contact),
+            ("compatibility", "max |u − u_d| / max |u|", self.compatibility),
+        ]
+    }
+}
+
+/// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed part.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HistoryRow {
+    /// Tetrahedra of the mesh, before any is split in four.
+    pub macro_tets: usize,
+    /// Unknowns of the kinematic program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic_dofs: Option<usize>,
+    /// Unknowns of the static program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_dofs: Option<usize>,
+    /// Lower bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+    /// Relative gap, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// The kinematic program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic: Option<ProgramRun>,
+    /// The static program.
+    #[serde(default, rename = "static", skip_serializing_if = "Option::is_none")]
+    pub static_: Option<ProgramRun>,
+    /// Wall time of the mesher and the reader \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh_seconds: Option<f64>,
+    /// Peak resident memory of the process so far \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_memory_mib: Option<u64>,
+}
+
+/// One program on one mesh.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ProgramRun {
+    /// Wall time of assembly, solution and recovery together \[s\].
+    pub seconds: f64,
+    /// Iterations of the solver.
+    pub iterations: u32,
+    /// The solver's own word for how it ended.
+    pub status: String,
+    /// Part of `seconds` spent in assembly \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub assembly_seconds: Option<f64>,
+    /// Part of `seconds` spent in the solver \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solve_seconds: Option<f64>,
+    /// Peak resident memory of the process at the end of this program \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_memory_mib: Option<u64>,
+}
+
+/// Why a `result.json` cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum ResultError {
+    /// A number is NaN or infinite.
+    #[error("the result holds a number that is not finite at `{path}`")]
+    NotFinite {
+        /// Place inside the document.
+        path: String,
+    },
+    /// The certificate calls itself strict, its residuals do not.
+    #[error(
+        "case `{case}` calls its bounds strict, but the {residual} residual is {value:e} (limit {RESIDUAL_TOLERANCE:e})"
+    )]
+    NotStrict {
+        /// Name of the case.
+        case: String,
+        /// Name of the residual.
+        residual: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A strict bracket without any residual.
+    #[error("case `{case}` calls its bounds strict, but no residual was computed")]
+    NoResidual {
+        /// Name of the case.
+        case: String,
+    },
+    /// Not the form of schema 1.
+    #[error("this is not a result of this program: {0}")]
+    Form(#[from] serde_json::Error),
+    /// Another schema.
+    #[error("the result has schema {found}, this program reads schema {SCHEMA}")]
+    Schema {
+        /// The schema of the file.
+        found: u32,
+    },
+    /// Written by something else.
+    #[error("the result was written by `{found}`, not by `{}`", env!("CARGO_PKG_NAME"))]
+    Tool {
+        /// Name of the tool in the file.
+        found: String,
+    },
+}
+
+impl From<ResultError> for Diagnostic {
+    fn from(e: ResultError) -> Self {
+        let text = e.to_string();
+        match e {
+            ResultError::NotFinite { path } => Diagnostic::undecided("report/not-finite", text)
+                .path(path)
+                .help("no result was written; the analysis gave no usable number"),
+            ResultError::NotStrict { .. } | ResultError::NoResidual { .. } => {
+                Diagnostic::undecided("report/not-strict", text).help("no result was written; please report this fault")
+            }
+            ResultError::Form(_) | ResultError::Schema { .. } | ResultError::Tool { .. } => {
+                Diagnostic::input("report/not-a-result", text).help("name the folder of a finished `bracket` result")
+            }
+        }
+    }
+}
+
+impl ResultFile {
+    /// An empty result of this program.
+    pub fn new(input_hash: impl Into<String>, symmetry: u32, verdict: Verdict) -> Self {
+        let input_hash = input_hash.into();
+        Self { schema: SCHEMA, tool: Tool::this(), input_hash, symmetry, verdict, cases: vec![], warnings: vec![] }
+    }
+
+    /// The text of `result.json`, the same for the same result.
+    pub fn to_json(&self) -> Result<String, ResultError> {
+        for case in &self.cases {
+            let Some(certificate) = case.certificate.filter(|c| c.strict) else { continue };
+            let known: Vec<_> = certificate.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).collect();
+            if known.is_empty() {
+                return Err(ResultError::NoResidual { case: case.name.clone() });
+            }
+            // a NaN residual passes here and is caught below with its place
+            if let Some(&(residual, value)) = known.iter().find(|(_, v)| *v > RESIDUAL_TOLERANCE) {
+                return Err(ResultError::NotStrict { case: case.name.clone(), residual, value });
+            }
+        }
+        // serde_json writes NaN and infinity as null, and no field of ours ever is null otherwise
+        let value = serde_json::to_value(self)?;
+        if let Some(path) = find_null(&value, String::new()) {
+            return Err(ResultError::NotFinite { path });
+        }
+        let mut text = serde_json::to_string_pretty(&value)?;
+        text.push('\n');
+        Ok(text)
+    }
+
+    /// Reads `result.json`; another schema or tool is refused.
+    pub fn from_json(text: &str) -> Result<Self, ResultError> {
+        #[derive(Deserialize)]
+        struct Head {
+            schema: u32,
+            tool: Tool,
+        }
+        let head: Head = serde_json::from_str(text)?;
+        if head.tool.name != env!("CARGO_PKG_NAME") {
+            return Err(ResultError::Tool { found: head.tool.name });
+        }
+        if head.schema != SCHEMA {
+            return Err(ResultError::Schema { found: head.schema });
+        }
+        Ok(serde_json::from_str(text)?)
+    }
+}
+
+fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
+    use serde_json::Value;
+    match value {
+        Value::Null => Some(path),
+        Value::Array(items) => items.iter().enumerate().find_map(|(i, v)| find_null(v, format!("{path}[{i}]"))),
+        Value::Object(map) => map.iter().find_map(|(k, v)| {
+            let dot = if path.is_empty() { "" } else { "." };
+            find_null(v, format!("{path}{dot}{k}"))
+        }),
+        _ => None,
+    }
+}
+
+/// Hash of the named pieces of an input (spec, mesh, catalogue): BLAKE3 in hex, over names and lengths as well, so
+/// that no two different lists of pieces hash alike by concatenation.
+pub fn input_hash(pieces: &[(&str, &[u8])]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for (name, bytes) in pieces {
+        for part in [name.as_bytes(), bytes] {
+            hasher.update(&(part.len() as u64).to_le_bytes());
+            hasher.update(part);
+        }
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn case() -> CaseResult {
+        CaseResult {
+            name: "TOP".into(),
+            analysis: AnalysisKind::Elastic,
+            quantity: Quantity::PotentialEnergy,
+            problem: Problem::Associated,
+            lower: Some(-334201.713),
+            upper: Some(Upper::Finite(-318891.744)),
+            gap: Some(0.0458),
+            utilisation: None,
+            frictionless: None,
+            associated: None,
+            coulomb_estimate: None,
+            load_displacement: None,
+            certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),
+            history: vec![],
+            peak_contact_pressure: None,
+            warnings: vec![],
+        }
+    }
+
+    fn result(case: CaseResult) -> ResultFile {
+        ResultFile { cases: vec![case], ..ResultFile::new("00", 4, Verdict::None) }
+    }
+
+    #[test]
+    fn absent_leaves_no_key_and_doubles_come_back_exactly() {
+        let mut c = case();
+        c.lower = Some(-1.0 / 3.0);
+        let file = result(c);
+        let text = file.to_json().expect("valid");
+        for key in ["utilisation", "coulomb_estimate", "load_displacement", "warnings", "null", "yield"] {
+            assert!(!text.contains(key), "{key} in {text}");
+        }
+        assert_eq!(ResultFile::from_json(&text).expect("reads"), file);
+    }
+
+    #[test]
+    fn unbounded_is_a_word() {
+        let mut c = case();
+        c.upper = Some(Upper::UNBOUNDED);
+        c.gap = None;
+        let file = result(c);
+        let text = file.to_json().expect("valid");
+        assert!(text.contains("\"upper\": \"unbounded\""), "{text}");
+        assert_eq!(ResultFile::from_json(&text).expect("reads"), file);
+        assert!(ResultFile::from_json(&text.replace("\"unbounded\"", "\"boundless\"")).is_err());
+    }
+
+    #[test]
+    fn what_is_not_finite_is_refused_with_its_place() {
+        let mut c = case();
+        c.utilisation = Some([0.5, f64::NAN]);
+        match result(c).to_json() {
+            Err(ResultError::NotFinite { path }) => assert_eq!(path, "cases[0].utilisation[1]"),
+            other => panic!("{other:?}"),
+        }
+        let mut c = case();
+        c.upper = Some(Upper::Finite(f64::INFINITY));
+        assert!(matches!(result(c).to_json(), Err(ResultError::NotFinite { .. })));
+    }
+
+    #[test]
+    fn strict_needs_residuals_within_tolerance() {
+        let mut c = case();
+        c.certificate = Some(Certificate { strict: true, contact: Some(2e-9), ..Default::default() });
+        assert!(matches!(result(c).to_json(), Err(ResultError::NotStrict { residual: "contact", .. })));
+        let mut c = case();
+        c.certificate = Some(Certificate { strict: true, ..Default::default() });
+        assert!(matches!(result(c).to_json(), Err(ResultError::NoResidual { .. })));
+        let mut c = case();
+        c.certificate = Some(Certificate { strict: false, contact: Some(2e-3), ..Default::default() });
+        assert!(result(c).to_json().is_ok());
+    }
+
+    #[test]
+    fn other_tools_and_schemas_are_refused() {
+        let text = result(case()).to_json().expect("valid");
+        assert!(matches!(
+            ResultFile::from_json(&text.replace("\"schema\": 1", "\"schema\": 2")),
+            Err(ResultError::Schema { found: 2 })
+        ));
+        assert!(matches!(
+            ResultFile::from_json(&text.replace("\"name\": \"bracket\"", "\"name\": \"other\"")),
+            Err(ResultError::Tool { .. })
+        ));
+        assert!(matches!(ResultFile::from_json("{\"nodes\": 3}"), Err(ResultError::Form(_))));
+    }
+
+    #[test]
+    fn the_hash_sees_the_seams() {
+        assert_ne!(input_hash(&[("a", b"bc")]), input_hash(&[("ab", b"c")]));
+        assert_ne!(input_hash(&[("a", b"b"), ("c", b"d")]), input_hash(&[("a", b"bcd")]));
+        assert_eq!(input_hash(&[("a", b"b")]), input_hash(&[("a", b"b")]));
+    }
+}

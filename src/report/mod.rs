@@ -1,0 +1,15 @@
+//! What a run leaves behind: the result folder, its numbers, its page, its pictures and its fields.
+
+mod canvas;
+pub mod data;
+pub mod figures;
+pub mod folder;
+mod lettering;
+pub mod log;
+pub mod page;
+pub mod raster;
+pub mod surface;
+pub mod text;
+pub mod vtu;
+
+pub use canvas::Picture;

@@ -1,0 +1,403 @@
+//! Fields as `.vtu` files (VTK XML, appended raw): written for ParaView, read back bit for bit by `bracket verify`.
+//!
+//! Little-endian, 64-bit block headers, 64-bit floats, one cell type a file. The reader reads what the writer writes and
+//! refuses the rest; it never trusts a length it has not checked.
+
+use crate::diag::Diagnostic;
+use std::fmt::Write as _;
+
+/// Triangle, 3 nodes.
+pub const TRIANGLE: u8 = 5;
+/// Tetrahedron, 4 nodes.
+pub const TETRA: u8 = 10;
+/// Quadratic triangle, 6 nodes, mid-side nodes on edges 01 12 02.
+pub const QUADRATIC_TRIANGLE: u8 = 22;
+/// Quadratic tetrahedron, 10 nodes, mid-side nodes in the order of [`crate::mesh::tet::EDGES`], which is VTK's.
+pub const QUADRATIC_TETRA: u8 = 24;
+
+/// A named array: name, number of components, values (components fastest).
+pub type Array = (String, usize, Vec<f64>);
+
+/// An unstructured grid with its fields.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VtuGrid {
+    /// Node coordinates \[mm\].
+    pub points: Vec<[f64; 3]>,
+    /// Node indices, [`nodes_per_cell`] a cell.
+    pub cells: Vec<u32>,
+    /// VTK's number of the cell type.
+    pub cell_type: u8,
+    /// Fields with one value a point.
+    pub point_data: Vec<Array>,
+    /// Fields with one value a cell.
+    pub cell_data: Vec<Array>,
+    /// Values of the whole grid.
+    pub field_data: Vec<Array>,
+}
+
+/// Why a `.vtu` cannot be written or read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum VtuError {
+    /// Cell type that is not one of ours.
+    #[error("cell type {0} is not one of 5, 10, 22, 24")]
+    CellType(u64),
+    /// An array of the wrong length.
+    #[error("array `{name}` has {found} values where {wanted} are wanted")]
+    Length {
+        /// Name of the array.
+        name: String,
+        /// Its length.
+        found: usize,
+        /// The length it must have.
+        wanted: usize,
+    },
+    /// An array name that is empty or used twice.
+    #[error("array name `{0}` is empty or used twice")]
+    Name(String),
+    /// A cell refers to a point that does not exist.
+    #[error("a cell refers to point {found}, there are {points}")]
+    Point {
+        /// The index.
+        found: u64,
+        /// Number of points.
+        points: usize,
+    },
+    /// The file is not of the form this program writes.
+    #[error("not a `.vtu` file of this program: {0}")]
+    Form(String),
+    /// The file ends early.
+    #[error("array `{name}` runs past the end of the file: it was cut short")]
+    Truncated {
+        /// Name of the array.
+        name: String,
+    },
+}
+
+impl From<VtuError> for Diagnostic {
+    fn from(e: VtuError) -> Self {
+        Diagnostic::input("report/vtu", e.to_string())
+            .help("use a field file of a finished result folder, unchanged; run the analysis again if it is damaged")
+    }
+}
+
+/// Nodes of a cell of the given VTK type.
+pub fn nodes_per_cell(cell_type: u8) -> Result<usize, VtuError> {
+    match cell_type {
+        TRIANGLE => Ok(3),
+        TETRA => Ok(4),
+        QUADRATIC_TRIANGLE => Ok(6),
+        QUADRATIC_TETRA => Ok(10),
+        other => Err(VtuError::CellType(other.into())),
+    }
+}
+
+impl VtuGrid {
+    /// Number of cells.
+    pub fn cell_count(&self) -> Result<usize, VtuError> {
+        Ok(self.cells.len() / nodes_per_cell(self.cell_type)?)
+    }
+
+    /// The point field called `name`.
+    pub fn point_array(&self, name: &str) -> Option<&Array> {
+        self.point_data.iter().find(|a| a.0 == name)
+    }
+
+    /// The cell field called `name`.
+    pub fn cell_array(&self, name: &str) -> Option<&Array> {
+        self.cell_data.iter().find(|a| a.0 == name)
+    }
+
+    /// The grid-wide values called `name`.
+    pub fn field_array(&self, name: &str) -> Option<&Array> {
+        self.field_data.iter().find(|a| a.0 == name)
+    }
+
+    fn check(&self) -> Result<(), VtuError> {
+        let per_cell = nodes_per_cell(self.cell_type)?;
+        let cells = self.cells.len() / per_cell;
+        let length = |name: &str, found: usize, wanted: usize| {
+            (found == wanted).then_some(()).ok_or(VtuError::Length { name: name.into(), found, wanted })
+        };
+        length("connectivity", self.cells.len(), cells * per_cell)?;
+        if let Some(&n) = self.cells.iter().find(|&&n| n as usize >= self.points.len()) {
+            return Err(VtuError::Point { found: n.into(), points: self.points.len() });
+        }
+        for (arrays, count) in
+            [(&self.point_data, Some(self.points.len())), (&self.cell_data, Some(cells)), (&self.field_data, None)]
+        {
+            for (i, (name, components, values)) in arrays.iter().enumerate() {
+                if name.is_empty() || *components == 0 || arrays[..i].iter().any(|a| a.0 == *name) {
+                    return Err(VtuError::Name(name.clone()));
+                }
+                length(name, values.len(), components * count.unwrap_or(values.len() / components))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The bytes of the file.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, VtuError> {
+        self.check()?;
+        let per_cell = nodes_per_cell(self.cell_type)?;
+        let cells = self.cells.len() / per_cell;
+        let mut head = String::from("<?xml version=\"1.0\"?>\n");
+        let mut data = Vec::new();
+        // writing to a String cannot fail, so the results of `write!` are dropped
+        let _ = write!(
+            head,
+            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
+             <UnstructuredGrid>\n"
+        );
+        if !self.field_data.is_empty() {
+            head.push_str("<FieldData>\n");
+            for (name, components, values) in &self.field_data {
+                let tuples = Some(values.len() / components);
+                array(
+                    &mut head,
+                    &mut data,
+                    "Float64",
+                    name,
+                    *components,
+                    tuples,
+                    values.iter().map(|v| v.to_le_bytes()),
+                );
+            }
+            head.push_str("</FieldData>\n");
+        }
+        let _ = write!(head, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">\n<Points>\n", self.points.len());
+        array(
+            &mut head,
+            &mut data,
+            "Float64",
+            "Points",
+            3,
+            None,
+            self.points.iter().flatten().map(|v| v.to_le_bytes()),
+        );
+        head.push_str("</Points>\n<Cells>\n");
+        let connectivity = self.cells.iter().map(|&n| i64::from(n).to_le_bytes());
+        array(&mut head, &mut data, "Int64", "connectivity", 0, None, connectivity);
+        let offsets = (1..=cells).map(|i| ((i * per_cell) as i64).to_le_bytes());
+        array(&mut head, &mut data, "Int64", "offsets", 0, None, offsets);
+        array(&mut head, &mut data, "UInt8", "types", 0, None, (0..cells).map(|_| [self.cell_type]));
+        head.push_str("</Cells>\n");
+        for (tag, arrays) in [("PointData", &self.point_data), ("CellData", &self.cell_data)] {
+            if arrays.is_empty() {
+                continue;
+            }
+            let _ = writeln!(head, "<{tag}>");
+            for (name, components, values) in arrays {
+                array(&mut head, &mut data, "Float64", name, *components, None, values.iter().map(|v| v.to_le_bytes()));
+            }
+            let _ = writeln!(head, "</{tag}>");
+        }
+        head.push_str("</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+        let mut bytes = head.into_bytes();
+        bytes.append(&mut data);
+        bytes.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+        Ok(bytes)
+    }
+
+    /// Reads the bytes of a file that [`VtuGrid::to_bytes`] made.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, VtuError> {
+        let form = |why: &str| VtuError::Form(why.into());
+        let marker = b"<AppendedData encoding=\"raw\">\n_";
+        let start =
+            bytes.windows(marker.len()).position(|w| w == marker).ok_or_else(|| form("it has no raw appended data"))?
+                + marker.len();
+        let head = std::str::from_utf8(&bytes[..start]).map_err(|_| form("its header is not text"))?;
+        if !head.contains("byte_order=\"LittleEndian\"") || !head.contains("header_type=\"UInt64\"") {
+            return Err(form("it is not little-endian with 64-bit block headers"));
+        }
+        let data = &bytes[start..];
+        let mut grid = VtuGrid::default();
+        let (mut section, mut points, mut cells, mut offsets, mut types) = (String::new(), None, None, None, None);
+        let mut counts = None;
+        for tag in
+            head.split('<').skip(1).filter_map(|t| t.split_once('>')).map(|(t, _)| t.trim_end_matches('/').trim())
+        {
+            let word = tag.split_whitespace().next().unwrap_or_default();
+            match word {
+                "FieldData" | "Points" | "Cells" | "PointData" | "CellData" => section = word.into(),
+                "Piece" => {
+                    counts = Some((number(tag, "NumberOfPoints")?, number(tag, "NumberOfCells")?));
+                }
+                "DataArray" => {
+                    let name = unescape(attribute(tag, "Name").ok_or_else(|| form("an array has no name"))?);
+                    let kind = attribute(tag, "type").unwrap_or_default();
+                    let block = block(data, number(tag, "offset")?, &name)?;
+                    match (section.as_str(), kind, name.as_str()) {
+                        ("Points", "Float64", _) => points = Some(floats(block, &name)?),
+                        ("Cells", "Int64", "connectivity") => cells = Some(words(block, &name)?),
+                        ("Cells", "Int64", "offsets") => offsets = Some(words(block, &name)?),
+                        ("Cells", "UInt8", "types") => types = Some(block),
+                        ("FieldData" | "PointData" | "CellData", "Float64", _) => {
+                            let components = match attribute(tag, "NumberOfComponents") {
+                                Some(_) => number(tag, "NumberOfComponents")?,
+                                None => 1,
+                            };
+                            let list = match section.as_str() {
+                                "FieldData" => &mut grid.field_data,
+                                "PointData" => &mut grid.point_data,
+                                _ => &mut grid.cell_data,
+                            };
+                            let values = floats(block, &name)?;
+                            list.push((name, components, values));
+                        }
+                        _ => return Err(VtuError::Form(format!("array `{name}` of type `{kind}` is out of place"))),
+                    }
+                }
+                _ => {}
+            }
+        }
+        let (point_count, cell_count) = counts.ok_or_else(|| form("it has no piece"))?;
+        let points = points.ok_or_else(|| form("it has no points"))?;
+        let cells = cells.ok_or_else(|| form("it has no connectivity"))?;
+        let (offsets, types) = offsets.zip(types).ok_or_else(|| form("it has no offsets or types"))?;
+        let length = |name: &str, found: usize, wanted: usize| {
+            (found == wanted).then_some(()).ok_or(VtuError::Length { name: name.into(), found, wanted })
+        };
+        length("Points", points.len(), point_count.saturating_mul(3))?;
+        length("offsets", offsets.len(), cell_count)?;
+        length("types", types.len(), cell_count)?;
+        // an empty grid has no cell to tell its type: call it linear
+        grid.cell_type = types.first().copied().unwrap_or(TETRA);
+        let per_cell = nodes_per_cell(grid.cell_type)?;
+        if types.iter().any(|&t| t != grid.cell_type)
+            || offsets.iter().enumerate().any(|(i, &o)| o != ((i + 1) * per_cell) as u64)
+        {
+            return Err(form("its cells are not all of one type"));
+        }
+        length("connectivity", cells.len(), cell_count.saturating_mul(per_cell))?;
+        grid.points = points.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+        grid.cells = cells
+            .into_iter()
+            .map(|n| u32::try_from(n).map_err(|_| VtuError::Point { found: n, points: point_count }))
+            .collect::<Result<_, _>>()?;
+        grid.check()?;
+        Ok(grid)
+    }
+}
+
+/// Appends one array: its tag to the header, length and values to the data.
+fn array<const N: usize>(
+    head: &mut String,
+    data: &mut Vec<u8>,
+    kind: &str,
+    name: &str,
+    components: usize,
+    tuples: Option<usize>,
+    values: impl Iterator<Item = [u8; N]>,
+) {
+    let _ = write!(head, "<DataArray type=\"{kind}\" Name=\"{}\"", escape(name));
+    if components > 0 {
+        let _ = write!(head, " NumberOfComponents=\"{components}\"");
+    }
+    if let Some(tuples) = tuples {
+        let _ = write!(head, " NumberOfTuples=\"{tuples}\"");
+    }
+    let offset = data.len();
+    let _ = writeln!(head, " format=\"appended\" offset=\"{offset}\"/>");
+    data.extend_from_slice(&[0; 8]);
+    data.extend(values.flatten());
+    let length = (data.len() - offset - 8) as u64;
+    data[offset..offset + 8].copy_from_slice(&length.to_le_bytes());
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+fn unescape(text: &str) -> String {
+    text.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&")
+}
+
+/// Value of an attribute; the blank before its name keeps `Name` from matching inside `FileName`.
+fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
+    let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
+    tag[start..].split('"').next()
+}
+
+fn number(tag: &str, name: &str) -> Result<usize, VtuError> {
+    let text = attribute(tag, name).ok_or_else(|| VtuError::Form(format!("`{name}` is missing")))?;
+    text.parse().map_err(|_| VtuError::Form(format!("`{name}` is `{text}`, not a count")))
+}
+
+fn block<'a>(data: &'a [u8], offset: usize, name: &str) -> Result<&'a [u8], VtuError> {
+    let truncated = || VtuError::Truncated { name: name.into() };
+    let rest = data.get(offset..).ok_or_else(truncated)?;
+    let (head, rest) = rest.split_first_chunk::<8>().ok_or_else(truncated)?;
+    let length = usize::try_from(u64::from_le_bytes(*head)).map_err(|_| truncated())?;
+    rest.get(..length).ok_or_else(truncated)
+}
+
+fn words(block: &[u8], name: &str) -> Result<Vec<u64>, VtuError> {
+    let (words, rest) = block.as_chunks::<8>();
+    if !rest.is_empty() {
+        return Err(VtuError::Truncated { name: name.into() });
+    }
+    Ok(words.iter().map(|w| u64::from_le_bytes(*w)).collect())
+}
+
+fn floats(block: &[u8], name: &str) -> Result<Vec<f64>, VtuError> {
+    Ok(words(block, name)?.into_iter().map(f64::from_bits).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> VtuGrid {
+        VtuGrid {
+            points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0 / 3.0, 0.0], [0.1, 0.2, f64::MIN_POSITIVE / 8.0]],
+            cells: vec![0, 1, 2, 3],
+            cell_type: TETRA,
+            point_data: vec![("u <mm> & \"more\"".into(), 3, (0..12).map(|i| f64::from(i).sqrt()).collect())],
+            cell_data: vec![("body".into(), 1, vec![-0.0])],
+            field_data: vec![("bound".into(), 1, vec![-334201.713]), ("pair".into(), 2, vec![1.0, f64::NAN])],
+        }
+    }
+
+    #[test]
+    fn comes_back_bit_for_bit() {
+        let grid = sample();
+        let bytes = grid.to_bytes().expect("writes");
+        let back = VtuGrid::from_bytes(&bytes).expect("reads");
+        // NaN and −0 compare by bits: the bytes written again are the same
+        assert_eq!(back.to_bytes().expect("writes"), bytes);
+        assert_eq!(back.points, grid.points);
+        assert_eq!(back.point_data[0].0, "u <mm> & \"more\"");
+        assert!(back.cell_data[0].2[0].is_sign_negative());
+    }
+
+    #[test]
+    fn every_cut_and_every_broken_length_is_an_error_not_a_panic() {
+        let bytes = sample().to_bytes().expect("writes");
+        let data = bytes.windows(2).position(|w| w == b"\n_").expect("has data") + 2;
+        let end = bytes.len() - b"\n</AppendedData>\n</VTKFile>\n".len();
+        for cut in 0..end {
+            assert!(VtuGrid::from_bytes(&bytes[..cut]).is_err(), "cut at {cut}");
+        }
+        for at in [data, data + 7] {
+            let mut broken = bytes.clone();
+            broken[at] ^= 0xff;
+            assert!(VtuGrid::from_bytes(&broken).is_err(), "length broken at {at}");
+        }
+    }
+
+    #[test]
+    fn wrong_arrays_are_refused() {
+        let mut grid = sample();
+        grid.point_data[0].2.pop();
+        assert!(matches!(grid.to_bytes(), Err(VtuError::Length { found: 11, wanted: 12, .. })));
+        let mut grid = sample();
+        grid.cells[3] = 4;
+        assert!(matches!(grid.to_bytes(), Err(VtuError::Point { found: 4, points: 4 })));
+        let mut grid = sample();
+        grid.cell_type = 12;
+        assert_eq!(grid.to_bytes(), Err(VtuError::CellType(12)));
+        let mut grid = sample();
+        grid.field_data[1].0 = "bound".into();
+        assert!(matches!(grid.to_bytes(), Err(VtuError::Name(_))));
+    }
+}

@@ -1,0 +1,188 @@
+//! Result folders: whole, or not there.
+
+use bracket::diag::{Diagnostic, Fault};
+use bracket::report::data::{RESULT_FILE, ResultFile, Verdict};
+use bracket::report::folder::{FolderError, ResultFolder};
+use std::fs;
+use std::path::Path;
+
+fn result() -> String {
+    ResultFile::new("00", 1, Verdict::None).to_json().expect("valid")
+}
+
+/// Names in a folder, sorted.
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("can be listed")
+        .map(|e| e.expect("entry").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+fn write_whole(target: &Path, page: &str) {
+    let folder = ResultFolder::begin(target).expect("begins");
+    folder.write("report.md", page.as_bytes()).expect("writes");
+    folder.write("fields/TOP_static.vtu", b"field").expect("writes");
+    folder.write(RESULT_FILE, result().as_bytes()).expect("writes");
+    folder.finish().expect("finishes");
+}
+
+fn fault(e: FolderError) -> Diagnostic {
+    e.into()
+}
+
+#[test]
+fn a_result_appears_whole_and_replaces_only_a_result() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    write_whole(&target, "first");
+    assert_eq!(names(&target), ["fields", "report.md", "result.json"]);
+    fs::write(target.join("stray.txt"), "from the first run").expect("writes");
+    write_whole(&target, "second");
+    assert_eq!(names(&target), ["fields", "report.md", "result.json"]);
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "second");
+    assert_eq!(names(dir.path()), ["joint"]);
+}
+
+#[test]
+fn what_is_not_ours_is_left_alone() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let cases: [(&str, Option<&str>); 4] = [
+        ("empty", None),
+        ("foreign", Some("{\"nodes\": 3}")),
+        ("later", Some(r#"{"schema": 99, "tool": {"name": "bracket", "version": "9"}}"#)),
+        ("broken", Some("{")),
+    ];
+    for (name, content) in cases {
+        let target = dir.path().join(name);
+        fs::create_dir(&target).expect("makes");
+        if let Some(content) = content {
+            fs::write(target.join(RESULT_FILE), content).expect("writes");
+        }
+        let before = names(&target);
+        let e = fault(ResultFolder::begin(&target).expect_err(name));
+        assert_eq!((e.fault, e.fault.exit_code()), (Fault::Input, 2), "{name}: {e}");
+        assert!(e.message.contains(&*target.to_string_lossy()), "{name}: {e}");
+        assert!(e.help.is_some());
+        assert_eq!(names(&target), before);
+    }
+    let file = dir.path().join("file");
+    fs::write(&file, "precious").expect("writes");
+    assert_eq!(fault(ResultFolder::begin(&file).expect_err("a file")).fault.exit_code(), 2);
+    assert_eq!(fs::read_to_string(&file).expect("reads"), "precious");
+}
+
+#[test]
+fn an_unfinished_run_leaves_nothing_and_keeps_the_old_result() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    write_whole(&target, "first");
+    {
+        let folder = ResultFolder::begin(&target).expect("begins");
+        folder.write("report.md", b"second").expect("writes");
+        assert_eq!(names(dir.path()), ["joint", "joint.part"]);
+    }
+    assert_eq!(names(dir.path()), ["joint"]);
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "first");
+    {
+        let _deep = ResultFolder::begin(&dir.path().join("a/b/c")).expect("begins");
+    }
+    assert_eq!(names(dir.path()), ["joint"]);
+}
+
+#[test]
+fn finishing_without_a_valid_result_is_refused() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write("report.md", b"page").expect("writes");
+    assert!(matches!(folder.finish(), Err(FolderError::Incomplete { .. })));
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write(RESULT_FILE, b"{\"schema\": 1}").expect("writes");
+    assert!(matches!(folder.finish(), Err(FolderError::Incomplete { .. })));
+    assert!(names(dir.path()).is_empty());
+}
+
+#[test]
+fn a_folder_that_turns_foreign_meanwhile_is_not_replaced() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write(RESULT_FILE, result().as_bytes()).expect("writes");
+    fs::create_dir(&target).expect("makes");
+    fs::write(target.join("thesis.tex"), "precious").expect("writes");
+    assert!(matches!(folder.finish(), Err(FolderError::NotOurs { .. })));
+    assert_eq!(names(dir.path()), ["joint"]);
+    assert_eq!(names(&target), ["thesis.tex"]);
+}
+
+#[test]
+fn two_runs_do_not_share_a_target_and_a_killed_one_does_not_block() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    let first = ResultFolder::begin(&target).expect("begins");
+    let e = fault(ResultFolder::begin(&target).expect_err("busy"));
+    assert_eq!((e.code, e.fault.exit_code()), ("report/folder-busy", 2));
+    first.write("report.md", b"page").expect("still there");
+    // a killed run drops its lock but not its folder
+    let part = dir.path().join("joint.part");
+    let copy = dir.path().join("copy");
+    fs::create_dir(&copy).expect("makes");
+    fs::copy(part.join(".bracket-run"), copy.join(".bracket-run")).expect("copies");
+    drop(first);
+    fs::rename(&copy, &part).expect("renames");
+    write_whole(&target, "after the killed run");
+    assert_eq!(names(dir.path()), ["joint"]);
+    // a folder of that name that is not ours stays
+    fs::create_dir(&part).expect("makes");
+    fs::write(part.join("mine.txt"), "precious").expect("writes");
+    assert!(matches!(ResultFolder::begin(&target), Err(FolderError::InTheWay { .. })));
+    assert_eq!(names(&part), ["mine.txt"]);
+}
+
+#[test]
+fn names_cannot_leave_the_folder() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let folder = ResultFolder::begin(&dir.path().join("joint")).expect("begins");
+    for name in ["../escape", "/etc/escape", "", "a/../../b", ".bracket-run"] {
+        assert!(matches!(folder.write(name, b""), Err(FolderError::Name { .. })), "{name}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_named_and_leaves_nothing() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("joint");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    // every write to this device fails as on a full disk
+    std::os::unix::fs::symlink("/dev/full", folder.path().join("report.md")).expect("links");
+    let e = fault(folder.write("report.md", b"page").expect_err("full"));
+    assert_eq!((e.code, e.fault.exit_code()), ("report/disk-full", 4));
+    let shown = target.join("report.md");
+    assert!(e.message.contains(&*shown.to_string_lossy()), "{e}");
+    drop(folder);
+    assert!(names(dir.path()).is_empty());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_place_that_cannot_be_written_is_an_environment_fault() {
+    // no one may make folders there, not even root
+    for target in ["/proc/joint", "/sys/joint"] {
+        let e = fault(ResultFolder::begin(Path::new(target)).expect_err(target));
+        assert_eq!(e.fault.exit_code(), 4, "{e}");
+        assert!(e.message.contains(target), "{e}");
+    }
+    use std::os::unix::fs::PermissionsExt;
+    let dir = tempfile::tempdir().expect("temporary folder");
+    fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o555)).expect("changes");
+    match ResultFolder::begin(&dir.path().join("joint")) {
+        Err(e) => assert_eq!(fault(e).code, "report/read-only"),
+        // root may write anywhere
+        Ok(folder) => drop(folder),
+    }
+    assert!(names(dir.path()).is_empty());
+    fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o755)).expect("changes");
+}
