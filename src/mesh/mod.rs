@@ -3,3 +3,4 @@
 pub mod tet;
 
 pub use tet::{NamedFaces, TetMesh};
+pub mod gmsh;
