@@ -34,7 +34,7 @@ case $not_run in *clippy*) ;; *) step cargo clippy --release --all-targets --loc
 step cargo build --release --locked
 step cargo test --release --locked
 if [ "$heavy" = yes ]; then
-    step cargo test --release --locked -- --ignored
+    step cargo test --release --locked --lib --bins --tests -- --ignored
 fi
 if cargo deny --version >/dev/null 2>&1; then
     step cargo deny check
