@@ -9,6 +9,7 @@
 pub mod adapt;
 pub mod assembly;
 pub mod bounds;
+pub mod catalog;
 pub mod cli;
 pub mod diag;
 pub mod math;

@@ -10,3 +10,4 @@ pub mod topology;
 
 pub use error::MeshError;
 pub use tet::{NamedFaces, TetMesh};
+pub mod gmsh;

@@ -1,0 +1,29 @@
+#!/bin/sh
+# Runs every example and compares it with its expected result (examples/NAME/expected.json). Needs a built program.
+# With names: only those. Results go to results/NAME.
+set -eu
+cd -- "$(dirname -- "$0")/.."
+bracket=${CARGO_TARGET_DIR:-target}/release/bracket
+[ -x .venv/bin/python ] || { echo "examples: run scripts/setup.sh first" >&2; exit 4; }
+[ -x "$bracket" ] || { echo "examples: build first (cargo build --release --locked)" >&2; exit 4; }
+[ "$#" -gt 0 ] || set -- examples/*/
+for folder in "$@"; do
+    name=$(basename -- "$folder")
+    folder=examples/$name
+    if [ -f "$folder/joint.yaml" ]; then
+        command=run input=$folder/joint.yaml
+    elif [ -f "$folder/model.yaml" ]; then
+        command=analyse input=$folder/model.yaml
+    else
+        echo "examples: $folder has neither joint.yaml nor model.yaml" >&2
+        exit 1
+    fi
+    # an example may bring a step that makes its mesh
+    if [ -f "$folder/make_mesh.sh" ]; then sh "$folder/make_mesh.sh" >&2; fi
+    echo "== bracket $command $input" >&2
+    code=0
+    "$bracket" "$command" "$input" --out "results/$name" || code=$?
+    .venv/bin/python scripts/check_example.py "$folder" "results/$name" "$code"
+    # what the program claims, the independent certificate must confirm
+    "$bracket" verify "results/$name"
+done

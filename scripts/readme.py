@@ -1,0 +1,155 @@
+"""Writes the generated blocks of README.md, so that nothing the program says is typed by hand.
+
+usage: readme.py            rewrite the blocks (run scripts/paper_joint.sh first)
+       readme.py --check    exit 1 if a block differs; numbers may differ by 1 % (other machines round differently)
+
+A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -->`:
+  picture  the picture of the mesh, copied from results/paper_joint to docs/
+  spec     examples/paper_joint/joint.yaml without its comments
+  result   the history table and the bracket, from results/paper_joint/result.json
+  help     what `bracket --help` prints
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import json
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+README = ROOT / "README.md"
+EXAMPLE = ROOT / "examples" / "paper_joint"
+RESULT = ROOT / "results" / "paper_joint"
+PICTURE = pathlib.PurePosixPath("docs/paper_joint.png")
+TOLERANCE = 0.01
+
+
+class Fault(Exception):
+    """Something the blocks are made of is missing; the text says what to run."""
+
+
+def result() -> dict:
+    """The finished result of the paper's joint."""
+    path = RESULT / "result.json"
+    if not path.is_file():
+        raise Fault(f"{path.relative_to(ROOT)} is missing: run scripts/paper_joint.sh")
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def picture(check: bool) -> str:
+    """The first picture of the result: mesh.png, or whatever stands first by name."""
+    found = sorted(RESULT.glob("*.png"), key=lambda p: (p.name != "mesh.png", p.name))
+    if not found:
+        raise Fault(f"no picture in {RESULT.relative_to(ROOT)}: run scripts/paper_joint.sh")
+    if not check:
+        (ROOT / PICTURE).parent.mkdir(exist_ok=True)
+        shutil.copyfile(found[0], ROOT / PICTURE)
+    elif not (ROOT / PICTURE).is_file():
+        raise Fault(f"{PICTURE} is missing: run scripts/readme.py")
+    return f"![The meshed joint, drawn by the program]({PICTURE})"
+
+
+def spec(_check: bool) -> str:
+    """The spec as it is run."""
+    lines = (EXAMPLE / "joint.yaml").read_text(encoding="utf-8").splitlines()
+    body = "\n".join(line for line in lines if not line.lstrip().startswith("#")).strip("\n")
+    return f"```yaml\n{body}\n```"
+
+
+def number(value) -> str:
+    """Six figures; a word such as `unbounded` stays a word."""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def table(case: dict) -> list[str]:
+    """One row per mesh."""
+    head = ["macro tets", "lower", "upper", "gap %"]
+    lines = ["| " + " | ".join(head) + " |", "|" + " ---: |" * len(head)]
+    for row in case["history"]:
+        cells = [number(row.get(key, "–")) for key in ("macro_tets", "lower", "upper")]
+        cells.append(f"{100 * row['gap']:.2f}" if "gap" in row else "–")
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def bracket(_check: bool) -> str:
+    """Every case: what was bracketed, the history, the certificate."""
+    lines = []
+    for case in result()["cases"]:
+        unit = " N mm" if case["quantity"] == "potential_energy" else ""
+        lower, upper = number(case.get("lower", "–")), number(case.get("upper", "–"))
+        quantity = case["quantity"].replace("_", " ")
+        word = "lies between" if case["certificate"]["strict"] else "is estimated between"
+        lines.append(f"`{case['name']}`, {case['analysis']}: the {quantity} {word} **{lower}** and **{upper}**{unit}.")
+        lines += ["", *table(case), ""]
+        residuals = [f"{key.replace('_', ' ')} {value:.0e}" for key, value in case["certificate"].items() if key != "strict"]
+        lines += ["Certificate, largest residuals: " + ", ".join(residuals) + ".", ""]
+    return "\n".join(lines).rstrip("\n")
+
+
+def help_text(_check: bool) -> str:
+    """The subcommands."""
+    program = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "release" / "bracket"
+    if not program.is_file():
+        raise Fault("the program is not built: cargo build --release --locked")
+    text = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
+    return "```text\n" + "\n".join(line.rstrip() for line in text.strip().splitlines()) + "\n```"
+
+
+BLOCKS = {"picture": picture, "spec": spec, "result": bracket, "help": help_text}
+
+
+def same(old: str, new: str) -> bool:
+    """Equal word for word; numbers within the tolerance, residuals (`1e-13`) not compared."""
+    # residuals are rounding noise: only that they are there is compared
+    old, new = (re.sub(r"\d+e[+-]\d+", "RESIDUAL", t).split() for t in (old, new))
+    if len(old) != len(new):
+        return False
+    for a, b in zip(old, new):
+        try:
+            x, y = (float(word.strip("*.")) for word in (a, b))
+        except ValueError:
+            if a != b:
+                return False
+        else:
+            if not abs(x - y) <= TOLERANCE * max(abs(x), abs(y)):
+                return False
+    return True
+
+
+def main() -> int:
+    """Rewrites or checks the blocks."""
+    check = sys.argv[1:] == ["--check"]
+    if sys.argv[1:] and not check:
+        print(__doc__, file=sys.stderr)
+        return 2
+    text = README.read_text(encoding="utf-8")
+    stale = []
+    for name, make in BLOCKS.items():
+        pattern = re.compile(rf"(<!-- generated:{name}\b[^>]*-->\n)(.*?)(<!-- /generated:{name} -->)", re.DOTALL)
+        match = pattern.search(text)
+        if match is None:
+            print(f"readme: README.md has no block `{name}`", file=sys.stderr)
+            return 1
+        try:
+            new = make(check) + "\n"
+        except Fault as fault:
+            print(f"readme: block `{name}`: {fault}", file=sys.stderr)
+            return 1
+        if not same(match.group(2), new):
+            stale.append(name)
+        if not check:
+            text = text[: match.start(2)] + new + text[match.end(2) :]
+    if check:
+        for name in stale:
+            print(f"readme: block `{name}` is stale: run scripts/readme.py", file=sys.stderr)
+        return 1 if stale else 0
+    README.write_text(text, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
+# --heavy adds the tests that take long (fine meshes, convergence studies).
+set -eu
+cd -- "$(dirname -- "$0")/.."
+heavy=no
+case "$#:${1:-}" in
+    0:) ;;
+    1:--heavy) heavy=yes ;;
+    *)
+        echo "usage: scripts/test.sh [--heavy]" >&2
+        exit 2
+        ;;
+esac
+
+not_run=''
+step() {
+    printf '\n== %s\n' "$*" >&2
+    "$@"
+}
+
+scripts/setup.sh --test
+
+# A toolchain in its minimal profile lacks the two components; rustup adds them where it can.
+for component in fmt clippy; do
+    package=$(echo "$component" | sed s/fmt/rustfmt/)
+    if ! cargo "$component" --version >/dev/null 2>&1; then
+        rustup component add "$package" >&2 2>/dev/null || not_run="$not_run cargo-$component"
+    fi
+done
+case $not_run in *fmt*) ;; *) step cargo fmt --check ;; esac
+case $not_run in *clippy*) ;; *) step cargo clippy --release --all-targets --locked -- -D warnings ;; esac
+
+step cargo build --release --locked
+step cargo test --release --locked
+if [ "$heavy" = yes ]; then
+    step cargo test --release --locked --lib --bins --tests -- --ignored
+fi
+if cargo deny --version >/dev/null 2>&1; then
+    step cargo deny check bans licenses sources
+    # known faults stand in a database on GitHub, which is not everywhere within reach
+    if cargo deny fetch db >/dev/null 2>&1; then
+        step cargo deny check advisories
+    else
+        not_run="$not_run advisories(database-out-of-reach)"
+    fi
+else
+    not_run="$not_run cargo-deny"
+fi
+step "${PWD}/scripts/examples.sh"
+step .venv/bin/python scripts/readme.py --check
+
+if [ -n "$not_run" ]; then
+    printf '\nnot run, because not within reach here:%s\n' "$not_run" >&2
+fi
+printf '\nall tests passed\n' >&2
