@@ -1,6 +1,8 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
 pub mod error;
+#[cfg(test)]
+pub(crate) mod fixtures;
 pub mod merge;
 pub mod msh;
 pub mod numbering;

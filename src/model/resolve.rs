@@ -68,6 +68,16 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
             notes.push("`nodes: split`, but no two bodies have coincident nodes".to_string());
         }
     }
+    if file.nodes == Nodes::Shared && mesh.bodies.len() > 1 {
+        let mut probe = mesh.clone();
+        match merge::merge_coincident(&mut probe) {
+            Ok(n) if n > 0 => notes.push(format!(
+                "warning: {n} nodes of different bodies coincide but are not shared: the bodies are not connected there; \
+                 `nodes: split` pairs them"
+            )),
+            _ => {}
+        }
+    }
     let table = FaceTable::new(&mesh.tets);
     merge::check_matching(&mesh, &table)?;
     let scene = names::Scene { mesh: &mesh, table: &table };

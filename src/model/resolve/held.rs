@@ -180,6 +180,9 @@ fn check_independent(
     }
 }
 
+/// What holds a component of a face: in which way, and its name.
+type Holder<'a> = Option<(&'a str, &'a str)>;
+
 /// No component of a face may be both fixed and rigid, none twice rigid, and ground contact excludes both.
 pub(super) fn check_twice(
     file: &ModelFile,
@@ -189,7 +192,7 @@ pub(super) fn check_twice(
     faults: &mut Faults<'_>,
 ) {
     // by tet face: what holds each component first
-    let mut held: BTreeMap<(u32, u8), [Option<(&str, &str)>; 3]> = BTreeMap::new();
+    let mut held: BTreeMap<(u32, u8), [Holder<'_>; 3]> = BTreeMap::new();
     for s in supports {
         for f in &s.faces {
             let h = held.entry((f.tet, f.local)).or_default();
