@@ -9,5 +9,6 @@
 pub mod assembly;
 pub mod cli;
 pub mod diag;
+pub mod geometry;
 pub mod mesh;
 pub mod model;
