@@ -1,5 +1,9 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
+pub mod error;
+pub mod msh;
 pub mod tet;
+pub mod topology;
 
+pub use error::MeshError;
 pub use tet::{NamedFaces, TetMesh};

@@ -1,0 +1,275 @@
+//! What can be wrong with a mesh.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use std::path::PathBuf;
+
+/// A place in a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MshPlace {
+    /// The file.
+    pub file: PathBuf,
+    /// Line, from 1; 0: the file as a whole.
+    pub line: usize,
+}
+
+/// A fault of the mesh stage.
+#[derive(Debug, thiserror::Error)]
+pub enum MeshError {
+    /// The file cannot be opened or read.
+    #[error("the mesh file `{}` cannot be read: {source}", at.file.display())]
+    Io {
+        /// Where.
+        at: MshPlace,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// Not a gmsh file.
+    #[error("this is not a gmsh mesh: the first line is not `$MeshFormat`")]
+    NotGmsh {
+        /// Where.
+        at: MshPlace,
+    },
+    /// A version other than 2.2 and 4.1.
+    #[error("gmsh format {version} is not read, only 2.2 and 4.1")]
+    Version {
+        /// Where.
+        at: MshPlace,
+        /// The version found.
+        version: String,
+    },
+    /// Binary flavour.
+    #[error("the mesh file is binary, only ASCII is read")]
+    Binary {
+        /// Where.
+        at: MshPlace,
+    },
+    /// A section is absent.
+    #[error("the mesh file has no section `${section}`")]
+    MissingSection {
+        /// Where.
+        at: MshPlace,
+        /// Its name.
+        section: &'static str,
+    },
+    /// The file ends inside a section.
+    #[error("the mesh file ends inside `${section}`: it is cut off")]
+    Truncated {
+        /// Where.
+        at: MshPlace,
+        /// Its name.
+        section: String,
+    },
+    /// A line that does not hold what the format asks for.
+    #[error("expected {expected} in `${section}`, found `{found}`")]
+    Malformed {
+        /// Where.
+        at: MshPlace,
+        /// The section.
+        section: String,
+        /// What should stand there.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// A tag used twice: node, element or name.
+    #[error("{what} stands twice")]
+    Repeated {
+        /// Where.
+        at: MshPlace,
+        /// For example ``node 7``.
+        what: String,
+    },
+    /// A coordinate that is not finite.
+    #[error("node {node} has the coordinate {value}, which is not a finite number")]
+    NotFinite {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the node.
+        node: u64,
+        /// The value.
+        value: f64,
+    },
+    /// An element names a node that is absent.
+    #[error("element {element} uses node {node}, which the file does not hold")]
+    UnknownNode {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+        /// Tag of the node.
+        node: u64,
+    },
+    /// An element block names an entity that `$Entities` lacks (4.1).
+    #[error("an element block lies on {kind} {tag}, which `$Entities` does not hold")]
+    UnknownEntity {
+        /// Where.
+        at: MshPlace,
+        /// `surface` or `volume`.
+        kind: &'static str,
+        /// Its tag.
+        tag: i64,
+    },
+    /// An element of higher order.
+    #[error("element {element} is a {kind}: only 4-node tetrahedra and 3-node triangles are read")]
+    HigherOrder {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+        /// Its type in words.
+        kind: &'static str,
+    },
+    /// An element that is neither tet nor triangle.
+    #[error("element {element} is a {kind}: only 4-node tetrahedra and 3-node triangles are read")]
+    OtherShape {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+        /// Its type in words.
+        kind: &'static str,
+    },
+    /// No tet at all.
+    #[error("the mesh holds no tetrahedron")]
+    NoTets {
+        /// Where.
+        at: MshPlace,
+    },
+    /// A tet in no physical volume.
+    #[error("tetrahedron {element} belongs to no physical volume")]
+    NoBody {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+    },
+    /// A volume in two physical volumes.
+    #[error("volume {tag} belongs to {count} physical volumes, a body is one")]
+    TwoBodies {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the volume.
+        tag: i64,
+        /// How many.
+        count: usize,
+    },
+    /// A tet without volume.
+    #[error(
+        "tetrahedron {element} is flat: its volume is {volume:e} mm³, at least {limit:e} mm³ is needed for its size"
+    )]
+    Flat {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+        /// Its volume \[mm³\].
+        volume: f64,
+        /// The limit \[mm³\].
+        limit: f64,
+    },
+    /// Two elements with the same nodes.
+    #[error("{kind} {element} has the same nodes as {kind} {first}")]
+    Duplicate {
+        /// Where.
+        at: MshPlace,
+        /// `tetrahedron` or `triangle`.
+        kind: &'static str,
+        /// Tag of the later element.
+        element: u64,
+        /// Tag of the earlier element.
+        first: u64,
+    },
+    /// Two tets on the same side of their common face, or a face of three tets.
+    #[error(
+        "tetrahedron {element} is inverted or overlaps tetrahedron {other}: both lie on the same side of their common face"
+    )]
+    Folded {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the later element.
+        element: u64,
+        /// Tag of the other element.
+        other: u64,
+    },
+    /// A named triangle that is not a face of any tet.
+    #[error("triangle {element} of the physical surface `{surface}` is not a face of any tetrahedron")]
+    LooseTriangle {
+        /// Where.
+        at: MshPlace,
+        /// Tag of the element.
+        element: u64,
+        /// Name of its physical surface.
+        surface: String,
+    },
+}
+
+impl MeshError {
+    /// Stable code, place, and what to do next.
+    fn parts(&self) -> (&'static str, &MshPlace, &'static str) {
+        use MeshError as E;
+        let again = "write the mesh again with gmsh; the file is damaged or was edited by hand";
+        match self {
+            E::Io { at, .. } => {
+                ("mesh/read", at, "check the path: it is relative to the file that names it; and the right to read it")
+            }
+            E::NotGmsh { at } => ("mesh/not-gmsh", at, "save the mesh in gmsh: `gmsh -3 model.geo -format msh41`"),
+            E::Version { at, .. } => {
+                ("mesh/version", at, "save with `Mesh.MshFileVersion = 4.1;` (or 2.2): `gmsh -format msh41`")
+            }
+            E::Binary { at } => ("mesh/binary", at, "save with `Mesh.Binary = 0;`"),
+            E::MissingSection { at, .. } => {
+                ("mesh/missing-section", at, "write the mesh with gmsh after meshing in three dimensions: `gmsh -3`")
+            }
+            E::Truncated { at, .. } => {
+                ("mesh/truncated", at, "write the file again and check that the disk is not full")
+            }
+            E::Malformed { at, .. } => ("mesh/malformed", at, again),
+            E::Repeated { at, .. } => ("mesh/repeated", at, again),
+            E::NotFinite { at, .. } => ("mesh/not-finite", at, again),
+            E::UnknownNode { at, .. } => ("mesh/unknown-node", at, again),
+            E::UnknownEntity { at, .. } => ("mesh/unknown-entity", at, "save an unpartitioned mesh with its entities"),
+            E::HigherOrder { at, .. } => {
+                ("mesh/order", at, "mesh with `Mesh.ElementOrder = 1;`: the analysis adds its own mid-side nodes")
+            }
+            E::OtherShape { at, .. } => {
+                ("mesh/shape", at, "mesh with tetrahedra: no `Recombine`, no structured or extruded layers")
+            }
+            E::NoTets { at } => ("mesh/no-tets", at, "mesh in three dimensions (`gmsh -3`) with a `Physical Volume`"),
+            E::NoBody { at, .. } => {
+                ("mesh/no-body", at, "put every volume in one `Physical Volume(\"NAME\")`: it becomes a body")
+            }
+            E::TwoBodies { at, .. } => ("mesh/two-bodies", at, "put every volume in one `Physical Volume` only"),
+            E::Flat { at, .. } => {
+                ("mesh/flat", at, "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the geometry")
+            }
+            E::Duplicate { at, .. } => (
+                "mesh/duplicate",
+                at,
+                "remove the second copy: a volume meshed twice, or a surface named twice in one group",
+            ),
+            E::Folded { at, .. } => {
+                ("mesh/folded", at, "remesh: check for overlapping volumes (use `BooleanFragments`) and moved nodes")
+            }
+            E::LooseTriangle { at, .. } => {
+                ("mesh/loose-triangle", at, "keep only surfaces of meshed volumes in `Physical Surface`")
+            }
+        }
+    }
+}
+
+impl From<MeshError> for Diagnostic {
+    fn from(error: MeshError) -> Self {
+        let (code, at, help) = error.parts();
+        let mut d = Diagnostic::input(code, error.to_string()).file(at.file.clone()).help(help);
+        if at.line > 0 {
+            d.place.line = Some(at.line);
+        }
+        d
+    }
+}
+
+impl From<MeshError> for Diagnostics {
+    fn from(error: MeshError) -> Self {
+        Diagnostic::from(error).into()
+    }
+}

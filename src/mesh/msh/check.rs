@@ -1,0 +1,191 @@
+//! From what stands in the file to a mesh that holds together.
+
+use super::{Raw, RawCell};
+use crate::mesh::error::{MeshError, MshPlace};
+use crate::mesh::tet::signed_volume;
+use crate::mesh::topology::{FaceTable, sorted};
+use crate::mesh::{NamedFaces, TetMesh};
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+/// A tet is flat when its volume is below this times the cube of its longest edge. Slivers of a thousandth of a degree
+/// (1e-6) still pass; round-off in the product of three edges is 1e-16.
+const FLAT: f64 = 1e-12;
+
+/// Checks the raw mesh, drops unused nodes, turns tets of negative volume.
+pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
+    let at = |line| MshPlace { file: file.to_path_buf(), line };
+    if raw.tets.is_empty() {
+        return Err(MeshError::NoTets { at: at(0) });
+    }
+    if let Some(t) = raw.tets.iter().find(|t| t.physical == 0) {
+        return Err(MeshError::NoBody { at: at(t.line), element: t.tag });
+    }
+    let numbers = Numbers::new(&raw, file)?;
+    let mut mesh = TetMesh::default();
+    // nodes keep their order in the file; those of no tet are left out
+    let mut new_index = vec![u32::MAX; raw.nodes.len()];
+    let mut tets: Vec<[u32; 4]> = Vec::with_capacity(raw.tets.len());
+    for t in &raw.tets {
+        let nodes = numbers.of(t, file)?;
+        for n in nodes {
+            new_index[n as usize] = 0;
+        }
+        tets.push(nodes);
+    }
+    for (i, x) in raw.nodes.iter().enumerate() {
+        if new_index[i] == 0 {
+            new_index[i] = mesh.nodes.len() as u32;
+            mesh.nodes.push(*x);
+        }
+    }
+    let mut turned = 0;
+    for (t, raw_tet) in tets.iter_mut().zip(&raw.tets) {
+        *t = t.map(|n| new_index[n as usize]);
+        let x = t.map(|n| mesh.nodes[n as usize]);
+        let volume = signed_volume(&x);
+        let limit = FLAT * longest_edge(&x).powi(3);
+        if volume.abs() <= limit {
+            return Err(MeshError::Flat { at: at(raw_tet.line), element: raw_tet.tag, volume, limit });
+        }
+        if volume < 0.0 {
+            t.swap(2, 3);
+            turned += 1;
+        }
+    }
+    mesh.tets = tets;
+    let bodies = groups(raw.tets.iter().map(|t| t.physical));
+    mesh.bodies = bodies.keys().map(|p| name(&raw, 3, *p)).collect();
+    mesh.tet_body = raw.tets.iter().map(|t| bodies[&t.physical]).collect();
+
+    check_tets(&mesh, &raw, file)?;
+    let table = FaceTable::new(&mesh.tets);
+    check_sides(&table, &raw, file)?;
+
+    let surfaces = groups(raw.triangles.iter().map(|t| t.physical));
+    mesh.faces = surfaces.keys().map(|p| NamedFaces { name: name(&raw, 2, *p), triangles: Vec::new() }).collect();
+    let mut seen: HashMap<(i64, [u32; 3]), u64> = HashMap::with_capacity(raw.triangles.len());
+    for t in &raw.triangles {
+        let nodes = numbers.of(t, file)?.map(|n| new_index[n as usize]);
+        let surface = &mut mesh.faces[surfaces[&t.physical] as usize];
+        if nodes.contains(&u32::MAX) || table.owners(nodes).is_empty() {
+            let surface = surface.name.clone();
+            return Err(MeshError::LooseTriangle { at: at(t.line), element: t.tag, surface });
+        }
+        if let Some(first) = seen.insert((t.physical, sorted(nodes).0), t.tag) {
+            return Err(MeshError::Duplicate { at: at(t.line), kind: "triangle", element: t.tag, first });
+        }
+        surface.triangles.push(nodes);
+    }
+
+    let mut notes = Vec::new();
+    if turned > 0 {
+        notes.push(format!("{turned} of {} tetrahedra had the opposite node order and were turned", mesh.tets.len()));
+    }
+    Ok((mesh, notes))
+}
+
+/// The name of a physical group; gmsh allows groups without one.
+fn name(raw: &Raw, dim: u8, physical: i64) -> String {
+    let kind = if dim == 3 { "VOLUME" } else { "SURFACE" };
+    raw.names.get(&(dim, physical)).cloned().unwrap_or_else(|| format!("{kind}_{physical}"))
+}
+
+/// Physical tags in increasing order, each with its index.
+fn groups(tags: impl Iterator<Item = i64>) -> BTreeMap<i64, u32> {
+    let mut all: BTreeMap<i64, u32> = tags.map(|t| (t, 0)).collect();
+    for (i, index) in all.values_mut().enumerate() {
+        *index = i as u32;
+    }
+    all
+}
+
+fn longest_edge(x: &[[f64; 3]; 4]) -> f64 {
+    let mut longest: f64 = 0.0;
+    for i in 0..4 {
+        for j in 0..i {
+            longest = longest.max((0..3).map(|k| (x[i][k] - x[j][k]).powi(2)).sum());
+        }
+    }
+    longest.sqrt()
+}
+
+/// No two tets have the same nodes.
+fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
+    let mut keys: Vec<([u32; 4], u32)> = (0u32..)
+        .zip(&mesh.tets)
+        .map(|(e, t)| {
+            let mut k = *t;
+            k.sort_unstable();
+            (k, e)
+        })
+        .collect();
+    keys.sort_unstable();
+    match keys.windows(2).find(|w| w[0].0 == w[1].0) {
+        None => Ok(()),
+        Some(w) => {
+            let (first, second) = (&raw.tets[w[0].1 as usize], &raw.tets[w[1].1 as usize]);
+            let at = MshPlace { file: file.to_path_buf(), line: second.line };
+            Err(MeshError::Duplicate { at, kind: "tetrahedron", element: second.tag, first: first.tag })
+        }
+    }
+}
+
+/// The tets at a face are two at most and lie on opposite sides. As all volumes are positive, that is so exactly when
+/// their outward orders of the face are opposite.
+fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
+    for owners in table.faces() {
+        if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {
+            let same = if owners[0].even == owners[1].even { (1, 0) } else { (owners.len() - 1, 0) };
+            let (element, other) = (&raw.tets[owners[same.0].tet as usize], &raw.tets[owners[same.1].tet as usize]);
+            let at = MshPlace { file: file.to_path_buf(), line: element.line };
+            return Err(MeshError::Folded { at, element: element.tag, other: other.tag });
+        }
+    }
+    Ok(())
+}
+
+/// From node tags to positions in the file.
+enum Numbers {
+    /// Tags are small: a table.
+    Dense(Vec<u32>),
+    /// Tags are sparse.
+    Sparse(HashMap<u64, u32>),
+}
+
+impl Numbers {
+    fn new(raw: &Raw, file: &Path) -> Result<Self, MeshError> {
+        let largest = raw.node_tags.iter().copied().max().unwrap_or(0);
+        let mut numbers = if largest < 4 * raw.nodes.len() as u64 + 1000 {
+            Numbers::Dense(vec![u32::MAX; largest as usize + 1])
+        } else {
+            Numbers::Sparse(HashMap::with_capacity(raw.nodes.len()))
+        };
+        for (i, tag) in (0u32..).zip(&raw.node_tags) {
+            let fresh = match &mut numbers {
+                Numbers::Dense(v) => std::mem::replace(&mut v[*tag as usize], i) == u32::MAX,
+                Numbers::Sparse(m) => m.insert(*tag, i).is_none(),
+            };
+            if !fresh {
+                let at = MshPlace { file: file.to_path_buf(), line: raw.node_lines[i as usize] };
+                return Err(MeshError::Repeated { at, what: format!("node {tag}") });
+            }
+        }
+        Ok(numbers)
+    }
+
+    fn of<const N: usize>(&self, cell: &RawCell<N>, file: &Path) -> Result<[u32; N], MeshError> {
+        let mut nodes = [u32::MAX; N];
+        for (n, tag) in nodes.iter_mut().zip(cell.nodes) {
+            *n = match self {
+                Numbers::Dense(v) => usize::try_from(tag).ok().and_then(|t| v.get(t)).copied().unwrap_or(u32::MAX),
+                Numbers::Sparse(m) => m.get(&tag).copied().unwrap_or(u32::MAX),
+            };
+            if *n == u32::MAX {
+                let at = MshPlace { file: file.to_path_buf(), line: cell.line };
+                return Err(MeshError::UnknownNode { at, element: cell.tag, node: tag });
+            }
+        }
+        Ok(nodes)
+    }
+}
