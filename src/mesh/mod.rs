@@ -1,7 +1,12 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
 pub mod error;
+pub mod gmsh;
+pub mod joint;
 pub mod msh;
+pub mod msh_write;
+pub mod naming;
+pub mod quality;
 pub mod tet;
 pub mod topology;
 

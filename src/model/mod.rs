@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod file;
+pub mod from_joint;
 pub mod program;
 
 pub use analysis::AnalysisModel;
