@@ -12,8 +12,8 @@ use crate::geometry::scene::Scene;
 const SNAP: f64 = 1e-6;
 
 /// Allowed relative difference of meshed and exact volumes and areas. All facets are planes, so both agree to the
-/// CAD kernel's rounding; 0.1 % leaves room for the strips `exact` approximates.
-const AGREE: f64 = 1e-3;
+/// CAD kernel's rounding; 0.01 % leaves room for the strips `exact` approximates.
+const AGREE: f64 = 1e-4;
 
 /// Area of a mesh face set and what it should be.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
