@@ -196,20 +196,14 @@ fn planes_of(solid: &FlatSolid) -> Vec<Plane> {
     let mut out: Vec<Plane> = Vec::new();
     let mut add = |plane: Plane| {
         let known = out.iter().any(|p| {
-            dot(p.normal, plane.normal).abs() > 1.0 - 1e-10
-                && dot(sub(plane.origin, p.origin), p.normal).abs() < 1e-6
+            dot(p.normal, plane.normal).abs() > 1.0 - 1e-10 && dot(sub(plane.origin, p.origin), p.normal).abs() < 1e-6
         });
         if !known {
             out.push(plane);
         }
     };
     for prism in solid.prisms() {
-        let cap = |h: f64| Plane {
-            origin: along(prism.origin, h, prism.w),
-            normal: prism.w,
-            d: prism.u,
-            e: prism.v,
-        };
+        let cap = |h: f64| Plane { origin: along(prism.origin, h, prism.w), normal: prism.w, d: prism.u, e: prism.v };
         add(cap(0.0));
         add(cap(prism.length));
         side_planes(prism).for_each(&mut add);
@@ -255,13 +249,7 @@ mod tests {
     fn drilled(lo: f64, hi: f64) -> Solid {
         Solid::Difference(vec![
             Solid::Box { min: [lo, -30.0, -40.0], max: [hi, 30.0, 40.0] },
-            Solid::Cylinder {
-                base: [lo, 0.0, 5.0],
-                axis: [1.0, 0.0, 0.0],
-                radius: 9.0,
-                length: hi - lo,
-                segments: 12,
-            },
+            Solid::Cylinder { base: [lo, 0.0, 5.0], axis: [1.0, 0.0, 0.0], radius: 9.0, length: hi - lo, segments: 12 },
         ])
     }
 

@@ -107,10 +107,7 @@ fn column() -> Part {
             }));
         }
     }
-    Part {
-        mid_planes,
-        ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 24.0)
-    }
+    Part { mid_planes, ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 24.0) }
 }
 
 /// `side` = 1: right, −1: left.
@@ -138,12 +135,7 @@ fn beam(side: f64) -> Part {
         let b = boxed([s0, y0, -167.3], [s1, y1, 167.3]);
         solids.push(b.clone());
         convex.push(b);
-        mid_planes.push(MidPlane {
-            axis: 0,
-            at: side * 1015.0,
-            min: [0.0, y0, -167.3],
-            max: [0.0, y1, 167.3],
-        });
+        mid_planes.push(MidPlane { axis: 0, at: side * 1015.0, min: [0.0, y0, -167.3], max: [0.0, y1, 167.3] });
     }
     let (name, label) = if side > 0.0 { ("BEAM_R", "right beam") } else { ("BEAM_L", "left beam") };
     Part { mid_planes, ..part(name, label, PartRole::Member, Solid::Union(solids), convex, 24.0) }
@@ -165,10 +157,7 @@ fn plate(side: f64) -> Part {
     let (name, label) =
         if side > 0.0 { ("PLATE_R", "end plate of the right beam") } else { ("PLATE_L", "end plate of the left beam") };
     let mid = MidPlane { axis: 0, at: side * 107.5, min: [0.0, -90.0, -250.0], max: [0.0, 90.0, 200.0] };
-    Part {
-        mid_planes: vec![mid],
-        ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 18.0)
-    }
+    Part { mid_planes: vec![mid], ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 18.0) }
 }
 
 fn bolt(side: f64, y: f64, row: usize) -> Part {
@@ -181,12 +170,7 @@ fn bolt(side: f64, y: f64, row: usize) -> Part {
         hexagon([h0, y, z], Y, Z, 27.0, h1 - h0),
         hexagon([n0, y, z], Y, Z, 27.0, n1 - n0),
     ];
-    let name = format!(
-        "BOLT_{}{}{}",
-        if side > 0.0 { "R" } else { "L" },
-        if y > 0.0 { "P" } else { "N" },
-        row + 1
-    );
+    let name = format!("BOLT_{}{}{}", if side > 0.0 { "R" } else { "L" }, if y > 0.0 { "P" } else { "N" }, row + 1);
     let label = format!(
         "bolt of row {} ({}, y {})",
         row + 1,
@@ -254,7 +238,8 @@ pub(crate) fn paper_joint() -> Assembly {
 
 /// Two plates 80 × 60 × 10 lapped at z = 0 with one bolt of 16 mm.
 pub(crate) fn lap_joint() -> Assembly {
-    let hole = |z: f64, length: f64| Solid::Cylinder { base: [0.0, 0.0, z], axis: Z, radius: 8.0, length, segments: 16 };
+    let hole =
+        |z: f64, length: f64| Solid::Cylinder { base: [0.0, 0.0, z], axis: Z, radius: 8.0, length, segments: 16 };
     let lap = |name: &str, label: &str, z: f64| {
         let whole = boxed([-40.0, -30.0, z], [40.0, 30.0, z + 10.0]);
         let mid = MidPlane { axis: 2, at: z + 5.0, min: [-40.0, -30.0, 0.0], max: [40.0, 30.0, 0.0] };

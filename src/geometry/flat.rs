@@ -115,9 +115,7 @@ impl FlatSolid {
                 }
                 b
             }
-            FlatSolid::Union(list) => {
-                list.iter().map(FlatSolid::bounds).reduce(Bounds::union).unwrap_or(Bounds::EMPTY)
-            }
+            FlatSolid::Union(list) => list.iter().map(FlatSolid::bounds).reduce(Bounds::union).unwrap_or(Bounds::EMPTY),
             FlatSolid::Difference(list) => list.first().map_or(Bounds::EMPTY, FlatSolid::bounds),
         }
     }
@@ -282,8 +280,7 @@ fn arc_corners(from: [f64; 2], to: [f64; 2], centre: [f64; 2]) -> Vec<[f64; 2]> 
     let step = sweep.abs() / k as f64;
     let target = radius * radius * sweep.abs() / step.sin();
     let m = (k - 2) as f64;
-    let rho =
-        if k == 2 { target / (2.0 * radius) } else { (-radius + (radius * radius + m * target).sqrt()) / m };
+    let rho = if k == 2 { target / (2.0 * radius) } else { (-radius + (radius * radius + m * target).sqrt()) / m };
     (1..k)
         .map(|i| {
             let angle = start + sweep * i as f64 / k as f64;

@@ -162,9 +162,7 @@ impl Writer {
         }
         let name = self.name();
         let tools = rest.join(", ");
-        self.put(format_args!(
-            "{name} = {operation}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{tools}}}; Delete; }};"
-        ));
+        self.put(format_args!("{name} = {operation}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{tools}}}; Delete; }};"));
         name
     }
 
@@ -240,7 +238,9 @@ impl Writer {
         let size = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
         let name = self.name();
         self.put(format_args!("v = newv; Box(v) = {{{}, {}}};", triple(min), triple(size)));
-        self.put(format_args!("{name} = BooleanIntersection{{ Volume{{{list}}}; Delete; }}{{ Volume{{v}}; Delete; }};"));
+        self.put(format_args!(
+            "{name} = BooleanIntersection{{ Volume{{{list}}}; Delete; }}{{ Volume{{v}}; Delete; }};"
+        ));
         name
     }
 
@@ -282,9 +282,7 @@ impl Writer {
         let parts: Vec<String> = (0..bodies).map(|i| format!("part{i}()")).collect();
         let parts = parts.join(", ");
         self.line("If (#f() > 0)");
-        self.put(format_args!(
-            "t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ Surface{{f()}}; Delete; }};"
-        ));
+        self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ Surface{{f()}}; Delete; }};"));
         self.line("Else");
         self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ }};"));
         self.line("EndIf");

@@ -43,11 +43,7 @@ pub fn check(assembly: &Assembly) -> Result<(), Diagnostics> {
     if faults.is_empty() {
         faults = proximity_faults(assembly);
     }
-    if faults.is_empty() {
-        Ok(())
-    } else {
-        Err(Diagnostics(faults.into_iter().map(Diagnostic::from).collect()))
-    }
+    if faults.is_empty() { Ok(()) } else { Err(Diagnostics(faults.into_iter().map(Diagnostic::from).collect())) }
 }
 
 fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
@@ -225,7 +221,10 @@ mod tests {
         // The bolt slides 3 mm along its axis: its head goes into the upper plate.
         crate::geometry::fixtures::move_part(&mut joint, "BOLT", [0.0, 0.0, -3.0]);
         let m = messages(&joint);
-        assert!(m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("bolt (BOLT)") && t.contains("3.000 mm")), "{m:?}");
+        assert!(
+            m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("bolt (BOLT)") && t.contains("3.000 mm")),
+            "{m:?}"
+        );
     }
 
     #[test]
@@ -234,7 +233,10 @@ mod tests {
         // The row at −125 moves to 7 mm below the one at 110: heads and shanks overlap.
         crate::geometry::fixtures::move_part(&mut joint, "BOLT_RP2", [0.0, 0.0, 228.0]);
         let m = messages(&joint);
-        assert!(m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("BOLT_RP2") && t.contains("BOLT_RP3")), "{m:?}");
+        assert!(
+            m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("BOLT_RP2") && t.contains("BOLT_RP3")),
+            "{m:?}"
+        );
     }
 
     #[test]
@@ -242,10 +244,7 @@ mod tests {
         let mut joint = lap_joint();
         crate::geometry::fixtures::move_part(&mut joint, "LOWER", [0.0, 0.0, -0.5]);
         let m = messages(&joint);
-        assert!(
-            m.iter().any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")),
-            "{m:?}"
-        );
+        assert!(m.iter().any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")), "{m:?}");
     }
 
     #[test]

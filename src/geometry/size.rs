@@ -35,12 +35,7 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     let mut out = String::new();
     let mut id = 0;
     let mut chosen: Vec<String> = Vec::new();
-    let joint = scene
-        .bodies
-        .iter()
-        .filter(|b| b.part.role != PartRole::Member)
-        .map(|b| b.bounds)
-        .reduce(Bounds::union);
+    let joint = scene.bodies.iter().filter(|b| b.part.role != PartRole::Member).map(|b| b.bounds).reduce(Bounds::union);
     let mut coarsest = 0.0f64;
     for body in &scene.bodies {
         let size = body.part.size * rule.factor;
@@ -54,7 +49,14 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
                 let _ = writeln!(out, "Field[{}] = MathEval; Field[{}].F = \"{formula}\";", id + 1, id + 1);
                 let (lo, hi) = (body.bounds.min, body.bounds.max);
                 box_field(&mut out, id + 2, 0.0, FREE, lo.map(|c| c - 1e-3), hi.map(|c| c + 1e-3), 0.0);
-                let _ = writeln!(out, "Field[{}] = Max; Field[{}].FieldsList = {{{}, {}}};", id + 3, id + 3, id + 1, id + 2);
+                let _ = writeln!(
+                    out,
+                    "Field[{}] = Max; Field[{}].FieldsList = {{{}, {}}};",
+                    id + 3,
+                    id + 3,
+                    id + 1,
+                    id + 2
+                );
                 chosen.push((id + 3).to_string());
                 id += 3;
                 coarsest = coarsest.max(limit);

@@ -46,11 +46,8 @@ pub fn faults(assembly: &Assembly) -> Vec<GeometryError> {
             name(format!("the face {} lies on the part `{}`, which does not exist", face.name, face.part));
         }
     }
-    for (kind, n) in assembly
-        .supports
-        .iter()
-        .map(|s| ("support", &s.face))
-        .chain(assembly.loads.iter().map(|l| ("load", &l.face)))
+    for (kind, n) in
+        assembly.supports.iter().map(|s| ("support", &s.face)).chain(assembly.loads.iter().map(|l| ("load", &l.face)))
     {
         if !assembly.faces.iter().any(|f| f.name == *n) {
             name(format!("a {kind} lies on the face `{n}`, which does not exist"));

@@ -120,9 +120,10 @@ impl From<MesherError> for Diagnostic {
         let doctor = "run `bracket doctor`: it says what is found and how to get what is missing".to_string();
         let (code, help) = match &error {
             E::Missing => ("mesher/missing", doctor),
-            E::BadVariable { .. } => {
-                ("mesher/variable", format!("set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset it"))
-            }
+            E::BadVariable { .. } => (
+                "mesher/variable",
+                format!("set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset it"),
+            ),
             E::Start { .. } => ("mesher/start", doctor),
             E::NoVersion { .. } => ("mesher/version", doctor),
             E::TooOld { .. } => ("mesher/old", doctor),
@@ -178,13 +179,7 @@ impl Mesher {
     /// Runs it in `dir` with `arguments`, its talk going to `dir/log_name`; returns the log's text.
     ///
     /// The process is killed when `limit` has passed. Every error line of the log is a failure, whatever the exit code.
-    pub fn run(
-        &self,
-        arguments: &[&str],
-        dir: &Path,
-        log_name: &str,
-        limit: Duration,
-    ) -> Result<String, MesherError> {
+    pub fn run(&self, arguments: &[&str], dir: &Path, log_name: &str, limit: Duration) -> Result<String, MesherError> {
         let log_path = dir.join(log_name);
         let log = File::create(&log_path).map_err(|e| MesherError::write(&log_path, e))?;
         let log_too = log.try_clone().map_err(|e| MesherError::write(&log_path, e))?;

@@ -114,7 +114,8 @@ mod tests {
         std::fs::create_dir(&path).expect("folder");
         std::fs::write(path.join("keep"), "x").expect("file");
         write(&mesh(), &path).expect_err("cannot replace a folder");
-        let names: Vec<_> = std::fs::read_dir(dir.path()).expect("folder").map(|e| e.expect("entry").file_name()).collect();
+        let names: Vec<_> =
+            std::fs::read_dir(dir.path()).expect("folder").map(|e| e.expect("entry").file_name()).collect();
         assert_eq!(names, ["mesh.msh"]);
     }
 }

@@ -96,7 +96,9 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
                     "mesh/body-lost",
                     format!("the mesher lost the {} ({}): it has no tetrahedron", body.part.label, body.part.name),
                 )
-                .help("parts overlap or a solid is degenerate: check the dimensions of this part and of its neighbours"),
+                .help(
+                    "parts overlap or a solid is degenerate: check the dimensions of this part and of its neighbours",
+                ),
             ),
         }
     }
@@ -250,7 +252,10 @@ fn interface(
         faults.push(
             Diagnostic::input(
                 "mesh/interface-empty",
-                format!("the {} ({}) and the {} ({}) do not touch, but an interface between them is asked for", pa.label, pa.name, pb.label, pb.name),
+                format!(
+                    "the {} ({}) and the {} ({}) do not touch, but an interface between them is asked for",
+                    pa.label, pa.name, pb.label, pb.name
+                ),
             )
             .help("move the parts together, or remove the contact from the template"),
         );
@@ -261,8 +266,7 @@ fn interface(
 fn on_surface(surface: &Surface, t: &[Vec3; 3]) -> bool {
     match surface {
         Surface::Plane { axis, at, min, max } => t.iter().all(|x| {
-            (x[*axis] - at).abs() < SNAP
-                && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
+            (x[*axis] - at).abs() < SNAP && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
         }),
         Surface::Mantle { base, axis, radius, length } => {
             let normal = cross(sub(t[1], t[0]), sub(t[2], t[0]));
