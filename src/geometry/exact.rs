@@ -134,14 +134,14 @@ pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
     }
     let mut sum = 0.0;
     for plane in planes_of(&a.solid) {
-        if !on.is_none_or(|s| on_surface_plane(s, &plane)) {
-            continue;
-        }
-        let breaks = plane.breakpoints(&[&a.solid, &b.solid], &a.planes);
+        let Some(plane) = on.map_or(Some(plane), |s| on_surface_plane(s, plane)) else { continue };
+        let window = on.map_or(Window::ALL, |s| Window::of(s, &plane));
+        let mut breaks = plane.breakpoints(&[&a.solid, &b.solid], &a.planes);
+        window.clip(&mut breaks);
         sum += plane.sweep(breaks, |line| {
             let (low, high) = (plane.shifted(line, -BESIDE), plane.shifted(line, BESIDE));
             let both = |x: &Line, y: &Line| {
-                let inside = a.stretches(x);
+                let inside = intersect(&a.stretches(x), &[window.d]);
                 if inside.is_empty() { 0.0 } else { length(&intersect(&inside, &b.stretches(y))) }
             };
             both(&low, &high) + both(&high, &low)
@@ -156,14 +156,13 @@ pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: Vec3,
     let me = &bodies[body];
     let near: Vec<&Body> = bodies.iter().filter(|b| b.bounds.near(&me.bounds, 2.0 * BESIDE)).collect();
     let solids: Vec<&FlatSolid> = near.iter().map(|b| &b.solid).collect();
-    let (kd, ke) = ((axis + 1) % 3, (axis + 2) % 3);
+    let window = Window::of(&Surface::Plane { axis, at, min, max }, &plane);
     let mut breaks = plane.breakpoints(&solids, &me.planes);
-    breaks.extend([min[ke], max[ke]]);
-    breaks.retain(|x| *x >= min[ke] && *x <= max[ke]);
+    window.clip(&mut breaks);
     plane.sweep(breaks, |line| {
         let (low, high) = (plane.shifted(line, -BESIDE), plane.shifted(line, BESIDE));
         let bare = |x: &Line, y: &Line| {
-            let inside = intersect(&me.stretches(x), &[[min[kd], max[kd]]]);
+            let inside = intersect(&me.stretches(x), &[window.d]);
             if inside.is_empty() {
                 return 0.0;
             }
@@ -174,16 +173,49 @@ pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: Vec3,
     })
 }
 
-/// True when a plane of a body's facets carries the surface: the coordinate plane itself, or a facet of the mantle.
-fn on_surface_plane(surface: &Surface, plane: &Plane) -> bool {
+/// The plane of a body's facets if it carries the surface: the coordinate plane itself (with coordinate axes), or a
+/// facet's plane of the mantle (swept along the axis).
+fn on_surface_plane(surface: &Surface, plane: Plane) -> Option<Plane> {
     match surface {
-        Surface::Plane { axis, at, .. } => {
-            plane.normal[*axis].abs() > 1.0 - 1e-9 && (plane.origin[*axis] - at).abs() < 1e-6
-        }
+        Surface::Plane { axis, at, .. } => (plane.normal[*axis].abs() > 1.0 - 1e-9
+            && (plane.origin[*axis] - at).abs() < 1e-6)
+            .then(|| Plane::coordinate(*axis, *at)),
         Surface::Mantle { base, axis, radius, .. } => {
             let distance = dot(sub(*base, plane.origin), plane.normal).abs();
-            dot(plane.normal, *axis).abs() < 1e-6 && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE
+            (dot(plane.normal, *axis).abs() < 1e-6 && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE)
+                .then(|| Plane { origin: *base, d: cross(plane.normal, *axis), e: *axis, ..plane })
+                .map(|p| Plane { origin: along(*base, dot(sub(plane.origin, *base), plane.normal), plane.normal), ..p })
         }
+    }
+}
+
+/// The part of a plane that belongs to a surface, in the plane's own coordinates \[mm\].
+struct Window {
+    d: [f64; 2],
+    e: [f64; 2],
+}
+
+impl Window {
+    const ALL: Window = Window { d: [f64::NEG_INFINITY, f64::INFINITY], e: [f64::NEG_INFINITY, f64::INFINITY] };
+
+    fn of(surface: &Surface, plane: &Plane) -> Self {
+        match surface {
+            // Both planes have their origin where their in-plane coordinates are zero.
+            Surface::Plane { axis, min, max, .. } => {
+                let (d, e) = ((axis + 1) % 3, (axis + 2) % 3);
+                Window { d: [min[d], max[d]], e: [min[e], max[e]] }
+            }
+            // A facet reaches tan(π/n) < 0.28 radii to either side of its middle, for n ≥ 12.
+            Surface::Mantle { base, radius, length, .. } => {
+                let start = dot(sub(*base, plane.origin), plane.e);
+                Window { d: [-0.5 * radius, 0.5 * radius], e: [start, start + length] }
+            }
+        }
+    }
+
+    fn clip(&self, breaks: &mut Vec<f64>) {
+        breaks.extend(self.e.iter().filter(|x| x.is_finite()));
+        breaks.retain(|x| *x >= self.e[0] && *x <= self.e[1]);
     }
 }
 
@@ -279,6 +311,23 @@ mod tests {
         let mantle = 24.0 * r * (std::f64::consts::PI / 12.0).sin() * 15.0;
         let area = contact_area(&body(&shank, vec![]), &body(&a, vec![]), None);
         assert!((area / mantle - 1.0).abs() < 1e-5, "{area} {mantle}");
+    }
+
+    #[test]
+    fn contact_is_restricted_to_its_surface() {
+        let (a, b) = (part(drilled(0.0, 15.0)), part(drilled(15.0, 25.0)));
+        let plane = |axis, at| Surface::Plane { axis, at, min: [0.0, -30.0, 20.0], max: [0.0, 10.0, 35.0] };
+        let area = |s: &Surface| contact_area(&body(&a, vec![]), &body(&b, vec![]), Some(s));
+        assert!((area(&plane(0, 15.0)) / 600.0 - 1.0).abs() < 1e-9);
+        assert_eq!(area(&plane(0, 14.0)), 0.0);
+        let shank =
+            Solid::Cylinder { base: [25.0, 0.0, 5.0], axis: [-1.0, 0.0, 0.0], radius: 9.0, length: 25.0, segments: 12 };
+        let shank = part(shank);
+        let on = Surface::Mantle { base: [4.0, 0.0, 5.0], axis: [1.0, 0.0, 0.0], radius: 9.0, length: 5.0 };
+        let r = crate::geometry::flat::polygon_radius(9.0, 12);
+        let exact = 24.0 * r * (std::f64::consts::PI / 12.0).sin() * 5.0;
+        let found = contact_area(&body(&shank, vec![]), &body(&a, vec![]), Some(&on));
+        assert!((found / exact - 1.0).abs() < 1e-5, "{found} {exact}");
     }
 
     #[test]
