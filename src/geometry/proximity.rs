@@ -143,21 +143,27 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, Vec3)> {
     worst
 }
 
+/// Quasi-random lines along one axis through a box: the additive recurrence of the plastic number covers the
+/// rectangle evenly. Parameters count from the box's lower face.
+fn probes(axis: usize, min: Vec3, max: Vec3) -> impl Iterator<Item = Line> {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut direction = [0.0; 3];
+    direction[axis] = 1.0;
+    (1..=PROBES).map(move |n| {
+        let f = |alpha: f64| (0.5 + alpha * n as f64).fract();
+        let mut start = min;
+        start[i] += f(0.754_877_666_246_692_8) * (max[i] - min[i]);
+        start[j] += f(0.569_840_290_998_053_2) * (max[j] - min[j]);
+        Line { start, direction }
+    })
+}
+
 /// Longest common stretch along each axis inside a box; the smallest of the three with its middle.
 fn common_material(a: &FlatSolid, b: &FlatSolid, min: Vec3, max: Vec3) -> Option<(f64, Vec3)> {
     let mut thinnest: Option<(f64, Vec3)> = None;
     for axis in 0..3 {
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        let mut direction = [0.0; 3];
-        direction[axis] = 1.0;
         let mut longest: Option<(f64, Vec3)> = None;
-        for n in 0..PROBES {
-            // The additive recurrence of the plastic number covers the rectangle evenly.
-            let f = |alpha: f64| (0.5 + alpha * (n + 1) as f64).fract();
-            let mut start = min;
-            start[i] += f(0.754_877_666_246_692_8) * (max[i] - min[i]);
-            start[j] += f(0.569_840_290_998_053_2) * (max[j] - min[j]);
-            let line = Line { start, direction };
+        for line in probes(axis, min, max) {
             let inside = line.through(a);
             if inside.is_empty() {
                 continue;
@@ -165,7 +171,7 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: Vec3, max: Vec3) -> Option
             let common = intersect(&intersect(&inside, &line.through(b)), &[[0.0, max[axis] - min[axis]]]);
             for s in common {
                 if longest.is_none_or(|(l, _)| s[1] - s[0] > l) {
-                    let mut at = start;
+                    let mut at = line.start;
                     at[axis] += 0.5 * (s[0] + s[1]);
                     longest = Some((s[1] - s[0], at));
                 }
@@ -179,22 +185,59 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: Vec3, max: Vec3) -> Option
     thinnest
 }
 
-/// Smallest gap between pieces of the two parts that is neither contact nor room.
+/// Smallest gap between the two parts that is neither contact nor room.
+///
+/// Where pieces come close, lines ask the solids: pieces around a hole stay clear of a shank that fills it.
 fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
-    gaps(a, b, SMALLEST_GAP).filter(|d| *d > TOUCH && *d < SMALLEST_GAP).reduce(f64::min)
+    let mut smallest: Option<f64> = None;
+    for p in &a.pieces {
+        for q in &b.pieces {
+            if !p.bounds.near(&q.bounds, SMALLEST_GAP) {
+                continue;
+            }
+            let distance = query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance);
+            if distance.is_none_or(|d| d <= TOUCH || d >= SMALLEST_GAP) {
+                continue;
+            }
+            let min: Vec3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
+            let max: Vec3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
+            for gap in (0..3).filter_map(|axis| thin_air(&a.solid, &b.solid, axis, min, max)) {
+                smallest = Some(smallest.map_or(gap, |s| s.min(gap)));
+            }
+        }
+    }
+    smallest
+}
+
+/// Shortest stretch of air in (`TOUCH`, `SMALLEST_GAP`) between the two solids on lines along an axis.
+fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: Vec3, max: Vec3) -> Option<f64> {
+    let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
+    let mut shortest: Option<f64> = None;
+    for line in probes(axis, min, max) {
+        let (in_a, in_b) = (line.through(a), line.through(b));
+        for s in &in_a {
+            for t in &in_b {
+                for gap in [t[0] - s[1], s[0] - t[1]] {
+                    if thin(gap) {
+                        shortest = Some(shortest.map_or(gap, |x| x.min(gap)));
+                    }
+                }
+            }
+        }
+    }
+    shortest
 }
 
 fn distance(a: &Checked, b: &Checked) -> f64 {
-    gaps(a, b, f64::INFINITY).fold(f64::INFINITY, f64::min)
-}
-
-fn gaps<'a>(a: &'a Checked, b: &'a Checked, margin: f64) -> impl Iterator<Item = f64> + 'a {
-    a.pieces.iter().flat_map(move |p| {
-        b.pieces
-            .iter()
-            .filter(move |q| p.bounds.near(&q.bounds, margin))
-            .filter_map(move |q| query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance))
-    })
+    let mut smallest = f64::INFINITY;
+    for p in &a.pieces {
+        for q in &b.pieces {
+            if let Ok(d) = query::distance(&p.pose, &p.shape, &q.pose, &q.shape) {
+                smallest = smallest.min(d.distance);
+            }
+        }
+    }
+    smallest
 }
 
 #[cfg(test)]
@@ -245,6 +288,21 @@ mod tests {
         crate::geometry::fixtures::move_part(&mut joint, "LOWER", [0.0, 0.0, -0.5]);
         let m = messages(&joint);
         assert!(m.iter().any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")), "{m:?}");
+    }
+
+    #[test]
+    fn pieces_that_leave_room_around_a_shank_are_no_gap() {
+        let mut joint = lap_joint();
+        // Pieces of the upper plate with a square window half a millimetre wider than the hole.
+        let upper = joint.parts.iter_mut().find(|p| p.name == "UPPER").expect("the fixture has it");
+        let cuboid = |x: [f64; 2], y: [f64; 2]| Solid::Box { min: [x[0], y[0], 0.0], max: [x[1], y[1], 10.0] };
+        upper.convex = vec![
+            cuboid([-40.0, -8.5], [-30.0, 30.0]),
+            cuboid([8.5, 40.0], [-30.0, 30.0]),
+            cuboid([-8.5, 8.5], [-30.0, -8.5]),
+            cuboid([-8.5, 8.5], [8.5, 30.0]),
+        ];
+        assert_eq!(messages(&joint), vec![]);
     }
 
     #[test]
