@@ -13,6 +13,7 @@ pub mod catalog;
 pub mod cli;
 pub mod diag;
 pub mod math;
+pub mod geometry;
 pub mod mesh;
 pub mod model;
 pub mod solve;

@@ -155,7 +155,7 @@ pub enum Surface {
         /// Highest corner of the box \[mm\].
         max: [f64; 3],
     },
-    /// The mantle of a cylinder (all facet vertices within 2 % of the radius, between its ends).
+    /// The mantle of a cylinder (all facet vertices within 3 % of the radius, between its ends).
     Mantle {
         /// Centre of the first end \[mm\].
         base: [f64; 3],

@@ -1,12 +1,160 @@
-//! `bracket mesh`.
+//! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
-use super::{Common, Outcome};
+use super::{Common, Format, Outcome};
+use crate::assembly::Assembly;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::mesh::gmsh::{Mesher, MesherError};
+use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
+use crate::mesh::{msh_write, quality};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The file that marks a folder as written by `bracket mesh`.
+const MARK: &str = "quality.json";
 
 /// Geometry and mesh only.
 #[derive(Debug, clap::Args)]
-pub struct MeshArgs {}
+pub struct MeshArgs {
+    /// Connection spec; or an assembly as JSON, as `--keep` writes it.
+    #[arg(value_name = "SPEC")]
+    pub spec: PathBuf,
+    /// Folder for the files (default: named after the spec).
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Mesh the whole joint, even if it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// Do not cut plates, flanges, webs and stiffeners at mid-thickness.
+    #[arg(long)]
+    pub no_layers: bool,
+    /// Multiplies all element sizes.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    pub size_factor: f64,
+    /// Seconds the mesher may take.
+    #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
+    pub time_limit: f64,
+    /// Leave out the STEP file.
+    #[arg(long)]
+    pub no_step: bool,
+}
 
 /// Runs `bracket mesh`.
-pub fn run(_args: &MeshArgs, _common: &Common) -> Outcome {
-    Err(crate::diag::Diagnostic::environment("cli/unavailable", "`bracket mesh` is not part of this build").into())
+pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
+    for (name, value) in [("--size-factor", args.size_factor), ("--time-limit", args.time_limit)] {
+        if !(value.is_finite() && value > 0.0 && value < 1e9) {
+            let d = Diagnostic::input("cli/value", format!("{name} is {value}, it must be above 0 and below 1e9"));
+            return Err(d.into());
+        }
+    }
+    let assembly = load(&args.spec)?;
+    let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
+    let folder = Folder::new(&out)?;
+    let mut options = MeshOptions::new(&folder.aside);
+    options.full = args.full;
+    options.layers = !args.no_layers;
+    options.sizes.factor = args.size_factor;
+    options.time_limit = Duration::from_secs_f64(args.time_limit);
+    options.mesher = Some(Mesher::find()?);
+    let mut progress = |stage: &str| {
+        if !common.quiet {
+            eprintln!("{stage}");
+        }
+    };
+    let joint = mesh_joint(&assembly, &options, &mut progress)?;
+    msh_write::write(&joint.mesh, &folder.aside.join("mesh.msh"))?;
+    if !args.no_step {
+        progress("writing STEP");
+        write_step(&assembly, &options, &folder.aside.join("joint.step"))?;
+    }
+    let table = quality::text(&joint.quality);
+    let json = serde_json::to_string_pretty(&summary(&joint)).expect("plain numbers and strings serialise");
+    msh_write::write_whole(&folder.aside.join("quality.txt"), &table)?;
+    msh_write::write_whole(&folder.aside.join(MARK), &format!("{json}\n"))?;
+    folder.finish()?;
+    match common.format {
+        Format::Text => {
+            println!(
+                "{}: {} tets, {} nodes, 1/{} of the joint\n{table}",
+                out.display(),
+                joint.mesh.tets.len(),
+                joint.mesh.nodes.len(),
+                joint.copies
+            );
+        }
+        Format::Json => println!("{json}"),
+    }
+    Ok(0)
+}
+
+/// What `quality.json` holds; no seconds, so that two runs write the same bytes.
+fn summary(joint: &JointMesh) -> serde_json::Value {
+    serde_json::json!({
+        "schema": 1,
+        "macro_tets": joint.mesh.tets.len(),
+        "nodes": joint.mesh.nodes.len(),
+        "symmetry": joint.copies,
+        "mesher": joint.mesher,
+        "quality": joint.quality,
+        "checks": joint.checks,
+    })
+}
+
+fn load(path: &Path) -> Result<Assembly, Diagnostics> {
+    if path.extension().is_none_or(|e| e != "json") {
+        return Err(Diagnostic::environment("cli/unavailable", "this build meshes assemblies in JSON only").into());
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))
+            .file(path)
+            .help("check the path")
+    })?;
+    serde_json::from_str(&text).map_err(|e| {
+        Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
+            .file(path)
+            .at(e.line(), e.column())
+            .help("give a connection spec (YAML), or the assembly as `bracket run --keep` writes it")
+            .into()
+    })
+}
+
+/// The output folder: filled aside, then renamed; removed if anything fails.
+struct Folder {
+    wanted: PathBuf,
+    aside: PathBuf,
+}
+
+impl Folder {
+    fn new(wanted: &Path) -> Result<Self, Diagnostics> {
+        let free = match std::fs::read_dir(wanted) {
+            Ok(mut entries) => entries.next().is_none() || wanted.join(MARK).exists(),
+            Err(_) => !wanted.exists(),
+        };
+        if !free {
+            return Err(Diagnostic::input(
+                "cli/out-exists",
+                format!("`{}` exists and was not written by `bracket mesh`", wanted.display()),
+            )
+            .help("choose another folder with `--out`, or remove this one")
+            .into());
+        }
+        let mut name = wanted.file_name().unwrap_or("out".as_ref()).to_os_string();
+        name.push(format!(".part{}", std::process::id()));
+        let aside = wanted.with_file_name(name);
+        std::fs::create_dir_all(&aside).map_err(|e| MesherError::write(&aside, e))?;
+        Ok(Folder { wanted: wanted.to_path_buf(), aside })
+    }
+
+    fn finish(self) -> Result<(), MesherError> {
+        if self.wanted.exists() {
+            std::fs::remove_dir_all(&self.wanted).map_err(|e| MesherError::write(&self.wanted, e))?;
+        }
+        std::fs::rename(&self.aside, &self.wanted).map_err(|e| MesherError::write(&self.wanted, e))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // After `finish` nothing is left to remove.
+        let _ = std::fs::remove_dir_all(&self.aside);
+    }
 }

@@ -7,9 +7,13 @@ pub mod merge;
 pub mod msh;
 pub mod numbering;
 pub mod split;
+pub mod gmsh;
+pub mod joint;
+pub mod msh_write;
+pub mod naming;
+pub mod quality;
 pub mod tet;
 pub mod topology;
 
 pub use error::MeshError;
 pub use tet::{NamedFaces, TetMesh};
-pub mod gmsh;

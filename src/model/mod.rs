@@ -7,6 +7,7 @@ pub mod file;
 pub mod holds;
 pub mod kinematic;
 pub mod loads;
+pub mod from_joint;
 pub mod program;
 pub mod resolve;
 pub mod static_form;

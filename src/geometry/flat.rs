@@ -1,0 +1,358 @@
+//! Solids with flat faces only: what the mesher gets and what volumes and areas are computed from.
+//!
+//! Circles become regular polygons and root fillets short chains of chords, both with the area of the smooth shape.
+//! Every facet is then an exact plane: meshes of any size fill the same body, areas can be checked to rounding, and
+//! both bounds refer to one and the same structure on every remesh.
+
+use crate::assembly::joint::{OutlineEdge, Solid};
+
+/// A point or vector of space \[mm\].
+pub type Vec3 = [f64; 3];
+
+/// Chords that replace a quarter circle of an outline (a root fillet).
+pub const CHORDS_PER_QUARTER: usize = 2;
+
+/// `a · b`.
+pub fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a × b`.
+pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// `a − b`.
+pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// `a + s b`.
+pub fn along(a: Vec3, s: f64, b: Vec3) -> Vec3 {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
+/// A simple polygon extruded along a unit vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatPrism {
+    /// Origin of the polygon's plane \[mm\].
+    pub origin: Vec3,
+    /// Unit vector of the first coordinate.
+    pub u: Vec3,
+    /// Unit vector of the second coordinate.
+    pub v: Vec3,
+    /// Unit vector of the extrusion, `u × v`.
+    pub w: Vec3,
+    /// Corners, counter-clockwise seen from the tip of `w` \[mm\].
+    pub polygon: Vec<[f64; 2]>,
+    /// Length of the extrusion \[mm\].
+    pub length: f64,
+}
+
+/// A tree of booleans over prisms.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FlatSolid {
+    /// A prism.
+    Prism(FlatPrism),
+    /// All of them fused.
+    Union(Vec<FlatSolid>),
+    /// The first without the others.
+    Difference(Vec<FlatSolid>),
+}
+
+/// An axis-parallel bounding box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Lowest corner \[mm\].
+    pub min: Vec3,
+    /// Highest corner \[mm\].
+    pub max: Vec3,
+}
+
+impl FlatPrism {
+    /// Point of space of polygon coordinates `p` at height `h` \[mm\].
+    pub fn point(&self, p: [f64; 2], h: f64) -> Vec3 {
+        along(along(along(self.origin, p[0], self.u), p[1], self.v), h, self.w)
+    }
+
+    /// All corners: the first end, then the second \[mm\].
+    pub fn corners(&self) -> Vec<Vec3> {
+        let end = |h: f64| self.polygon.iter().map(move |&p| self.point(p, h));
+        end(0.0).chain(end(self.length)).collect()
+    }
+
+    /// Signed area of the polygon \[mm²\].
+    pub fn area(&self) -> f64 {
+        let n = self.polygon.len();
+        (0..n)
+            .map(|i| {
+                let (a, b) = (self.polygon[i], self.polygon[(i + 1) % n]);
+                0.5 * (a[0] * b[1] - b[0] * a[1])
+            })
+            .sum()
+    }
+}
+
+impl FlatSolid {
+    /// Every prism of the tree, also the subtracted ones.
+    pub fn prisms(&self) -> Vec<&FlatPrism> {
+        match self {
+            FlatSolid::Prism(p) => vec![p],
+            FlatSolid::Union(list) | FlatSolid::Difference(list) => list.iter().flat_map(FlatSolid::prisms).collect(),
+        }
+    }
+
+    /// Box around the solid (subtracted solids do not shrink it).
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            FlatSolid::Prism(p) => {
+                let mut b = Bounds { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+                for c in p.corners() {
+                    for k in 0..3 {
+                        b.min[k] = b.min[k].min(c[k]);
+                        b.max[k] = b.max[k].max(c[k]);
+                    }
+                }
+                b
+            }
+            FlatSolid::Union(list) => list.iter().map(FlatSolid::bounds).reduce(Bounds::union).unwrap_or(Bounds::EMPTY),
+            FlatSolid::Difference(list) => list.first().map_or(Bounds::EMPTY, FlatSolid::bounds),
+        }
+    }
+
+    /// Replaces arcs and circles by chords that keep the area.
+    pub fn from_solid(solid: &Solid) -> Self {
+        match solid {
+            Solid::Box { min, max } => FlatSolid::Prism(FlatPrism {
+                origin: *min,
+                u: [1.0, 0.0, 0.0],
+                v: [0.0, 1.0, 0.0],
+                w: [0.0, 0.0, 1.0],
+                polygon: vec![
+                    [0.0, 0.0],
+                    [max[0] - min[0], 0.0],
+                    [max[0] - min[0], max[1] - min[1]],
+                    [0.0, max[1] - min[1]],
+                ],
+                length: max[2] - min[2],
+            }),
+            Solid::Prism { origin, u, v, start, edges, length } => FlatSolid::Prism(FlatPrism {
+                origin: *origin,
+                u: *u,
+                v: *v,
+                w: cross(*u, *v),
+                polygon: flatten_outline(*start, edges),
+                length: *length,
+            }),
+            Solid::Cylinder { base, axis, radius, length, segments } => {
+                let frame = AxisFrame::new(*axis);
+                FlatSolid::Prism(FlatPrism {
+                    origin: if frame.flipped { along(*base, *length, *axis) } else { *base },
+                    u: frame.u,
+                    v: frame.v,
+                    w: frame.w,
+                    polygon: regular_polygon(*radius, *segments),
+                    length: *length,
+                })
+            }
+            Solid::Union(list) => FlatSolid::Union(list.iter().map(FlatSolid::from_solid).collect()),
+            Solid::Difference(list) => FlatSolid::Difference(list.iter().map(FlatSolid::from_solid).collect()),
+        }
+    }
+}
+
+impl Bounds {
+    /// Contains nothing.
+    pub const EMPTY: Bounds = Bounds { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
+
+    /// Box around both.
+    pub fn union(self, other: Bounds) -> Bounds {
+        let mut b = self;
+        for k in 0..3 {
+            b.min[k] = b.min[k].min(other.min[k]);
+            b.max[k] = b.max[k].max(other.max[k]);
+        }
+        b
+    }
+
+    /// True when the boxes come closer than `margin` \[mm\].
+    pub fn near(&self, other: &Bounds, margin: f64) -> bool {
+        (0..3).all(|k| self.min[k] <= other.max[k] + margin && other.min[k] <= self.max[k] + margin)
+    }
+}
+
+/// The frame a cylinder's polygon is drawn in: it depends on the line of the axis only, not on its sense, so that a
+/// shank and its hole get the same corners.
+pub struct AxisFrame {
+    /// First vector of the polygon's plane.
+    pub u: Vec3,
+    /// Second vector.
+    pub v: Vec3,
+    /// Extrusion.
+    pub w: Vec3,
+    /// `w = −axis`.
+    pub flipped: bool,
+}
+
+impl AxisFrame {
+    /// The frame of a unit axis.
+    pub fn new(axis: Vec3) -> Self {
+        let largest = (0..3).fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
+        let flipped = axis[largest] < 0.0;
+        let w = if flipped { axis.map(|c| -c) } else { axis };
+        // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that axis.
+        let mut u = [0.0; 3];
+        u[(largest + 1) % 3] = 1.0;
+        let u = along(u, -dot(u, w), w);
+        let norm = dot(u, u).sqrt();
+        let u = u.map(|c| c / norm);
+        AxisFrame { u, v: cross(w, u), w, flipped }
+    }
+}
+
+/// Circumradius of the regular `n`-gon with the area of a circle of radius `radius` \[mm\].
+pub fn polygon_radius(radius: f64, n: u32) -> f64 {
+    let step = 2.0 * std::f64::consts::PI / f64::from(n);
+    radius * (step / step.sin()).sqrt()
+}
+
+/// Corners of the regular `n`-gon with the area of the circle, first corner on the first axis \[mm\].
+fn regular_polygon(radius: f64, n: u32) -> Vec<[f64; 2]> {
+    let r = polygon_radius(radius, n);
+    (0..n)
+        .map(|i| {
+            let a = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(n);
+            [rounded(r * a.cos()), rounded(r * a.sin())]
+        })
+        .collect()
+}
+
+/// To 1e-9 mm: makes mirrored corners exactly mirrored and removes `6e-17` for zero.
+fn rounded(x: f64) -> f64 {
+    (x * 1e9).round() / 1e9 + 0.0
+}
+
+/// The corners of an outline, arcs replaced by chords.
+fn flatten_outline(start: [f64; 2], edges: &[OutlineEdge]) -> Vec<[f64; 2]> {
+    let mut points = vec![start];
+    let mut at = start;
+    for edge in edges {
+        match edge {
+            OutlineEdge::Line { to } => {
+                points.push(*to);
+                at = *to;
+            }
+            OutlineEdge::Arc { to, centre } => {
+                points.extend(arc_corners(at, *to, *centre));
+                points.push(*to);
+                at = *to;
+            }
+        }
+    }
+    // The last edge ends at the start: drop the repeated corner.
+    if points.len() > 1 {
+        let last = points[points.len() - 1];
+        if (last[0] - start[0]).abs() < 1e-6 && (last[1] - start[1]).abs() < 1e-6 {
+            points.pop();
+        }
+    }
+    points
+}
+
+/// Inner corners of the chain of chords that replaces an arc.
+///
+/// The ends stay on the circle (radius r); the k − 1 inner corners lie at radius ρ so that the fan from the centre has
+/// the sector's area: ½ sin(θ/k) (2 r ρ + (k − 2) ρ²) = ½ r² θ.
+fn arc_corners(from: [f64; 2], to: [f64; 2], centre: [f64; 2]) -> Vec<[f64; 2]> {
+    use std::f64::consts::PI;
+    let a = [from[0] - centre[0], from[1] - centre[1]];
+    let b = [to[0] - centre[0], to[1] - centre[1]];
+    let radius = a[0].hypot(a[1]);
+    let start = a[1].atan2(a[0]);
+    let mut sweep = b[1].atan2(b[0]) - start;
+    if sweep > PI {
+        sweep -= 2.0 * PI;
+    }
+    if sweep < -PI {
+        sweep += 2.0 * PI;
+    }
+    let k = ((sweep.abs() / (PI / 2.0) * CHORDS_PER_QUARTER as f64 - 1e-9).ceil() as usize).max(2);
+    let step = sweep.abs() / k as f64;
+    let target = radius * radius * sweep.abs() / step.sin();
+    let m = (k - 2) as f64;
+    let rho = if k == 2 { target / (2.0 * radius) } else { (-radius + (radius * radius + m * target).sqrt()) / m };
+    (1..k)
+        .map(|i| {
+            let angle = start + sweep * i as f64 / k as f64;
+            [rounded(centre[0] + rho * angle.cos()), rounded(centre[1] + rho * angle.sin())]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(polygon: &[[f64; 2]]) -> f64 {
+        let n = polygon.len();
+        (0..n)
+            .map(|i| {
+                let (a, b) = (polygon[i], polygon[(i + 1) % n]);
+                0.5 * (a[0] * b[1] - b[0] * a[1])
+            })
+            .sum()
+    }
+
+    #[test]
+    fn polygon_has_the_circle_s_area() {
+        for n in [12, 16, 24, 48] {
+            let a = area(&regular_polygon(9.0, n));
+            assert!((a / (std::f64::consts::PI * 81.0) - 1.0).abs() < 1e-8, "{n}: {a}");
+        }
+    }
+
+    #[test]
+    fn polygon_is_mirror_symmetric_to_the_bit() {
+        let p = regular_polygon(9.0, 12);
+        for q in &p {
+            assert!(p.contains(&[q[0], -q[1] + 0.0]) && p.contains(&[-q[0] + 0.0, q[1]]), "{q:?}");
+        }
+    }
+
+    #[test]
+    fn shank_and_hole_agree_whatever_the_sense_of_the_axis() {
+        let make = |base: Vec3, axis: Vec3| {
+            FlatSolid::from_solid(&Solid::Cylinder { base, axis, radius: 9.0, length: 30.0, segments: 12 })
+        };
+        assert_eq!(make([85.0, 50.0, 110.0], [1.0, 0.0, 0.0]), make([115.0, 50.0, 110.0], [-1.0, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn fillet_keeps_its_area_convex_and_concave() {
+        // A 10 × 10 square with one corner rounded by r = 4, and with one corner cut out by a concave arc.
+        let exact_round = 100.0 - (1.0 - std::f64::consts::PI / 4.0) * 16.0;
+        let round = flatten_outline(
+            [0.0, 0.0],
+            &[
+                OutlineEdge::Line { to: [10.0, 0.0] },
+                OutlineEdge::Line { to: [10.0, 6.0] },
+                OutlineEdge::Arc { to: [6.0, 10.0], centre: [6.0, 6.0] },
+                OutlineEdge::Line { to: [0.0, 10.0] },
+                OutlineEdge::Line { to: [0.0, 0.0] },
+            ],
+        );
+        assert!((area(&round) - exact_round).abs() < 1e-7, "{} {exact_round}", area(&round));
+        let exact_cut = 100.0 - std::f64::consts::PI / 4.0 * 16.0;
+        let cut = flatten_outline(
+            [0.0, 0.0],
+            &[
+                OutlineEdge::Line { to: [10.0, 0.0] },
+                OutlineEdge::Line { to: [10.0, 6.0] },
+                OutlineEdge::Arc { to: [6.0, 10.0], centre: [10.0, 10.0] },
+                OutlineEdge::Line { to: [0.0, 10.0] },
+                OutlineEdge::Line { to: [0.0, 0.0] },
+            ],
+        );
+        assert!((area(&cut) - exact_cut).abs() < 1e-7, "{} {exact_cut}", area(&cut));
+    }
+}

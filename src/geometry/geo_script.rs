@@ -1,0 +1,314 @@
+//! Scene → a script for gmsh's OpenCASCADE kernel.
+//!
+//! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is written into it. The
+//! script stops at the first error; the caller still checks what came out (gmsh likes to exit with success).
+
+use super::flat::{FlatPrism, FlatSolid, Vec3, along};
+use super::scene::{Body, ON_PLANE, Scene};
+use super::size::{self, SizeRule};
+use crate::assembly::joint::{FaceRule, MidPlane, OutlineEdge, Solid, Surface};
+use std::fmt::Write;
+
+/// What the script is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Purpose {
+    /// A mesh: flat facets, footprints imprinted, common faces shared, element sizes.
+    Mesh {
+        /// Cut plates, flanges, webs and stiffeners at mid-thickness.
+        layers: bool,
+        /// Element sizes.
+        sizes: SizeRule,
+    },
+    /// A CAD file: true circles and arcs, every part on its own.
+    Cad,
+}
+
+/// The script's text; the same bytes for the same scene and purpose.
+pub fn script(scene: &Scene, purpose: Purpose) -> String {
+    let mut w = Writer { text: String::new(), solids: 0, exact: purpose == Purpose::Cad };
+    w.line("General.AbortOnError = 2;");
+    w.line("General.NumThreads = 1;");
+    w.line("SetFactory(\"OpenCASCADE\");");
+    w.line("Geometry.OCCUnionUnify = 1;");
+    w.line("Geometry.OCCBooleanPreserveNumbering = 1;");
+    for (i, body) in scene.bodies.iter().enumerate() {
+        w.body(i, body, matches!(purpose, Purpose::Mesh { layers: true, .. }));
+    }
+    if let Purpose::Mesh { sizes, .. } = purpose {
+        w.footprints(scene);
+        w.fragments(scene.bodies.len());
+        w.groups(scene);
+        w.text.push_str(&size::fields(scene, &sizes));
+        w.line("Mesh.MeshSizeFromPoints = 0;");
+        w.line("Mesh.MeshSizeFromCurvature = 0;");
+        w.line("Mesh.MeshSizeExtendFromBoundary = 0;");
+        w.line("Mesh.Algorithm3D = 10;");
+        w.line("Mesh.MshFileVersion = 2.2;");
+        w.line("Mesh.Binary = 0;");
+        w.line("Mesh.SaveAll = 0;");
+    } else {
+        w.line("Geometry.OCCTargetUnit = \"MM\";");
+    }
+    w.text
+}
+
+/// The rectangle of a face that must be imprinted, cut to the kept side; `None` when nothing of it is kept.
+fn footprint(face: &FaceRule, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
+    match face.surface {
+        Surface::Plane { axis, at, min, max } if face.imprint => clip(axis, at, min, max, planes),
+        _ => None,
+    }
+}
+
+fn clip(axis: usize, at: f64, min: Vec3, max: Vec3, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
+    let mut min = min;
+    for &k in planes {
+        if k == axis {
+            if at <= ON_PLANE {
+                return None;
+            }
+        } else {
+            min[k] = min[k].max(0.0);
+            if max[k] - min[k] <= ON_PLANE {
+                return None;
+            }
+        }
+    }
+    Some((axis, at, min, max))
+}
+
+struct Writer {
+    text: String,
+    solids: usize,
+    exact: bool,
+}
+
+impl Writer {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    fn put(&mut self, args: std::fmt::Arguments) {
+        // Writing to a String cannot fail.
+        let _ = self.text.write_fmt(args);
+        self.text.push('\n');
+    }
+
+    /// One part: its solid, cut by symmetry, cut at mid-thickness; the list `partI()` holds its volumes.
+    fn body(&mut self, index: usize, body: &Body, layers: bool) {
+        self.put(format_args!("// {}", body.part.name));
+        if index > 0 {
+            self.line("before() = Volume{:};");
+        }
+        let mut list = self.solid(&body.part.solid);
+        for axis in body.cuts() {
+            list = self.keep_positive(&list, axis, body);
+        }
+        if layers {
+            self.mid_planes(&list, body);
+        }
+        self.put(format_args!("part{index}() = Volume{{:}};"));
+        if index > 0 {
+            self.put(format_args!("part{index}() -= before();"));
+        }
+    }
+
+    /// A fresh name for a list of volumes.
+    fn name(&mut self) -> String {
+        self.solids += 1;
+        format!("s{}()", self.solids)
+    }
+
+    fn solid(&mut self, solid: &Solid) -> String {
+        match solid {
+            Solid::Box { min, max } => {
+                let name = self.name();
+                let size = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
+                self.put(format_args!("v = newv; Box(v) = {{{}, {}}}; {name} = {{v}};", triple(*min), triple(size)));
+                name
+            }
+            Solid::Prism { origin, u, v, start, edges, length } if self.exact => {
+                self.exact_prism(*origin, *u, *v, *start, edges, *length)
+            }
+            Solid::Cylinder { base, axis, radius, length, .. } if self.exact => {
+                let name = self.name();
+                let d = axis.map(|c| c * length);
+                self.put(format_args!(
+                    "v = newv; Cylinder(v) = {{{}, {}, {radius}}}; {name} = {{v}};",
+                    triple(*base),
+                    triple(d)
+                ));
+                name
+            }
+            Solid::Prism { .. } | Solid::Cylinder { .. } => match FlatSolid::from_solid(solid) {
+                FlatSolid::Prism(p) => self.prism(&p),
+                FlatSolid::Union(_) | FlatSolid::Difference(_) => unreachable!("a primitive flattens to one prism"),
+            },
+            Solid::Union(list) => self.boolean("BooleanUnion", list),
+            Solid::Difference(list) => self.boolean("BooleanDifference", list),
+        }
+    }
+
+    fn boolean(&mut self, operation: &str, list: &[Solid]) -> String {
+        let names: Vec<String> = list.iter().map(|s| self.solid(s)).collect();
+        let Some((first, rest)) = names.split_first() else {
+            let name = self.name();
+            self.put(format_args!("{name} = {{}};"));
+            return name;
+        };
+        if rest.is_empty() {
+            return first.clone();
+        }
+        let name = self.name();
+        let tools = rest.join(", ");
+        self.put(format_args!("{name} = {operation}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{tools}}}; Delete; }};"));
+        name
+    }
+
+    fn prism(&mut self, prism: &FlatPrism) -> String {
+        let corners: Vec<Vec3> = prism.polygon.iter().map(|&p| prism.point(p, 0.0)).collect();
+        self.polygon(&corners);
+        self.extrude(prism.w, prism.length)
+    }
+
+    /// A plane surface `s` with straight edges.
+    fn polygon(&mut self, corners: &[Vec3]) {
+        let n = corners.len();
+        self.line("p = newp;");
+        for (i, c) in corners.iter().enumerate() {
+            self.put(format_args!("Point(p + {i}) = {{{}}};", triple(*c)));
+        }
+        self.line("l = newl;");
+        for i in 0..n {
+            self.put(format_args!("Line(l + {i}) = {{p + {i}, p + {}}};", (i + 1) % n));
+        }
+        self.put(format_args!("k = newll; Curve Loop(k) = {{l:l + {}}};", n - 1));
+        self.line("s = news; Plane Surface(s) = {k};");
+    }
+
+    fn extrude(&mut self, w: Vec3, length: f64) -> String {
+        let name = self.name();
+        self.put(format_args!("e() = Extrude {{{}}} {{ Surface{{s}}; }};", triple(w.map(|c| c * length))));
+        self.put(format_args!("{name} = {{e(1)}};"));
+        name
+    }
+
+    fn exact_prism(
+        &mut self,
+        origin: Vec3,
+        u: Vec3,
+        v: Vec3,
+        start: [f64; 2],
+        edges: &[OutlineEdge],
+        length: f64,
+    ) -> String {
+        let place = |p: [f64; 2]| along(along(origin, p[0], u), p[1], v);
+        self.put(format_args!("p = newp; Point(p) = {{{}}}; first = p; l = newl; n = 0;", triple(place(start))));
+        for (i, edge) in edges.iter().enumerate() {
+            let last = i + 1 == edges.len();
+            let (to, centre) = match edge {
+                OutlineEdge::Line { to } => (*to, None),
+                OutlineEdge::Arc { to, centre } => (*to, Some(*centre)),
+            };
+            if let Some(c) = centre {
+                self.put(format_args!("c = newp; Point(c) = {{{}}};", triple(place(c))));
+            }
+            if last {
+                self.line("q = first;");
+            } else {
+                self.put(format_args!("q = newp; Point(q) = {{{}}};", triple(place(to))));
+            }
+            match centre {
+                Some(_) => self.put(format_args!("Circle(l + {i}) = {{p, c, q}}; p = q;")),
+                None => self.put(format_args!("Line(l + {i}) = {{p, q}}; p = q;")),
+            }
+        }
+        self.put(format_args!("k = newll; Curve Loop(k) = {{l:l + {}}};", edges.len() - 1));
+        self.line("s = news; Plane Surface(s) = {k};");
+        self.extrude(super::flat::cross(u, v), length)
+    }
+
+    /// Intersection with the half space `x[axis] ≥ 0`, as a box around the part.
+    fn keep_positive(&mut self, list: &str, axis: usize, body: &Body) -> String {
+        let margin = 10.0;
+        let mut min = body.whole.min.map(|c| c - margin);
+        min[axis] = 0.0;
+        let max = body.whole.max.map(|c| c + margin);
+        let size = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
+        let name = self.name();
+        self.put(format_args!("v = newv; Box(v) = {{{}, {}}};", triple(min), triple(size)));
+        self.put(format_args!(
+            "{name} = BooleanIntersection{{ Volume{{{list}}}; Delete; }}{{ Volume{{v}}; Delete; }};"
+        ));
+        name
+    }
+
+    /// Cuts the volumes by the parts of the mid-thickness planes that lie inside them. A plane piece that ends inside
+    /// the part stays as an inner face: it needs no exact fit.
+    fn mid_planes(&mut self, list: &str, body: &Body) {
+        let kept: Vec<_> = body
+            .part
+            .mid_planes
+            .iter()
+            .filter_map(|MidPlane { axis, at, min, max }| clip(*axis, *at, *min, *max, &body.planes))
+            .collect();
+        if kept.is_empty() {
+            return;
+        }
+        self.line("m() = {};");
+        for (axis, at, min, max) in kept {
+            self.polygon(&rectangle(axis, at, min, max));
+            self.put(format_args!("t() = BooleanIntersection{{ Surface{{s}}; Delete; }}{{ Volume{{{list}}}; }};"));
+            self.line("m() += t();");
+        }
+        self.put(format_args!("t() = BooleanFragments{{ Volume{{{list}}}; Delete; }}{{ Surface{{m()}}; Delete; }};"));
+    }
+
+    fn footprints(&mut self, scene: &Scene) {
+        let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
+        self.line("f() = {};");
+        for face in scene.assembly.faces.iter().filter(|f| scene.body(&f.part).is_some()) {
+            if let Some((axis, at, min, max)) = footprint(face, &planes) {
+                self.put(format_args!("// {}", face.name));
+                self.polygon(&rectangle(axis, at, min, max));
+                self.line("f() += {s};");
+            }
+        }
+    }
+
+    /// Makes common faces shared: one conformal mesh.
+    fn fragments(&mut self, bodies: usize) {
+        let parts: Vec<String> = (0..bodies).map(|i| format!("part{i}()")).collect();
+        let parts = parts.join(", ");
+        self.line("If (#f() > 0)");
+        self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ Surface{{f()}}; Delete; }};"));
+        self.line("Else");
+        self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ }};"));
+        self.line("EndIf");
+    }
+
+    fn groups(&mut self, scene: &Scene) {
+        for (i, body) in scene.bodies.iter().enumerate() {
+            self.put(format_args!("Physical Volume(\"{}\", {}) = {{part{i}()}};", body.part.name, i + 1));
+        }
+    }
+}
+
+/// `x, y, z`, shortest digits that read back to the same numbers.
+fn triple(p: Vec3) -> String {
+    let [x, y, z] = p.map(|c| c + 0.0);
+    format!("{x}, {y}, {z}")
+}
+
+fn rectangle(axis: usize, at: f64, min: Vec3, max: Vec3) -> [Vec3; 4] {
+    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    let corner = |p: f64, q: f64| {
+        let mut c = [0.0; 3];
+        c[axis] = at;
+        c[a] = p;
+        c[b] = q;
+        c
+    };
+    [corner(min[a], min[b]), corner(max[a], min[b]), corner(max[a], max[b]), corner(min[a], max[b])]
+}

@@ -1,0 +1,16 @@
+//! Solids → a CAD script for the mesher, exact volumes and contact areas, clash and clearance checks.
+
+pub mod error;
+pub mod exact;
+#[cfg(test)]
+pub(crate) mod fixtures;
+pub mod flat;
+pub mod geo_script;
+pub mod line;
+pub mod proximity;
+pub mod scene;
+pub mod size;
+pub mod validate;
+
+pub use flat::{FlatPrism, FlatSolid};
+pub use scene::Scene;

@@ -1,0 +1,90 @@
+//! What is modelled of an assembly: the parts on the kept side of its symmetry planes, cut there.
+
+use super::flat::{Bounds, FlatSolid};
+use super::line::{Line, Stretches, intersect};
+use crate::assembly::joint::{Assembly, Part, SymmetryPlane};
+
+/// Coordinates closer than this to a plane lie on it \[mm\].
+pub const ON_PLANE: f64 = 1e-6;
+
+/// A part that is at least partly kept.
+#[derive(Clone, Debug)]
+pub struct Body<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Its whole solid, not cut by symmetry.
+    pub solid: FlatSolid,
+    /// Box around the whole solid \[mm\].
+    pub whole: Bounds,
+    /// Box around what is kept \[mm\].
+    pub bounds: Bounds,
+    /// Axes of all symmetry planes in use; the body keeps `x[axis] ≥ 0`.
+    pub planes: Vec<usize>,
+}
+
+/// The part of a joint that is meshed.
+#[derive(Clone, Debug)]
+pub struct Scene<'a> {
+    /// The whole joint.
+    pub assembly: &'a Assembly,
+    /// The symmetry planes in use.
+    pub symmetry: Vec<SymmetryPlane>,
+    /// The parts kept, in the assembly's order.
+    pub bodies: Vec<Body<'a>>,
+}
+
+impl Body<'_> {
+    /// The stretches of a line inside what is kept of the body.
+    pub fn stretches(&self, line: &Line) -> Stretches {
+        let mut inside = line.through(&self.solid);
+        for &axis in &self.planes {
+            if inside.is_empty() {
+                break;
+            }
+            inside = intersect(&inside, &line.positive(axis));
+        }
+        inside
+    }
+
+    /// Axes of the symmetry planes that really cut the body.
+    pub fn cuts(&self) -> Vec<usize> {
+        self.planes.iter().copied().filter(|&k| self.whole.min[k] < -ON_PLANE).collect()
+    }
+}
+
+impl<'a> Scene<'a> {
+    /// Keeps the positive side of each symmetry plane, or the whole joint.
+    pub fn new(assembly: &'a Assembly, full: bool) -> Self {
+        let mut symmetry = if full { Vec::new() } else { assembly.symmetry.clone() };
+        symmetry.sort_by_key(|s| s.axis);
+        symmetry.dedup();
+        let planes: Vec<usize> = symmetry.iter().map(|s| s.axis).collect();
+        let bodies = assembly
+            .parts
+            .iter()
+            .filter_map(|part| {
+                let solid = FlatSolid::from_solid(&part.solid);
+                let whole = solid.bounds();
+                if planes.iter().any(|&k| whole.max[k] <= ON_PLANE) {
+                    return None;
+                }
+                let mut bounds = whole;
+                for &k in &planes {
+                    bounds.min[k] = bounds.min[k].max(0.0);
+                }
+                Some(Body { part, solid, whole, bounds, planes: planes.clone() })
+            })
+            .collect();
+        Scene { assembly, symmetry, bodies }
+    }
+
+    /// Index of the body of a part, if it is kept.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|b| b.part.name == name)
+    }
+
+    /// Copies of what is modelled that make the whole joint: 1, 2, 4 or 8.
+    pub fn copies(&self) -> u32 {
+        1 << self.symmetry.len()
+    }
+}

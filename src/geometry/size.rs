@@ -1,0 +1,98 @@
+//! Wanted element sizes as gmsh fields.
+//!
+//! Near every plate and bolt the part's own size, growing with the distance from it; in members the part's size near
+//! the joint, growing along the span to a limit. Only box and formula fields: they work on gmsh 4.8 too.
+
+use super::flat::{Bounds, Vec3};
+use super::scene::Scene;
+use crate::assembly::joint::PartRole;
+use std::fmt::Write;
+
+/// How wanted sizes vary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SizeRule {
+    /// Multiplies every part's size.
+    pub factor: f64,
+    /// Growth of the size per mm away from a plate or bolt.
+    pub growth: f64,
+    /// Growth of a member's size per mm away from the joint.
+    pub span_growth: f64,
+    /// Largest size in a member's span, as a multiple of its size at the joint.
+    pub span_limit: f64,
+}
+
+impl Default for SizeRule {
+    fn default() -> Self {
+        SizeRule { factor: 1.0, growth: 0.5, span_growth: 0.1, span_limit: 2.0 }
+    }
+}
+
+/// A size no field ever reaches \[mm\].
+const FREE: f64 = 1e6;
+
+/// The script lines that define the fields and make their minimum the background.
+pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
+    let mut out = String::new();
+    let mut id = 0;
+    let mut chosen: Vec<String> = Vec::new();
+    let joint = scene.bodies.iter().filter(|b| b.part.role != PartRole::Member).map(|b| b.bounds).reduce(Bounds::union);
+    let mut coarsest = 0.0f64;
+    for body in &scene.bodies {
+        let size = body.part.size * rule.factor;
+        match (body.part.role, joint) {
+            (PartRole::Member, Some(joint)) => {
+                let limit = size * rule.span_limit;
+                let d = distance(&joint);
+                let (g, rise) = (rule.span_growth, limit - size);
+                // min(g D, rise) written with an absolute value
+                let formula = format!("{size} + 0.5*({g}*{d} + {rise} - Fabs({g}*{d} - {rise}))");
+                let _ = writeln!(out, "Field[{}] = MathEval; Field[{}].F = \"{formula}\";", id + 1, id + 1);
+                let (lo, hi) = (body.bounds.min, body.bounds.max);
+                box_field(&mut out, id + 2, 0.0, FREE, lo.map(|c| c - 1e-3), hi.map(|c| c + 1e-3), 0.0);
+                let _ = writeln!(
+                    out,
+                    "Field[{}] = Max; Field[{}].FieldsList = {{{}, {}}};",
+                    id + 3,
+                    id + 3,
+                    id + 1,
+                    id + 2
+                );
+                chosen.push((id + 3).to_string());
+                id += 3;
+                coarsest = coarsest.max(limit);
+            }
+            _ => {
+                let reach = 1000.0;
+                let outside = size + rule.growth * reach;
+                box_field(&mut out, id + 1, size, outside, body.bounds.min, body.bounds.max, reach);
+                chosen.push((id + 1).to_string());
+                id += 1;
+                coarsest = coarsest.max(size);
+            }
+        }
+    }
+    id += 1;
+    let _ = writeln!(out, "Field[{id}] = Min; Field[{id}].FieldsList = {{{}}};", chosen.join(", "));
+    let _ = writeln!(out, "Background Field = {id};");
+    let _ = writeln!(out, "Mesh.MeshSizeMin = 0;");
+    let _ = writeln!(out, "Mesh.MeshSizeMax = {coarsest};");
+    out
+}
+
+fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: Vec3, max: Vec3, reach: f64) {
+    let _ = writeln!(out, "Field[{id}] = Box; Field[{id}].VIn = {inside}; Field[{id}].VOut = {outside};");
+    for (k, axis) in ["X", "Y", "Z"].iter().enumerate() {
+        let _ = writeln!(out, "Field[{id}].{axis}Min = {}; Field[{id}].{axis}Max = {};", min[k], max[k]);
+    }
+    let _ = writeln!(out, "Field[{id}].Thickness = {reach};");
+}
+
+/// Formula of the distance from a box.
+fn distance(b: &Bounds) -> String {
+    let part = |k: usize, name: &str| {
+        let (c, h) = (0.5 * (b.min[k] + b.max[k]), 0.5 * (b.max[k] - b.min[k]));
+        // max(|x − c| − h, 0)
+        format!("((Fabs({name} - ({c})) - {h} + Fabs(Fabs({name} - ({c})) - {h}))*0.5)^2")
+    };
+    format!("Sqrt({} + {} + {})", part(0, "x"), part(1, "y"), part(2, "z"))
+}

@@ -1,0 +1,164 @@
+//! Assembly → mesh with named bodies and faces: script, mesher, names, checks.
+
+use super::gmsh::{Mesher, MesherError};
+use super::naming::{self, Checks};
+use super::quality::{self, BodyQuality};
+use super::{MeshError, TetMesh, msh, msh_write};
+use crate::assembly::Assembly;
+use crate::assembly::joint::SymmetryPlane;
+use crate::diag::Diagnostics;
+use crate::geometry::Scene;
+use crate::geometry::geo_script::{self, Purpose};
+use crate::geometry::size::SizeRule;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What is meshed, how finely, and where files go.
+#[derive(Clone, Debug)]
+pub struct MeshOptions {
+    /// The whole joint, even if it is symmetric.
+    pub full: bool,
+    /// Cut plates, flanges, webs and stiffeners at mid-thickness.
+    pub layers: bool,
+    /// Element sizes; `sizes.factor` scales them all.
+    pub sizes: SizeRule,
+    /// Time the mesher may take.
+    pub time_limit: Duration,
+    /// Folder for the script, the mesher's file and its log; created if absent.
+    pub work_dir: PathBuf,
+    /// The mesher; `None`: looked for.
+    pub mesher: Option<Mesher>,
+}
+
+impl MeshOptions {
+    /// Quarter or half if symmetric, layers, the parts' own sizes, ten minutes.
+    pub fn new(work_dir: impl Into<PathBuf>) -> Self {
+        MeshOptions {
+            full: false,
+            layers: true,
+            sizes: SizeRule::default(),
+            time_limit: Duration::from_secs(600),
+            work_dir: work_dir.into(),
+            mesher: None,
+        }
+    }
+}
+
+/// A meshed joint.
+#[derive(Clone, Debug)]
+pub struct JointMesh {
+    /// The mesh: bodies in the assembly's order share their nodes; faces: named interfaces, loads, supports, symmetry.
+    pub mesh: TetMesh,
+    /// Quality of each body's tets.
+    pub quality: Vec<BodyQuality>,
+    /// Meshed against exact volumes and areas.
+    pub checks: Checks,
+    /// Symmetry planes in use.
+    pub symmetry_used: Vec<SymmetryPlane>,
+    /// Copies of the mesh that make the whole joint.
+    pub copies: u32,
+    /// The mesher's script.
+    pub geo: String,
+    /// Version of the mesher.
+    pub mesher: String,
+    /// Seconds in the mesher.
+    pub mesher_seconds: f64,
+    /// Seconds altogether.
+    pub seconds: f64,
+}
+
+/// Meshes a joint. `progress` hears what is being done.
+pub fn mesh_joint(
+    assembly: &Assembly,
+    options: &MeshOptions,
+    progress: &mut dyn FnMut(&str),
+) -> Result<JointMesh, Diagnostics> {
+    let started = Instant::now();
+    progress("checking clashes and clearances");
+    crate::geometry::proximity::check(assembly)?;
+    let scene = Scene::new(assembly, options.full);
+    let geo = geo_script::script(&scene, Purpose::Mesh { layers: options.layers, sizes: options.sizes });
+    let dir = &options.work_dir;
+    std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
+    msh_write::write_whole(&dir.join("joint.geo"), &geo)?;
+    let mesher = mesher(options)?;
+    progress("meshing");
+    let in_mesher = Instant::now();
+    let raw = dir.join("joint_raw.msh");
+    remove(&raw)?;
+    let log = "gmsh.log";
+    mesher.run(&["joint.geo", "-3", "-o", "joint_raw.msh"], dir, log, options.time_limit)?;
+    let mesher_seconds = in_mesher.elapsed().as_secs_f64();
+    progress("naming bodies and faces");
+    let mut mesh = read_output(&raw, &dir.join(log))?;
+    remove(&raw)?;
+    let checks = naming::name_and_check(&mut mesh, &scene)?;
+    Ok(JointMesh {
+        quality: quality::table(&mesh),
+        mesh,
+        checks,
+        copies: scene.copies(),
+        symmetry_used: scene.symmetry,
+        geo,
+        mesher: mesher.version,
+        mesher_seconds,
+        seconds: started.elapsed().as_secs_f64(),
+    })
+}
+
+/// Writes the whole joint as a STEP file with true circles and arcs, every part a solid of its own.
+pub fn write_step(assembly: &Assembly, options: &MeshOptions, path: &Path) -> Result<(), Diagnostics> {
+    let dir = &options.work_dir;
+    std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
+    let scene = Scene::new(assembly, true);
+    let geo = geo_script::script(&scene, Purpose::Cad);
+    msh_write::write_whole(&dir.join("joint_cad.geo"), &geo)?;
+    let raw = dir.join("joint_raw.step");
+    remove(&raw)?;
+    let log = "gmsh_step.log";
+    mesher(options)?.run(
+        &["joint_cad.geo", "-0", "-format", "step", "-o", "joint_raw.step"],
+        dir,
+        log,
+        options.time_limit,
+    )?;
+    let text = std::fs::read_to_string(&raw).unwrap_or_default();
+    if !text.trim_end().ends_with("END-ISO-10303-21;") {
+        let why = if text.is_empty() { "it is absent or empty" } else { "it is cut off" };
+        return Err(MesherError::NoOutput { file: raw, why: why.into(), log: dir.join(log) }.into());
+    }
+    msh_write::write_whole(path, &text)?;
+    remove(&raw)?;
+    Ok(())
+}
+
+fn mesher(options: &MeshOptions) -> Result<Mesher, MesherError> {
+    match &options.mesher {
+        Some(m) => Ok(m.clone()),
+        None => Mesher::find(),
+    }
+}
+
+fn remove(path: &Path) -> Result<(), MesherError> {
+    match std::fs::remove_file(path) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(MesherError::write(path, e)),
+        _ => Ok(()),
+    }
+}
+
+/// Reads the mesher's file; a damaged file is the machine's fault here, not the user's.
+fn read_output(raw: &Path, log: &Path) -> Result<TetMesh, Diagnostics> {
+    let damaged = |why: String| MesherError::NoOutput { file: raw.into(), why, log: log.into() }.into();
+    match std::fs::metadata(raw) {
+        Err(_) => return Err(damaged("it is absent".into())),
+        Ok(m) if m.len() == 0 => return Err(damaged("it is empty".into())),
+        Ok(_) => {}
+    }
+    msh::read(raw).map_err(|error| match error {
+        MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => error.into(),
+        other => damaged(other.to_string()),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,243 @@
+//! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with fake mesher scripts.
+
+use super::*;
+use crate::diag::Diagnostic;
+use crate::geometry::fixtures::{lap_joint, move_part, paper_joint};
+
+fn meshed(assembly: &Assembly, change: impl FnOnce(&mut MeshOptions)) -> JointMesh {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let mut o = MeshOptions::new(dir.path());
+    change(&mut o);
+    mesh_joint(assembly, &o, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"))
+}
+
+/// The study behind the default sizes; prints a row per size factor.
+#[test]
+#[ignore = "a measurement, not a check: run with --nocapture"]
+fn measure_paper_quarter() {
+    let joint = paper_joint();
+    let out = std::env::var("MEASURE_OUT").ok();
+    let number = |key: &str, default: f64| std::env::var(key).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
+    let mut joint = joint;
+    for p in &mut joint.parts {
+        let key = match p.role {
+            crate::assembly::joint::PartRole::Member => "MEMBER",
+            crate::assembly::joint::PartRole::Plate => "PLATE",
+            crate::assembly::joint::PartRole::Bolt => "BOLT",
+        };
+        p.size = number(key, p.size);
+    }
+    let d = SizeRule::default();
+    for factor in std::env::var("FACTORS").unwrap_or("1".into()).split(',') {
+        let m = meshed(&joint, |o| {
+            o.layers = number("LAYERS", 1.0) > 0.0;
+            o.sizes = SizeRule {
+                factor: factor.parse().expect("number"),
+                growth: number("GROWTH", d.growth),
+                span_growth: number("SPAN_GROWTH", d.span_growth),
+                span_limit: number("SPAN_LIMIT", d.span_limit),
+            };
+        });
+        println!(
+            "factor {factor}: {} tets, {:.2} s\n{}",
+            m.mesh.tets.len(),
+            m.mesher_seconds,
+            quality::text(&m.quality)
+        );
+        if let Some(out) = &out {
+            msh_write::write(&m.mesh, Path::new(&format!("{out}_{factor}.msh"))).expect("written");
+        }
+    }
+}
+
+#[test]
+fn paper_quarter_has_the_bodies_and_faces_of_the_model() {
+    let joint = paper_joint();
+    let m = meshed(&joint, |_| {});
+    assert_eq!(m.mesh.bodies, ["COLUMN", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3", "PLATE_R", "BEAM_R"]);
+    let names: Vec<&str> = m.mesh.faces.iter().map(|f| f.name.as_str()).collect();
+    assert_eq!(names, ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"]);
+    assert_eq!(m.copies, 4);
+    assert!((9_000..=13_500).contains(&m.mesh.tets.len()), "{}", m.mesh.tets.len());
+    // Hand values: support footprint 15 × 85; half the column's web and flanges at x = 0 with stiffeners is in
+    // `naming`; the plate's back without three holes and without the column's fillets and the gap beside it.
+    let area = |name: &str| m.checks.areas.iter().find(|a| a.name == name).expect("checked").meshed;
+    assert!((area("SUPPORT_R") - 1275.0).abs() < 1e-6);
+    let plate_on_column = 90.0 * 450.0 - 3.0 * std::f64::consts::PI * 81.0;
+    assert!((area("COLUMN / PLATE_R") / plate_on_column - 1.0).abs() < 1e-6);
+    // Quarter of HEB200's area, 7808 mm² (catalogue)
+    assert!((area("LOAD_TOP") / (7808.0 / 4.0) - 1.0).abs() < 1e-3);
+    // Half of IPE360's area, 7273 mm²
+    assert!((area("PLATE_R / BEAM_R") / (7273.0 / 2.0) - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn same_assembly_gives_the_same_bytes() {
+    let joint = lap_joint();
+    let text = || msh_write::text(&meshed(&joint, |_| {}).mesh);
+    assert_eq!(text(), text());
+}
+
+#[test]
+fn mid_planes_are_planes_of_the_mesh() {
+    // Cut at mid-thickness: both halves of the 10 mm plates keep exactly half the volume.
+    for (layers, expected) in [(true, true), (false, false)] {
+        let m = meshed(&lap_joint(), |o| o.layers = layers).mesh;
+        let upper = m.bodies.iter().position(|b| b == "UPPER").expect("kept");
+        let crossed = (0..m.tets.len()).filter(|&e| m.tet_body[e] as usize == upper).any(|e| {
+            let z = m.corners(e).map(|x| x[2]);
+            z.iter().any(|z| *z < 5.0 - 1e-6) && z.iter().any(|z| *z > 5.0 + 1e-6)
+        });
+        assert_eq!(!crossed, expected, "layers {layers}");
+    }
+}
+
+#[test]
+fn full_joint_is_twice_the_half() {
+    let joint = lap_joint();
+    let volume = |full: bool| meshed(&joint, |o| o.full = full).quality.iter().map(|q| q.volume).sum::<f64>();
+    assert!((volume(true) / volume(false) - 2.0).abs() < 1e-9);
+}
+
+#[test]
+fn step_file_holds_every_part_as_a_solid() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let path = dir.path().join("lap.step");
+    write_step(&lap_joint(), &MeshOptions::new(dir.path().join("work")), &path).unwrap_or_else(|e| panic!("{e:#?}"));
+    let text = std::fs::read_to_string(&path).expect("written");
+    assert_eq!(text.matches("MANIFOLD_SOLID_BREP").count(), 3);
+    assert!(text.contains("CYLINDRICAL_SURFACE"), "true circles");
+    assert!(text.contains(".MILLI."), "millimetres");
+}
+
+#[test]
+fn clash_stops_before_the_mesher_runs() {
+    let mut joint = lap_joint();
+    move_part(&mut joint, "BOLT", [0.0, 0.0, -3.0]);
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let fake = fake(dir.path(), "exit 7");
+    let d = failure(&joint, dir.path(), Some(fake), 5.0);
+    assert_eq!((d.code, d.fault.exit_code()), ("geometry/clash", 2));
+}
+
+/// A shell script that answers `--version` and otherwise does as told.
+#[cfg(unix)]
+fn fake(dir: &Path, body: &str) -> Mesher {
+    let script = dir.join("fake_gmsh.sh");
+    std::fs::write(&script, format!("if [ \"$1\" = --version ]; then echo 4.15.2; exit 0; fi\n{body}\n"))
+        .expect("written");
+    Mesher::with_command(vec!["sh".into(), script.into()]).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn failure(assembly: &Assembly, dir: &Path, mesher: Option<Mesher>, seconds: f64) -> Diagnostic {
+    let mut o = MeshOptions::new(dir.join("work"));
+    o.mesher = mesher;
+    o.time_limit = Duration::from_secs_f64(seconds);
+    let error = mesh_joint(assembly, &o, &mut |_| {}).expect_err("must fail");
+    assert!(!dir.join("work/mesh.msh").exists());
+    error.0.into_iter().next().expect("never empty")
+}
+
+#[cfg(unix)]
+fn with_fake(body: &str, seconds: f64) -> Diagnostic {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let mesher = fake(dir.path(), body);
+    failure(&lap_joint(), dir.path(), Some(mesher), seconds)
+}
+
+#[test]
+#[cfg(unix)]
+fn time_limit_kills_the_mesher() {
+    let started = Instant::now();
+    let d = with_fake("exec sleep 60", 0.2);
+    assert!(started.elapsed() < Duration::from_secs(20));
+    assert_eq!((d.code, d.fault.exit_code()), ("mesher/time", 4));
+    assert!(d.help.is_some());
+}
+
+#[test]
+#[cfg(unix)]
+fn killed_mesher_is_told_from_a_failed_one() {
+    let d = with_fake("kill -9 $$", 10.0);
+    assert_eq!((d.code, d.fault.exit_code()), ("mesher/killed", 4));
+    assert!(d.message.contains("signal 9"), "{}", d.message);
+    let d = with_fake("echo 'Error   : Could not fuse' >&2; exit 1", 10.0);
+    assert_eq!(d.code, "mesher/failed");
+    assert!(d.message.contains("exit code 1") && d.message.contains("Could not fuse"), "{}", d.message);
+}
+
+#[test]
+#[cfg(unix)]
+fn success_is_not_believed() {
+    // Errors in the log, a lost volume, no file, an empty file, half a file: all with exit code 0.
+    let d = with_fake("echo 'Error   : PLC Error'; exit 0", 10.0);
+    assert!(d.code == "mesher/failed" && d.message.contains("PLC Error"), "{}", d.message);
+    let d = with_fake("echo 'Warning : Skipping unknown volume 3'; exit 0", 10.0);
+    assert!(d.code == "mesher/failed" && d.message.contains("unknown volume 3"), "{}", d.message);
+    let d = with_fake("exit 0", 10.0);
+    assert!(d.code == "mesher/no-output" && d.message.contains("absent"), "{}", d.message);
+    let d = with_fake(": > joint_raw.msh", 10.0);
+    assert!(d.code == "mesher/no-output" && d.message.contains("empty"), "{}", d.message);
+    let d =
+        with_fake("printf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n4\\n1 0 0 0\\n' > joint_raw.msh", 10.0);
+    assert!(d.code == "mesher/no-output" && d.message.contains("cut off"), "{}", d.message);
+    assert_eq!(d.fault.exit_code(), 4);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn full_disk_is_named() {
+    // The script's output goes to the device that is always full, as gmsh's would.
+    let d = with_fake("cat /dev/zero > /dev/full", 10.0);
+    assert_eq!((d.code, d.fault.exit_code()), ("mesher/disk", 4));
+}
+
+#[test]
+#[cfg(unix)]
+fn body_lost_by_the_mesher_is_named() {
+    // A valid mesh of one tet in one of the three parts.
+    let body = "cat > joint_raw.msh <<'END'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 1 \"UPPER\"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 0 0 1
+$EndNodes
+$Elements
+1
+1 4 2 1 1 1 2 3 4
+$EndElements
+END";
+    let d = with_fake(body, 10.0);
+    assert_eq!((d.code, d.fault.exit_code()), ("mesh/body-lost", 2));
+    assert!(d.message.contains("LOWER"), "{}", d.message);
+}
+
+#[test]
+fn mesher_that_does_not_exist_sends_to_the_doctor() {
+    let error = Mesher::with_command(vec!["/nonexistent/gmsh".into()]).expect_err("absent");
+    let d = Diagnostic::from(error);
+    assert_eq!((d.code, d.fault.exit_code()), ("mesher/start", 4));
+    assert!(d.help.is_some_and(|h| h.contains("bracket doctor")));
+}
+
+#[test]
+#[cfg(unix)]
+fn old_or_mute_mesher_is_refused() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let ask = |text: &str| {
+        let script = dir.path().join("v.sh");
+        std::fs::write(&script, text).expect("written");
+        Diagnostic::from(Mesher::with_command(vec!["sh".into(), script.into()]).expect_err("refused"))
+    };
+    assert_eq!(ask("echo 3.0.6 >&2").code, "mesher/old");
+    assert_eq!(ask("echo no such module; exit 1").code, "mesher/version");
+}

@@ -1,0 +1,143 @@
+//! How good the tets of each body are.
+
+use super::TetMesh;
+use super::tet::FACES;
+use serde::Serialize;
+
+/// Quality of one body's tets.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodyQuality {
+    /// Name of the body.
+    pub body: String,
+    /// Number of tets.
+    pub tets: usize,
+    /// Volume \[mm³\].
+    pub volume: f64,
+    /// Smallest dihedral angle of all tets \[degrees\]; 70.5 for the regular tet.
+    pub worst_dihedral: f64,
+    /// Median over the tets of their smallest dihedral angle \[degrees\].
+    pub median_dihedral: f64,
+    /// Largest aspect ratio: longest edge over smallest height, over that of the regular tet (1 = regular).
+    pub worst_aspect: f64,
+    /// Tets all of whose corners lie on the body's surface, as a fraction: such a tet alone spans a thickness.
+    pub surface_only: f64,
+}
+
+/// The table, one row per body in the mesh's order.
+pub fn table(mesh: &TetMesh) -> Vec<BodyQuality> {
+    let on_surface = surface_nodes(mesh);
+    let mut rows: Vec<BodyQuality> = Vec::with_capacity(mesh.bodies.len());
+    for (b, body) in mesh.bodies.iter().enumerate() {
+        let of_body: Vec<usize> = (0..mesh.tets.len()).filter(|&e| mesh.tet_body[e] as usize == b).collect();
+        let mut angles: Vec<f64> = of_body.iter().map(|&e| smallest_dihedral(&mesh.corners(e))).collect();
+        angles.sort_by(f64::total_cmp);
+        let shallow =
+            of_body.iter().filter(|&&e| mesh.tets[e].iter().all(|n| on_surface[b].binary_search(n).is_ok())).count();
+        rows.push(BodyQuality {
+            body: body.clone(),
+            tets: of_body.len(),
+            volume: of_body.iter().map(|&e| mesh.volume(e)).sum(),
+            worst_dihedral: angles.first().copied().unwrap_or(f64::NAN),
+            median_dihedral: angles.get(angles.len() / 2).copied().unwrap_or(f64::NAN),
+            worst_aspect: of_body.iter().map(|&e| aspect(&mesh.corners(e))).fold(0.0, f64::max),
+            surface_only: shallow as f64 / of_body.len().max(1) as f64,
+        });
+    }
+    rows
+}
+
+/// The table as text, columns aligned.
+pub fn text(rows: &[BodyQuality]) -> String {
+    use std::fmt::Write;
+    let width = rows.iter().map(|r| r.body.len()).max().unwrap_or(0).max(5);
+    let mut out = format!(
+        "{:width$}  {:>8}  {:>12}  {:>9}  {:>9}  {:>7}  {:>8}\n",
+        "body", "tets", "volume mm3", "worst deg", "median", "aspect", "surface"
+    );
+    for r in rows {
+        let _ = writeln!(
+            out,
+            "{:width$}  {:>8}  {:>12.0}  {:>9.2}  {:>9.1}  {:>7.1}  {:>7.0}%",
+            r.body,
+            r.tets,
+            r.volume,
+            r.worst_dihedral,
+            r.median_dihedral,
+            r.worst_aspect,
+            100.0 * r.surface_only
+        );
+    }
+    out
+}
+
+/// Sorted nodes on each body's own surface (faces of one of its tets only).
+fn surface_nodes(mesh: &TetMesh) -> Vec<Vec<u32>> {
+    let mut out = vec![Vec::new(); mesh.bodies.len()];
+    let table = super::topology::FaceTable::new(&mesh.tets);
+    for rows in table.faces() {
+        for row in rows {
+            let body = mesh.tet_body[row.tet as usize];
+            if rows.iter().all(|r| r.tet == row.tet || mesh.tet_body[r.tet as usize] != body) {
+                out[body as usize].extend(row.key);
+            }
+        }
+    }
+    for list in &mut out {
+        list.sort_unstable();
+        list.dedup();
+    }
+    out
+}
+
+/// Area vector of the face opposite corner `i`, outward.
+fn area_vector(x: &[[f64; 3]; 4], i: usize) -> [f64; 3] {
+    let [a, b, c] = FACES[i].map(|v| x[v]);
+    let (p, q) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
+    [0.5 * (p[1] * q[2] - p[2] * q[1]), 0.5 * (p[2] * q[0] - p[0] * q[2]), 0.5 * (p[0] * q[1] - p[1] * q[0])]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Smallest of the six dihedral angles \[degrees\].
+pub fn smallest_dihedral(x: &[[f64; 3]; 4]) -> f64 {
+    let n: [[f64; 3]; 4] = std::array::from_fn(|i| area_vector(x, i));
+    let mut smallest = 180.0f64;
+    for i in 0..4 {
+        for j in i + 1..4 {
+            let c = -dot(n[i], n[j]) / (dot(n[i], n[i]) * dot(n[j], n[j])).sqrt();
+            smallest = smallest.min(c.clamp(-1.0, 1.0).acos().to_degrees());
+        }
+    }
+    smallest
+}
+
+/// Longest edge over smallest height, 1 for the regular tet.
+pub fn aspect(x: &[[f64; 3]; 4]) -> f64 {
+    let mut longest = 0.0f64;
+    for [i, j] in super::tet::EDGES {
+        let d = [x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]];
+        longest = longest.max(dot(d, d).sqrt());
+    }
+    let volume = super::tet::signed_volume(x);
+    let largest = (0..4).map(|i| area_vector(x, i)).map(|n| dot(n, n).sqrt()).fold(0.0, f64::max);
+    let height = 3.0 * volume / largest;
+    longest / height * (2.0f64 / 3.0).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regular_and_corner_tet() {
+        let regular = [[1.0, 1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, -1.0, -1.0], [-1.0, -1.0, 1.0]];
+        assert!((smallest_dihedral(&regular) - (1.0f64 / 3.0).acos().to_degrees()).abs() < 1e-10);
+        assert!((aspect(&regular).abs() - 1.0).abs() < 1e-12);
+        let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert!((smallest_dihedral(&corner) - (1.0 / 3f64.sqrt()).acos().to_degrees()).abs() < 1e-10);
+        // longest edge √2, smallest height 1/√3
+        assert!((aspect(&corner) - 2.0).abs() < 1e-12);
+    }
+}
