@@ -11,3 +11,4 @@ pub mod cli;
 pub mod diag;
 pub mod mesh;
 pub mod model;
+pub mod spec;

@@ -1,0 +1,3 @@
+//! What a user writes: YAML files, strictly read.
+
+pub mod yaml;

@@ -1,0 +1,151 @@
+//! YAML in and out; the only file that names a YAML crate.
+//!
+//! Three readings of one text. The first, without a type, refuses what no file of ours may hold: duplicate keys,
+//! non-finite numbers, tags, aliases that blow up. The second makes the typed value. The third gives places only, so
+//! that checks made much later can still point at a line.
+
+mod outline;
+mod place;
+
+pub use place::PlaceIndex;
+
+use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
+use outline::Outline;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::path::Path;
+
+/// A value read from YAML, and where each of its parts stood.
+#[derive(Clone, Debug)]
+pub struct Parsed<T> {
+    /// The value.
+    pub value: T,
+    /// Line and column of every path in the file.
+    pub index: PlaceIndex,
+}
+
+/// Reads one YAML document into `T`; `file` is named in messages.
+///
+/// Refuses, each with line and column: syntax errors, more than one document, unknown keys (when `T` denies them),
+/// missing keys, duplicate keys in any mapping, NaN and infinities, tags, and aliases that expand beyond
+/// a million values.
+pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
+    if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
+        let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
+        return Err(d.help("`bracket new` writes a starter").into());
+    }
+    let outline = Outline::read(text).map_err(|e| from_serde(&e, &PlaceIndex::new(file), file))?;
+    let index = PlaceIndex::read(text, file);
+    let mut faults = Vec::new();
+    outline.faults(&index, text, &mut faults);
+    if !faults.is_empty() {
+        return Err(Diagnostics(faults));
+    }
+    let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+    Ok(Parsed { value, index })
+}
+
+/// Writes a value as a YAML document.
+pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostic> {
+    serde_yaml::to_string(value)
+        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")))
+}
+
+/// Makes a diagnostic of a serde message: its kind becomes the code, its path the place.
+fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Diagnostic {
+    let text = error.to_string();
+    let text = without_position(&text);
+    let named = |d: Diagnostic, path: &str| {
+        let mut d = d;
+        d.place = index.place(path);
+        if d.place.line.is_none() {
+            d.place.file = Some(file.to_path_buf());
+            if let Some(at) = error.location() {
+                d.place.line = Some(at.line());
+                d.place.column = Some(at.column());
+            }
+        }
+        d
+    };
+    if let Some((path, rest)) = split_at_marker(text, "unknown field `") {
+        let (key, known) = rest.split_once('`').unwrap_or((rest, ""));
+        let known = backticked(known);
+        let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
+        let hint = did_you_mean(key, known.iter().copied());
+        let d = Diagnostic::input("yaml/unknown-key", format!("unknown key `{key}`{within}{hint}"));
+        let help = if known.is_empty() {
+            "remove it: nothing may be written here".to_string()
+        } else {
+            format!("the keys known here are: {}", known.join(", "))
+        };
+        let full = if path.is_empty() { key.to_string() } else { format!("{path}.{key}") };
+        // a path that ends in the unknown key itself already names it
+        return named(d.help(help), if index.has(&full) { &full } else { path });
+    }
+    if let Some((path, rest)) = split_at_marker(text, "missing field `") {
+        let key = rest.split('`').next().unwrap_or(rest);
+        let within = if path.is_empty() { "the file".to_string() } else { format!("`{path}`") };
+        let d = Diagnostic::input("yaml/missing-key", format!("{within} lacks the key `{key}`"));
+        return named(d.help(format!("add `{key}: …`; `bracket schema` lists every key with its unit")), path);
+    }
+    if let Some((path, rest)) = split_at_marker(text, "unknown variant `") {
+        let (word, known) = rest.split_once('`').unwrap_or((rest, ""));
+        let known = backticked(known);
+        let hint = did_you_mean(word, known.iter().copied());
+        let d = Diagnostic::input("yaml/unknown-value", format!("`{word}` is not a value known at `{path}`{hint}"));
+        return named(d.help(format!("write one of: {}", known.join(", "))), path);
+    }
+    for marker in ["invalid type: ", "invalid value: ", "invalid length ", "data did not match"] {
+        if let Some((path, rest)) = split_at_marker(text, marker) {
+            let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
+            let d = Diagnostic::input("yaml/type", format!("{at}{marker}{rest}"));
+            let d = d.help("write the kind of value that is expected here; `bracket schema` lists them");
+            return named(d, path);
+        }
+    }
+    if text.contains("repetition limit") || text.contains(outline::TOO_LARGE) {
+        let d = Diagnostic::input("yaml/too-large", "the aliases of this file expand beyond a million values");
+        return named(d.help("write the values out instead of `*alias`"), "");
+    }
+    if text.contains("recursion limit") {
+        let d = Diagnostic::input("yaml/too-deep", "the file is nested deeper than 128 levels");
+        return named(d.help("no input of this program needs more than 8 levels"), "");
+    }
+    if text.contains(outline::TAGGED) {
+        let d = Diagnostic::input("yaml/tag", "YAML tags (`!name`) mean nothing here");
+        return named(d.help("remove the tag, or put the value in quotes"), "");
+    }
+    if text.contains("more than one document") {
+        let d = Diagnostic::input("yaml/documents", "the file holds more than one YAML document");
+        return named(d.help("keep one document: remove the `---` between them"), "");
+    }
+    let d = Diagnostic::input("yaml/syntax", format!("not valid YAML: {text}"));
+    let d = d.help("check indentation, closing brackets and quotes on this line and the one above");
+    let mut d = d.file(file);
+    if let Some(at) = error.location() {
+        d = d.at(at.line(), at.column());
+    }
+    d
+}
+
+/// Cuts the trailing ` at line L column C`; the place is told separately.
+fn without_position(text: &str) -> &str {
+    match text.rfind(" at line ") {
+        Some(i) if text[i + 9..].chars().all(|c| c.is_ascii_digit() || " column".contains(c)) => &text[..i],
+        _ => text,
+    }
+}
+
+/// Splits `path: <marker>rest` into path and rest.
+fn split_at_marker<'a>(text: &'a str, marker: &str) -> Option<(&'a str, &'a str)> {
+    let i = text.find(marker)?;
+    Some((text[..i].trim_end().trim_end_matches(':'), &text[i + marker.len()..]))
+}
+
+/// The words in backticks of a serde message, in order.
+fn backticked(text: &str) -> Vec<&str> {
+    text.split('`').skip(1).step_by(2).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,139 @@
+//! A document without types: only what the general rules need.
+
+use super::PlaceIndex;
+use crate::diag::Diagnostic;
+use serde::de::{self, DeserializeSeed, Deserializer, EnumAccess, MapAccess, SeqAccess, Visitor};
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// Part of the message when aliases expand too far.
+pub(super) const TOO_LARGE: &str = "more than a million values";
+/// Part of the message when a value carries a tag.
+pub(super) const TAGGED: &str = "tagged value";
+/// Values a document may hold, aliases written out.
+const BUDGET: usize = 1_000_000;
+
+/// A document reduced to its keys and its numbers.
+#[derive(Debug)]
+pub(super) enum Outline {
+    /// Entries in file order, duplicates kept.
+    Map(Vec<(String, Outline)>),
+    /// Items.
+    Seq(Vec<Outline>),
+    /// A number that is NaN or infinite.
+    NotFinite,
+    /// Anything else.
+    Other,
+}
+
+impl Outline {
+    /// Reads the outline of one document.
+    pub(super) fn read(text: &str) -> Result<Self, serde_yaml::Error> {
+        let left = Cell::new(BUDGET);
+        Seed(&left).deserialize(serde_yaml::Deserializer::from_str(text))
+    }
+
+    /// Duplicate keys and non-finite numbers, in file order.
+    pub(super) fn faults(&self, index: &PlaceIndex, text: &str, faults: &mut Vec<Diagnostic>) {
+        self.walk("", index, text, faults);
+    }
+
+    fn walk(&self, path: &str, index: &PlaceIndex, text: &str, faults: &mut Vec<Diagnostic>) {
+        match self {
+            Outline::Map(entries) => {
+                let mut seen = BTreeSet::new();
+                for (key, value) in entries {
+                    let at = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                    if !seen.insert(key) {
+                        let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
+                        let mut d =
+                            Diagnostic::input("yaml/duplicate-key", format!("the key `{key}`{within} stands twice"));
+                        d.place = index.duplicate(&at, key, text);
+                        faults.push(d.help("keep one of them: the other would be lost silently"));
+                    }
+                    value.walk(&at, index, text, faults);
+                }
+            }
+            Outline::Seq(items) => {
+                for (i, item) in items.iter().enumerate() {
+                    item.walk(&format!("{path}[{i}]"), index, text, faults);
+                }
+            }
+            Outline::NotFinite => {
+                let mut d = Diagnostic::input("yaml/not-finite", format!("`{path}` is not a finite number"));
+                d.place = index.place(path);
+                faults.push(d.help("write a finite number; leave the key out where a limit is absent"));
+            }
+            Outline::Other => {}
+        }
+    }
+}
+
+/// Counts values down while reading.
+#[derive(Clone, Copy)]
+struct Seed<'a>(&'a Cell<usize>);
+
+impl<'de> DeserializeSeed<'de> for Seed<'_> {
+    type Value = Outline;
+    fn deserialize<D: Deserializer<'de>>(self, d: D) -> Result<Outline, D::Error> {
+        let left = self.0.get().checked_sub(1).ok_or_else(|| de::Error::custom(TOO_LARGE))?;
+        self.0.set(left);
+        d.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Seed<'_> {
+    type Value = Outline;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a YAML value")
+    }
+    fn visit_bool<E>(self, _: bool) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_i64<E>(self, _: i64) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_i128<E>(self, _: i128) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_u64<E>(self, _: u64) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_u128<E>(self, _: u128) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_f64<E>(self, x: f64) -> Result<Outline, E> {
+        Ok(if x.is_finite() { Outline::Other } else { Outline::NotFinite })
+    }
+    fn visit_str<E>(self, _: &str) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_unit<E>(self) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_none<E>(self) -> Result<Outline, E> {
+        Ok(Outline::Other)
+    }
+    fn visit_some<D: Deserializer<'de>>(self, d: D) -> Result<Outline, D::Error> {
+        self.deserialize(d)
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Outline, A::Error> {
+        let mut all = Vec::new();
+        while let Some(item) = items.next_element_seed(self)? {
+            all.push(item);
+        }
+        Ok(Outline::Seq(all))
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Outline, A::Error> {
+        let mut all = Vec::new();
+        while let Some(key) = entries.next_key::<String>()? {
+            all.push((key, entries.next_value_seed(self)?));
+        }
+        Ok(Outline::Map(all))
+    }
+    fn visit_enum<A: EnumAccess<'de>>(self, _: A) -> Result<Outline, A::Error> {
+        Err(de::Error::custom(TAGGED))
+    }
+}

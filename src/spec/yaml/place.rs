@@ -1,0 +1,103 @@
+//! Line and column of every path of a document.
+
+use crate::diag::Place;
+use saphyr::{LoadableYamlNode, MarkedYaml, Marker, YamlData};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Where each path of a YAML file stands; places only, never values.
+#[derive(Clone, Debug, Default)]
+pub struct PlaceIndex {
+    file: PathBuf,
+    /// Line, column (both from 1) of the place to show, and character index at which the value starts.
+    at: BTreeMap<String, (usize, usize, usize)>,
+}
+
+impl PlaceIndex {
+    /// An index that knows only the file's name; for models made in memory.
+    pub fn new(file: &Path) -> Self {
+        Self { file: file.to_path_buf(), at: BTreeMap::new() }
+    }
+
+    /// Reads the places of a text that has already been accepted as YAML (so its aliases are harmless).
+    pub(super) fn read(text: &str, file: &Path) -> Self {
+        let mut index = Self::new(file);
+        // a second parser: where it disagrees with the first, messages lose their line, nothing else
+        if let Ok(documents) = MarkedYaml::load_from_str(text)
+            && let Some(root) = documents.first()
+        {
+            index.walk(root, String::new(), None);
+        }
+        index
+    }
+
+    fn walk(&mut self, node: &MarkedYaml<'_>, path: String, key: Option<Marker>) {
+        let start = node.span.start;
+        let shown = match key {
+            Some(k) if k.line() != start.line() => k,
+            _ => start,
+        };
+        match &node.data {
+            YamlData::Mapping(entries) => {
+                for (k, v) in entries {
+                    let name = match &k.data {
+                        YamlData::Value(saphyr::Scalar::String(s)) => s.to_string(),
+                        YamlData::Value(saphyr::Scalar::Integer(i)) => i.to_string(),
+                        YamlData::Value(saphyr::Scalar::Boolean(b)) => b.to_string(),
+                        YamlData::Value(saphyr::Scalar::FloatingPoint(x)) => x.to_string(),
+                        _ => continue,
+                    };
+                    let below = if path.is_empty() { name } else { format!("{path}.{name}") };
+                    self.walk(v, below, Some(k.span.start));
+                }
+            }
+            YamlData::Sequence(items) => {
+                for (i, item) in items.iter().enumerate() {
+                    self.walk(item, format!("{path}[{i}]"), None);
+                }
+            }
+            _ => {}
+        }
+        self.at.insert(path, (shown.line(), shown.col() + 1, start.index()));
+    }
+
+    /// The place of `path` (such as `bolts.rows[1]`), or of its nearest parent that exists.
+    pub fn place(&self, path: &str) -> Place {
+        let mut place = Place { file: Some(self.file.clone()), ..Place::default() };
+        if !path.is_empty() {
+            place.path = Some(path.to_string());
+        }
+        let mut p = path;
+        loop {
+            if let Some((line, column, _)) = self.at.get(p) {
+                place.line = Some(*line);
+                place.column = Some(*column);
+                return place;
+            }
+            match p.rfind(['.', '[']) {
+                Some(i) => p = &p[..i],
+                None if p.is_empty() => return place,
+                None => p = "",
+            }
+        }
+    }
+
+    /// True when the file holds this very path.
+    pub fn has(&self, path: &str) -> bool {
+        self.at.contains_key(path)
+    }
+
+    /// The place of the last `key` at `path`: the parser for places keeps the last value of a key, whose key is the
+    /// nearest one before it.
+    pub(super) fn duplicate(&self, path: &str, key: &str, text: &str) -> Place {
+        let mut place = self.place(path);
+        if let Some((_, _, start)) = self.at.get(path) {
+            let end = text.char_indices().nth(*start).map_or(text.len(), |(i, _)| i);
+            if let Some(i) = text[..end].rfind(key) {
+                place.line = Some(text[..i].matches('\n').count() + 1);
+                place.column = Some(text[..i].chars().rev().take_while(|c| *c != '\n').count() + 1);
+            }
+        }
+        place
+    }
+}

@@ -1,0 +1,164 @@
+use super::*;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Bolt {
+    size: String,
+    rows: Vec<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Kind {
+    Elastic,
+    Limit,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Doc {
+    title: String,
+    #[serde(default)]
+    bolts: Vec<Bolt>,
+    #[serde(default)]
+    sizes: BTreeMap<String, f64>,
+    #[serde(default)]
+    kind: Option<Kind>,
+}
+
+fn read(text: &str) -> Result<Parsed<Doc>, Diagnostics> {
+    parse(text, Path::new("joint.yaml"))
+}
+
+const GOOD: &str =
+    "title: a\nbolts:\n  - size: M16\n    rows: [1, 2.5]\n  - {size: M18, rows: [3, -4]}\nsizes: {b: 1}\n";
+
+#[test]
+fn values_and_places() {
+    let p = read(GOOD).expect("good");
+    assert_eq!(p.value.title, "a");
+    assert_eq!(p.value.bolts[1].rows, [3.0, -4.0]);
+    assert_eq!(p.value.sizes["b"], 1.0);
+    assert_eq!(p.value.bolts[0].size, "M16");
+    let at = |path: &str| {
+        let p = p.index.place(path);
+        (p.line.expect("line"), p.column.expect("column"))
+    };
+    assert_eq!(at("title"), (1, 8));
+    assert_eq!(at("bolts"), (2, 1));
+    assert_eq!(at("bolts[0].rows[1]"), (4, 15));
+    assert_eq!(at("bolts[1]"), (5, 5));
+    assert_eq!(at("bolts[1].rows[1]"), (5, 27));
+    // what is not there falls back to its nearest parent
+    assert_eq!(at("bolts[1].grade.name"), (5, 5));
+    assert_eq!(at("nothing"), (1, 1));
+    assert_eq!(p.index.place("bolts[1].grade").path.as_deref(), Some("bolts[1].grade"));
+}
+
+#[test]
+fn kinds_are_read() {
+    let kind = |word: &str| read(&format!("title: a\nkind: {word}\n")).expect("good").value.kind;
+    assert!(matches!(kind("elastic"), Some(Kind::Elastic)));
+    assert!(matches!(kind("limit"), Some(Kind::Limit)));
+}
+
+/// Text, code, line, column, part of the message, part of the help.
+const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
+    ("title: a\nbolt: []\n", "yaml/unknown-key", 2, 7, "did you mean `bolts`?", "title, bolts, sizes, kind"),
+    (
+        "title: a\nbolts:\n  - size: M16\n    row: [1]\n",
+        "yaml/unknown-key",
+        4,
+        10,
+        "unknown key `row` in `bolts[0]`",
+        "size, rows",
+    ),
+    ("title: a\nbolts:\n  - {size: M16}\n", "yaml/missing-key", 3, 5, "`bolts[0]` lacks the key `rows`", "add `rows"),
+    ("bolts: []\n", "yaml/missing-key", 1, 1, "lacks the key `title`", "add `title"),
+    ("title: a\ntitle: b\n", "yaml/duplicate-key", 2, 1, "`title` stands twice", "keep one"),
+    (
+        "title: a\nsizes:\n  x: 1\n  y: 2\n  x: 3\n",
+        "yaml/duplicate-key",
+        5,
+        3,
+        "`x` in `sizes` stands twice",
+        "keep one",
+    ),
+    ("title: a\nsizes: {x: 1, y: .nan}\n", "yaml/not-finite", 2, 18, "`sizes.y` is not a finite number", "finite"),
+    ("title: a\nsizes: {x: -.inf}\n", "yaml/not-finite", 2, 12, "`sizes.x`", "finite"),
+    ("title: a\nsizes: {x: NaN}\n", "yaml/type", 2, 12, "expected f64", "kind of value"),
+    ("title: a\nkind: elastik\n", "yaml/unknown-value", 2, 7, "did you mean `elastic`?", "elastic, limit"),
+    ("title: a\nbolts: 3\n", "yaml/type", 2, 8, "expected a sequence", "kind of value"),
+    ("title: [a\nbolts: 3\n", "yaml/syntax", 2, 0, "not valid YAML", "brackets"),
+    ("title: a\n\tbolts: 3\n", "yaml/syntax", 2, 0, "not valid YAML", "indentation"),
+    ("title: !x a\n", "yaml/tag", 1, 0, "tags", "remove the tag"),
+    ("title: a\n---\ntitle: b\n", "yaml/documents", 0, 0, "more than one", "one document"),
+    ("# nothing\n\n", "yaml/empty", 0, 0, "empty", "starter"),
+];
+
+#[test]
+fn wrong_files_name_place_and_cure() {
+    for (text, code, line, column, message, help) in WRONG {
+        let faults = read(text).expect_err(text);
+        let d = &faults.0[0];
+        assert_eq!(d.code, *code, "{text}: {d:?}");
+        assert_eq!(d.place.file.as_deref(), Some(Path::new("joint.yaml")), "{text}");
+        if *line > 0 {
+            assert_eq!(d.place.line, Some(*line), "{text}: {d:?}");
+        }
+        if *column > 0 {
+            assert_eq!(d.place.column, Some(*column), "{text}: {d:?}");
+        }
+        assert!(d.message.contains(message), "{text}: {d:?}");
+        assert!(d.help.as_deref().unwrap_or("").contains(help), "{text}: {d:?}");
+        assert_eq!(faults.exit_code(), 2);
+    }
+}
+
+#[test]
+fn alias_bombs_are_refused() {
+    // nine levels of ten: a thousand million strings
+    let mut bomb = "title: a\na0: &a0 [x,x,x,x,x,x,x,x,x,x]\n".to_string();
+    for i in 1..10 {
+        let items = vec![format!("*a{}", i - 1); 10].join(",");
+        bomb += &format!("a{i}: &a{i} [{items}]\n");
+    }
+    assert_eq!(read(&bomb).expect_err("bomb").0[0].code, "yaml/too-large");
+    // one long list named many times: few jumps, many values
+    let long = format!("l: &l [{}]\nm: [{}]\n", vec!["1"; 3000].join(","), vec!["*l"; 3000].join(","));
+    assert_eq!(read(&long).expect_err("long").0[0].code, "yaml/too-large");
+    // harmless aliases work
+    assert!(read("title: &t a\nbolts: [{size: *t, rows: []}]\n").is_ok());
+}
+
+#[test]
+fn deep_nesting_is_refused() {
+    for n in [200, 20_000] {
+        let text = format!("title: {}1{}", "[".repeat(n), "]".repeat(n));
+        assert_eq!(read(&text).expect_err("deep").0[0].code, "yaml/too-deep");
+    }
+}
+
+#[test]
+fn several_faults_are_told_at_once() {
+    let faults = read("title: a\nsizes: {x: .nan, x: 1, y: .inf}\n").expect_err("three faults");
+    assert_eq!(faults.0.len(), 3);
+}
+
+#[test]
+fn written_values_read_back() {
+    let text = to_string(&BTreeMap::from([("title", "x: y")])).expect("write");
+    assert_eq!(read(&text).expect("read").value.title, "x: y");
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(400))]
+    #[test]
+    fn mutated_files_never_panic(cut in 0usize..90, put in "[\\PC\\n\\t:&*!\\[\\]{}\"'#|>-]{0,6}", len in 0usize..8) {
+        let cut = cut.min(GOOD.len());
+        let end = (cut + len).min(GOOD.len());
+        let _ = read(&format!("{}{put}{}", &GOOD[..cut], &GOOD[end..]));
+    }
+}
