@@ -7,6 +7,7 @@
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 
 pub mod assembly;
+pub mod catalog;
 pub mod cli;
 pub mod diag;
 pub mod mesh;

@@ -1,0 +1,180 @@
+//! What can be wrong with a catalogue or with a name looked up in it.
+
+use super::table::Source;
+use crate::diag::{Diagnostic, Fault};
+use std::path::PathBuf;
+
+/// A fault of the catalogue stage.
+#[derive(Debug, thiserror::Error)]
+pub enum CatalogError {
+    /// A name that no row carries.
+    #[error("{noun} `{name}` is not in the catalogue{hint}")]
+    Unknown {
+        /// What was looked for: `profile`, `bolt` …
+        noun: &'static str,
+        /// The kind as `bracket catalog list` names it.
+        kind: &'static str,
+        /// The name as the user wrote it.
+        name: String,
+        /// `, did you mean …?` or empty.
+        hint: String,
+    },
+    /// A steel grade that several product standards share.
+    #[error("steel `{name}` stands in {} standards: {}", choices.len(), choices.join(", "))]
+    Ambiguous {
+        /// The grade as the user wrote it.
+        name: String,
+        /// The full names that would be unambiguous.
+        choices: Vec<String>,
+    },
+    /// Two rows with one name.
+    #[error(
+        "{noun} `{name}` is there twice: {first} and {second} (names are compared without blanks, hyphens and case)"
+    )]
+    Duplicate {
+        /// `profile`, `bolt` …
+        noun: &'static str,
+        /// The name of the second row.
+        name: String,
+        /// Where the first row stands.
+        first: Source,
+        /// Where the second row stands.
+        second: Source,
+    },
+    /// A cell that cannot be used.
+    #[error("column `{column}`: {problem}")]
+    Cell {
+        /// File and line.
+        at: Source,
+        /// The column's header.
+        column: String,
+        /// What is wrong with it, with the value and the limit.
+        problem: String,
+    },
+    /// A column that the kind of table needs.
+    #[error("the table of {kind} has no column `{column}`{hint}")]
+    MissingColumn {
+        /// The file.
+        file: String,
+        /// The kind of table.
+        kind: &'static str,
+        /// The header that is missing.
+        column: &'static str,
+        /// `, did you mean …?` or empty.
+        hint: String,
+    },
+    /// A column no table of this kind has.
+    #[error("the table of {kind} has no use for column `{column}`{hint}")]
+    UnknownColumn {
+        /// The file.
+        file: String,
+        /// The kind of table.
+        kind: &'static str,
+        /// The header that is not understood.
+        column: String,
+        /// `, did you mean …?` or empty.
+        hint: String,
+    },
+    /// A table whose columns fit no kind.
+    #[error("the columns fit no kind of catalogue table")]
+    UnknownTable {
+        /// The file.
+        file: String,
+    },
+    /// Not a CSV table at all, or a ragged one.
+    #[error("not a readable CSV table: {message}")]
+    Csv {
+        /// File and line.
+        at: Source,
+        /// What the reader said.
+        message: String,
+    },
+    /// The folder or file cannot be read.
+    #[error("cannot read the catalogue: {cause}")]
+    Io {
+        /// Folder or file.
+        path: PathBuf,
+        /// What the system said.
+        cause: std::io::Error,
+    },
+    /// The folder holds no table.
+    #[error("the catalogue folder holds no .csv file")]
+    Empty {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// A thickness outside the bands of the grade.
+    #[error("{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ {limit} mm)")]
+    Thickness {
+        /// `fy` or `fu`.
+        quantity: &'static str,
+        /// Standard and grade.
+        grade: String,
+        /// The table asked.
+        table: &'static str,
+        /// Thickness asked \[mm\].
+        thickness: f64,
+        /// Largest tabulated thickness \[mm\].
+        limit: f64,
+    },
+    /// A grade that the product-standard table does not list.
+    #[error("{grade} has no product-standard thickness bands in the catalogue")]
+    NoProductBands {
+        /// Standard and grade.
+        grade: String,
+    },
+}
+
+impl From<CatalogError> for Diagnostic {
+    fn from(error: CatalogError) -> Self {
+        let message = error.to_string();
+        let new = |code| Diagnostic::input(code, message.clone());
+        match error {
+            CatalogError::Unknown { kind, .. } => new("catalog/unknown-name")
+                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables adds more")),
+            CatalogError::Ambiguous { choices, .. } => {
+                new("catalog/ambiguous-name").help(format!("write the standard too, for example `{}`", choices[0]))
+            }
+            CatalogError::Duplicate { second, .. } => {
+                place(new("catalog/duplicate-name"), second).help("rename or remove one of the two rows")
+            }
+            CatalogError::Cell { at, .. } => {
+                place(new("catalog/bad-cell"), at).help("correct the cell; columns carry their unit in the header")
+            }
+            CatalogError::MissingColumn { file, .. } => new("catalog/missing-column")
+                .file(file)
+                .help("the tables shipped in catalogs/ show the columns; headers carry the unit"),
+            CatalogError::UnknownColumn { file, .. } => {
+                new("catalog/unknown-column").file(file).help("correct the header, or remove the column")
+            }
+            CatalogError::UnknownTable { file } => new("catalog/unknown-table").file(file).help(
+                "start from the header line of a table in catalogs/: profiles_i, bolts, bolts_preloaded, bolt_grades, \
+                 steel_grades, steel_grades_product, friction_classes, partial_factors",
+            ),
+            CatalogError::Csv { at, .. } => place(new("catalog/not-csv"), at)
+                .help("UTF-8, comma separated, one header row, decimal point; every row has all the columns"),
+            CatalogError::Io { path, cause } => {
+                let denied = cause.kind() == std::io::ErrorKind::PermissionDenied;
+                let fault = if denied { Fault::Environment } else { Fault::Input };
+                let help = if denied {
+                    "check the permissions of the folder and its files"
+                } else {
+                    "give a folder with tables as UTF-8 .csv files"
+                };
+                Diagnostic { fault, ..new("catalog/unreadable").file(path).help(help) }
+            }
+            CatalogError::Empty { path } => new("catalog/empty")
+                .file(path)
+                .help("put at least one table there, for example a copy of profiles_i.csv"),
+            CatalogError::Thickness { .. } => new("catalog/thickness")
+                .help("choose `fy_source: product_standard` where it reaches further, a thinner part or another grade"),
+            CatalogError::NoProductBands { .. } => {
+                new("catalog/no-bands").help("use `fy_source: table_3_1`, or add the bands in a catalogue of your own")
+            }
+        }
+    }
+}
+
+fn place(diagnostic: Diagnostic, at: Source) -> Diagnostic {
+    diagnostic.file(at.file).at(at.line, 1)
+}

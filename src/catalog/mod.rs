@@ -1,0 +1,149 @@
+//! Facts about sections, bolts and steels, each with its source: the tables of `catalogs/` and the user's own.
+//!
+//! ```
+//! use bracket::catalog::Catalog;
+//! let catalog = Catalog::builtin()?;
+//! assert_eq!(catalog.profile("HE 200 B")?.h, 200.0); // mm
+//! assert_eq!(catalog.bolt("M18")?.hole_normal, 20.0); // mm
+//! assert_eq!(catalog.steel("S235")?.fy(15.0)?, 235.0); // MPa, Table 3.1 at t = 15 mm
+//! # Ok::<(), bracket::catalog::CatalogError>(())
+//! ```
+
+mod bolt;
+mod error;
+mod factor;
+mod load;
+mod name;
+mod profile;
+mod steel;
+mod table;
+
+pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
+pub use error::CatalogError;
+pub use factor::{FrictionClass, PartialFactor};
+pub use profile::{IProfile, PROPERTY_TOLERANCE};
+pub use steel::{Band, FySource, Steel};
+pub use table::Source;
+
+use crate::diag::Diagnostic;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use table::{Entry, Named};
+
+/// Where the numbers of a table were taken from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Provenance {
+    /// The standard or edition the values belong to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub standard: Option<String>,
+    /// What they were read from.
+    pub read_from: String,
+    /// How they were checked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cross_check: Option<String>,
+}
+
+/// All tables, looked up by name. Names are accepted in the usual spellings: `HE 200 B`, `HEB200`, `533x210x92 UB`.
+#[derive(Clone, Debug, Default)]
+pub struct Catalog {
+    profiles: Named<IProfile>,
+    bolts: Named<BoltSize>,
+    bolt_grades: Named<BoltGrade>,
+    steels: Named<Steel>,
+    friction: Named<FrictionClass>,
+    factors: Named<PartialFactor>,
+    provenance: BTreeMap<String, Provenance>,
+    warnings: Vec<Diagnostic>,
+}
+
+impl Catalog {
+    /// The rolled I or H section of that name.
+    pub fn profile(&self, name: &str) -> Result<&IProfile, CatalogError> {
+        self.profiles.get(name)
+    }
+
+    /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded systems.
+    pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
+        self.bolts.get(name)
+    }
+
+    /// The bolt grade, for example `8.8`.
+    pub fn bolt_grade(&self, name: &str) -> Result<&BoltGrade, CatalogError> {
+        self.bolt_grades.get(name)
+    }
+
+    /// The steel: a grade (`S235`, `S355 J2+N`) or, where several standards share the grade, standard and grade
+    /// (`EN 10210-1 S355H`).
+    pub fn steel(&self, name: &str) -> Result<&Steel, CatalogError> {
+        if let Some(steel) = self.steels.find(name) {
+            return Ok(steel);
+        }
+        let key = Steel::key(name);
+        let same: Vec<&Steel> = self.steels.rows().iter().filter(|s| Steel::key(&s.grade) == key).collect();
+        match same[..] {
+            [one] => Ok(one),
+            [] => {
+                let grades = self.steels.rows().iter().map(|s| s.grade.as_str());
+                let hint = crate::diag::did_you_mean(&key, grades);
+                Err(CatalogError::Unknown { noun: Steel::NOUN, kind: Steel::KIND, name: name.to_owned(), hint })
+            }
+            _ => Err(CatalogError::Ambiguous {
+                name: name.to_owned(),
+                choices: same.iter().map(|s| Entry::name(*s)).collect(),
+            }),
+        }
+    }
+
+    /// The friction class `A` … `D`.
+    pub fn friction_class(&self, name: &str) -> Result<&FrictionClass, CatalogError> {
+        self.friction.get(name)
+    }
+
+    /// The partial factor, for example `gamma_M0`, with its recommended value.
+    pub fn partial_factor(&self, name: &str) -> Result<&PartialFactor, CatalogError> {
+        self.factors.get(name)
+    }
+
+    /// All sections, in the order of the files.
+    pub fn profiles(&self) -> &[IProfile] {
+        self.profiles.rows()
+    }
+
+    /// All bolt sizes, plain ones first.
+    pub fn bolts(&self) -> &[BoltSize] {
+        self.bolts.rows()
+    }
+
+    /// All bolt grades.
+    pub fn bolt_grades(&self) -> &[BoltGrade] {
+        self.bolt_grades.rows()
+    }
+
+    /// All steels.
+    pub fn steels(&self) -> &[Steel] {
+        self.steels.rows()
+    }
+
+    /// All friction classes.
+    pub fn friction_classes(&self) -> &[FrictionClass] {
+        self.friction.rows()
+    }
+
+    /// All partial factors.
+    pub fn partial_factors(&self) -> &[PartialFactor] {
+        self.factors.rows()
+    }
+
+    /// Where the numbers of a file come from; nothing where the user's table has no `# source:` line.
+    pub fn provenance(&self, file: &str) -> Option<&Provenance> {
+        self.provenance.get(file)
+    }
+
+    /// What was odd in the user's tables: section properties that do not fit the dimensions, tables that were skipped.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.warnings
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,188 @@
+//! Rolled I and H sections.
+
+use super::error::CatalogError;
+use super::name::profile_key;
+use super::table::{Columns, Entry, RawTable, Row, Source};
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// A rolled I or H section: nominal dimensions and tabulated properties.
+///
+/// # Units
+/// Dimensions in mm, properties in the units of the tables (cm², cm³, cm⁴, cm⁶), mass in kg/m. Axis y is the strong
+/// axis (parallel to the flanges), z the weak one (EN 1993 convention).
+///
+/// # Source
+/// `source` names file and line; the provenance of the file is in `catalogs/README.md`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct IProfile {
+    /// Name as catalogued, for example `HEB200`.
+    pub name: String,
+    /// Series, for example `HEB`, `IPE`, `UB`, `W`.
+    pub series: String,
+    /// Standard of the dimensions.
+    pub standard: String,
+    /// Depth \[mm\].
+    pub h: f64,
+    /// Flange width \[mm\].
+    pub b: f64,
+    /// Web thickness \[mm\].
+    pub tw: f64,
+    /// Flange thickness \[mm\].
+    pub tf: f64,
+    /// Root radius \[mm\], may be 0. W shapes: the radius that reproduces the tabulated area.
+    pub r: f64,
+    /// Root radius implied by the design value k_des \[mm\]; W shapes only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub r_detailing: Option<f64>,
+    /// Mass per length \[kg/m\].
+    pub mass: f64,
+    /// Area \[cm²\], as tabulated.
+    pub area: f64,
+    /// Second moment of area about the strong axis \[cm⁴\], as tabulated.
+    pub i_y: f64,
+    /// Second moment of area about the weak axis \[cm⁴\], as tabulated.
+    pub i_z: f64,
+    /// Elastic section modulus about the strong axis \[cm³\].
+    pub w_el_y: f64,
+    /// Plastic section modulus about the strong axis \[cm³\].
+    pub w_pl_y: f64,
+    /// Elastic section modulus about the weak axis \[cm³\].
+    pub w_el_z: f64,
+    /// Plastic section modulus about the weak axis \[cm³\].
+    pub w_pl_z: f64,
+    /// Torsion constant \[cm⁴\], where the source tabulates it; good to 5 %.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub i_t: Option<f64>,
+    /// Warping constant \[cm⁶\], where the source tabulates it; good to 5 %.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub i_w: Option<f64>,
+    /// True where the properties were computed from the dimensions and not read in a table.
+    pub computed: bool,
+    /// Where the row stands.
+    pub source: Source,
+}
+
+/// Relative difference above which tabulated and recomputed section properties are said to disagree (0.5 %).
+pub const PROPERTY_TOLERANCE: f64 = 0.005;
+
+impl IProfile {
+    pub(super) const COLUMNS: Columns = Columns {
+        kind: "I profiles",
+        needed: &[
+            "name",
+            "series",
+            "standard",
+            "h_mm",
+            "b_mm",
+            "tw_mm",
+            "tf_mm",
+            "mass_kg_per_m",
+            "A_cm2",
+            "Iy_cm4",
+            "Iz_cm4",
+            "Wel_y_cm3",
+            "Wpl_y_cm3",
+            "Wel_z_cm3",
+            "Wpl_z_cm3",
+        ],
+        optional: &["r_mm", "r_area_mm", "r_kdes_mm", "It_cm4", "Iw_cm6", "props"],
+    };
+
+    /// Area of the outline with exact quarter-circle fillets \[mm²\].
+    pub fn outline_area(&self) -> f64 {
+        2.0 * self.b * self.tf + (self.h - 2.0 * self.tf) * self.tw + 4.0 * fillet_area(self.r)
+    }
+
+    /// Second moment of area of the outline about the strong axis, exact quarter-circle fillets \[mm⁴\].
+    ///
+    /// # Source
+    /// Each fillet is a square of side r less a quarter disc: about the flange's inner face its moment is
+    /// (1 − 5π/16) r⁴, its centroid lies (10 − 3π)/(12 − 3π) r from that face; then the parallel-axis theorem.
+    pub fn outline_i_y(&self) -> f64 {
+        let clear = self.h - 2.0 * self.tf;
+        let plates = (self.b * self.h.powi(3) - (self.b - self.tw) * clear.powi(3)) / 12.0;
+        let area = fillet_area(self.r);
+        let offset = self.r * (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
+        let own = (1.0 - 5.0 * PI / 16.0) * self.r.powi(4) - area * offset * offset;
+        plates + 4.0 * (own + area * (clear / 2.0 - offset).powi(2))
+    }
+
+    /// Relative differences (outline − tabulated)/tabulated of area and strong-axis second moment.
+    pub fn mismatch(&self) -> [f64; 2] {
+        [self.outline_area() / (100.0 * self.area) - 1.0, self.outline_i_y() / (1.0e4 * self.i_y) - 1.0]
+    }
+
+    /// Reads all rows of a table.
+    pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
+        table.check(Self::COLUMNS)?;
+        if !table.has("r_mm") && !table.has("r_area_mm") {
+            let file = table.rows().next().map_or_else(String::new, |r| r.source().file);
+            let hint = " (nor `r_area_mm`)".to_owned();
+            return Err(CatalogError::MissingColumn { file, kind: Self::COLUMNS.kind, column: "r_mm", hint });
+        }
+        table.rows().map(|row| Self::from_row(table, &row)).collect()
+    }
+
+    fn from_row(table: &RawTable, row: &Row<'_>) -> Result<Self, CatalogError> {
+        let radius = if table.has("r_area_mm") { "r_area_mm" } else { "r_mm" };
+        let optional = |column| if table.has(column) { row.positive_or_empty(column) } else { Ok(None) };
+        let profile = Self {
+            name: row.text("name")?,
+            series: row.text("series")?,
+            standard: row.text("standard")?,
+            h: row.positive("h_mm")?,
+            b: row.positive("b_mm")?,
+            tw: row.positive("tw_mm")?,
+            tf: row.positive("tf_mm")?,
+            r: row.not_negative(radius)?,
+            r_detailing: optional("r_kdes_mm")?,
+            mass: row.positive("mass_kg_per_m")?,
+            area: row.positive("A_cm2")?,
+            i_y: row.positive("Iy_cm4")?,
+            i_z: row.positive("Iz_cm4")?,
+            w_el_y: row.positive("Wel_y_cm3")?,
+            w_pl_y: row.positive("Wpl_y_cm3")?,
+            w_el_z: row.positive("Wel_z_cm3")?,
+            w_pl_z: row.positive("Wpl_z_cm3")?,
+            i_t: optional("It_cm4")?,
+            i_w: optional("Iw_cm6")?,
+            computed: match table.has("props").then(|| row.text("props")).transpose()?.as_deref() {
+                None | Some("tabulated") => false,
+                Some("computed") => true,
+                Some(other) => {
+                    return Err(row.fault("props", format!("`{other}` is neither `tabulated` nor `computed`")));
+                }
+            },
+            source: row.source(),
+        };
+        if profile.h <= 2.0 * (profile.tf + profile.r) {
+            let least = 2.0 * (profile.tf + profile.r);
+            return Err(row.fault("h_mm", format!("{} must exceed 2 (tf + r) = {least}", profile.h)));
+        }
+        if profile.b <= profile.tw + 2.0 * profile.r {
+            let least = profile.tw + 2.0 * profile.r;
+            return Err(row.fault("b_mm", format!("{} must exceed tw + 2 r = {least}", profile.b)));
+        }
+        Ok(profile)
+    }
+}
+
+/// Area between a root and its quarter circle \[mm²\].
+fn fillet_area(r: f64) -> f64 {
+    (1.0 - PI / 4.0) * r * r
+}
+
+impl Entry for IProfile {
+    const NOUN: &'static str = "profile";
+    const KIND: &'static str = "profiles";
+    fn name(&self) -> String {
+        self.name.clone()
+    }
+    fn key(name: &str) -> String {
+        profile_key(name)
+    }
+    fn source(&self) -> &Source {
+        &self.source
+    }
+}

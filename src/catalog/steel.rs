@@ -1,0 +1,211 @@
+//! Structural steels with their thickness bands.
+
+use super::error::CatalogError;
+use super::name::steel_key;
+use super::table::{Columns, Entry, RawTable, Source};
+use serde::{Deserialize, Serialize};
+
+/// Which table gives f_y and f_u.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FySource {
+    /// EN 1993-1-1:2005 Table 3.1: two bands, t ≤ 40 mm and 40 < t ≤ 80 mm.
+    #[default]
+    #[serde(rename = "table_3_1")]
+    Table31,
+    /// The bands of the product standard (EN 10025): the strength steps down at 16 mm already.
+    ProductStandard,
+}
+
+/// Nominal strength of one range of thickness, `over < t ≤ up_to`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Band {
+    /// Lower end, not included \[mm\].
+    pub over: f64,
+    /// Upper end, included \[mm\].
+    pub up_to: f64,
+    /// Yield strength \[MPa\].
+    pub fy: f64,
+    /// Ultimate strength \[MPa\].
+    pub fu: f64,
+}
+
+/// A steel grade of one product standard.
+///
+/// # Source
+/// EN 1993-1-1:2005 Table 3.1; β_w EN 1993-1-8:2005 Table 4.1; product bands EN 10025-2, -3, -4.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Steel {
+    /// Product standard, for example `EN 10025-2`.
+    pub standard: String,
+    /// Grade, for example `S235`.
+    pub grade: String,
+    /// Young's modulus \[MPa\].
+    pub e: f64,
+    /// Poisson's ratio \[-\].
+    pub nu: f64,
+    /// Density \[kg/m³\].
+    pub density: f64,
+    /// Correlation factor of fillet welds β_w \[-\]; absent where Table 4.1 does not list the grade.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beta_w: Option<f64>,
+    /// Bands of Table 3.1, ascending.
+    pub bands: Vec<Band>,
+    /// Bands of the product standard, ascending; empty where the catalogue has none.
+    pub product_bands: Vec<Band>,
+    /// How the product bands were obtained: `read`, `unverified`; absent without bands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product_basis: Option<String>,
+    /// Where the row stands.
+    pub source: Source,
+}
+
+impl Steel {
+    pub(super) const COLUMNS: Columns = Columns {
+        kind: "steels",
+        needed: &[
+            "standard",
+            "grade",
+            "fy_t_le_40_MPa",
+            "fu_t_le_40_MPa",
+            "fy_t_40_to_80_MPa",
+            "fu_t_40_to_80_MPa",
+            "E_MPa",
+            "nu",
+            "density_kg_per_m3",
+            "beta_w",
+        ],
+        optional: &[],
+    };
+
+    pub(super) const BAND_COLUMNS: Columns = Columns {
+        kind: "product-standard bands",
+        needed: &["standard", "grade", "t_over_mm", "t_up_to_mm", "ReH_min_MPa", "Rm_min_MPa", "basis"],
+        optional: &[],
+    };
+
+    /// Nominal yield strength of Table 3.1 for a thickness \[mm\], in MPa.
+    pub fn fy(&self, thickness: f64) -> Result<f64, CatalogError> {
+        self.fy_by(FySource::Table31, thickness)
+    }
+
+    /// Nominal ultimate strength of Table 3.1 for a thickness \[mm\], in MPa.
+    pub fn fu(&self, thickness: f64) -> Result<f64, CatalogError> {
+        self.fu_by(FySource::Table31, thickness)
+    }
+
+    /// Nominal yield strength by the table asked for, thickness in mm, in MPa.
+    pub fn fy_by(&self, source: FySource, thickness: f64) -> Result<f64, CatalogError> {
+        self.band("fy", source, thickness).map(|b| b.fy)
+    }
+
+    /// Nominal ultimate strength by the table asked for, thickness in mm, in MPa.
+    pub fn fu_by(&self, source: FySource, thickness: f64) -> Result<f64, CatalogError> {
+        self.band("fu", source, thickness).map(|b| b.fu)
+    }
+
+    fn band(&self, quantity: &'static str, source: FySource, thickness: f64) -> Result<Band, CatalogError> {
+        let (bands, table) = match source {
+            FySource::Table31 => (&self.bands, "EN 1993-1-1 Table 3.1"),
+            FySource::ProductStandard => (&self.product_bands, "the product standard"),
+        };
+        let limit = bands.last().ok_or_else(|| CatalogError::NoProductBands { grade: self.name() })?.up_to;
+        bands
+            .iter()
+            .find(|b| b.over < thickness && thickness <= b.up_to)
+            .copied()
+            .ok_or_else(|| CatalogError::Thickness { quantity, grade: self.name(), table, thickness, limit })
+    }
+
+    /// Reads a table of grades.
+    pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
+        table.check(Self::COLUMNS)?;
+        let mut steels = Vec::new();
+        for row in table.rows() {
+            let mut bands = vec![Band {
+                over: 0.0,
+                up_to: 40.0,
+                fy: row.positive("fy_t_le_40_MPa")?,
+                fu: row.positive("fu_t_le_40_MPa")?,
+            }];
+            let thick = (row.positive_or_empty("fy_t_40_to_80_MPa")?, row.positive_or_empty("fu_t_40_to_80_MPa")?);
+            match thick {
+                (Some(fy), Some(fu)) => bands.push(Band { over: 40.0, up_to: 80.0, fy, fu }),
+                (None, None) => {}
+                (None, _) => return Err(row.fault("fy_t_40_to_80_MPa", "the cell is empty while fu is given")),
+                (_, None) => return Err(row.fault("fu_t_40_to_80_MPa", "the cell is empty while fy is given")),
+            }
+            let nu = row.positive("nu")?;
+            if nu >= 0.5 {
+                return Err(row.fault("nu", format!("{nu} must be below 0.5")));
+            }
+            if let Some(b) = bands.iter().find(|b| b.fu < b.fy) {
+                return Err(row.fault("fu_t_le_40_MPa", format!("fu = {} is below fy = {}", b.fu, b.fy)));
+            }
+            steels.push(Self {
+                standard: row.text("standard")?,
+                grade: row.text("grade")?,
+                e: row.positive("E_MPa")?,
+                nu,
+                density: row.positive("density_kg_per_m3")?,
+                beta_w: row.positive_or_empty("beta_w")?,
+                bands,
+                product_bands: Vec::new(),
+                product_basis: None,
+                source: row.source(),
+            });
+        }
+        Ok(steels)
+    }
+
+    /// Reads a table of product-standard bands into the grades that `find` returns.
+    pub(super) fn read_bands(
+        table: &RawTable,
+        mut add: impl FnMut(&str, Band, String) -> Option<Result<(), String>>,
+    ) -> Result<(), CatalogError> {
+        table.check(Self::BAND_COLUMNS)?;
+        for row in table.rows() {
+            let name = format!("{} {}", row.text("standard")?, row.text("grade")?);
+            let band = Band {
+                over: row.not_negative("t_over_mm")?,
+                up_to: row.positive("t_up_to_mm")?,
+                fy: row.positive("ReH_min_MPa")?,
+                fu: row.positive("Rm_min_MPa")?,
+            };
+            if band.up_to <= band.over {
+                return Err(row.fault("t_up_to_mm", format!("{} must exceed t_over = {}", band.up_to, band.over)));
+            }
+            match add(&name, band, row.text("basis")?) {
+                None => return Err(row.fault("grade", format!("`{name}` is in no table of steels"))),
+                Some(Err(problem)) => return Err(row.fault("t_over_mm", problem)),
+                Some(Ok(())) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the next product band; bands join without gap or overlap.
+    pub(super) fn push_band(&mut self, band: Band, basis: String) -> Result<(), String> {
+        let end = self.product_bands.last().map_or(0.0, |b| b.up_to);
+        if band.over != end {
+            return Err(format!("{} does not continue the band before, which ends at {end} mm", band.over));
+        }
+        self.product_bands.push(band);
+        self.product_basis = Some(basis);
+        Ok(())
+    }
+}
+
+impl Entry for Steel {
+    const NOUN: &'static str = "steel";
+    const KIND: &'static str = "steels";
+    fn name(&self) -> String {
+        format!("{} {}", self.standard, self.grade)
+    }
+    fn key(name: &str) -> String {
+        steel_key(name)
+    }
+    fn source(&self) -> &Source {
+        &self.source
+    }
+}

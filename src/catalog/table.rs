@@ -1,0 +1,255 @@
+//! A CSV table read strictly: every cell is checked, every row remembers where it stands.
+
+use super::error::CatalogError;
+use super::name::normalise;
+use crate::diag::did_you_mean;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// Where a row stands.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Source {
+    /// The file, as the user named it; for the built-in catalogue its path in the project (`catalogs/…`).
+    pub file: String,
+    /// 1-based line.
+    pub line: usize,
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} line {}", self.file, self.line)
+    }
+}
+
+/// Columns of one kind of table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    /// Name of the kind, in messages.
+    pub kind: &'static str,
+    /// These must be there.
+    pub needed: &'static [&'static str],
+    /// These may be there; `note` and `source` always may.
+    pub optional: &'static [&'static str],
+}
+
+/// A table as text.
+#[derive(Debug)]
+pub(super) struct RawTable {
+    file: String,
+    headers: Vec<String>,
+    rows: Vec<(usize, Vec<String>)>,
+    /// Text of a `# source: …` comment line.
+    pub provenance: Option<String>,
+}
+
+/// One row of a table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row<'a> {
+    table: &'a RawTable,
+    line: usize,
+    cells: &'a [String],
+}
+
+impl RawTable {
+    /// Splits the text of `file` into cells. Lines that start with `#` are comments.
+    pub fn parse(file: &str, text: &str) -> Result<Self, CatalogError> {
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let fault = |error: csv::Error| {
+            let line = error.position().map_or(1, |p| p.line() as usize);
+            let message = match error.kind() {
+                csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                    format!("the row has {len} cells, the header {expected_len}")
+                }
+                _ => error.to_string(),
+            };
+            CatalogError::Csv { at: Source { file: file.to_owned(), line }, message }
+        };
+        let headers: Vec<String> = reader.headers().map_err(fault)?.iter().map(str::to_owned).collect();
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(fault)?;
+            let line = record.position().map_or(0, |p| p.line() as usize);
+            rows.push((line, record.iter().map(str::to_owned).collect()));
+        }
+        let provenance =
+            text.lines().find_map(|l| l.strip_prefix('#')?.trim().strip_prefix("source:")).map(|s| s.trim().to_owned());
+        Ok(Self { file: file.to_owned(), headers, rows, provenance })
+    }
+
+    /// The file the table came from.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Whether a column is there.
+    pub fn has(&self, column: &str) -> bool {
+        self.headers.iter().any(|h| h == column)
+    }
+
+    /// Checks the header against the kind: nothing missing, nothing unknown, nothing twice.
+    pub fn check(&self, columns: Columns) -> Result<(), CatalogError> {
+        let known = || columns.needed.iter().chain(columns.optional).copied();
+        let kind = columns.kind;
+        let file = || self.file.clone();
+        for (i, h) in self.headers.iter().enumerate() {
+            if self.headers[..i].contains(h) {
+                let at = Source { file: file(), line: 1 };
+                return Err(CatalogError::Cell { at, column: h.clone(), problem: "the header is there twice".into() });
+            }
+        }
+        for &column in columns.needed {
+            if !self.has(column) {
+                let strangers = self.headers.iter().map(String::as_str).filter(|h| !known().any(|k| k == *h));
+                let hint = did_you_mean(column, strangers).replace("did you mean", "is it").replace('?', "");
+                return Err(CatalogError::MissingColumn { file: file(), kind, column, hint });
+            }
+        }
+        for h in &self.headers {
+            if !known().any(|k| k == h) && h != "note" && h != "source" {
+                let hint = did_you_mean(h, known());
+                return Err(CatalogError::UnknownColumn { file: file(), kind, column: h.clone(), hint });
+            }
+        }
+        Ok(())
+    }
+
+    /// The rows in the order of the file.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.rows.iter().map(|(line, cells)| Row { table: self, line: *line, cells })
+    }
+}
+
+impl Row<'_> {
+    /// Where the row stands.
+    pub fn source(&self) -> Source {
+        Source { file: self.table.file.clone(), line: self.line }
+    }
+
+    /// A fault of one cell.
+    pub fn fault(&self, column: &str, problem: impl Into<String>) -> CatalogError {
+        CatalogError::Cell { at: self.source(), column: column.to_owned(), problem: problem.into() }
+    }
+
+    fn cell(&self, column: &str) -> &str {
+        self.table.headers.iter().position(|h| h == column).map_or("", |i| &self.cells[i])
+    }
+
+    /// A text that must not be empty.
+    pub fn text(&self, column: &str) -> Result<String, CatalogError> {
+        match self.cell(column) {
+            "" => Err(self.fault(column, "the cell is empty")),
+            text => Ok(text.to_owned()),
+        }
+    }
+
+    /// `yes` or `no`.
+    pub fn flag(&self, column: &str) -> Result<bool, CatalogError> {
+        match self.cell(column) {
+            "yes" => Ok(true),
+            "no" => Ok(false),
+            other => Err(self.fault(column, format!("`{other}` is neither `yes` nor `no`"))),
+        }
+    }
+
+    fn finite(&self, column: &str) -> Result<f64, CatalogError> {
+        let text = self.text(column)?;
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) => Err(self.fault(column, format!("`{text}` is not a finite number"))),
+            Err(_) => Err(self.fault(column, format!("`{text}` is not a number (decimal point, no unit)"))),
+        }
+    }
+
+    /// A finite number > 0.
+    pub fn positive(&self, column: &str) -> Result<f64, CatalogError> {
+        match self.finite(column)? {
+            value if value > 0.0 => Ok(value),
+            value => Err(self.fault(column, format!("{value} must be greater than 0"))),
+        }
+    }
+
+    /// A finite number ≥ 0.
+    pub fn not_negative(&self, column: &str) -> Result<f64, CatalogError> {
+        match self.finite(column)? {
+            value if value >= 0.0 => Ok(value),
+            value => Err(self.fault(column, format!("{value} must not be negative"))),
+        }
+    }
+
+    /// A finite number > 0, or nothing where the source tabulates nothing.
+    pub fn positive_or_empty(&self, column: &str) -> Result<Option<f64>, CatalogError> {
+        if self.cell(column).is_empty() { Ok(None) } else { self.positive(column).map(Some) }
+    }
+}
+
+/// Something with a name and a place.
+pub(super) trait Entry {
+    /// What it is called in messages: `profile`, `bolt` …
+    const NOUN: &'static str;
+    /// What `bracket catalog list` calls the kind.
+    const KIND: &'static str;
+    /// The name as printed.
+    fn name(&self) -> String;
+    /// The name as compared.
+    fn key(name: &str) -> String {
+        normalise(name)
+    }
+    /// Where it stands.
+    fn source(&self) -> &Source;
+}
+
+/// Rows in file order with an index by normalised name.
+#[derive(Clone, Debug)]
+pub(super) struct Named<T> {
+    rows: Vec<T>,
+    index: BTreeMap<String, usize>,
+}
+
+impl<T> Default for Named<T> {
+    fn default() -> Self {
+        Self { rows: Vec::new(), index: BTreeMap::new() }
+    }
+}
+
+impl<T: Entry> Named<T> {
+    /// Adds a row; a second row of the same name is an error with both places.
+    pub fn insert(&mut self, row: T) -> Result<(), CatalogError> {
+        let name = row.name();
+        if let Some(&first) = self.index.get(&T::key(&name)) {
+            let (first, second) = (self.rows[first].source().clone(), row.source().clone());
+            return Err(CatalogError::Duplicate { noun: T::NOUN, name, first, second });
+        }
+        self.index.insert(T::key(&name), self.rows.len());
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// The row of that name, in any accepted spelling.
+    pub fn find(&self, name: &str) -> Option<&T> {
+        self.index.get(&T::key(name)).map(|&i| &self.rows[i])
+    }
+
+    /// The same for changing it.
+    pub fn find_mut(&mut self, name: &str) -> Option<&mut T> {
+        self.index.get(&T::key(name)).map(|&i| &mut self.rows[i])
+    }
+
+    /// The row of that name, or an error with the closest name.
+    pub fn get(&self, name: &str) -> Result<&T, CatalogError> {
+        self.find(name).ok_or_else(|| self.unknown(name))
+    }
+
+    /// The error for a name that is not there.
+    pub fn unknown(&self, name: &str) -> CatalogError {
+        let names: Vec<String> = self.rows.iter().map(Entry::name).collect();
+        let hint = did_you_mean(&T::key(name), names.iter().map(String::as_str));
+        CatalogError::Unknown { noun: T::NOUN, kind: T::KIND, name: name.to_owned(), hint }
+    }
+
+    /// The rows in the order of the files.
+    pub fn rows(&self) -> &[T] {
+        &self.rows
+    }
+}
