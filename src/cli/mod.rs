@@ -5,6 +5,7 @@ pub mod catalog;
 pub mod doctor;
 pub mod mesh;
 pub mod new;
+pub mod out;
 pub mod run;
 pub mod schema;
 pub mod templates;
