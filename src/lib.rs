@@ -13,3 +13,4 @@ pub mod diag;
 pub mod mesh;
 pub mod model;
 pub mod spec;
+pub mod units;

@@ -103,6 +103,15 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
             return named(d, path);
         }
     }
+    for (code, marker) in
+        [("yaml/quantity", crate::units::INVALID_QUANTITY), ("yaml/expression", super::expr::INVALID_EXPRESSION)]
+    {
+        if let Some((path, rest)) = split_at_marker(text, marker) {
+            let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
+            let d = Diagnostic::input(code, format!("{at}{rest}"));
+            return named(d.help("`bracket schema` lists every key with its unit"), path);
+        }
+    }
     if text.contains("repetition limit") || text.contains(outline::TOO_LARGE) {
         let d = Diagnostic::input("yaml/too-large", "the aliases of this file expand beyond a million values");
         return named(d.help("write the values out instead of `*alias`"), "");
