@@ -174,6 +174,8 @@ impl<'a> Inputs<'a> {
             name: "friction.mu".into(),
             value: self.mu.to_string(),
             given: spec.friction.mu.is_some() || spec.friction.class.is_some(),
+            default: Some("0".into()),
+            range: Some("0 to 2".into()),
             about: "friction coefficient of all contact surfaces; 0 where the spec gives none".into(),
         }
     }

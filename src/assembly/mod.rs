@@ -14,4 +14,6 @@ pub use error::AssemblyError;
 pub use joint::Assembly;
 
 #[cfg(test)]
+mod bad_specs;
+#[cfg(test)]
 mod tests;

@@ -16,9 +16,18 @@ pub struct Resolved {
     pub value: String,
     /// True when the spec says it, false when it is the template's default.
     pub given: bool,
+    /// The template's default expression; absent where the spec must give a value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<String>,
+    /// Allowed range in words, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<String>,
     /// What it is.
     pub about: String,
 }
+
+/// Limits of a parameter in internal units, and in words.
+type Limits = (Option<f64>, Option<f64>, Option<String>);
 
 /// A loop variable at one turn.
 #[derive(Clone, Debug)]
@@ -219,17 +228,32 @@ impl Scope {
         }
         let mut out = Vec::new();
         for p in &template.parameters {
-            self.check_range(p, &mut faults);
-            let value = match self.lists.get(&p.name) {
-                None => self.get(&p.name).map_or_else(|e| e, |v| v.to_string()),
-                Some(n) => {
-                    let each =
-                        (1..=*n).map(|i| self.get(&format!("{}.{i}", p.name)).map_or_else(|e| e, |v| v.to_string()));
-                    each.collect::<Vec<_>>().join(", ")
+            let range = match self.limits(p) {
+                Ok((min, max, words)) => {
+                    self.check_range(p, min, max, words.as_deref().unwrap_or_default(), &mut faults);
+                    words
+                }
+                Err(cause) => {
+                    faults.push(AssemblyError::Template { at: p.name.clone(), cause });
+                    None
                 }
             };
+            let show = |name: &str| self.get(name).map_or_else(|e| e, |v| v.to_string());
+            let value = match self.lists.get(&p.name) {
+                None => show(&p.name),
+                Some(n) => {
+                    let each: Vec<String> = (1..=*n).map(|i| show(&format!("{}.{i}", p.name))).collect();
+                    format!("[{}]", each.join(", "))
+                }
+            };
+            let default = p.default.as_ref().map(|d| match d {
+                Default::One(e) => e.text().to_owned(),
+                Default::Many(list) => {
+                    format!("[{}]", list.iter().map(Expr::text).collect::<Vec<_>>().join(", "))
+                }
+            });
             let given = given.contains_key(&p.name);
-            out.push(Resolved { name: p.name.clone(), value, given, about: p.about.clone() });
+            out.push(Resolved { name: p.name.clone(), value, given, default, range, about: p.about.clone() });
         }
         if faults.is_empty() { Ok(out) } else { Err(faults) }
     }
@@ -275,38 +299,47 @@ impl Scope {
         Ok(())
     }
 
-    fn check_range(&self, p: &Parameter, faults: &mut Vec<AssemblyError>) {
+    /// Smallest and largest value of a parameter, and both in words.
+    fn limits(&self, p: &Parameter) -> Result<Limits, ExprError> {
         let dim = dim_of(p).unwrap_or(Dim::NONE);
         let limit = |e: &Option<Expr>| e.as_ref().map(|e| e.eval_as(dim, &mut |n| self.get(n))).transpose();
-        let (min, max) = match (limit(&p.min), limit(&p.max)) {
-            (Ok(a), Ok(b)) => (a, b),
-            (Err(cause), _) | (_, Err(cause)) => {
-                faults.push(AssemblyError::Template { at: p.name.clone(), cause });
-                return;
-            }
+        let (min, max) = (limit(&p.min)?, limit(&p.max)?);
+        let words = match (min, max) {
+            (Some(a), Some(b)) => Some(format!("{} to {}", show(a, dim), show(b, dim))),
+            (Some(a), None) => Some(format!("at least {}", show(a, dim))),
+            (None, Some(b)) => Some(format!("at most {}", show(b, dim))),
+            (None, None) => None,
         };
-        let show = |x: f64| Value::Quantity(crate::units::Quantity { value: x, dim }).to_string();
-        let range = match (min, max) {
-            (Some(a), Some(b)) => format!("{} to {}", show(a), show(b)),
-            (Some(a), None) => format!("at least {}", show(a)),
-            (None, Some(b)) => format!("at most {}", show(b)),
-            (None, None) => return,
-        };
+        Ok((min, max, words))
+    }
+
+    fn check_range(
+        &self,
+        p: &Parameter,
+        min: Option<f64>,
+        max: Option<f64>,
+        range: &str,
+        faults: &mut Vec<AssemblyError>,
+    ) {
         let mut check = |name: String, path: String| {
             if let Ok(Value::Quantity(q)) = self.get(&name)
                 && (min.is_some_and(|m| q.value < m) || max.is_some_and(|m| q.value > m))
             {
-                let value = show(q.value);
-                faults.push(AssemblyError::OutOfRange { path, name: p.name.clone(), value, range: range.clone() });
+                let (value, range) = (show(q.value, q.dim), range.to_owned());
+                faults.push(AssemblyError::OutOfRange { path, name: p.name.clone(), value, range });
             }
         };
+        let path = path_of(&p.name);
         match self.lists.get(&p.name) {
-            None => check(p.name.clone(), path_of(&p.name)),
-            Some(n) => {
-                (0..*n).for_each(|i| check(format!("{}.{}", p.name, i + 1), format!("{}[{i}]", path_of(&p.name))))
-            }
+            None => check(p.name.clone(), path),
+            Some(n) => (0..*n).for_each(|i| check(format!("{}.{}", p.name, i + 1), format!("{path}[{i}]"))),
         }
     }
+}
+
+/// A value in internal units, with its unit.
+fn show(value: f64, dim: Dim) -> String {
+    Value::Quantity(crate::units::Quantity { value, dim }).to_string()
 }
 
 /// Where a parameter stands in the spec: `plate.*` and `bolts.*` in the fixed part, everything else under `parameters`.

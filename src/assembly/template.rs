@@ -3,6 +3,7 @@
 //! A template is data. Adding a connection type means adding a file; no line of Rust knows a template by name.
 
 use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
+use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
 use crate::spec::loads::LoadSpec;
 use crate::spec::yaml;
@@ -123,9 +124,9 @@ pub struct Parameter {
     /// Value where the spec gives none; absent: the spec must give one.
     #[serde(default)]
     pub default: Option<Default>,
-    /// Value of the starter where there is no default.
+    /// Value of the starter where there is no default, as the spec would say it.
     #[serde(default)]
-    pub example: Option<Default>,
+    pub example: Option<ParameterValue>,
     /// What it is.
     pub about: String,
 }

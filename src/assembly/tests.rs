@@ -232,3 +232,67 @@ fn convex_pieces_cover_the_part_and_spare_the_holes() {
     let twice = 2.0 * 12.7 * 170.0 * 9.0;
     assert!((sum - section - twice).abs() < 0.01 * section, "{sum} {section}");
 }
+
+/// A connection type the program has never heard of: two lapped plates and a bolt, in a file of the user's.
+#[test]
+fn a_new_connection_type_needs_no_rust() {
+    let template = "
+name: lap
+title: Two lapped plates
+members: []
+parameters:
+  - {name: thickness, kind: length, min: 1 mm, about: thickness of both plates, default: 10 mm}
+  - {name: overlap, kind: length, about: length of the lap, default: 4 * bolt.d}
+  - {name: steel_part, kind: flag, about: unused, default: thickness > 5 mm}
+parts:
+  - name: LOWER
+    label: lower plate
+    role: plate
+    steel: [plate]
+    thickness: thickness
+    size: thickness
+    solids: [{box: {x: [-200 mm, overlap / 2], y: [-40 mm, 40 mm], z: [-thickness, 0]}}]
+  - name: UPPER
+    label: upper plate
+    role: plate
+    steel: [plate]
+    thickness: thickness
+    size: thickness
+    solids: [{box: {x: [-overlap / 2, 200 mm], y: [-40 mm, 40 mm], z: [0, thickness]}}]
+bolts:
+  - name: BOLT
+    label: the bolt
+    axis: z
+    toward: -1
+    head: [0, 0, thickness]
+    corner: x
+    through: [{part: UPPER, thickness: thickness}, {part: LOWER, thickness: thickness}]
+    head_contact: true
+    nut_contact: true
+    shank_gap: 0.5 mm
+    size: bolt.d / 2
+contacts:
+  - {name: LAP, between: [LOWER, UPPER], face: {axis: z, at: 0, x: [-overlap / 2, overlap / 2], y: [-40 mm, 40 mm]}}
+sections:
+  - {name: end, about: end of the upper plate, part: UPPER, outward: 1, face: {axis: x, at: 200 mm, y: [-40 mm, 40 mm], z: [0, thickness]}}
+supports:
+  - {name: FIXED, part: LOWER, fix: [x, y, z], face: {axis: x, at: -200 mm, y: [-40 mm, 40 mm], z: [-thickness, 0]}}
+";
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("lap.yaml"), template).expect("writable");
+    let spec = "
+template: lap.yaml
+plate: {steel: S355}
+bolts: {size: M20, grade: '10.9'}
+parameters: {thickness: 1.2 cm}
+loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
+";
+    let spec = yaml::parse::<ConnectionSpec>(spec, Path::new("s.yaml")).expect("sound");
+    let catalog = Catalog::builtin().expect("sound");
+    let j = build(&spec, folder.path(), &catalog).unwrap_or_else(|e| panic!("{e:#?}"));
+    assert_eq!(j.assembly.symmetry.iter().map(|s| s.axis).collect::<Vec<_>>(), [1]);
+    assert_eq!(j.assembly.interfaces.len(), 1 + 2 + 2);
+    close(extent(&part(&j, "UPPER").solid), ([-40.0, -40.0, 0.0], [200.0, 40.0, 12.0]));
+    let (min, max) = extent(&part(&j, "BOLT").solid);
+    assert!((min[2] - (-12.0 - 18.0)).abs() < 1e-9 && (max[2] - (12.0 + 12.5)).abs() < 1e-9, "{min:?} {max:?}");
+}

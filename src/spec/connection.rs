@@ -32,7 +32,7 @@ pub struct ConnectionSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bolts: Option<BoltSpec>,
     /// Parameters of the template beyond the fixed part, by name.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, deserialize_with = "null_is_empty", skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, ParameterValue>,
     /// Friction on contact surfaces.
     #[serde(default)]
@@ -43,6 +43,11 @@ pub struct ConnectionSpec {
     /// What to compute and how far.
     #[serde(default)]
     pub analysis: AnalysisSpec,
+}
+
+/// `parameters:` with nothing but comments below it is an empty map.
+fn null_is_empty<'de, D: Deserializer<'de>>(d: D) -> Result<BTreeMap<String, ParameterValue>, D::Error> {
+    Ok(Option::deserialize(d)?.unwrap_or_default())
 }
 
 /// Title block of the report.
