@@ -20,3 +20,4 @@ pub mod solve;
 pub mod spec;
 pub mod diag_render;
 pub mod report;
+pub mod units;

@@ -1,5 +1,19 @@
 //! Spec + template + catalogue → parts, interfaces, supports, loads, symmetry.
 
+pub mod build;
+pub mod error;
+pub mod inputs;
 pub mod joint;
+pub mod part;
+pub mod scope;
+pub mod symmetry;
+pub mod template;
 
+pub use build::{Joint, build};
+pub use error::AssemblyError;
 pub use joint::Assembly;
+
+#[cfg(test)]
+mod bad_specs;
+#[cfg(test)]
+mod tests;

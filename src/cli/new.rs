@@ -1,12 +1,279 @@
 //! `bracket new`.
 
 use super::{Common, Outcome};
+use crate::assembly::inputs::Inputs;
+use crate::assembly::scope::Resolved;
+use crate::assembly::template::{self, Template};
+use crate::catalog::Catalog;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
+use crate::units::{self, Length};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Bolts of the starter.
+const BOLT: (&str, &str) = ("M18", "8.8");
 
 /// Write a commented starter spec.
 #[derive(Debug, clap::Args)]
-pub struct NewArgs {}
+pub struct NewArgs {
+    /// Connection template (`bracket templates`), or the path of your own.
+    #[arg(value_name = "TEMPLATE")]
+    pub template: String,
+    /// File to write; it must not exist. Without it the starter goes to standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
 
 /// Runs `bracket new`.
-pub fn run(_args: &NewArgs, _common: &Common) -> Outcome {
-    Err(crate::diag::Diagnostic::environment("cli/unavailable", "`bracket new` is not part of this build").into())
+pub fn run(args: &NewArgs, common: &Common) -> Outcome {
+    let (template, _) = template::load(&args.template, Path::new("."))?;
+    let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
+    let text = starter(&template, &args.template, &catalog)?;
+    let Some(path) = &args.output else {
+        print!("{text}");
+        return Ok(0);
+    };
+    write_new(path, &text)?;
+    if !common.quiet {
+        eprintln!("wrote {0}; run it with `bracket run {0}`", path.display());
+    }
+    Ok(0)
+}
+
+/// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
+fn write_new(path: &Path, text: &str) -> Result<(), Diagnostic> {
+    let fault = |e: std::io::Error| match e.kind() {
+        std::io::ErrorKind::AlreadyExists => {
+            Diagnostic::input("new/exists", format!("`{}` exists already and is left as it is", path.display()))
+                .help("choose another name with -o, or remove the file first")
+        }
+        std::io::ErrorKind::NotFound => Diagnostic::input(
+            "new/no-folder",
+            format!("`{}` cannot be written: its folder does not exist", path.display()),
+        )
+        .help("make the folder first"),
+        _ => Diagnostic::environment("new/write", format!("`{}` cannot be written: {e}", path.display()))
+            .help("check free space and permissions"),
+    };
+    let mut file = std::fs::OpenOptions::new().write(true).create_new(true).open(path).map_err(fault)?;
+    file.write_all(text.as_bytes()).map_err(|e| {
+        // a half-written starter would be refused as existing next time
+        let _ = std::fs::remove_file(path);
+        fault(e)
+    })
+}
+
+/// The spec of a template's starter values: profiles, steels and examples; everything else by default.
+fn example(template: &Template, name: &str) -> Result<ConnectionSpec, Diagnostic> {
+    let length = |v: &ParameterValue| -> Option<Length> {
+        match v {
+            ParameterValue::Number(x) => Some(Length(*x)),
+            ParameterValue::Text(t) => units::parse(t, units::Kind::Length).ok().map(Length),
+            _ => None,
+        }
+    };
+    let mut spec = ConnectionSpec {
+        project: Default::default(),
+        code: Default::default(),
+        template: name.to_owned(),
+        members: Default::default(),
+        plate: None,
+        bolts: None,
+        parameters: Default::default(),
+        friction: Default::default(),
+        loads: template.starter_load.iter().cloned().collect(),
+        analysis: AnalysisSpec::default(),
+    };
+    for m in &template.members {
+        spec.members.insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone() });
+    }
+    if !template.bolts.is_empty() {
+        spec.bolts = Some(BoltSpec { size: BOLT.0.into(), grade: BOLT.1.into(), gauge: None, rows: None });
+    }
+    for p in &template.parameters {
+        let Some(value) = &p.example else { continue };
+        let mut plate = spec.plate.clone().unwrap_or_else(PlateSpec::default);
+        match (p.name.as_str(), value) {
+            ("plate.thickness", v) => plate.thickness = length(v),
+            ("plate.width", v) => plate.width = length(v),
+            ("plate.z", ParameterValue::List(l)) => plate.z = <[Length; 2]>::try_from(l.as_slice()).ok(),
+            ("bolts.gauge", v) => spec.bolts.iter_mut().for_each(|b| b.gauge = length(v)),
+            ("bolts.rows", ParameterValue::List(l)) => spec.bolts.iter_mut().for_each(|b| b.rows = Some(l.clone())),
+            (name, v) => drop(spec.parameters.insert(name.to_owned(), v.clone())),
+        }
+        if plate != PlateSpec::default() {
+            spec.plate = Some(plate);
+        }
+    }
+    Ok(spec)
+}
+
+/// The text of the starter: required values stand, defaults stand in comments that can be switched on.
+pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<String, Diagnostics> {
+    let spec = example(template, name)?;
+    let wrong =
+        |faults: Vec<crate::assembly::AssemblyError>| Diagnostics(faults.into_iter().map(Diagnostic::from).collect());
+    let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
+    let resolved = inputs.scope().resolve(template, &inputs.given).map_err(wrong)?;
+    let mut out = String::new();
+    let about = |text: &str| text.replace('\n', " ");
+    let _ = writeln!(out, "# {}.", template.title);
+    for line in wrap(&template.about, 116) {
+        let _ = writeln!(out, "# {line}");
+    }
+    out.push_str(
+        "#\n# Lengths: a bare number is mm, `1.5 cm` works too. Forces, moments and stresses need a unit: 80 kN, 120 kN m,\n\
+         # 45 MPa. A commented line shows the default: take the `#` away to change it. `bracket schema spec` prints the\n\
+         # JSON Schema for your editor, `bracket catalog list` the profiles, bolts and steels.\n\n",
+    );
+    out.push_str(
+        "project:\n  title: New joint\n  # number: \"\"  # project number\n  # author: \"\"  # who made it\n  \
+         # checker: \"\"  # who checks it\n  # revision: \"A\"  # revision\n\n",
+    );
+    out.push_str(
+        "code:\n  edition: EN 1993-1-8:2005\n  # gamma_M0: 1.0  # partial factor of cross-sections; 0.5 to 3\n  \
+         # gamma_M2: 1.25  # partial factor of bolts and welds; 0.5 to 3\n  \
+         # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n\n",
+    );
+    let _ = writeln!(out, "template: {name}\n\nmembers:");
+    for m in &template.members {
+        let _ = writeln!(out, "  {}: {{profile: {}, steel: {}}}  # {}", m.role, m.profile, m.steel, about(&m.about));
+    }
+    let inside = |head: &str| -> Vec<&Resolved> { resolved.iter().filter(|r| r.name.starts_with(head)).collect() };
+    let plate = inside("plate.");
+    if !plate.is_empty() {
+        out.push_str("\nplate:\n");
+        plate.iter().for_each(|r| line(&mut out, r.name.trim_start_matches("plate."), r));
+        let _ = writeln!(
+            out,
+            "  # steel: {}  # steel grade of the plate",
+            template.members.last().map_or("S235", |m| &m.steel)
+        );
+    }
+    if spec.bolts.is_some() {
+        let _ = writeln!(
+            out,
+            "\nbolts:\n  size: {}  # `bracket catalog list bolts`\n  grade: \"{}\"  # property class",
+            BOLT.0, BOLT.1
+        );
+        inside("bolts.").iter().for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
+    }
+    let others: Vec<&Resolved> = resolved.iter().filter(|r| !r.name.contains('.')).collect();
+    if !others.is_empty() {
+        out.push_str("\nparameters:\n");
+        others.iter().for_each(|r| line(&mut out, &r.name, r));
+    }
+    out.push_str(
+        "\nfriction:\n  mu: 0.3  # friction coefficient of all contact surfaces, 0 to 2; or `class: C` (A, B, C, D of EN 1090-2)\n  \
+         law: associated  # coulomb (default) or associated (slip dilates: both bounds are strict)\n\n",
+    );
+    let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
+    let _ = writeln!(
+        out,
+        "# section: {}; pressure: positive pushes on the face, or traction: [x, y, z]",
+        sections.join(", ")
+    );
+    out.push_str("loads:\n");
+    for l in &spec.loads {
+        let (section, p) = (l.section.as_deref().unwrap_or(""), l.pressure.map_or(0.0, |p| p.0));
+        let _ = writeln!(out, "  - {{name: {}, section: {section}, pressure: {p} MPa}}", l.name);
+    }
+    let a = &spec.analysis;
+    let _ = write!(
+        out,
+        "\nanalysis:\n  kind: elastic  # elastic, elastoplastic, limit, or a list of them\n  \
+         target_gap: {}  # stop when (upper - lower) is this fraction; between 0 and 1\n  \
+         # max_passes: {}  # meshes at most; 1 or more\n  # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
+         # time_limit: 20 min  # s, min, h; no limit by default\n  mesh:\n    \
+         size: auto  # auto, or a length from 0.5 mm to 1000 mm\n    \
+         # layers: true  # a mesh plane at mid-thickness of every plate, flange, web and stiffener\n    \
+         # segments: {}  # sides of the meshed bolt circles; even, 12 to 48\n",
+        a.target_gap, a.max_passes, a.max_macro_tets, a.mesh.segments
+    );
+    Ok(out)
+}
+
+/// Lines of at most `width` characters, broken at blanks.
+fn wrap(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(l) if l.is_empty() => l.push_str(word),
+            Some(l) if l.len() + 1 + word.len() <= width => {
+                l.push(' ');
+                l.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// One parameter: standing if the starter gives it, as a comment if it is the default.
+fn line(out: &mut String, key: &str, r: &Resolved) {
+    let mut note = r.about.replace('\n', " ");
+    if let Some(d) = r.default.as_ref().filter(|d| **d != r.value) {
+        let _ = write!(note, "; default {d}");
+    }
+    if let Some(range) = &r.range {
+        let _ = write!(note, "; {range}");
+    }
+    let off = if r.given { "" } else { "# " };
+    let _ = writeln!(out, "  {off}{key}: {}  # {note}", r.value);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::build;
+    use crate::assembly::template::SHIPPED;
+    use crate::spec::yaml;
+
+    fn assemble(text: &str) -> crate::assembly::Joint {
+        let spec =
+            yaml::parse::<ConnectionSpec>(text, Path::new("new.yaml")).unwrap_or_else(|e| panic!("{e:#?}\n{text}"));
+        build(&spec, Path::new("."), &Catalog::builtin().expect("sound")).unwrap_or_else(|e| panic!("{e:#?}\n{text}"))
+    }
+
+    #[test]
+    fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
+        for (name, _) in SHIPPED {
+            let (template, _) = template::load(name, Path::new(".")).expect("shipped");
+            let text = starter(&template, name, &Catalog::builtin().expect("sound")).expect("a starter");
+            let joint = assemble(&text);
+            for p in &template.parameters {
+                let key = p.name.rsplit('.').next().expect("a name");
+                assert!(text.contains(&format!("{key}: ")), "{name}: {} is not in the starter", p.name);
+            }
+            let mut on = String::new();
+            for l in text.lines() {
+                let trimmed = l.trim_start();
+                let indent = &l[..l.len() - trimmed.len()];
+                match trimmed.strip_prefix("# ") {
+                    Some(rest) if !indent.is_empty() => on.push_str(&format!("{indent}{rest}\n")),
+                    _ => on.push_str(&format!("{l}\n")),
+                }
+            }
+            let all = assemble(&on);
+            assert!(all.resolved.iter().all(|r| r.given), "{name}: {:#?}", all.resolved);
+            // messages show nine decimals; the defaults come back through them
+            let text = |j: &crate::assembly::Joint| serde_json::to_string(&j.assembly.parts).expect("JSON").len();
+            assert_eq!(joint.assembly.parts.len(), all.assembly.parts.len());
+            assert!(text(&joint).abs_diff(text(&all)) < 200);
+        }
+    }
+
+    #[test]
+    fn an_existing_file_is_left_alone() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.yaml");
+        std::fs::write(&path, "mine").expect("writable");
+        let e = write_new(&path, "yours").expect_err("it exists");
+        assert_eq!((e.code, e.fault.exit_code()), ("new/exists", 2));
+        assert_eq!(std::fs::read_to_string(&path).expect("readable"), "mine");
+        let e = write_new(&folder.path().join("no/a.yaml"), "yours").expect_err("no folder");
+        assert_eq!(e.code, "new/no-folder");
+    }
 }

@@ -1,12 +1,86 @@
 //! `bracket templates`.
 
-use super::{Common, Outcome};
+use super::{Common, Format, Outcome};
+use crate::assembly::template::{self, SHIPPED, Template};
+use crate::diag::Diagnostics;
+use serde_json::{Value, json};
+use std::path::Path;
 
-/// List the connection templates.
+/// List the connection templates, or show one.
 #[derive(Debug, clap::Args)]
-pub struct TemplatesArgs {}
+pub struct TemplatesArgs {
+    /// Show this template: its members, parameters and loadable sections.
+    #[arg(value_name = "NAME")]
+    pub name: Option<String>,
+}
 
 /// Runs `bracket templates`.
-pub fn run(_args: &TemplatesArgs, _common: &Common) -> Outcome {
-    Err(crate::diag::Diagnostic::environment("cli/unavailable", "`bracket templates` is not part of this build").into())
+pub fn run(args: &TemplatesArgs, common: &Common) -> Outcome {
+    let names: Vec<&str> = match &args.name {
+        Some(n) => vec![n],
+        None => SHIPPED.iter().map(|(n, _)| *n).collect(),
+    };
+    let loaded: Vec<Template> =
+        names.into_iter().map(|n| Ok(template::load(n, Path::new("."))?.0)).collect::<Result<_, Diagnostics>>()?;
+    match (common.format, &args.name) {
+        (Format::Json, None) => println!("{}", Value::from_iter(loaded.iter().map(data))),
+        (Format::Json, Some(_)) => loaded.iter().for_each(|t| println!("{}", data(t))),
+        (Format::Text, None) => {
+            let width = loaded.iter().map(|t| t.name.len()).max().unwrap_or(0);
+            loaded.iter().for_each(|t| println!("{:width$}  {}", t.name, t.title));
+        }
+        (Format::Text, Some(_)) => loaded.iter().for_each(|t| print!("{}", page(t))),
+    }
+    Ok(0)
+}
+
+fn data(t: &Template) -> Value {
+    let members: Vec<Value> = t.members.iter().map(|m| json!({"role": m.role, "about": m.about})).collect();
+    let parameters: Vec<Value> = t
+        .parameters
+        .iter()
+        .map(|p| json!({"name": p.name, "about": p.about, "required": p.default.is_none()}))
+        .collect();
+    let sections: Vec<Value> = t.sections.iter().map(|s| json!({"name": s.name, "about": s.about})).collect();
+    json!({
+        "name": t.name, "title": t.title, "about": t.about,
+        "members": members, "parameters": parameters, "sections": sections,
+    })
+}
+
+fn page(t: &Template) -> String {
+    let mut out = format!("{}: {}\n\n{}\n", t.name, t.title, t.about);
+    let mut table = |title: &str, rows: Vec<(&str, String)>| {
+        let width = rows.iter().map(|(n, _)| n.len()).max().unwrap_or(0);
+        out.push_str(&format!("\n{title}\n"));
+        for (name, about) in rows {
+            out.push_str(&format!("  {name:width$}  {about}\n"));
+        }
+    };
+    table("Members", t.members.iter().map(|m| (m.role.as_str(), m.about.clone())).collect());
+    let required = |p: &template::Parameter| if p.default.is_none() { " (required)" } else { "" };
+    table(
+        "Parameters",
+        t.parameters.iter().map(|p| (p.name.as_str(), format!("{}{}", p.about, required(p)))).collect(),
+    );
+    table("Sections that loads can name", t.sections.iter().map(|s| (s.name.as_str(), s.about.clone())).collect());
+    out.push_str(&format!("\n`bracket new {}` writes a starter with defaults and ranges.\n", t.name));
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shipped_template_loads_under_its_name_and_explains_itself() {
+        for (name, _) in SHIPPED {
+            let (t, _) = template::load(name, Path::new(".")).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
+            assert_eq!(t.name, *name);
+            let page = page(&t);
+            for p in &t.parameters {
+                assert!(!p.about.is_empty() && page.contains(&p.name), "{name}: {}", p.name);
+            }
+        }
+    }
 }

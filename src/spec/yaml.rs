@@ -46,9 +46,9 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
 }
 
 /// Writes a value as a YAML document.
-pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostics> {
+pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostic> {
     serde_yaml::to_string(value)
-        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")).into())
+        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")))
 }
 
 /// Makes a diagnostic of a serde message: its kind becomes the code, its path the place.
@@ -101,6 +101,15 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
             let d = Diagnostic::input("yaml/type", format!("{at}{marker}{rest}"));
             let d = d.help("write the kind of value that is expected here; `bracket schema` lists them");
             return named(d, path);
+        }
+    }
+    for (code, marker) in
+        [("yaml/quantity", crate::units::INVALID_QUANTITY), ("yaml/expression", super::expr::INVALID_EXPRESSION)]
+    {
+        if let Some((path, rest)) = split_at_marker(text, marker) {
+            let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
+            let d = Diagnostic::input(code, format!("{at}{rest}"));
+            return named(d.help("`bracket schema` lists every key with its unit"), path);
         }
     }
     if text.contains("repetition limit") || text.contains(outline::TOO_LARGE) {

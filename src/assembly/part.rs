@@ -1,0 +1,299 @@
+//! Solids of parts: rolled sections, boxes, bolts with holes, and their convex pieces.
+
+use super::joint::{MidPlane, OutlineEdge, Solid};
+use crate::catalog::{BoltSize, IProfile};
+
+/// Wedges that stand for a root fillet in clash checks; the chord errs by 0.2 % of the radius.
+const FILLET_WEDGES: usize = 6;
+/// Sides of the polygon that stands for a hole in clash checks.
+const HOLE_SIDES: usize = 16;
+
+/// Unit vector of an axis.
+pub fn unit(axis: usize) -> [f64; 3] {
+    let mut v = [0.0; 3];
+    v[axis] = 1.0;
+    v
+}
+
+/// A box from three intervals.
+pub fn cuboid(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Solid {
+    Solid::Box { min: [x[0], y[0], z[0]], max: [x[1], y[1], z[1]] }
+}
+
+/// A length of I section in space.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a> {
+    /// The section.
+    pub profile: &'a IProfile,
+    /// Axis of the member.
+    pub along: usize,
+    /// Direction of the section's depth.
+    pub depth: usize,
+    /// Extent along the axis \[mm\].
+    pub span: [f64; 2],
+    /// A point of the member's axis \[mm\].
+    pub centre: [f64; 3],
+}
+
+impl Placed<'_> {
+    /// The direction of the flanges' width.
+    fn width(&self) -> usize {
+        3 - self.along - self.depth
+    }
+
+    /// Frame of the outline: `u × v = along`.
+    fn frame(&self) -> (usize, usize) {
+        ((self.along + 1) % 3, (self.along + 2) % 3)
+    }
+
+    /// A point of the section (across, deep) in the outline's frame; a quarter turn keeps the sense of rotation.
+    fn turn(&self, [w, d]: [f64; 2]) -> [f64; 2] {
+        if self.frame().1 == self.depth { [w, d] } else { [d, -w] }
+    }
+
+    fn prism(&self, start: [f64; 2], edges: Vec<OutlineEdge>) -> Solid {
+        let (u, v) = self.frame();
+        let mut origin = self.centre;
+        origin[self.along] = self.span[0];
+        Solid::Prism { origin, u: unit(u), v: unit(v), start, edges, length: self.span[1] - self.span[0] }
+    }
+
+    /// The exact section with root fillets, extruded.
+    pub fn solid(&self) -> Solid {
+        let p = self.profile;
+        let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
+        // counter-clockwise from the lower right corner, width to the right and depth upwards; `true` ends a fillet
+        let c = [w + r, f - r];
+        let points: [([f64; 2], Option<[f64; 2]>); 16] = [
+            ([b, -h], None),
+            ([b, -f], None),
+            ([w + r, -f], None),
+            ([w, -f + r], Some([c[0], -c[1]])),
+            ([w, f - r], None),
+            ([w + r, f], Some([c[0], c[1]])),
+            ([b, f], None),
+            ([b, h], None),
+            ([-b, h], None),
+            ([-b, f], None),
+            ([-w - r, f], None),
+            ([-w, f - r], Some([-c[0], c[1]])),
+            ([-w, -f + r], None),
+            ([-w - r, -f], Some([-c[0], -c[1]])),
+            ([-b, -f], None),
+            ([-b, -h], None),
+        ];
+        let start = self.turn(points[0].0);
+        let mut edges: Vec<OutlineEdge> = points[1..]
+            .iter()
+            .filter(|(_, arc)| r > 0.0 || arc.is_none())
+            .map(|&(to, arc)| match arc {
+                Some(centre) => OutlineEdge::Arc { to: self.turn(to), centre: self.turn(centre) },
+                None => OutlineEdge::Line { to: self.turn(to) },
+            })
+            .collect();
+        edges.push(OutlineEdge::Line { to: start });
+        self.prism(start, edges)
+    }
+
+    /// A box of the section: across, deep, and the whole length.
+    fn block(&self, across: [f64; 2], deep: [f64; 2]) -> [[f64; 2]; 3] {
+        let mut x = [[0.0; 2]; 3];
+        x[self.along] = self.span;
+        x[self.width()] = across.map(|a| a + self.centre[self.width()]);
+        x[self.depth] = deep.map(|d| d + self.centre[self.depth]);
+        x
+    }
+
+    /// Flanges, web and wedges of the fillets, with the holes spared.
+    pub fn convex(&self, holes: &[Hole]) -> Vec<Solid> {
+        let p = self.profile;
+        let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
+        let mut out = Vec::new();
+        for block in [([-b, b], [f, h]), ([-b, b], [-h, -f]), ([-w, w], [-f, f])] {
+            out.extend(perforated(self.block(block.0, block.1), holes));
+        }
+        for (sw, sd) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
+            let corner = [sw * w, sd * f];
+            let arc = |i: usize| {
+                let a = std::f64::consts::FRAC_PI_2 * i as f64 / FILLET_WEDGES as f64;
+                [sw * (w + r - r * a.cos()), sd * (f - r + r * a.sin())]
+            };
+            for i in 0..if r > 0.0 { FILLET_WEDGES } else { 0 } {
+                // the arc runs from the web to the flange; the sense of the triangle follows the quadrant
+                let (from, to) = if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
+                let start = self.turn(corner);
+                let edges = [from, to, corner].map(|q| OutlineEdge::Line { to: self.turn(q) });
+                out.push(self.prism(start, edges.to_vec()));
+            }
+        }
+        out
+    }
+
+    /// Mid-thickness planes of the flanges and of the web; the web's ends on the flanges', so that no edge of a plane
+    /// hangs inside the steel.
+    pub fn mid_planes(&self) -> Vec<MidPlane> {
+        let p = self.profile;
+        let middle = (p.h - p.tf) / 2.0;
+        let plane = |axis: usize, x: [[f64; 2]; 3]| MidPlane {
+            axis,
+            at: (x[axis][0] + x[axis][1]) / 2.0,
+            min: x.map(|i| i[0]),
+            max: x.map(|i| i[1]),
+        };
+        let half = p.b / 2.0;
+        vec![
+            plane(self.depth, self.block([-half, half], [middle, middle])),
+            plane(self.depth, self.block([-half, half], [-middle, -middle])),
+            plane(self.width(), self.block([0.0, 0.0], [-middle, middle])),
+        ]
+    }
+}
+
+/// A cylindrical hole, and the shank in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hole {
+    /// Centre at the head's bearing face \[mm\].
+    pub base: [f64; 3],
+    /// Axis of the shank, 0 = x.
+    pub axis: usize,
+    /// +1 or −1: from head to nut.
+    pub toward: f64,
+    /// Grip length \[mm\].
+    pub length: f64,
+    /// Radius \[mm\].
+    pub radius: f64,
+    /// Sides of the meshed circle.
+    pub segments: u32,
+}
+
+impl Hole {
+    /// Unit vector from head to nut.
+    pub fn direction(&self) -> [f64; 3] {
+        unit(self.axis).map(|x| if x == 0.0 { 0.0 } else { x * self.toward })
+    }
+
+    /// The point at a distance from the head's bearing face along the shank \[mm\].
+    pub fn point(&self, distance: f64) -> [f64; 3] {
+        let mut x = self.base;
+        x[self.axis] += self.toward * distance;
+        x
+    }
+
+    /// Half side of the square that clash checks spare: no corner of the meshed polygon, which has the circle's area,
+    /// reaches beyond it.
+    fn spared(&self) -> f64 {
+        let step = std::f64::consts::TAU / f64::from(self.segments);
+        self.radius * (step / step.sin()).sqrt()
+    }
+
+    /// The cylinder: the bolt's shank and what is cut from the parts.
+    pub fn cylinder(&self) -> Solid {
+        Solid::Cylinder {
+            base: self.base,
+            axis: self.direction(),
+            radius: self.radius,
+            length: self.length,
+            segments: self.segments,
+        }
+    }
+}
+
+/// Head, shank and nut of a bolt.
+pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
+    let head = hexagon(hole.base, hole.axis, -hole.toward, corner, size.head_width, size.head_height);
+    let nut = hexagon(hole.point(hole.length), hole.axis, hole.toward, corner, size.nut_width, size.nut_height);
+    [hole.cylinder(), head, nut]
+}
+
+/// A hexagon prism that stands on `base` towards `sign` times the axis, two corners on axis `corner`.
+fn hexagon(base: [f64; 3], axis: usize, sign: f64, corner: usize, across_flats: f64, height: f64) -> Solid {
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut origin = base;
+    if sign < 0.0 {
+        origin[axis] -= height;
+    }
+    let (long, half) = (across_flats / 3f64.sqrt(), across_flats / 2.0);
+    let corners =
+        [[long, 0.0], [long / 2.0, half], [-long / 2.0, half], [-long, 0.0], [-long / 2.0, -half], [long / 2.0, -half]];
+    let turn = |[p, q]: [f64; 2]| if corner == u { [p, q] } else { [-q, p] };
+    let start = turn(corners[0]);
+    let edges = (1..=6).map(|i| OutlineEdge::Line { to: turn(corners[i % 6]) }).collect();
+    Solid::Prism { origin, u: unit(u), v: unit(v), start, edges, length: height }
+}
+
+/// Convex pieces of a box with the holes that pass right through it spared.
+pub fn perforated(x: [[f64; 2]; 3], holes: &[Hole]) -> Vec<Solid> {
+    let inside = |h: &&Hole| {
+        let (a, b) = (h.point(0.0)[h.axis], h.point(h.length)[h.axis]);
+        let across = [(h.axis + 1) % 3, (h.axis + 2) % 3];
+        a.min(b) <= x[h.axis][0] + 1e-6
+            && a.max(b) >= x[h.axis][1] - 1e-6
+            && across.iter().all(|&k| h.base[k] + h.spared() > x[k][0] && h.base[k] - h.spared() < x[k][1])
+    };
+    let holes: Vec<&Hole> = holes.iter().filter(inside).collect();
+    let Some(first) = holes.first() else { return vec![cuboid(x[0], x[1], x[2])] };
+    let axis = first.axis;
+    let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+    let clip = |t: f64, k: usize| t.clamp(x[k][0], x[k][1]);
+    let mut cuts: Vec<f64> = x[v].to_vec();
+    cuts.extend(holes.iter().flat_map(|h| [clip(h.base[v] - h.spared(), v), clip(h.base[v] + h.spared(), v)]));
+    cuts.sort_by(f64::total_cmp);
+    let mut out = Vec::new();
+    let mut push = |iu: [f64; 2], iv: [f64; 2]| {
+        if iu[1] - iu[0] > 1e-9 && iv[1] - iv[0] > 1e-9 {
+            let mut y = x;
+            (y[u], y[v]) = (iu, iv);
+            out.push(cuboid(y[0], y[1], y[2]));
+        }
+    };
+    for band in cuts.windows(2) {
+        let middle = (band[0] + band[1]) / 2.0;
+        let mut gaps: Vec<[f64; 2]> = holes
+            .iter()
+            .filter(|h| (h.base[v] - middle).abs() < h.spared())
+            .map(|h| [clip(h.base[u] - h.spared(), u), clip(h.base[u] + h.spared(), u)])
+            .collect();
+        gaps.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut from = x[u][0];
+        for g in gaps {
+            push([from, g[0]], [band[0], band[1]]);
+            from = from.max(g[1]);
+        }
+        push([from, x[u][1]], [band[0], band[1]]);
+    }
+    for h in holes.iter().filter(|h| h.axis == axis) {
+        out.extend(corners_around(h, x[axis], u, v));
+    }
+    out
+}
+
+/// The four corners of the square about a hole, outside the polygon that encloses the circle.
+fn corners_around(h: &Hole, span: [f64; 2], u: usize, v: usize) -> Vec<Solid> {
+    let step = std::f64::consts::TAU / HOLE_SIDES as f64;
+    let outer = h.spared() / (step / 2.0).cos();
+    let mut origin = h.base;
+    origin[h.axis] = span[0];
+    let mut out = Vec::new();
+    for quadrant in 0..4 {
+        let (sin, cos) = (f64::from(quadrant) * std::f64::consts::FRAC_PI_2).sin_cos();
+        let turn = |p: [f64; 2]| [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]];
+        let corner = turn([h.spared(), h.spared()]);
+        let vertex = |i: usize| {
+            let a = (i as f64 + 0.5) * step;
+            turn([outer * a.cos(), outer * a.sin()])
+        };
+        for i in 0..HOLE_SIDES / 4 - 1 {
+            // clockwise along the circle is counter-clockwise about the triangle
+            let edges = [vertex(i + 1), vertex(i), corner].map(|to| OutlineEdge::Line { to });
+            out.push(Solid::Prism {
+                origin,
+                u: unit(u),
+                v: unit(v),
+                start: corner,
+                edges: edges.to_vec(),
+                length: span[1] - span[0],
+            });
+        }
+    }
+    out
+}

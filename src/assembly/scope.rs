@@ -1,0 +1,360 @@
+//! Names and their values while a template is evaluated: profiles, bolts, parameters, definitions, loop variables.
+
+use super::error::AssemblyError;
+use super::template::{Default, Loop, Parameter, ParameterKind, Template};
+use crate::diag::did_you_mean;
+use crate::spec::expr::{Expr, ExprError, Value};
+use crate::units::Dim;
+use std::collections::BTreeMap;
+
+/// A parameter's value and where it came from; the report prints these.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Resolved {
+    /// Name.
+    pub name: String,
+    /// Value with its unit.
+    pub value: String,
+    /// True when the spec says it, false when it is the template's default.
+    pub given: bool,
+    /// The template's default expression; absent where the spec must give a value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<String>,
+    /// Allowed range in words, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<String>,
+    /// What it is.
+    pub about: String,
+}
+
+/// Limits of a parameter in internal units, and in words.
+type Limits = (Option<f64>, Option<f64>, Option<String>);
+
+/// A loop variable at one turn.
+#[derive(Clone, Debug)]
+struct Turn {
+    name: String,
+    value: Value,
+    label: String,
+    index: usize,
+}
+
+/// All names of one evaluation.
+#[derive(Clone, Debug, std::default::Default)]
+pub struct Scope {
+    values: BTreeMap<String, Value>,
+    lists: BTreeMap<String, usize>,
+    turns: Vec<Turn>,
+}
+
+/// What the spec says about a parameter, in internal units.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Given {
+    /// One value.
+    One(Value),
+    /// A list of lengths \[mm\].
+    Many(Vec<f64>),
+}
+
+impl Scope {
+    /// Sets a name.
+    pub fn set(&mut self, name: impl Into<String>, value: Value) {
+        self.values.insert(name.into(), value);
+    }
+
+    /// The value of a name.
+    pub fn get(&self, name: &str) -> Result<Value, String> {
+        for turn in self.turns.iter().rev() {
+            if turn.name == name {
+                return Ok(turn.value);
+            }
+            if name.strip_suffix(".n") == Some(&turn.name) {
+                return Ok(Value::number(turn.index as f64 + 1.0));
+            }
+        }
+        if let Some(v) = self.values.get(name) {
+            return Ok(*v);
+        }
+        if self.lists.contains_key(name) {
+            return Err(format!("`{name}` is a list: write `{name}.1` for its first entry, or loop over it"));
+        }
+        let known = self.values.keys().map(String::as_str).chain(self.turns.iter().map(|t| t.name.as_str()));
+        Err(format!("unknown name `{name}`{}", did_you_mean(name, known)))
+    }
+
+    /// A length \[mm\].
+    pub fn length(&self, e: &Expr) -> Result<f64, ExprError> {
+        e.eval_as(Dim::LENGTH, &mut |n| self.get(n))
+    }
+
+    /// A pure number.
+    pub fn number(&self, e: &Expr) -> Result<f64, ExprError> {
+        e.eval_as(Dim::NONE, &mut |n| self.get(n))
+    }
+
+    /// A truth.
+    pub fn truth(&self, e: &Expr) -> Result<bool, ExprError> {
+        e.eval_truth(&mut |n| self.get(n))
+    }
+
+    /// An interval \[mm\], lower end first.
+    pub fn interval(&self, e: &[Expr; 2]) -> Result<[f64; 2], ExprError> {
+        let (a, b) = (self.length(&e[0])?, self.length(&e[1])?);
+        Ok([a.min(b), a.max(b)])
+    }
+
+    /// A point \[mm\].
+    pub fn point(&self, e: &[Expr; 3]) -> Result<[f64; 3], ExprError> {
+        Ok([self.length(&e[0])?, self.length(&e[1])?, self.length(&e[2])?])
+    }
+
+    /// Fills `{expr}`, `{#loop}` (label) and `{@loop}` (index from 0) into a text.
+    pub fn text(&self, pattern: &str) -> Result<String, ExprError> {
+        let fault = |message: String| ExprError { message, text: pattern.to_owned(), span: 0..pattern.len() };
+        let mut out = String::new();
+        let mut rest = pattern;
+        while let Some(open) = rest.find('{') {
+            out.push_str(&rest[..open]);
+            let tail = &rest[open + 1..];
+            let close = tail.find('}').ok_or_else(|| fault("`{` without `}`".into()))?;
+            let inner = tail[..close].trim();
+            match inner.strip_prefix(['#', '@']) {
+                Some(name) => {
+                    let turn = self.turns.iter().rev().find(|t| t.name == name);
+                    let turn = turn.ok_or_else(|| fault(format!("`{name}` is no loop variable here")))?;
+                    if inner.starts_with('#') {
+                        out.push_str(&turn.label);
+                    } else {
+                        out.push_str(&turn.index.to_string());
+                    }
+                }
+                None => out.push_str(&Expr::parse(inner)?.eval(&mut |n| self.get(n))?.to_string()),
+            }
+            rest = &tail[close + 1..];
+        }
+        out.push_str(rest);
+        Ok(out)
+    }
+
+    /// One scope for every turn of the nested loops for which `when` holds.
+    pub fn turns(&self, loops: &[Loop], when: Option<&Expr>) -> Result<Vec<Scope>, ExprError> {
+        let mut scopes = vec![self.clone()];
+        for l in loops {
+            let mut next = Vec::new();
+            for scope in scopes {
+                for (index, value) in scope.loop_values(l)?.into_iter().enumerate() {
+                    let label = l.labels.get(index).cloned().unwrap_or_else(|| (index + 1).to_string());
+                    let mut s = scope.clone();
+                    s.turns.push(Turn { name: l.each.clone(), value, label, index });
+                    next.push(s);
+                }
+            }
+            scopes = next;
+        }
+        match when {
+            None => Ok(scopes),
+            Some(w) => {
+                let mut kept = Vec::new();
+                for s in scopes {
+                    if s.truth(w)? {
+                        kept.push(s);
+                    }
+                }
+                Ok(kept)
+            }
+        }
+    }
+
+    fn loop_values(&self, l: &Loop) -> Result<Vec<Value>, ExprError> {
+        let fault = |message: String| ExprError { message, text: l.each.clone(), span: 0..l.each.len() };
+        match &l.list {
+            Some(_) if !l.values.is_empty() => Err(fault("a loop has `values` or `list`, not both".into())),
+            Some(list) => {
+                let n = *self.lists.get(list).ok_or_else(|| {
+                    let hint = did_you_mean(list, self.lists.keys().map(String::as_str));
+                    fault(format!("`{list}` is not a list parameter{hint}"))
+                })?;
+                (1..=n).map(|i| self.get(&format!("{list}.{i}")).map_err(fault)).collect()
+            }
+            None => l.values.iter().map(|e| e.eval(&mut |n| self.get(n))).collect(),
+        }
+    }
+
+    /// Resolves all parameters and definitions of a template: what the spec gives, otherwise the default.
+    ///
+    /// Order does not matter; a loop of defaults is an error that lists it. Ranges are checked afterwards.
+    pub fn resolve(
+        &mut self,
+        template: &Template,
+        given: &BTreeMap<String, Given>,
+    ) -> Result<Vec<Resolved>, Vec<AssemblyError>> {
+        let mut faults = Vec::new();
+        for p in template.parameters.iter().filter(|p| p.default.is_none() && !given.contains_key(&p.name)) {
+            faults.push(AssemblyError::Missing { path: path_of(&p.name), about: p.about.clone() });
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        for p in &template.parameters {
+            if let Some(g) = given.get(&p.name) {
+                self.take(&p.name, g);
+            }
+        }
+        // list lengths are known before any value, so that loops and `name.1` work in any order
+        for p in &template.parameters {
+            if let (false, Some(Default::Many(list))) = (given.contains_key(&p.name), &p.default) {
+                self.lists.insert(p.name.clone(), list.len());
+            }
+        }
+        let mut pending = BTreeMap::new();
+        for p in template.parameters.iter().filter(|p| !given.contains_key(&p.name)) {
+            match &p.default {
+                Some(Default::One(e)) => drop(pending.insert(p.name.clone(), (e, dim_of(p)))),
+                Some(Default::Many(list)) => {
+                    for (i, e) in list.iter().enumerate() {
+                        pending.insert(format!("{}.{}", p.name, i + 1), (e, dim_of(p)));
+                    }
+                }
+                None => {}
+            }
+        }
+        for d in &template.define {
+            pending.insert(d.name.clone(), (&d.value, None));
+        }
+        let names: Vec<String> = pending.keys().cloned().collect();
+        for name in names {
+            if let Err(e) = self.settle(&name, &pending, &mut Vec::new()) {
+                return Err(vec![AssemblyError::Template { at: name, cause: e }]);
+            }
+        }
+        let mut out = Vec::new();
+        for p in &template.parameters {
+            let range = match self.limits(p) {
+                Ok((min, max, words)) => {
+                    self.check_range(p, min, max, words.as_deref().unwrap_or_default(), &mut faults);
+                    words
+                }
+                Err(cause) => {
+                    faults.push(AssemblyError::Template { at: p.name.clone(), cause });
+                    None
+                }
+            };
+            let show = |name: &str| self.get(name).map_or_else(|e| e, |v| v.to_string());
+            let value = match self.lists.get(&p.name) {
+                None => show(&p.name),
+                Some(n) => {
+                    let each: Vec<String> = (1..=*n).map(|i| show(&format!("{}.{i}", p.name))).collect();
+                    format!("[{}]", each.join(", "))
+                }
+            };
+            let default = p.default.as_ref().map(|d| match d {
+                Default::One(e) => e.text().to_owned(),
+                Default::Many(list) => {
+                    format!("[{}]", list.iter().map(Expr::text).collect::<Vec<_>>().join(", "))
+                }
+            });
+            let given = given.contains_key(&p.name);
+            out.push(Resolved { name: p.name.clone(), value, given, default, range, about: p.about.clone() });
+        }
+        if faults.is_empty() { Ok(out) } else { Err(faults) }
+    }
+
+    fn take(&mut self, name: &str, given: &Given) {
+        match given {
+            Given::One(v) => self.set(name, *v),
+            Given::Many(list) => {
+                for (i, v) in list.iter().enumerate() {
+                    self.set(format!("{name}.{}", i + 1), Value::length(*v));
+                }
+                self.lists.insert(name.to_owned(), list.len());
+            }
+        }
+    }
+
+    fn settle(
+        &mut self,
+        name: &str,
+        pending: &BTreeMap<String, (&Expr, Option<Dim>)>,
+        stack: &mut Vec<String>,
+    ) -> Result<(), ExprError> {
+        if self.values.contains_key(name) {
+            return Ok(());
+        }
+        let Some((expr, dim)) = pending.get(name) else { return Ok(()) };
+        if let Some(i) = stack.iter().position(|n| n == name) {
+            let mut ring = stack[i..].to_vec();
+            ring.push(name.to_owned());
+            let message = format!("these values need each other: {}", ring.join(" -> "));
+            return Err(ExprError { message, text: expr.text().to_owned(), span: 0..expr.text().len() });
+        }
+        stack.push(name.to_owned());
+        for n in expr.names() {
+            self.settle(n, pending, stack)?;
+        }
+        stack.pop();
+        let value = match dim {
+            Some(d) if *d == Dim::LENGTH => Value::length(self.length(expr)?),
+            _ => expr.eval(&mut |n| self.get(n))?,
+        };
+        self.set(name, value);
+        Ok(())
+    }
+
+    /// Smallest and largest value of a parameter, and both in words.
+    fn limits(&self, p: &Parameter) -> Result<Limits, ExprError> {
+        let dim = dim_of(p).unwrap_or(Dim::NONE);
+        let limit = |e: &Option<Expr>| e.as_ref().map(|e| e.eval_as(dim, &mut |n| self.get(n))).transpose();
+        let (min, max) = (limit(&p.min)?, limit(&p.max)?);
+        let words = match (min, max) {
+            (Some(a), Some(b)) => Some(format!("{} to {}", show(a, dim), show(b, dim))),
+            (Some(a), None) => Some(format!("at least {}", show(a, dim))),
+            (None, Some(b)) => Some(format!("at most {}", show(b, dim))),
+            (None, None) => None,
+        };
+        Ok((min, max, words))
+    }
+
+    fn check_range(
+        &self,
+        p: &Parameter,
+        min: Option<f64>,
+        max: Option<f64>,
+        range: &str,
+        faults: &mut Vec<AssemblyError>,
+    ) {
+        let mut check = |name: String, path: String| {
+            if let Ok(Value::Quantity(q)) = self.get(&name)
+                && (min.is_some_and(|m| q.value < m) || max.is_some_and(|m| q.value > m))
+            {
+                let (value, range) = (show(q.value, q.dim), range.to_owned());
+                faults.push(AssemblyError::OutOfRange { path, name: p.name.clone(), value, range });
+            }
+        };
+        let path = path_of(&p.name);
+        match self.lists.get(&p.name) {
+            None => check(p.name.clone(), path),
+            Some(n) => (0..*n).for_each(|i| check(format!("{}.{}", p.name, i + 1), format!("{path}[{i}]"))),
+        }
+    }
+}
+
+/// A value in internal units, with its unit.
+fn show(value: f64, dim: Dim) -> String {
+    Value::Quantity(crate::units::Quantity { value, dim }).to_string()
+}
+
+/// Where a parameter stands in the spec: `plate.*` and `bolts.*` in the fixed part, everything else under `parameters`.
+pub fn path_of(parameter: &str) -> String {
+    if parameter.starts_with("plate.") || parameter.starts_with("bolts.") {
+        parameter.to_owned()
+    } else {
+        format!("parameters.{parameter}")
+    }
+}
+
+fn dim_of(p: &Parameter) -> Option<Dim> {
+    match p.kind {
+        ParameterKind::Length | ParameterKind::Lengths => Some(Dim::LENGTH),
+        ParameterKind::Number => Some(Dim::NONE),
+        ParameterKind::Flag => None,
+    }
+}

@@ -1,0 +1,400 @@
+//! `SPEC.yaml` (CONTRACT.md): a connection as an engineer describes it.
+//!
+//! The fixed part is the same for all templates; what a template needs beyond it stands under `parameters`. Values that
+//! may be left out are `Option`s here: their defaults are the template's, and depend on profiles.
+
+use super::loads::LoadSpec;
+use crate::units::{Length, Seconds};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize, de};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// A whole `SPEC.yaml`. Bare numbers are lengths in mm; forces, moments and stresses carry a suffix.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ConnectionSpec {
+    /// Title block of the report.
+    #[serde(default)]
+    pub project: Project,
+    /// Design code and its factors.
+    #[serde(default)]
+    pub code: Code,
+    /// Name of a connection template (`bracket templates`), or the path of your own, relative to this file.
+    pub template: String,
+    /// Members by role.
+    #[serde(default)]
+    pub members: BTreeMap<String, MemberSpec>,
+    /// End plate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plate: Option<PlateSpec>,
+    /// Bolts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bolts: Option<BoltSpec>,
+    /// Parameters of the template beyond the fixed part, by name.
+    #[serde(default, deserialize_with = "null_is_empty", skip_serializing_if = "BTreeMap::is_empty")]
+    pub parameters: BTreeMap<String, ParameterValue>,
+    /// Friction on contact surfaces.
+    #[serde(default)]
+    pub friction: FrictionSpec,
+    /// Loads.
+    #[serde(default)]
+    pub loads: Vec<LoadSpec>,
+    /// What to compute and how far.
+    #[serde(default)]
+    pub analysis: AnalysisSpec,
+}
+
+/// `parameters:` with nothing but comments below it is an empty map.
+fn null_is_empty<'de, D: Deserializer<'de>>(d: D) -> Result<BTreeMap<String, ParameterValue>, D::Error> {
+    Ok(Option::deserialize(d)?.unwrap_or_default())
+}
+
+/// Title block of the report.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Project {
+    /// Title; names the joint.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Project number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub number: Option<String>,
+    /// Author.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub author: Option<String>,
+    /// Checker.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub checker: Option<String>,
+    /// Date, as it shall be printed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub date: Option<String>,
+    /// Revision.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub revision: Option<String>,
+}
+
+/// Design code and its factors; left out: the recommended values.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Code {
+    /// Edition of the code.
+    pub edition: Edition,
+    /// Partial factor of cross-sections.
+    #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]
+    pub gamma_m0: Option<f64>,
+    /// Partial factor of bolts, welds and net sections.
+    #[serde(rename = "gamma_M2", skip_serializing_if = "Option::is_none")]
+    pub gamma_m2: Option<f64>,
+    /// Table the yield strengths come from.
+    pub fy_source: FySource,
+}
+
+impl Default for Code {
+    fn default() -> Self {
+        Self { edition: Edition::Ec2005, gamma_m0: None, gamma_m2: None, fy_source: FySource::Table31 }
+    }
+}
+
+/// Edition of the code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Edition {
+    /// EN 1993-1-8:2005.
+    #[serde(rename = "EN 1993-1-8:2005")]
+    Ec2005,
+}
+
+/// Where yield strengths come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FySource {
+    /// EN 1993-1-1 Table 3.1: steps at 40 mm.
+    #[serde(rename = "table_3_1")]
+    Table31,
+    /// The product standard: steps from 16 mm up.
+    ProductStandard,
+}
+
+/// A member.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MemberSpec {
+    /// Profile in the catalogue: `HEB200`.
+    pub profile: String,
+    /// Steel grade in the catalogue: `S235`.
+    pub steel: String,
+}
+
+/// End plate.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct PlateSpec {
+    /// Thickness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thickness: Option<Length>,
+    /// Width across the beam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub width: Option<Length>,
+    /// Lower and upper edge, z from the beam axis, up positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub z: Option<[Length; 2]>,
+    /// Steel grade; left out: the one the template says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steel: Option<String>,
+}
+
+/// Bolts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoltSpec {
+    /// Size in the catalogue: `M18`.
+    pub size: String,
+    /// Property class: `"8.8"`.
+    pub grade: String,
+    /// Distance between the bolt columns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gauge: Option<Length>,
+    /// Rows: z from the beam axis, up positive.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rows: Option<Vec<Length>>,
+}
+
+/// Friction on contact surfaces; at most one of `mu` and `class`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct FrictionSpec {
+    /// Friction coefficient, ≥ 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mu: Option<f64>,
+    /// Friction class A–D of EN 1090-2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub class: Option<String>,
+    /// Friction law.
+    pub law: FrictionLaw,
+}
+
+/// Friction law.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FrictionLaw {
+    /// Coulomb's law without dilation.
+    #[default]
+    Coulomb,
+    /// Slip dilates; both programs are convex duals of each other.
+    Associated,
+}
+
+/// What to compute and how far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct AnalysisSpec {
+    /// Kinds of analysis: one, or a list.
+    pub kind: Kinds,
+    /// Relative gap at which to stop, 0 < target < 1.
+    pub target_gap: f64,
+    /// Number of meshes at most.
+    pub max_passes: u32,
+    /// Macro tets at most.
+    pub max_macro_tets: usize,
+    /// Wall time at most: `20 min`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_limit: Option<Seconds>,
+    /// Mesh.
+    pub mesh: MeshSpec,
+}
+
+impl Default for AnalysisSpec {
+    fn default() -> Self {
+        Self {
+            kind: Kinds(vec![AnalysisKind::Elastic]),
+            target_gap: 0.05,
+            max_passes: 6,
+            max_macro_tets: 200_000,
+            time_limit: None,
+            mesh: MeshSpec::default(),
+        }
+    }
+}
+
+/// A kind of analysis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AnalysisKind {
+    /// Linear elastic bodies with contact.
+    Elastic,
+    /// Elastic, perfectly plastic.
+    Elastoplastic,
+    /// Rigid, perfectly plastic: the load factor.
+    Limit,
+}
+
+/// One kind of analysis or a list of them.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(transparent)]
+pub struct Kinds(
+    /// The kinds, in the order given.
+    #[schemars(with = "OneOrMany")]
+    pub Vec<AnalysisKind>,
+);
+
+/// Schema of [`Kinds`] only.
+#[derive(JsonSchema)]
+#[serde(untagged)]
+#[allow(dead_code)]
+enum OneOrMany {
+    /// One kind.
+    One(AnalysisKind),
+    /// Several kinds.
+    Many(Vec<AnalysisKind>),
+}
+
+impl<'de> Deserialize<'de> for Kinds {
+    // by hand: an untagged enum would lose the place and the list of known words
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl<'de> de::Visitor<'de> for V {
+            type Value = Kinds;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("elastic, elastoplastic, limit, or a list of them")
+            }
+            fn visit_str<E: de::Error>(self, v: &str) -> Result<Kinds, E> {
+                AnalysisKind::deserialize(de::value::StrDeserializer::new(v)).map(|k| Kinds(vec![k]))
+            }
+            fn visit_seq<A: de::SeqAccess<'de>>(self, mut seq: A) -> Result<Kinds, A::Error> {
+                let mut kinds = Vec::new();
+                while let Some(k) = seq.next_element()? {
+                    kinds.push(k);
+                }
+                if kinds.is_empty() { Err(de::Error::invalid_length(0, &self)) } else { Ok(Kinds(kinds)) }
+            }
+        }
+        d.deserialize_any(V)
+    }
+}
+
+/// Mesh of a spec.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct MeshSpec {
+    /// Element size of all parts, or `auto`: per part, as the template says.
+    pub size: MeshSize,
+    /// A mesh plane at mid-thickness of every plate, flange, web and stiffener.
+    pub layers: bool,
+    /// Sides of the meshed bolt circles, even, 12–48.
+    pub segments: u32,
+}
+
+impl Default for MeshSpec {
+    fn default() -> Self {
+        Self { size: MeshSize::Auto, layers: true, segments: 12 }
+    }
+}
+
+/// Element size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshSize {
+    /// Per part, as the template says.
+    Auto,
+    /// The same for all parts.
+    Fixed(Length),
+}
+
+impl<'de> Deserialize<'de> for MeshSize {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl de::Visitor<'_> for V {
+            type Value = MeshSize;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("`auto` or a length (mm, cm, m, or a bare number for mm)")
+            }
+            fn visit_str<E: de::Error>(self, v: &str) -> Result<MeshSize, E> {
+                match v {
+                    "auto" => Ok(MeshSize::Auto),
+                    _ => Length::deserialize(de::value::StrDeserializer::new(v)).map(MeshSize::Fixed),
+                }
+            }
+            fn visit_f64<E: de::Error>(self, v: f64) -> Result<MeshSize, E> {
+                Length::deserialize(de::value::F64Deserializer::new(v)).map(MeshSize::Fixed)
+            }
+            fn visit_i64<E: de::Error>(self, v: i64) -> Result<MeshSize, E> {
+                self.visit_f64(v as f64)
+            }
+            fn visit_u64<E: de::Error>(self, v: u64) -> Result<MeshSize, E> {
+                self.visit_f64(v as f64)
+            }
+        }
+        d.deserialize_any(V)
+    }
+}
+
+impl Serialize for MeshSize {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        match self {
+            MeshSize::Auto => s.serialize_str("auto"),
+            MeshSize::Fixed(l) => l.serialize(s),
+        }
+    }
+}
+
+impl JsonSchema for MeshSize {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "MeshSize".into()
+    }
+    fn json_schema(g: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let length = g.subschema_for::<Length>();
+        schemars::json_schema!({
+            "description": "Element size: `auto`, or a length for all parts.",
+            "anyOf": [{"const": "auto"}, length],
+        })
+    }
+}
+
+/// The value of a template parameter: a number, a text with a unit, true or false, or a list of lengths.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ParameterValue {
+    /// True or false.
+    Flag(bool),
+    /// A bare number.
+    Number(f64),
+    /// A number with a unit.
+    Text(String),
+    /// A list.
+    List(Vec<Length>),
+}
+
+impl<'de> Deserialize<'de> for ParameterValue {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl<'de> de::Visitor<'de> for V {
+            type Value = ParameterValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, a text with a unit, true or false, or a list of lengths")
+            }
+            fn visit_bool<E>(self, v: bool) -> Result<ParameterValue, E> {
+                Ok(ParameterValue::Flag(v))
+            }
+            fn visit_f64<E>(self, v: f64) -> Result<ParameterValue, E> {
+                Ok(ParameterValue::Number(v))
+            }
+            fn visit_i64<E>(self, v: i64) -> Result<ParameterValue, E> {
+                Ok(ParameterValue::Number(v as f64))
+            }
+            fn visit_u64<E>(self, v: u64) -> Result<ParameterValue, E> {
+                Ok(ParameterValue::Number(v as f64))
+            }
+            fn visit_str<E>(self, v: &str) -> Result<ParameterValue, E> {
+                Ok(ParameterValue::Text(v.to_owned()))
+            }
+            fn visit_seq<A: de::SeqAccess<'de>>(self, mut seq: A) -> Result<ParameterValue, A::Error> {
+                let mut list = Vec::new();
+                while let Some(l) = seq.next_element()? {
+                    list.push(l);
+                }
+                Ok(ParameterValue::List(list))
+            }
+        }
+        d.deserialize_any(V)
+    }
+}

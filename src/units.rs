@@ -1,0 +1,439 @@
+//! Units at the border: one internal system (mm, N, MPa, N mm, rad) and the reading of numbers with suffixes.
+//!
+//! A bare number is a length in mm wherever a length is expected. Forces, moments and stresses must carry a suffix: a
+//! moment entered in the wrong unit is the costliest typing error there is.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::fmt;
+
+/// Opens the message of a quantity that cannot be read, so that the YAML reader knows it from a syntax error.
+pub const INVALID_QUANTITY: &str = "invalid quantity: ";
+
+/// Exponents of length, force and angle; everything the tool computes with is a product of these.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dim {
+    /// Exponent of length (mm).
+    pub length: i8,
+    /// Exponent of force (N).
+    pub force: i8,
+    /// Exponent of angle (rad).
+    pub angle: i8,
+}
+
+impl Dim {
+    /// A pure number.
+    pub const NONE: Dim = Dim { length: 0, force: 0, angle: 0 };
+    /// mm.
+    pub const LENGTH: Dim = Dim { length: 1, force: 0, angle: 0 };
+    /// N.
+    pub const FORCE: Dim = Dim { length: 0, force: 1, angle: 0 };
+    /// N mm.
+    pub const MOMENT: Dim = Dim { length: 1, force: 1, angle: 0 };
+    /// MPa = N/mm².
+    pub const STRESS: Dim = Dim { length: -2, force: 1, angle: 0 };
+    /// rad.
+    pub const ANGLE: Dim = Dim { length: 0, force: 0, angle: 1 };
+
+    /// Dimension of a product; `None` if an exponent leaves the range of the type.
+    pub fn times(self, other: Dim) -> Option<Dim> {
+        Some(Dim {
+            length: self.length.checked_add(other.length)?,
+            force: self.force.checked_add(other.force)?,
+            angle: self.angle.checked_add(other.angle)?,
+        })
+    }
+
+    /// Dimension of the `n`-th power; `None` if an exponent leaves the range of the type.
+    pub fn power(self, n: i8) -> Option<Dim> {
+        Some(Dim {
+            length: self.length.checked_mul(n)?,
+            force: self.force.checked_mul(n)?,
+            angle: self.angle.checked_mul(n)?,
+        })
+    }
+}
+
+impl fmt::Display for Dim {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = match *self {
+            Dim::NONE => "number",
+            Dim::LENGTH => "length [mm]",
+            Dim::FORCE => "force [N]",
+            Dim::MOMENT => "moment [N mm]",
+            Dim::STRESS => "stress [MPa]",
+            Dim::ANGLE => "angle [rad]",
+            Dim { length: 2, force: 0, angle: 0 } => "area [mm2]",
+            _ => return write!(f, "[mm^{} N^{} rad^{}]", self.length, self.force, self.angle),
+        };
+        f.write_str(word)
+    }
+}
+
+/// A number in internal units with its dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Value in mm, N, MPa, N mm, rad.
+    pub value: f64,
+    /// What it measures.
+    pub dim: Dim,
+}
+
+/// Suffix, factor to the internal unit, dimension.
+const UNITS: &[(&str, f64, Dim)] = &[
+    ("mm", 1.0, Dim::LENGTH),
+    ("cm", 10.0, Dim::LENGTH),
+    ("m", 1000.0, Dim::LENGTH),
+    ("N", 1.0, Dim::FORCE),
+    ("kN", 1e3, Dim::FORCE),
+    ("MN", 1e6, Dim::FORCE),
+    ("N mm", 1.0, Dim::MOMENT),
+    ("N m", 1e3, Dim::MOMENT),
+    ("kN mm", 1e3, Dim::MOMENT),
+    ("kN cm", 1e4, Dim::MOMENT),
+    ("kN m", 1e6, Dim::MOMENT),
+    ("MN m", 1e9, Dim::MOMENT),
+    ("Nmm", 1.0, Dim::MOMENT),
+    ("Nm", 1e3, Dim::MOMENT),
+    ("kNm", 1e6, Dim::MOMENT),
+    ("MPa", 1.0, Dim::STRESS),
+    ("GPa", 1e3, Dim::STRESS),
+    ("N/mm2", 1.0, Dim::STRESS),
+    ("kN/cm2", 10.0, Dim::STRESS),
+    ("rad", 1.0, Dim::ANGLE),
+    ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
+];
+
+/// Factor and dimension of a unit suffix; `*`, `·` and repeated blanks between factors count as one blank.
+pub fn unit(suffix: &str) -> Option<(f64, Dim)> {
+    let spaced = suffix.replace(['*', '·', '\u{a0}'], " ").replace('²', "2");
+    let name = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
+    UNITS.iter().find(|(n, _, _)| *n == name).map(|&(_, factor, dim)| (factor, dim))
+}
+
+/// What a field of an input file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A length; a bare number is mm.
+    Length,
+    /// A force; needs a suffix.
+    Force,
+    /// A moment; needs a suffix.
+    Moment,
+    /// A stress or pressure; needs a suffix.
+    Stress,
+}
+
+impl Kind {
+    /// The word for messages.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Length => "length",
+            Kind::Force => "force",
+            Kind::Moment => "moment",
+            Kind::Stress => "stress",
+        }
+    }
+
+    /// The units a person may write.
+    pub fn accepted(self) -> &'static str {
+        match self {
+            Kind::Length => "mm, cm, m, or a bare number for mm",
+            Kind::Force => "N, kN, MN",
+            Kind::Moment => "N mm, N m, kN cm, kN m, MN m",
+            Kind::Stress => "MPa, N/mm2, GPa, kN/cm2",
+        }
+    }
+
+    /// Its dimension.
+    pub fn dim(self) -> Dim {
+        match self {
+            Kind::Length => Dim::LENGTH,
+            Kind::Force => Dim::FORCE,
+            Kind::Moment => Dim::MOMENT,
+            Kind::Stress => Dim::STRESS,
+        }
+    }
+}
+
+/// Why a text is not a quantity.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum UnitError {
+    /// No number at the front.
+    #[error("`{text}` is not a {}: write a number and a unit ({})", kind.word(), kind.accepted())]
+    NotANumber {
+        /// What was written.
+        text: String,
+        /// What was expected.
+        kind: Kind,
+    },
+    /// The suffix is no unit of this kind.
+    #[error("`{text}` is not a {}: `{suffix}` is not one of its units ({})", kind.word(), kind.accepted())]
+    WrongUnit {
+        /// What was written.
+        text: String,
+        /// Its suffix.
+        suffix: String,
+        /// What was expected.
+        kind: Kind,
+    },
+    /// A unit is required.
+    #[error("{} {number} needs a unit: write `{number} {}` ({})", kind.word(), kind.accepted().split(',').next().unwrap_or(""), kind.accepted())]
+    NoUnit {
+        /// What was written.
+        number: String,
+        /// What was expected.
+        kind: Kind,
+    },
+    /// NaN or infinity.
+    #[error("{} must be finite, not {number}", kind.word())]
+    NotFinite {
+        /// What was written.
+        number: String,
+        /// What was expected.
+        kind: Kind,
+    },
+}
+
+/// Splits `120 kN m` into the number and its suffix.
+fn split(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let mut end = 0;
+    for (i, &b) in bytes.iter().enumerate() {
+        let exponent =
+            matches!(b, b'e' | b'E') && bytes.get(i + 1).is_some_and(|c| c.is_ascii_digit() || b"+-".contains(c));
+        let sign = matches!(b, b'+' | b'-') && (i == 0 || matches!(bytes[i - 1], b'e' | b'E'));
+        if !(b.is_ascii_digit() || b == b'.' || exponent || sign) {
+            break;
+        }
+        end = i + 1;
+    }
+    Some((text[..end].parse().ok()?, text[end..].trim()))
+}
+
+/// Reads a text as a quantity of the given kind, in internal units.
+///
+/// ```
+/// use bracket::units::{Kind, parse};
+/// assert_eq!(parse("1.5 cm", Kind::Length), Ok(15.0));
+/// assert_eq!(parse("120 kN m", Kind::Moment), Ok(120.0e6));
+/// assert!(parse("45", Kind::Stress).is_err());
+/// ```
+pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
+    let (number, suffix) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned(), kind })?;
+    if suffix.is_empty() {
+        return bare(number, kind);
+    }
+    match unit(suffix) {
+        Some((factor, dim)) if dim == kind.dim() => finite(number * factor, kind),
+        _ => Err(UnitError::WrongUnit { text: text.to_owned(), suffix: suffix.to_owned(), kind }),
+    }
+}
+
+/// A number without suffix: mm for a length, an error for everything else.
+pub fn bare(number: f64, kind: Kind) -> Result<f64, UnitError> {
+    match kind {
+        Kind::Length => finite(number, kind),
+        _ => Err(UnitError::NoUnit { number: number.to_string(), kind }),
+    }
+}
+
+fn finite(value: f64, kind: Kind) -> Result<f64, UnitError> {
+    if value.is_finite() { Ok(value) } else { Err(UnitError::NotFinite { number: value.to_string(), kind }) }
+}
+
+struct QuantityVisitor(Kind);
+
+impl de::Visitor<'_> for QuantityVisitor {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a {} ({})", self.0.word(), self.0.accepted())
+    }
+    fn visit_f64<E: de::Error>(self, v: f64) -> Result<f64, E> {
+        bare(v, self.0).map_err(|e| E::custom(format_args!("{INVALID_QUANTITY}{e}")))
+    }
+    fn visit_i64<E: de::Error>(self, v: i64) -> Result<f64, E> {
+        self.visit_f64(v as f64)
+    }
+    fn visit_u64<E: de::Error>(self, v: u64) -> Result<f64, E> {
+        self.visit_f64(v as f64)
+    }
+    fn visit_str<E: de::Error>(self, v: &str) -> Result<f64, E> {
+        parse(v, self.0).map_err(|e| E::custom(format_args!("{INVALID_QUANTITY}{e}")))
+    }
+}
+
+macro_rules! quantity {
+    ($name:ident, $kind:expr, $unit:literal, $schema:literal, $doc:literal) => {
+        #[doc = $doc]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+        pub struct $name(
+            /// Value in the internal unit.
+            pub f64,
+        );
+
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+                d.deserialize_any(QuantityVisitor($kind)).map($name)
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+                s.collect_str(&format_args!(concat!("{} ", $unit), self.0))
+            }
+        }
+
+        impl schemars::JsonSchema for $name {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                let text = schemars::json_schema!({"type": "string", "pattern": $schema});
+                match $kind {
+                    Kind::Length => schemars::json_schema!({
+                        "description": $doc,
+                        "anyOf": [{"type": "number"}, text],
+                    }),
+                    _ => schemars::json_schema!({"description": $doc, "type": "string", "pattern": $schema}),
+                }
+            }
+        }
+    };
+}
+
+quantity!(
+    Length,
+    Kind::Length,
+    "mm",
+    r"^\s*[-+0-9.eE]+\s*(mm|cm|m)?\s*$",
+    "A length: bare number = mm, or with a suffix mm, cm, m."
+);
+quantity!(Force, Kind::Force, "N", r"^\s*[-+0-9.eE]+\s*(N|kN|MN)\s*$", "A force with a suffix: N, kN, MN.");
+quantity!(
+    Moment,
+    Kind::Moment,
+    "N mm",
+    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm)\s*$",
+    "A moment with a suffix: N mm, N m, kN cm, kN m, MN m."
+);
+quantity!(
+    Stress,
+    Kind::Stress,
+    "MPa",
+    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2)\s*$",
+    "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2."
+);
+
+/// A span of time with a suffix: s, min, h \[s\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seconds(
+    /// Seconds.
+    pub f64,
+);
+
+impl Seconds {
+    /// Reads `20 min`, `90 s`, `1.5 h`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let fault = || format!("`{text}` is not a time: write a positive number and a unit (s, min, h)");
+        let (number, suffix) = split(text).ok_or_else(fault)?;
+        let factor = match suffix {
+            "s" => 1.0,
+            "min" => 60.0,
+            "h" => 3600.0,
+            _ => return Err(fault()),
+        };
+        if number.is_finite() && number > 0.0 { Ok(Seconds(number * factor)) } else { Err(fault()) }
+    }
+}
+
+impl<'de> Deserialize<'de> for Seconds {
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl de::Visitor<'_> for V {
+            type Value = Seconds;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a time with a unit (s, min, h)")
+            }
+            fn visit_str<E: de::Error>(self, v: &str) -> Result<Seconds, E> {
+                Seconds::parse(v).map_err(|e| E::custom(format_args!("{INVALID_QUANTITY}{e}")))
+            }
+        }
+        d.deserialize_any(V)
+    }
+}
+
+impl Serialize for Seconds {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_str(&format_args!("{} s", self.0))
+    }
+}
+
+impl schemars::JsonSchema for Seconds {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Seconds".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A time with a suffix: s, min, h.",
+            "type": "string",
+            "pattern": r"^\s*[0-9.eE+]+\s*(s|min|h)\s*$",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reads_what_engineers_write() {
+        let cases: &[(&str, Kind, f64)] = &[
+            ("15", Kind::Length, 15.0),
+            ("15 mm", Kind::Length, 15.0),
+            ("1.5cm", Kind::Length, 15.0),
+            ("-0.25 m", Kind::Length, -250.0),
+            ("1e1 mm", Kind::Length, 10.0),
+            ("80 kN", Kind::Force, 80e3),
+            ("120 kN m", Kind::Moment, 120e6),
+            ("120 kNm", Kind::Moment, 120e6),
+            ("120 kN·m", Kind::Moment, 120e6),
+            ("-3 N*mm", Kind::Moment, -3.0),
+            ("45 MPa", Kind::Stress, 45.0),
+            ("4.5 kN/cm2", Kind::Stress, 45.0),
+            ("45 N/mm²", Kind::Stress, 45.0),
+        ];
+        for (text, kind, want) in cases {
+            let got = parse(text, *kind).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert!((got - want).abs() <= 1e-12 * want.abs(), "{text}: {got} instead of {want}");
+        }
+    }
+
+    #[test]
+    fn refuses_wrong_and_missing_units_by_name() {
+        let cases: &[(&str, Kind, &[&str])] = &[
+            ("45", Kind::Stress, &["stress 45 needs a unit", "45 MPa"]),
+            ("120", Kind::Moment, &["moment 120 needs a unit", "kN m"]),
+            ("15 kN", Kind::Length, &["length", "`kN` is not one of its units", "mm, cm, m"]),
+            ("15 furlong", Kind::Length, &["`furlong`"]),
+            ("45 Mpa", Kind::Stress, &["`Mpa`", "MPa"]),
+            ("thick", Kind::Length, &["`thick` is not a length"]),
+            ("1e999 mm", Kind::Length, &["finite"]),
+            ("", Kind::Force, &["not a force"]),
+        ];
+        for (text, kind, words) in cases {
+            let message = parse(text, *kind).expect_err(text).to_string();
+            for word in *words {
+                assert!(message.contains(word), "`{text}`: `{message}` lacks `{word}`");
+            }
+        }
+    }
+
+    #[test]
+    fn times_need_a_unit() {
+        assert_eq!(Seconds::parse("20 min"), Ok(Seconds(1200.0)));
+        assert!(Seconds::parse("20").is_err());
+        assert!(Seconds::parse("-1 s").is_err());
+    }
+}
