@@ -191,6 +191,26 @@ pub enum MeshError {
         /// Tag of the other element.
         other: u64,
     },
+    /// Two nodes of one body closer than nodes of two bodies may lie apart.
+    #[error("two nodes of body `{body}` near ({}, {}, {}) mm lie within {distance:.1e} mm of each other", x[0], x[1], x[2])]
+    NearNodes {
+        /// Name of the body.
+        body: String,
+        /// Where \[mm\].
+        x: [f64; 3],
+        /// Nodes closer than this are merged \[mm\].
+        distance: f64,
+    },
+    /// Two bodies meet with different triangles.
+    #[error("the triangles of bodies `{a}` and `{b}` do not match where they meet, near ({}, {}, {}) mm", x[0], x[1], x[2])]
+    NotMatching {
+        /// Name of one body.
+        a: String,
+        /// Name of the other.
+        b: String,
+        /// Where \[mm\].
+        x: [f64; 3],
+    },
     /// A named triangle that is not a face of any tet.
     #[error("triangle {element} of the physical surface `{surface}` is not a face of any tetrahedron")]
     LooseTriangle {
@@ -205,53 +225,77 @@ pub enum MeshError {
 
 impl MeshError {
     /// Stable code, place, and what to do next.
-    fn parts(&self) -> (&'static str, &MshPlace, &'static str) {
+    fn parts(&self) -> (&'static str, Option<&MshPlace>, &'static str) {
         use MeshError as E;
         let again = "write the mesh again with gmsh; the file is damaged or was edited by hand";
         match self {
-            E::Io { at, .. } => {
-                ("mesh/read", at, "check the path: it is relative to the file that names it; and the right to read it")
+            E::Io { at, .. } => (
+                "mesh/read",
+                Some(at),
+                "check the path: it is relative to the file that names it; and the right to read it",
+            ),
+            E::NotGmsh { at } => {
+                ("mesh/not-gmsh", Some(at), "save the mesh in gmsh: `gmsh -3 model.geo -format msh41`")
             }
-            E::NotGmsh { at } => ("mesh/not-gmsh", at, "save the mesh in gmsh: `gmsh -3 model.geo -format msh41`"),
             E::Version { at, .. } => {
-                ("mesh/version", at, "save with `Mesh.MshFileVersion = 4.1;` (or 2.2): `gmsh -format msh41`")
+                ("mesh/version", Some(at), "save with `Mesh.MshFileVersion = 4.1;` (or 2.2): `gmsh -format msh41`")
             }
-            E::Binary { at } => ("mesh/binary", at, "save with `Mesh.Binary = 0;`"),
-            E::MissingSection { at, .. } => {
-                ("mesh/missing-section", at, "write the mesh with gmsh after meshing in three dimensions: `gmsh -3`")
-            }
+            E::Binary { at } => ("mesh/binary", Some(at), "save with `Mesh.Binary = 0;`"),
+            E::MissingSection { at, .. } => (
+                "mesh/missing-section",
+                Some(at),
+                "write the mesh with gmsh after meshing in three dimensions: `gmsh -3`",
+            ),
             E::Truncated { at, .. } => {
-                ("mesh/truncated", at, "write the file again and check that the disk is not full")
+                ("mesh/truncated", Some(at), "write the file again and check that the disk is not full")
             }
-            E::Malformed { at, .. } => ("mesh/malformed", at, again),
-            E::Repeated { at, .. } => ("mesh/repeated", at, again),
-            E::NotFinite { at, .. } => ("mesh/not-finite", at, again),
-            E::UnknownNode { at, .. } => ("mesh/unknown-node", at, again),
-            E::UnknownEntity { at, .. } => ("mesh/unknown-entity", at, "save an unpartitioned mesh with its entities"),
+            E::Malformed { at, .. } => ("mesh/malformed", Some(at), again),
+            E::Repeated { at, .. } => ("mesh/repeated", Some(at), again),
+            E::NotFinite { at, .. } => ("mesh/not-finite", Some(at), again),
+            E::UnknownNode { at, .. } => ("mesh/unknown-node", Some(at), again),
+            E::UnknownEntity { at, .. } => {
+                ("mesh/unknown-entity", Some(at), "save an unpartitioned mesh with its entities")
+            }
             E::HigherOrder { at, .. } => {
-                ("mesh/order", at, "mesh with `Mesh.ElementOrder = 1;`: the analysis adds its own mid-side nodes")
+                ("mesh/order", Some(at), "mesh with `Mesh.ElementOrder = 1;`: the analysis adds its own mid-side nodes")
             }
             E::OtherShape { at, .. } => {
-                ("mesh/shape", at, "mesh with tetrahedra: no `Recombine`, no structured or extruded layers")
+                ("mesh/shape", Some(at), "mesh with tetrahedra: no `Recombine`, no structured or extruded layers")
             }
-            E::NoTets { at } => ("mesh/no-tets", at, "mesh in three dimensions (`gmsh -3`) with a `Physical Volume`"),
+            E::NoTets { at } => {
+                ("mesh/no-tets", Some(at), "mesh in three dimensions (`gmsh -3`) with a `Physical Volume`")
+            }
             E::NoBody { at, .. } => {
-                ("mesh/no-body", at, "put every volume in one `Physical Volume(\"NAME\")`: it becomes a body")
+                ("mesh/no-body", Some(at), "put every volume in one `Physical Volume(\"NAME\")`: it becomes a body")
             }
-            E::TwoBodies { at, .. } => ("mesh/two-bodies", at, "put every volume in one `Physical Volume` only"),
-            E::Flat { at, .. } => {
-                ("mesh/flat", at, "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the geometry")
-            }
+            E::TwoBodies { at, .. } => ("mesh/two-bodies", Some(at), "put every volume in one `Physical Volume` only"),
+            E::Flat { at, .. } => (
+                "mesh/flat",
+                Some(at),
+                "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the geometry",
+            ),
             E::Duplicate { at, .. } => (
                 "mesh/duplicate",
-                at,
+                Some(at),
                 "remove the second copy: a volume meshed twice, or a surface named twice in one group",
             ),
-            E::Folded { at, .. } => {
-                ("mesh/folded", at, "remesh: check for overlapping volumes (use `BooleanFragments`) and moved nodes")
-            }
+            E::Folded { at, .. } => (
+                "mesh/folded",
+                Some(at),
+                "remesh: check for overlapping volumes (use `BooleanFragments`) and moved nodes",
+            ),
+            E::NearNodes { .. } => (
+                "mesh/near-nodes",
+                None,
+                "remove the sliver there, or write `nodes: shared` if the bodies already share their nodes",
+            ),
+            E::NotMatching { .. } => (
+                "mesh/not-matching",
+                None,
+                "mesh the bodies together (`BooleanFragments` in gmsh), so that they share the faces where they meet",
+            ),
             E::LooseTriangle { at, .. } => {
-                ("mesh/loose-triangle", at, "keep only surfaces of meshed volumes in `Physical Surface`")
+                ("mesh/loose-triangle", Some(at), "keep only surfaces of meshed volumes in `Physical Surface`")
             }
         }
     }
@@ -260,9 +304,10 @@ impl MeshError {
 impl From<MeshError> for Diagnostic {
     fn from(error: MeshError) -> Self {
         let (code, at, help) = error.parts();
-        let mut d = Diagnostic::input(code, error.to_string()).file(at.file.clone()).help(help);
-        if at.line > 0 {
-            d.place.line = Some(at.line);
+        let mut d = Diagnostic::input(code, error.to_string()).help(help);
+        if let Some(at) = at {
+            d.place.file = Some(at.file.clone());
+            d.place.line = (at.line > 0).then_some(at.line);
         }
         d
     }

@@ -3,15 +3,15 @@
 pub mod error;
 #[cfg(test)]
 pub(crate) mod fixtures;
-pub mod merge;
-pub mod msh;
-pub mod numbering;
-pub mod split;
 pub mod gmsh;
 pub mod joint;
+pub mod merge;
+pub mod msh;
 pub mod msh_write;
 pub mod naming;
+pub mod numbering;
 pub mod quality;
+pub mod split;
 pub mod tet;
 pub mod topology;
 

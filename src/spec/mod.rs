@@ -1,8 +1,8 @@
 //! What a user writes: YAML files, strictly read.
 
-pub mod yaml;
 pub mod connection;
 pub mod expr;
 pub mod loads;
+pub mod yaml;
 
 pub use connection::ConnectionSpec;

@@ -60,8 +60,7 @@ impl Block {
             for j in 0..ny {
                 for i in 0..nx {
                     let c = |a: usize, b: usize, c: usize| id(i + a, j + b, k + c);
-                    let centre: [f64; 3] =
-                        std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
+                    let centre: [f64; 3] = std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
                     for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
                         let mut at = [0; 3];
                         let mut t = [c(0, 0, 0); 4];
