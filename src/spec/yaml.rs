@@ -46,9 +46,9 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
 }
 
 /// Writes a value as a YAML document.
-pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostic> {
+pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostics> {
     serde_yaml::to_string(value)
-        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")))
+        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")).into())
 }
 
 /// Makes a diagnostic of a serde message: its kind becomes the code, its path the place.
