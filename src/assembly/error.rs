@@ -17,18 +17,12 @@ pub enum AssemblyError {
         about: String,
     },
     /// A name the template does not know.
-    #[error("template `{template}` has no {noun} `{name}`{hint}")]
+    #[error("{problem}")]
     Unknown {
         /// Path in the spec.
         path: String,
-        /// Template.
-        template: String,
-        /// Kind of thing.
-        noun: &'static str,
-        /// What was written.
-        name: String,
-        /// Did you mean.
-        hint: String,
+        /// What is unknown to what, and the nearest name that is known.
+        problem: String,
         /// What there is.
         known: String,
     },
@@ -60,7 +54,7 @@ pub enum AssemblyError {
         /// Path in the spec.
         path: String,
         /// The catalogue's words.
-        cause: CatalogError,
+        cause: Box<CatalogError>,
     },
     /// A condition of the template does not hold.
     #[error("{message}")]
@@ -121,7 +115,7 @@ impl From<AssemblyError> for Diagnostic {
             AssemblyError::OutOfRange { path, range, .. } => Diagnostic::input("spec/range", message)
                 .path(path)
                 .help(format!("choose a value in the range: {range}")),
-            AssemblyError::Catalog { path, cause } => Diagnostic { message, ..Diagnostic::from(cause) }.path(path),
+            AssemblyError::Catalog { path, cause } => Diagnostic { message, ..Diagnostic::from(*cause) }.path(path),
             AssemblyError::Rule { path, help, .. } => Diagnostic::input("spec/rule", message).path(path).help(help),
             AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. } => {
                 Diagnostic::input("template/wrong", message)

@@ -39,7 +39,8 @@ impl<'a> Inputs<'a> {
     /// Reads a spec; reports every fault it can find at once.
     pub fn read(spec: &ConnectionSpec, template: &Template, catalog: &'a Catalog) -> Result<Self, Vec<AssemblyError>> {
         let mut faults = Vec::new();
-        let mut found = |path: String, cause: CatalogError| faults.push(AssemblyError::Catalog { path, cause });
+        let mut found =
+            |path: String, cause: CatalogError| faults.push(AssemblyError::Catalog { path, cause: cause.into() });
         let mut profiles = Vec::new();
         let mut steels = BTreeMap::new();
         for (role, member) in &spec.members {
@@ -149,8 +150,9 @@ impl<'a> Inputs<'a> {
             FySource::Table31 => catalog::FySource::Table31,
             FySource::ProductStandard => catalog::FySource::ProductStandard,
         };
-        let fy =
-            steel.fy_by(source, thickness).map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause })?;
+        let fy = steel
+            .fy_by(source, thickness)
+            .map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause: cause.into() })?;
         let material = PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.gamma_m0) };
         Ok(insert(materials, &steel.grade, thickness, material))
     }
@@ -205,7 +207,8 @@ fn insert(materials: &mut BTreeMap<String, PartMaterial>, name: &str, thickness:
 }
 
 fn unknown(t: &Template, path: String, noun: &'static str, name: &str, hint: String, known: String) -> AssemblyError {
-    AssemblyError::Unknown { path, template: t.name.clone(), noun, name: name.to_owned(), hint, known }
+    let problem = format!("template `{}` has no {noun} `{name}`{hint}", t.name);
+    AssemblyError::Unknown { path, problem, known }
 }
 
 /// Checks of the fixed part that no template has to repeat.

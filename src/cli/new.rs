@@ -43,7 +43,7 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
 }
 
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
-fn write_new(path: &Path, text: &str) -> Result<(), Diagnostic> {
+fn write_new(path: &Path, text: &str) -> Result<(), Diagnostics> {
     let fault = |e: std::io::Error| match e.kind() {
         std::io::ErrorKind::AlreadyExists => {
             Diagnostic::input("new/exists", format!("`{}` exists already and is left as it is", path.display()))
@@ -61,12 +61,12 @@ fn write_new(path: &Path, text: &str) -> Result<(), Diagnostic> {
     file.write_all(text.as_bytes()).map_err(|e| {
         // a half-written starter would be refused as existing next time
         let _ = std::fs::remove_file(path);
-        fault(e)
+        fault(e).into()
     })
 }
 
 /// The spec of a template's starter values: profiles, steels and examples; everything else by default.
-fn example(template: &Template, name: &str) -> Result<ConnectionSpec, Diagnostic> {
+fn example(template: &Template, name: &str) -> ConnectionSpec {
     let length = |v: &ParameterValue| -> Option<Length> {
         match v {
             ParameterValue::Number(x) => Some(Length(*x)),
@@ -94,7 +94,7 @@ fn example(template: &Template, name: &str) -> Result<ConnectionSpec, Diagnostic
     }
     for p in &template.parameters {
         let Some(value) = &p.example else { continue };
-        let mut plate = spec.plate.clone().unwrap_or_else(PlateSpec::default);
+        let mut plate = spec.plate.clone().unwrap_or_default();
         match (p.name.as_str(), value) {
             ("plate.thickness", v) => plate.thickness = length(v),
             ("plate.width", v) => plate.width = length(v),
@@ -107,12 +107,12 @@ fn example(template: &Template, name: &str) -> Result<ConnectionSpec, Diagnostic
             spec.plate = Some(plate);
         }
     }
-    Ok(spec)
+    spec
 }
 
 /// The text of the starter: required values stand, defaults stand in comments that can be switched on.
 pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<String, Diagnostics> {
-    let spec = example(template, name)?;
+    let spec = example(template, name);
     let wrong =
         |faults: Vec<crate::assembly::AssemblyError>| Diagnostics(faults.into_iter().map(Diagnostic::from).collect());
     let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
@@ -271,9 +271,9 @@ mod tests {
         let path = folder.path().join("a.yaml");
         std::fs::write(&path, "mine").expect("writable");
         let e = write_new(&path, "yours").expect_err("it exists");
-        assert_eq!((e.code, e.fault.exit_code()), ("new/exists", 2));
+        assert_eq!((e.0[0].code, e.exit_code()), ("new/exists", 2));
         assert_eq!(std::fs::read_to_string(&path).expect("readable"), "mine");
         let e = write_new(&folder.path().join("no/a.yaml"), "yours").expect_err("no folder");
-        assert_eq!(e.code, "new/no-folder");
+        assert_eq!(e.0[0].code, "new/no-folder");
     }
 }

@@ -1,7 +1,7 @@
 //! `bracket schema`.
 
 use super::{Common, Outcome};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
 use clap::ValueEnum;
@@ -33,7 +33,7 @@ pub fn run(args: &SchemaArgs, _common: &Common) -> Outcome {
 }
 
 /// The schema as JSON text. Draft-07, which the YAML language servers of editors understand.
-pub fn text(kind: Kind) -> Result<String, Diagnostic> {
+pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     fn of<T: JsonSchema>() -> Value {
         schemars::generate::SchemaSettings::draft07().into_generator().into_root_schema_for::<T>().to_value()
     }
@@ -42,9 +42,9 @@ pub fn text(kind: Kind) -> Result<String, Diagnostic> {
         Kind::Model => of::<ModelFile>(),
     };
     plain(&mut schema);
-    serde_json::to_string_pretty(&schema)
-        .map(|t| t + "\n")
-        .map_err(|e| Diagnostic::environment("schema/write", format!("the schema cannot be written as JSON: {e}")))
+    serde_json::to_string_pretty(&schema).map(|t| t + "\n").map_err(|e| {
+        Diagnostic::environment("schema/write", format!("the schema cannot be written as JSON: {e}")).into()
+    })
 }
 
 /// Doc comments escape square brackets for rustdoc; people who read the schema need them plain.
