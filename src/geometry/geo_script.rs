@@ -4,9 +4,9 @@
 //! script stops at the first error; the caller still checks what came out (gmsh likes to exit with success).
 
 use super::flat::{FlatPrism, FlatSolid, Vec3, along};
-use super::scene::{Body, ON_PLANE, Scene};
+use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
-use crate::assembly::joint::{FaceRule, MidPlane, OutlineEdge, Solid, Surface};
+use crate::assembly::joint::{MidPlane, OutlineEdge, Solid};
 use std::fmt::Write;
 
 /// What the script is for.
@@ -50,31 +50,6 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
         w.line("Geometry.OCCTargetUnit = \"MM\";");
     }
     w.text
-}
-
-/// The rectangle of a face that must be imprinted, cut to the kept side; `None` when nothing of it is kept.
-fn footprint(face: &FaceRule, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
-    match face.surface {
-        Surface::Plane { axis, at, min, max } if face.imprint => clip(axis, at, min, max, planes),
-        _ => None,
-    }
-}
-
-fn clip(axis: usize, at: f64, min: Vec3, max: Vec3, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
-    let mut min = min;
-    for &k in planes {
-        if k == axis {
-            if at <= ON_PLANE {
-                return None;
-            }
-        } else {
-            min[k] = min[k].max(0.0);
-            if max[k] - min[k] <= ON_PLANE {
-                return None;
-            }
-        }
-    }
-    Some((axis, at, min, max))
 }
 
 struct Writer {
@@ -251,7 +226,7 @@ impl Writer {
             .part
             .mid_planes
             .iter()
-            .filter_map(|MidPlane { axis, at, min, max }| clip(*axis, *at, *min, *max, &body.planes))
+            .filter_map(|MidPlane { axis, at, min, max }| size::clip(*axis, *at, *min, *max, &body.planes))
             .collect();
         if kept.is_empty() {
             return;
@@ -266,14 +241,10 @@ impl Writer {
     }
 
     fn footprints(&mut self, scene: &Scene) {
-        let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
         self.line("f() = {};");
-        for face in scene.assembly.faces.iter().filter(|f| scene.body(&f.part).is_some()) {
-            if let Some((axis, at, min, max)) = footprint(face, &planes) {
-                self.put(format_args!("// {}", face.name));
-                self.polygon(&rectangle(axis, at, min, max));
-                self.line("f() += {s};");
-            }
+        for (axis, at, min, max) in size::footprints(scene) {
+            self.polygon(&rectangle(axis, at, min, max));
+            self.line("f() += {s};");
         }
     }
 

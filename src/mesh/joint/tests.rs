@@ -34,6 +34,7 @@ fn measure_paper_quarter() {
             o.sizes = SizeRule {
                 factor: factor.parse().expect("number"),
                 growth: number("GROWTH", d.growth),
+                across_footprint: number("FOOT", d.across_footprint),
                 span_growth: number("SPAN_GROWTH", d.span_growth),
                 span_limit: number("SPAN_LIMIT", d.span_limit),
             };
