@@ -107,7 +107,7 @@ fn column() -> Part {
             }));
         }
     }
-    Part { mid_planes, ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 24.0) }
+    Part { mid_planes, ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 22.5) }
 }
 
 /// `side` = 1: right, −1: left.
@@ -138,7 +138,7 @@ fn beam(side: f64) -> Part {
         mid_planes.push(MidPlane { axis: 0, at: side * 1015.0, min: [0.0, y0, -167.3], max: [0.0, y1, 167.3] });
     }
     let (name, label) = if side > 0.0 { ("BEAM_R", "right beam") } else { ("BEAM_L", "left beam") };
-    Part { mid_planes, ..part(name, label, PartRole::Member, Solid::Union(solids), convex, 24.0) }
+    Part { mid_planes, ..part(name, label, PartRole::Member, Solid::Union(solids), convex, 25.4) }
 }
 
 fn plate(side: f64) -> Part {
@@ -157,7 +157,7 @@ fn plate(side: f64) -> Part {
     let (name, label) =
         if side > 0.0 { ("PLATE_R", "end plate of the right beam") } else { ("PLATE_L", "end plate of the left beam") };
     let mid = MidPlane { axis: 0, at: side * 107.5, min: [0.0, -90.0, -250.0], max: [0.0, 90.0, 200.0] };
-    Part { mid_planes: vec![mid], ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 18.0) }
+    Part { mid_planes: vec![mid], ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 15.0) }
 }
 
 fn bolt(side: f64, y: f64, row: usize) -> Part {
@@ -177,7 +177,7 @@ fn bolt(side: f64, y: f64, row: usize) -> Part {
         if side > 0.0 { "right" } else { "left" },
         if y > 0.0 { "positive" } else { "negative" }
     );
-    part(&name, &label, PartRole::Bolt, Solid::Union(solids.clone()), solids, 12.0)
+    part(&name, &label, PartRole::Bolt, Solid::Union(solids.clone()), solids, 12.6)
 }
 
 /// The paper's joint with this project's dimensions (design BENCHMARKS, "The paper's joint").

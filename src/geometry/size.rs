@@ -1,11 +1,12 @@
 //! Wanted element sizes as gmsh fields.
 //!
 //! Near every plate and bolt the part's own size, growing with the distance from it; in members the part's size near
-//! the joint, growing along the span to a limit. Only box and formula fields: they work on gmsh 4.8 too.
+//! the joint, growing along the span to a limit; at imprinted footprints of loads and supports, whose edges concentrate
+//! stress, a fraction of their width. Only box and formula fields: they work on gmsh 4.8 too.
 
 use super::flat::{Bounds, Vec3};
-use super::scene::Scene;
-use crate::assembly::joint::PartRole;
+use super::scene::{ON_PLANE, Scene};
+use crate::assembly::joint::{PartRole, Surface};
 use std::fmt::Write;
 
 /// How wanted sizes vary.
@@ -17,18 +18,56 @@ pub struct SizeRule {
     pub growth: f64,
     /// Growth of a member's size per mm away from the joint.
     pub span_growth: f64,
+    /// Elements across the shorter side of an imprinted footprint (at factor 1).
+    pub across_footprint: f64,
     /// Largest size in a member's span, as a multiple of its size at the joint.
     pub span_limit: f64,
 }
 
 impl Default for SizeRule {
     fn default() -> Self {
-        SizeRule { factor: 1.0, growth: 0.5, span_growth: 0.1, span_limit: 2.0 }
+        SizeRule { factor: 1.0, growth: 0.5, across_footprint: 2.0, span_growth: 0.1, span_limit: 2.0 }
     }
 }
 
 /// A size no field ever reaches \[mm\].
 const FREE: f64 = 1e6;
+
+/// Distance over which a box field grows \[mm\]; beyond it members decide.
+const REACH: f64 = 1000.0;
+
+/// The imprinted rectangles on the kept side: normal axis, coordinate, corners.
+pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, Vec3, Vec3)> {
+    let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
+    scene
+        .assembly
+        .faces
+        .iter()
+        .filter(|f| scene.body(&f.part).is_some())
+        .filter_map(|f| match f.surface {
+            Surface::Plane { axis, at, min, max } if f.imprint => clip(axis, at, min, max, &planes),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies on a symmetry plane.
+pub(super) fn clip(axis: usize, at: f64, min: Vec3, max: Vec3, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
+    let mut min = min;
+    for &k in planes {
+        if k == axis {
+            if at <= ON_PLANE {
+                return None;
+            }
+        } else {
+            min[k] = min[k].max(0.0);
+            if max[k] - min[k] <= ON_PLANE {
+                return None;
+            }
+        }
+    }
+    Some((axis, at, min, max))
+}
 
 /// The script lines that define the fields and make their minimum the background.
 pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
@@ -62,14 +101,23 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
                 coarsest = coarsest.max(limit);
             }
             _ => {
-                let reach = 1000.0;
-                let outside = size + rule.growth * reach;
-                box_field(&mut out, id + 1, size, outside, body.bounds.min, body.bounds.max, reach);
+                let outside = size + rule.growth * REACH;
+                box_field(&mut out, id + 1, size, outside, body.bounds.min, body.bounds.max, REACH);
                 chosen.push((id + 1).to_string());
                 id += 1;
                 coarsest = coarsest.max(size);
             }
         }
+    }
+    for (axis, at, min, max) in footprints(scene) {
+        let sides = [(axis + 1) % 3, (axis + 2) % 3].map(|k| max[k] - min[k]);
+        let size = sides[0].min(sides[1]) / rule.across_footprint * rule.factor;
+        let (mut lo, mut hi) = (min, max);
+        lo[axis] = at;
+        hi[axis] = at;
+        id += 1;
+        box_field(&mut out, id, size, size + rule.growth * REACH, lo, hi, REACH);
+        chosen.push(id.to_string());
     }
     id += 1;
     let _ = writeln!(out, "Field[{id}] = Min; Field[{id}].FieldsList = {{{}}};", chosen.join(", "));

@@ -101,3 +101,38 @@ fn solid_dimensions(solid: &Solid, dimension: &mut dyn FnMut(&str, f64)) {
         Solid::Union(list) | Solid::Difference(list) => list.iter().for_each(|s| solid_dimensions(s, dimension)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::fixtures::lap_joint;
+
+    fn told(change: impl FnOnce(&mut Assembly)) -> String {
+        let mut joint = lap_joint();
+        change(&mut joint);
+        faults(&joint).iter().map(|f| f.to_string()).collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn names_and_references_are_checked() {
+        assert_eq!(told(|_| {}), "");
+        assert!(told(|j| j.parts[0].name = "a\"b".into()).contains("`a\"b`"));
+        assert!(told(|j| j.parts[1].name = "UPPER".into()).contains("two parts are called UPPER"));
+        assert!(told(|j| j.parts[0].material = "S999".into()).contains("`S999`"));
+        assert!(told(|j| j.interfaces[0].between[1] = "NONE".into()).contains("`NONE`"));
+        assert!(told(|j| j.supports[0].face = "BASSE".into()).contains("`BASSE`"));
+        assert!(told(|j| j.faces[1].name = "BASE".into()).contains("two surfaces are called BASE"));
+    }
+
+    #[test]
+    fn dimensions_are_positive_and_finite() {
+        assert!(told(|j| j.parts[0].size = f64::NAN).contains("element size of NaN"));
+        let thin = |j: &mut Assembly| {
+            if let Solid::Difference(list) = &mut j.parts[0].solid {
+                list[0] = Solid::Box { min: [-40.0, -30.0, 0.0], max: [40.0, 30.0, -2.0] };
+            }
+        };
+        let text = told(thin);
+        assert!(text.contains("upper plate") && text.contains("height (z) of -2"), "{text}");
+    }
+}

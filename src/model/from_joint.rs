@@ -102,3 +102,53 @@ pub fn model_file(
         symmetry: 1 << symmetry_used.len(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::fixtures::{lap_joint, paper_joint};
+    use crate::mesh::NamedFaces;
+
+    /// A mesh with names only: that is all `model_file` looks at.
+    fn names(bodies: &[&str], faces: &[&str]) -> TetMesh {
+        TetMesh {
+            bodies: bodies.iter().map(|s| s.to_string()).collect(),
+            faces: faces.iter().map(|s| NamedFaces { name: s.to_string(), triangles: vec![] }).collect(),
+            ..TetMesh::default()
+        }
+    }
+
+    #[test]
+    fn quarter_of_the_paper_s_joint() {
+        let joint = paper_joint();
+        let bodies = ["COLUMN", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3", "PLATE_R", "BEAM_R"];
+        let faces = ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"];
+        let mesh = names(&bodies, &faces);
+        let model = model_file(&joint, &mesh, &joint.symmetry, "mesh.msh", "TOP", AnalysisKind::Elastic);
+        assert_eq!(model.symmetry, 4);
+        assert_eq!(model.bodies.len(), 6);
+        // plate on column, and for each bolt: column, and plate at the shank only
+        assert_eq!(model.interfaces.len(), 1 + 3 * 2);
+        assert_eq!(model.interfaces[2].face.as_deref(), Some("SHANK_RP1"));
+        let held: Vec<(&str, &[Axis])> = model.supports.iter().map(|s| (s.face.as_str(), &s.fix[..])).collect();
+        assert_eq!(held, [("SUPPORT_R", &AXES[..]), ("SYM_X0", &AXES[..1]), ("SYM_Y0", &AXES[1..2])]);
+        assert_eq!(model.loads.len(), 1);
+        let yaml = serde_yaml::to_string(&model).expect("plain data");
+        assert_eq!(serde_yaml::from_str::<ModelFile>(&yaml).expect("reads back"), model);
+    }
+
+    #[test]
+    fn cases_are_kept_apart_and_dead_loads_go_to_dead() {
+        let mut joint = lap_joint();
+        let extra =
+            |case: &str, dead| FaceLoad { face: "PULL".into(), case: case.into(), traction: [0.0, 0.0, 1.0], dead };
+        joint.loads.push(extra("LIFT", false));
+        joint.loads.push(extra("PULL", true));
+        assert_eq!(cases(&joint), ["PULL", "LIFT"]);
+        let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
+        let model = model_file(&joint, &mesh, &[], "mesh.msh", "PULL", AnalysisKind::Limit);
+        assert_eq!((model.loads.len(), model.dead.len(), model.symmetry), (1, 1, 1));
+        let lift = model_file(&joint, &mesh, &[], "mesh.msh", "LIFT", AnalysisKind::Limit);
+        assert_eq!((lift.loads[0].traction, lift.dead.len()), (Some([0.0, 0.0, 1.0]), 0));
+    }
+}

@@ -1,0 +1,86 @@
+//! `bracket mesh`: files, exit codes, nothing half-written.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const LAP: &str = include_str!("data/lap_joint.json");
+
+fn bracket(dir: &Path, mesher: Option<&str>, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bracket"));
+    command.current_dir(dir).args(args);
+    if let Some(m) = mesher {
+        command.env("BRACKET_GMSH", m);
+    }
+    command.output().expect("the program starts")
+}
+
+fn names(dir: &Path) -> Vec<String> {
+    let mut out: Vec<String> = std::fs::read_dir(dir)
+        .expect("folder")
+        .map(|e| e.expect("entry").file_name().to_string_lossy().into_owned())
+        .collect();
+    out.sort();
+    out
+}
+
+fn folder(spec: &str) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    std::fs::write(dir.path().join("lap.json"), spec).expect("written");
+    dir
+}
+
+#[test]
+fn writes_geometry_mesh_step_and_table_and_replaces_its_own_folder() {
+    let dir = folder(LAP);
+    for _ in 0..2 {
+        let run = bracket(dir.path(), None, &["mesh", "lap.json", "--format", "json", "--quiet"]);
+        assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+        let json: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+        assert_eq!(json["symmetry"], 2);
+        assert_eq!(names(dir.path()), ["lap", "lap.json"]);
+        let files = names(&dir.path().join("lap"));
+        for file in ["joint.geo", "joint.step", "mesh.msh", "quality.json", "quality.txt"] {
+            assert!(files.iter().any(|f| f == file), "{file} in {files:?}");
+        }
+    }
+}
+
+/// Runs with input or a mesher that must fail; returns the message and checks that nothing is left.
+fn refused(spec: &str, mesher: &str, code: i32) -> String {
+    let dir = folder(spec);
+    let run = bracket(dir.path(), Some(mesher), &["mesh", "lap.json"]);
+    let text = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(code), "{text}");
+    assert_eq!(names(dir.path()), ["lap.json"]);
+    text
+}
+
+#[test]
+fn missing_mesher_is_exit_4() {
+    assert!(refused(LAP, "/nonexistent/gmsh", 4).contains("mesher/start"));
+    assert!(refused(LAP, "[1, 2]", 4).contains("mesher/variable"));
+}
+
+#[test]
+#[cfg(unix)]
+fn killed_mesher_is_exit_4_and_leaves_nothing() {
+    let script = tempfile::NamedTempFile::new().expect("temporary file");
+    std::fs::write(script.path(), "[ \"$1\" = --version ] && echo 4.15.2 && exit 0\nkill -9 $$\n").expect("written");
+    let mesher = serde_json::json!(["sh", script.path()]).to_string();
+    assert!(refused(LAP, &mesher, 4).contains("mesher/killed"));
+}
+
+#[test]
+fn broken_assembly_is_exit_2() {
+    assert!(refused("{\"name\": 3}", "sh -c :", 2).contains("assembly/parse"));
+}
+
+#[test]
+fn a_folder_of_someone_else_is_not_replaced() {
+    let dir = folder(LAP);
+    std::fs::create_dir(dir.path().join("lap")).expect("folder");
+    std::fs::write(dir.path().join("lap/thesis.txt"), "years of work").expect("written");
+    let run = bracket(dir.path(), None, &["mesh", "lap.json"]);
+    assert_eq!(run.status.code(), Some(2));
+    assert_eq!(names(&dir.path().join("lap")), ["thesis.txt"]);
+}
