@@ -6,6 +6,7 @@ pub mod error;
 pub mod faces;
 pub mod fields;
 pub mod recover;
+pub mod sampling;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
 pub use fields::{DisplacementField, StressField};

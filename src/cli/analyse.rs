@@ -1,12 +1,89 @@
-//! `bracket analyse`.
+//! `bracket analyse`: the engine on a mesh the user brings.
 
+use super::analysis::{AnalysisOptions, Case, Echo, file_stem, finish, use_threads};
 use super::{Common, Outcome};
+use crate::diag::Diagnostic;
+use crate::mesh::quality;
+use crate::model::file::ModelFile;
+use crate::model::resolve::load_model;
+use crate::report::data::input_hash;
+use crate::report::folder::ResultFolder;
+use crate::report::log::Log;
+use crate::report::page::Table;
+use crate::spec::yaml;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The same engine on a mesh you bring.
 #[derive(Debug, clap::Args)]
-pub struct AnalyseArgs {}
+pub struct AnalyseArgs {
+    /// Model file (`bracket schema model` describes it).
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// Options of the analysis.
+    #[command(flatten)]
+    pub options: AnalysisOptions,
+}
 
 /// Runs `bracket analyse`.
-pub fn run(_args: &AnalyseArgs, _common: &Common) -> Outcome {
-    Err(crate::diag::Diagnostic::environment("cli/unavailable", "`bracket analyse` is not part of this build").into())
+pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
+    use_threads(common)?;
+    let model = load_model(&args.model)?;
+    let unread = |path: &Path, e: std::io::Error| {
+        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
+    };
+    let text = std::fs::read_to_string(&args.model).map_err(|e| unread(&args.model, e))?;
+    let mut file = yaml::parse::<ModelFile>(&text, &args.model)?.value;
+    let mesh_path = args.model.parent().unwrap_or(Path::new("")).join(&file.mesh);
+    let mesh_bytes = std::fs::read(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
+    let folder = ResultFolder::begin(&args.options.folder(&args.model))?;
+    folder.write("mesh.msh", &mesh_bytes)?;
+    file.mesh = "mesh.msh".into();
+    let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
+    let name = if stem == "model" { folder_name(&args.model).unwrap_or(stem) } else { stem };
+    let echo = Echo {
+        project: vec![("title".into(), name.clone())],
+        input_name: args.model.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
+        input_text: text,
+        resolved: Vec::new(),
+        catalogue_rows: Vec::new(),
+        mesh_quality: quality_table(&quality::table(&model.mesh)),
+        mirror: Vec::new(),
+        target_gap: file.adapt.as_ref().map(|a| a.target_gap),
+    };
+    let case = Case {
+        name: file_stem(&name),
+        model,
+        model_file: ("model.yaml".into(), yaml::to_string(&file)?),
+        mesh_seconds: None,
+    };
+    finish(vec![case], echo, folder, Arc::new(Log::new(common.quiet)), common)
+}
+
+/// Name of the folder a file lies in.
+fn folder_name(path: &Path) -> Option<String> {
+    let full = path.canonicalize().ok()?;
+    Some(full.parent()?.file_name()?.to_string_lossy().into_owned())
+}
+
+/// The mesh quality as the report's table.
+pub fn quality_table(rows: &[quality::BodyQuality]) -> Table {
+    let columns =
+        ["body", "tets", "volume [mm³]", "worst dihedral angle [°]", "median [°]", "worst aspect ratio", "one-layer tets"];
+    let rows = rows
+        .iter()
+        .map(|r| {
+            vec![
+                r.body.clone(),
+                r.tets.to_string(),
+                format!("{:.0}", r.volume),
+                format!("{:.1}", r.worst_dihedral),
+                format!("{:.1}", r.median_dihedral),
+                format!("{:.1}", r.worst_aspect),
+                format!("{:.0} %", 100.0 * r.surface_only),
+            ]
+        })
+        .collect();
+    Table { columns: columns.map(String::from).to_vec(), rows }
 }

@@ -1,6 +1,7 @@
 //! The command line: a file per subcommand.
 
 pub mod analyse;
+pub mod analysis;
 pub mod catalog;
 pub mod doctor;
 pub mod mesh;
@@ -8,6 +9,7 @@ pub mod new;
 pub mod out;
 pub mod run;
 pub mod schema;
+pub mod spec_file;
 pub mod templates;
 pub mod verify;
 

@@ -1,12 +1,224 @@
-//! `bracket run`.
+//! `bracket run`: connection spec → geometry → mesh → dual analyses → bracket and report.
 
+use super::analyse::quality_table;
+use super::analysis::{AnalysisOptions, Case, Echo, catalogue_row, file_stem, finish, use_threads};
+use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::mesh::gmsh::Mesher;
+use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
+use crate::mesh::msh_write;
+use crate::model::file::AnalysisKind;
+use crate::model::from_joint;
+use crate::model::resolve::resolve;
+use crate::report::data::input_hash;
+use crate::report::folder::ResultFolder;
+use crate::report::log::Log;
+use crate::report::page::{CatalogueRow, ResolvedValue};
+use crate::spec::connection;
+use crate::spec::yaml;
+use serde_json::json;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// Connection spec → geometry → mesh → dual analyses → bracket and report.
 #[derive(Debug, clap::Args)]
-pub struct RunArgs {}
+pub struct RunArgs {
+    /// Connection spec (`bracket new TEMPLATE` writes a starter).
+    #[arg(value_name = "SPEC")]
+    pub spec: PathBuf,
+    /// Analyse the whole joint, even if it is symmetric.
+    #[arg(long)]
+    pub full: bool,
+    /// Multiplies all element sizes: 0.5 gives about five times the elements.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    pub size_factor: f64,
+    /// Options of the analysis.
+    #[command(flatten)]
+    pub options: AnalysisOptions,
+}
 
 /// Runs `bracket run`.
-pub fn run(_args: &RunArgs, _common: &Common) -> Outcome {
-    Err(crate::diag::Diagnostic::environment("cli/unavailable", "`bracket run` is not part of this build").into())
+pub fn run(args: &RunArgs, common: &Common) -> Outcome {
+    if !(args.size_factor.is_finite() && (0.05..=20.0).contains(&args.size_factor)) {
+        let text = format!("--size-factor is {}, it must be between 0.05 and 20", args.size_factor);
+        return Err(Diagnostic::input("cli/value", text).into());
+    }
+    use_threads(common)?;
+    let input = spec_file::read(&args.spec)?;
+    let kind = analysis_kind(&input)?;
+    let mesher = Mesher::find()?;
+    let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
+    let log = Arc::new(Log::new(common.quiet));
+    let start = Instant::now();
+    let meshed = mesh(args, &input, mesher, &folder, &log)?;
+    let mesh_seconds = start.elapsed().as_secs_f64();
+    let mesh_file = folder.path().join("mesh.msh");
+    msh_write::write(&meshed.mesh, &mesh_file)?;
+    if args.options.keep {
+        let text = serde_json::to_string_pretty(&input.joint)
+            .map_err(|e| Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}")))?;
+        folder.write("joint.json", text.as_bytes())?;
+        folder.write("joint.geo", meshed.geo.as_bytes())?;
+    }
+    let cases = cases(&input, &meshed, kind, mesh_seconds)?;
+    let project = &input.spec.value.project;
+    let title = project.title.clone().unwrap_or_else(|| {
+        args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned())
+    });
+    let mut block = vec![("title".to_string(), title)];
+    for (name, value) in [
+        ("number", &project.number),
+        ("author", &project.author),
+        ("checker", &project.checker),
+        ("date", &project.date),
+        ("revision", &project.revision),
+    ] {
+        block.extend(value.clone().map(|v| (name.to_string(), v)));
+    }
+    block.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    let options = format!("full {} size_factor {}", args.full, args.size_factor);
+    let echo = Echo {
+        project: block,
+        input_name: args.spec.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_hash: input_hash(&[
+            ("spec", input.text.as_bytes()),
+            ("options", options.as_bytes()),
+            ("geo", meshed.geo.as_bytes()),
+        ]),
+        resolved: resolved_values(&input),
+        catalogue_rows: catalogue_rows(&input),
+        mesh_quality: quality_table(&meshed.quality),
+        mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
+        target_gap: Some(input.spec.value.analysis.target_gap),
+        input_text: input.text,
+    };
+    finish(cases, echo, folder, log, common)
+}
+
+/// The kind of analysis asked for, if this version has it.
+fn analysis_kind(input: &SpecFile) -> Result<AnalysisKind, Diagnostics> {
+    let place = |path: &str| input.spec.index.place(path);
+    let kinds = &input.spec.value.analysis.kind.0;
+    if kinds.iter().any(|k| *k != connection::AnalysisKind::Elastic) {
+        let mut d = Diagnostic::input("spec/unavailable", "this version analyses `elastic` only")
+            .help("write `kind: elastic`; limit and elastoplastic analyses are not available yet");
+        d.place = place("analysis.kind");
+        return Err(d.into());
+    }
+    let friction = &input.spec.value.friction;
+    let has_friction = friction.class.is_some() || friction.mu.is_some_and(|mu| mu > 0.0);
+    if has_friction && friction.law == connection::FrictionLaw::Coulomb {
+        let mut d = Diagnostic::input(
+            "spec/unavailable",
+            "friction with `law: coulomb` (the default) is not available yet in an elastic analysis",
+        )
+        .help("write `law: associated` (slip dilates: the bracket is that of the associated problem), or `mu: 0`");
+        d.place = place("friction");
+        return Err(d.into());
+    }
+    Ok(AnalysisKind::Elastic)
+}
+
+fn mesh(
+    args: &RunArgs,
+    input: &SpecFile,
+    mesher: Mesher,
+    folder: &ResultFolder,
+    log: &Log,
+) -> Result<JointMesh, Diagnostics> {
+    let work = folder.path().join("mesher");
+    let mut options = MeshOptions::new(&work);
+    options.full = args.full;
+    options.layers = input.spec.value.analysis.mesh.layers;
+    options.sizes.factor = args.size_factor;
+    options.mesher = Some(mesher);
+    if let Some(limit) = input.spec.value.analysis.time_limit {
+        options.time_limit = Duration::from_secs_f64(limit.0.min(600.0));
+    }
+    let meshed = mesh_joint(&input.joint.assembly, &options, &mut |stage| log.stage(stage))?;
+    let limit = input.spec.value.analysis.max_macro_tets;
+    if meshed.mesh.tets.len() > limit {
+        let mut d = Diagnostic::undecided(
+            "run/too-large",
+            format!("the mesh has {} tets, the limit is {limit}", meshed.mesh.tets.len()),
+        )
+        .help("raise `analysis.max_macro_tets`, or give a larger `analysis.mesh.size`");
+        d.place = input.spec.index.place("analysis.max_macro_tets");
+        return Err(d.into());
+    }
+    // script and log of the mesher are of use only when it fails; then they are in the message
+    std::fs::remove_dir_all(&work)
+        .map_err(|e| Diagnostic::environment("run/clean", format!("`{}` cannot be removed: {e}", work.display())))?;
+    Ok(meshed)
+}
+
+fn cases(
+    input: &SpecFile,
+    meshed: &JointMesh,
+    kind: AnalysisKind,
+    mesh_seconds: f64,
+) -> Result<Vec<Case>, Diagnostics> {
+    let names = from_joint::cases(&input.joint.assembly);
+    names
+        .iter()
+        .enumerate()
+        .map(|(i, name)| {
+            let assembly = &input.joint.assembly;
+            let mut file =
+                from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", name, kind);
+            file.symmetry = meshed.copies;
+            let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
+            let file_name = if i == 0 { "model.yaml".into() } else { format!("model_{}.yaml", file_stem(name)) };
+            Ok(Case {
+                name: name.clone(),
+                model,
+                model_file: (file_name, yaml::to_string(&file)?),
+                mesh_seconds: Some(mesh_seconds),
+            })
+        })
+        .collect()
+}
+
+fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
+    input
+        .joint
+        .resolved
+        .iter()
+        .map(|r| {
+            let (value, unit) = r.value.split_once(' ').unwrap_or((&r.value, ""));
+            let origin = match (&r.default, r.given) {
+                (_, true) => "given".to_string(),
+                (Some(expression), false) => format!("default `{expression}`"),
+                (None, false) => "default".to_string(),
+            };
+            ResolvedValue { name: r.name.clone(), value: value.into(), unit: unit.into(), origin }
+        })
+        .collect()
+}
+
+fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
+    let c = &input.catalog;
+    let mut rows: Vec<CatalogueRow> = Vec::new();
+    for (role, name) in &input.joint.catalogue {
+        let (kind, row) = if role.ends_with(".profile") {
+            ("profile", c.profile(name).map(|r| json!(r)))
+        } else if role.ends_with("bolts.size") {
+            ("bolt", c.bolt(name).map(|r| json!(r)))
+        } else if role.ends_with("bolts.grade") {
+            ("bolt grade", c.bolt_grade(name).map(|r| json!(r)))
+        } else {
+            ("steel", c.steel(name).map(|r| json!(r)))
+        };
+        // the same names were looked up when the joint was built
+        let Ok(row) = row else { continue };
+        let standard = row["standard"].as_str().unwrap_or_default();
+        let file = row["source"]["file"].as_str().unwrap_or_default();
+        let source = c.provenance(file).and_then(|p| p.standard.clone()).unwrap_or_else(|| standard.to_string());
+        if !rows.iter().any(|r| r.kind == kind && r.name == *name) {
+            rows.push(catalogue_row(kind, name, row, source));
+        }
+    }
+    rows
 }

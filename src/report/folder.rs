@@ -65,6 +65,12 @@ pub enum FolderError {
     },
 }
 
+impl From<FolderError> for crate::diag::Diagnostics {
+    fn from(e: FolderError) -> Self {
+        Diagnostic::from(e).into()
+    }
+}
+
 impl From<FolderError> for Diagnostic {
     fn from(e: FolderError) -> Self {
         let text = e.to_string();

@@ -1,7 +1,9 @@
 //! What a run leaves behind: the result folder, its numbers, its page, its pictures and its fields.
 
 mod canvas;
+pub mod case;
 pub mod data;
+pub mod field_files;
 pub mod figures;
 pub mod folder;
 mod lettering;

@@ -1,0 +1,298 @@
+//! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
+
+use super::{Common, Format, out};
+use crate::adapt::pass::{self, Stage};
+use crate::bounds::faces::contact_faces;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3;
+use crate::model::AnalysisModel;
+use crate::model::file::Friction;
+use crate::report::case::case_result;
+use crate::report::data::{CaseResult, ResultFile, Verdict};
+use crate::report::field_files::{displacement_grid, stress_grid};
+use crate::report::figures;
+use crate::report::folder::ResultFolder;
+use crate::report::log::Log;
+use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::raster::{Deformed, Field, PictureOptions, draw};
+use crate::report::text::report_markdown;
+use crate::solve::SolveOptions;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Which solver solves the conic programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Solver {
+    /// Clarabel, a general interior-point solver.
+    #[default]
+    Clarabel,
+}
+
+/// Options of an analysis.
+#[derive(Clone, Debug, clap::Args)]
+pub struct AnalysisOptions {
+    /// Folder for the result (default: named after the input, beside it).
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Solver of the conic programs.
+    #[arg(long, value_enum, default_value = "clarabel")]
+    pub solver: Solver,
+    /// Also keep the plain data that crosses each stage.
+    #[arg(long)]
+    pub keep: bool,
+}
+
+impl AnalysisOptions {
+    /// The result folder for an input file.
+    pub fn folder(&self, input: &Path) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| input.with_extension(""))
+    }
+}
+
+/// Sets the number of threads, once.
+pub fn use_threads(common: &Common) -> Result<(), Diagnostics> {
+    let Some(n) = common.threads else { return Ok(()) };
+    if !(1..=1024).contains(&n) {
+        return Err(Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024")).into());
+    }
+    // a second call in one process (tests) keeps the first pool
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
+    Ok(())
+}
+
+/// One load case ready to be analysed.
+pub struct Case {
+    /// Name, used in file names.
+    pub name: String,
+    /// The model.
+    pub model: AnalysisModel,
+    /// Its `MODEL.yaml`, written into the folder under this name.
+    pub model_file: (String, String),
+    /// Seconds the mesh took, where this run made it.
+    pub mesh_seconds: Option<f64>,
+}
+
+/// What the report says about the input.
+pub struct Echo {
+    /// Title block.
+    pub project: Vec<(String, String)>,
+    /// Name of the input file.
+    pub input_name: String,
+    /// Its text.
+    pub input_text: String,
+    /// Hash of everything the result depends on.
+    pub input_hash: String,
+    /// Resolved values.
+    pub resolved: Vec<ResolvedValue>,
+    /// Catalogue rows.
+    pub catalogue_rows: Vec<CatalogueRow>,
+    /// Mesh quality.
+    pub mesh_quality: Table,
+    /// Symmetry planes used (axes).
+    pub mirror: Vec<usize>,
+    /// The gap asked for, a fraction.
+    pub target_gap: Option<f64>,
+}
+
+/// A file name made of a case's name.
+pub fn file_stem(case: &str) -> String {
+    case.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
+}
+
+/// Analyses the cases, writes fields, result and report, prints the answer; returns the exit code.
+pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>, common: &Common) -> super::Outcome {
+    let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
+    let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
+    let mut pictures = Vec::new();
+    let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
+    let mut notes: Vec<String> = Vec::new();
+    for case in &cases {
+        let pass = run_pass(case, &log)?;
+        let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
+        if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap) {
+            if gap > target {
+                entry.warnings.push(format!(
+                    "the gap is {}, the target {}: a finer mesh is needed (`--size-factor`, or `analysis.mesh.size`)",
+                    figures::percent_up(gap),
+                    figures::percent_up(target)
+                ));
+            }
+        }
+        let stem = file_stem(&case.name);
+        if pictures.is_empty() {
+            pictures.push(mesh_picture(&case.model, &echo.mirror, &folder)?);
+        }
+        write_fields(case, &pass, &stem, &folder)?;
+        pictures.extend(deformed_picture(case, &pass, &echo.mirror, &stem, &folder)?);
+        folder.write(&case.model_file.0, case.model_file.1.as_bytes())?;
+        let contacts = contact_faces(&case.model);
+        traits.contact |= !contacts.is_empty();
+        traits.friction |= contacts.iter().any(|f| f.law.mu > 0.0);
+        traits.coulomb |= contacts.iter().any(|f| f.law.mu > 0.0 && f.law.friction == Friction::Coulomb);
+        traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
+        for note in &case.model.notes {
+            if !notes.contains(note) {
+                notes.push(note.clone());
+            }
+        }
+        result.cases.push(entry);
+    }
+    let json = result.to_json().map_err(Diagnostic::from)?;
+    let data = ReportData {
+        project: echo.project,
+        result,
+        input_name: echo.input_name,
+        input_text: echo.input_text,
+        resolved: echo.resolved,
+        catalogue_rows: echo.catalogue_rows,
+        pictures,
+        mesh_quality: echo.mesh_quality,
+        model: traits,
+        assumptions: Vec::new(),
+        notes,
+    };
+    folder.write("result.json", json.as_bytes())?;
+    folder.write("report.md", report_markdown(&data).as_bytes())?;
+    let certified = data.result.cases.iter().all(|c| c.certificate.is_some_and(|x| x.strict) && has_asked_bounds(c));
+    for c in &data.result.cases {
+        log.line(answer(c));
+    }
+    folder.write("log.txt", log.text().as_bytes())?;
+    let place = folder.finish()?;
+    log.line(format!("result: {}", place.join("report.md").display()));
+    if common.format == Format::Json {
+        out::text(&json)?;
+    }
+    Ok(if certified { 0 } else { 3 })
+}
+
+/// Every program that ran gave its bound.
+fn has_asked_bounds(c: &CaseResult) -> bool {
+    c.history.last().is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
+}
+
+fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
+    log.line(format!(
+        "{}: {} tets, {} contact faces, {} part(s)",
+        case.name,
+        case.model.mesh.tets.len(),
+        contact_faces(&case.model).len(),
+        case.model.parts.len()
+    ));
+    let told = log.clone();
+    let name = case.name.clone();
+    let progress: pass::Progress = Arc::new(move |program, stage, iteration, gap| match stage {
+        Stage::Assembly => told.stage(format!("{name}: assembling the {program} program")),
+        Stage::Solve if iteration == 0 => told.stage(format!("{name}: solving the {program} program")),
+        Stage::Solve => told.stage(format!("{name}: {program} iteration {iteration}, relative gap {gap:.1e}")),
+        Stage::Certify => told.stage(format!("{name}: certifying the {program} field")),
+    });
+    pass::run(&case.model, &SolveOptions::default(), &progress).map_err(|e| Diagnostic::from(e).into())
+}
+
+fn write_fields(case: &Case, pass: &pass::Pass, stem: &str, folder: &ResultFolder) -> Result<(), Diagnostics> {
+    if let Some(u) = &pass.displacement {
+        let contributions = pass.contributions.as_ref().map(|c| &c.elements[..]);
+        let bytes = displacement_grid(&case.model, u, contributions).to_bytes().map_err(Diagnostic::from)?;
+        folder.write(&format!("fields/{stem}_kinematic.vtu"), &bytes)?;
+    }
+    if let Some(s) = &pass.stress {
+        let bytes = stress_grid(&case.model, s).to_bytes().map_err(Diagnostic::from)?;
+        folder.write(&format!("fields/{stem}_static.vtu"), &bytes)?;
+    }
+    Ok(())
+}
+
+fn png(picture: &crate::report::Picture) -> Result<Vec<u8>, Diagnostics> {
+    picture
+        .to_png()
+        .map_err(|e| Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}")).into())
+}
+
+fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) -> Result<PictureRef, Diagnostics> {
+    let picture = draw(&model.mesh, &PictureOptions { mirror, ..PictureOptions::default() });
+    folder.write("mesh.png", &png(&picture)?)?;
+    let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
+    Ok(PictureRef {
+        file: "mesh.png".into(),
+        caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()),
+    })
+}
+
+/// The deformed shape with the size of the displacement as colours.
+fn deformed_picture(
+    case: &Case,
+    pass: &pass::Pass,
+    mirror: &[usize],
+    stem: &str,
+    folder: &ResultFolder,
+) -> Result<Option<PictureRef>, Diagnostics> {
+    let Some(u) = &pass.displacement else { return Ok(None) };
+    let vertices = &u.u[..case.model.mesh.nodes.len()];
+    let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
+    let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
+    if largest == 0.0 {
+        return Ok(None);
+    }
+    let (lo, hi) = case.model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
+        (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
+    });
+    // the largest displacement is drawn as a twentieth of the shape, by a round factor
+    let wanted = 0.05 * vec3::norm(vec3::sub(hi, lo)) / largest;
+    let power = 10f64.powf(wanted.log10().floor());
+    let factor = [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power);
+    let picture = draw(
+        &case.model.mesh,
+        &PictureOptions {
+            mirror,
+            mesh_lines: false,
+            field: Some(Field { name: "displacement", unit: "mm", values: &size, range: None }),
+            deformed: Some(Deformed { displacement: vertices, factor }),
+            ..PictureOptions::default()
+        },
+    );
+    let file = format!("deformed_{stem}.png");
+    folder.write(&file, &png(&picture)?)?;
+    Ok(Some(PictureRef { file, caption: format!("Case {}: deformed shape, {factor} times enlarged", case.name) }))
+}
+
+/// The answer in a sentence, in the user's units.
+pub fn answer(c: &CaseResult) -> String {
+    let strict = c.certificate.is_some_and(|x| x.strict);
+    let word = if strict { "certified" } else { "ESTIMATE, not certified" };
+    let mut text = match (c.lower, c.upper.and_then(|u| u.finite())) {
+        (Some(l), Some(u)) => {
+            let (l, u) = figures::bracket(l, u, 4);
+            let gap = c.gap.map_or(String::new(), |g| format!(", gap {}", figures::percent_up(g)));
+            format!("{}: potential energy between {l} and {u} N mm{gap} ({word})", c.name)
+        }
+        (Some(l), None) => format!("{}: potential energy at least {l:.6e} N mm ({word})", c.name),
+        (None, Some(u)) => format!("{}: potential energy at most {u:.6e} N mm ({word})", c.name),
+        (None, None) => format!("{}: no bound", c.name),
+    };
+    if let (true, Some([l, u])) = (strict, c.load_displacement) {
+        let (l, u) = figures::bracket(l, u, 4);
+        text += &format!("; displacement of the load between {l} and {u} mm (rad for a moment)");
+    }
+    for w in &c.warnings {
+        text += &format!("\n{}: warning: {w}", c.name);
+    }
+    text
+}
+
+/// Values of a catalogue row as the report shows them.
+pub fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: String) -> CatalogueRow {
+    let values = row.as_object().map_or(Vec::new(), |fields| {
+        fields
+            .iter()
+            .filter(|(key, _)| !["name", "size", "grade", "source", "series", "standard"].contains(&key.as_str()))
+            .filter_map(|(key, v)| match v {
+                serde_json::Value::Number(n) => Some((key.clone(), n.to_string())),
+                serde_json::Value::String(s) => Some((key.clone(), s.clone())),
+                serde_json::Value::Bool(b) => Some((key.clone(), if *b { "yes" } else { "no" }.into())),
+                _ => None,
+            })
+            .collect()
+    });
+    CatalogueRow { kind: kind.into(), name: name.into(), source, values }
+}

@@ -1,0 +1,33 @@
+//! A connection spec from its file: what `bracket run` and `bracket mesh` read.
+
+use crate::assembly::{self, Joint};
+use crate::catalog::Catalog;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::yaml::{self, Parsed};
+use std::path::Path;
+
+/// A spec, its text and the joint it describes.
+pub struct SpecFile {
+    /// The text as given.
+    pub text: String,
+    /// The spec with its places.
+    pub spec: Parsed<ConnectionSpec>,
+    /// The joint.
+    pub joint: Joint,
+    /// The catalogue it was resolved with.
+    pub catalog: Catalog,
+}
+
+/// Reads a spec and builds its joint.
+pub fn read(path: &Path) -> Result<SpecFile, Diagnostics> {
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
+            .file(path)
+            .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
+    })?;
+    let spec = yaml::parse::<ConnectionSpec>(&text, path)?;
+    let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
+    let joint = assembly::build(&spec, path.parent().unwrap_or(Path::new("")), &catalog)?;
+    Ok(SpecFile { text, spec, joint, catalog })
+}

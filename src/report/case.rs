@@ -1,0 +1,148 @@
+//! From a pass to the entry of its load case in `result.json`.
+
+use super::data::{CaseResult, Certificate, HistoryRow, PeakPressure, Problem, ProgramRun, Quantity, Upper};
+use crate::adapt::pass::{self, Pass, peak_memory_mib};
+use crate::bounds::certificate::TOLERANCE;
+use crate::bounds::faces::contact_faces;
+use crate::math::vec3;
+use crate::model::AnalysisModel;
+use crate::model::analysis::Traction;
+use crate::model::file::Friction;
+use crate::model::loads::face_corners;
+
+fn program_run(run: &pass::ProgramRun) -> ProgramRun {
+    ProgramRun {
+        seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
+        iterations: run.iterations,
+        status: run.status.words().into(),
+        assembly_seconds: Some(run.assembly_seconds),
+        solve_seconds: Some(run.solve_seconds),
+        peak_memory_mib: None,
+    }
+}
+
+/// The residuals of both fields, worst of the two where both have one.
+fn certificate(pass: &Pass) -> Option<Certificate> {
+    let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
+    if l.is_none() && u.is_none() {
+        return None;
+    }
+    let (sc, kc) = (l.map(|b| b.certificate()), u.map(|b| b.certificate()));
+    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)].into_iter().flatten().reduce(f64::max);
+    Some(Certificate {
+        strict: l.is_none_or(|b| b.is_strict()) && u.is_none_or(|b| b.is_strict()),
+        equilibrium: sc.map(|c| c.equilibrium),
+        traction_jump: sc.map(|c| c.traction_jump),
+        yield_: None,
+        contact,
+        compatibility: kc.map(|c| c.compatibility),
+    })
+}
+
+/// Whose solution the bracket contains.
+fn problem(model: &AnalysisModel) -> Problem {
+    let laws = || contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect::<Vec<_>>();
+    let laws = laws();
+    if laws.is_empty() {
+        Problem::Frictionless
+    } else if laws.iter().any(|l| l.friction == Friction::Coulomb) {
+        Problem::Coulomb
+    } else {
+        Problem::Associated
+    }
+}
+
+/// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
+/// dead load, no initial gap. A force \[N\] on a plane face, or one force or moment on a rigid face.
+fn only_load(model: &AnalysisModel) -> Option<f64> {
+    let dead = model.surface_loads.iter().any(|l| l.dead)
+        || model.body_loads.iter().any(|l| l.dead)
+        || model.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0));
+    let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
+    if dead || gaps || !model.body_loads.is_empty() {
+        return None;
+    }
+    let actions: Vec<f64> = model.rigid.iter().flat_map(|r| r.action).filter(|a| *a != 0.0).collect();
+    match (&model.surface_loads[..], &actions[..]) {
+        ([], [action]) => Some(action.abs()),
+        ([load], []) => {
+            let areas: Vec<_> =
+                load.faces.iter().map(|f| vec3::area_vector(&face_corners(&model.mesh, f))).collect();
+            let total: f64 = areas.iter().map(|a| vec3::norm(*a)).sum();
+            let resultant = areas.iter().fold([0.0; 3], |s, a| vec3::add(s, *a));
+            let plane = vec3::norm(resultant) > (1.0 - 1e-9) * total;
+            match load.traction {
+                Traction::Pressure(p) if plane => Some(p.abs() * total),
+                Traction::Linear { traction0, gradient } if gradient == [[0.0; 3]; 3] => {
+                    Some(vec3::norm(traction0) * total)
+                }
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// The entry of a load case after one pass.
+pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
+    let lower = pass.lower.as_ref().map(|b| b.value());
+    let upper = pass.upper.as_ref().map(|b| b.value());
+    let gap = pass.bracket.as_ref().map(|b| b.gap());
+    let force = only_load(model).filter(|f| *f > 0.0).map(|f| f * f64::from(model.symmetry));
+    let load_displacement = match (lower, upper, force) {
+        (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f, -2.0 * l / f]),
+        _ => None,
+    };
+    let peak = PeakPressure {
+        kinematic: pass.upper.as_ref().and_then(|b| b.certificate().peak_pressure),
+        static_: pass.lower.as_ref().and_then(|b| b.certificate().peak_pressure),
+    };
+    let mut warnings = Vec::new();
+    for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
+        let Some(run) = run else { continue };
+        if let Some(m) = &run.mechanism {
+            warnings.push(format!("no equilibrium exists under these loads: {m} (the {program} program is unbounded)"));
+        } else if let Some(t) = &run.trouble {
+            warnings.push(format!("the {program} solution could not be certified: {t}"));
+        } else if run.status != crate::solve::SolveStatus::Optimal {
+            warnings.push(format!("the {program} program ended with status `{}`: no bound", run.status.words()));
+        }
+    }
+    if let Some(c) = certificate(pass).filter(|c| !c.strict) {
+        let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((residual, value)) = worst {
+            warnings.push(format!(
+                "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the tolerance {TOLERANCE:.0e}"
+            ));
+        }
+    }
+    CaseResult {
+        name: name.into(),
+        analysis: model.analysis,
+        quantity: Quantity::PotentialEnergy,
+        problem: problem(model),
+        lower,
+        upper: upper.map(Upper::Finite),
+        gap,
+        utilisation: None,
+        frictionless: None,
+        associated: None,
+        coulomb_estimate: None,
+        load_displacement,
+        certificate: certificate(pass),
+        history: vec![HistoryRow {
+            macro_tets: model.mesh.tets.len(),
+            kinematic_dofs: pass.kinematic.as_ref().map(|r| r.dofs),
+            static_dofs: pass.statics.as_ref().map(|r| r.dofs),
+            lower,
+            upper: upper.map(Upper::Finite),
+            gap,
+            kinematic: pass.kinematic.as_ref().map(program_run),
+            static_: pass.statics.as_ref().map(program_run),
+            mesh_seconds,
+            peak_memory_mib: peak_memory_mib(),
+        }],
+        peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
+        warnings,
+    }
+}

@@ -1,0 +1,125 @@
+//! The two fields as `.vtu` files: written for ParaView, read back exactly for `bracket verify`.
+
+use super::vtu::{Array, QUADRATIC_TETRA, TETRA, VtuError, VtuGrid};
+use crate::bounds::fields::{DisplacementField, StressField};
+use crate::math::mandel::{self, Mandel};
+use crate::model::AnalysisModel;
+use crate::model::kinematic::Tet10Space;
+use crate::model::super_element::SuperElement;
+
+/// Name of the displacement array \[mm\].
+const DISPLACEMENT: &str = "displacement";
+/// Name of the stress array, Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]` \[MPa\].
+const STRESS: &str = "stress_mandel";
+
+/// Why a field file does not fit its model.
+#[derive(Debug, thiserror::Error)]
+pub enum FieldFileError {
+    /// The file itself.
+    #[error(transparent)]
+    Vtu(#[from] VtuError),
+    /// An array is missing.
+    #[error("the field file has no array `{0}`")]
+    Missing(&'static str),
+    /// The points are not those of the mesh.
+    #[error("point {point} of the field file is not where the mesh has it")]
+    OtherMesh {
+        /// Index of the first point that differs.
+        point: usize,
+    },
+}
+
+impl From<FieldFileError> for crate::diag::Diagnostic {
+    fn from(e: FieldFileError) -> Self {
+        match e {
+            FieldFileError::Vtu(e) => e.into(),
+            other => crate::diag::Diagnostic::input("verify/fields", other.to_string())
+                .help("name a finished result folder whose files are unchanged, or run the analysis again"),
+        }
+    }
+}
+
+fn array(name: &str, components: usize, values: Vec<f64>) -> Array {
+    (name.into(), components, values)
+}
+
+fn bodies(model: &AnalysisModel, per_tet: usize) -> Array {
+    let values = model.mesh.tet_body.iter().flat_map(|&b| vec![f64::from(b); per_tet]).collect();
+    array("body", 1, values)
+}
+
+/// The displacement field on quadratic tets, with each element's contribution to the gap if known.
+pub fn displacement_grid(model: &AnalysisModel, field: &DisplacementField, contributions: Option<&[f64]>) -> VtuGrid {
+    let space = Tet10Space::new(&model.mesh);
+    let cells = (0..model.mesh.tets.len()).flat_map(|e| space.tet(&model.mesh, e).map(|n| n as u32)).collect();
+    let mut cell_data = vec![bodies(model, 1)];
+    cell_data.extend(contributions.map(|c| array("gap_contribution_N_mm", 1, c.to_vec())));
+    VtuGrid {
+        points: space.nodes,
+        cells,
+        cell_type: QUADRATIC_TETRA,
+        point_data: vec![array(DISPLACEMENT, 3, field.u.iter().flatten().copied().collect())],
+        cell_data,
+        field_data: vec![],
+    }
+}
+
+/// The stress field on the four subtets of every tet, each with points of its own: stress jumps between them.
+pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
+    let points: Vec<[f64; 3]> = (0..model.mesh.tets.len())
+        .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())
+        .collect();
+    let stress: Vec<Mandel> = field.points.iter().flatten().flatten().copied().collect();
+    let von_mises = stress
+        .iter()
+        .map(|s| {
+            let p = (s[0] + s[1] + s[2]) / 3.0;
+            let d = [s[0] - p, s[1] - p, s[2] - p, s[3], s[4], s[5]];
+            1.5f64.sqrt() * mandel::norm(&d)
+        })
+        .collect();
+    VtuGrid {
+        cells: (0..points.len() as u32).collect(),
+        points,
+        cell_type: TETRA,
+        point_data: vec![
+            array(STRESS, 6, stress.into_iter().flatten().collect()),
+            array("von_mises_MPa", 1, von_mises),
+        ],
+        cell_data: vec![bodies(model, 4)],
+        field_data: vec![],
+    }
+}
+
+fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFileError> {
+    let point = if found.len() != wanted.len() {
+        Some(found.len().min(wanted.len()))
+    } else {
+        found.iter().zip(wanted).position(|(a, b)| a != b)
+    };
+    point.map_or(Ok(()), |point| Err(FieldFileError::OtherMesh { point }))
+}
+
+/// Reads a displacement field and checks that it belongs to the model's mesh.
+pub fn read_displacement(model: &AnalysisModel, bytes: &[u8]) -> Result<DisplacementField, FieldFileError> {
+    let grid = VtuGrid::from_bytes(bytes)?;
+    check_points(&grid.points, &Tet10Space::new(&model.mesh).nodes)?;
+    let a = grid.point_array(DISPLACEMENT).ok_or(FieldFileError::Missing(DISPLACEMENT))?;
+    Ok(DisplacementField { u: a.2.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
+}
+
+/// Reads a stress field and checks that it belongs to the model's mesh.
+pub fn read_stress(model: &AnalysisModel, bytes: &[u8]) -> Result<StressField, FieldFileError> {
+    let grid = VtuGrid::from_bytes(bytes)?;
+    let wanted: Vec<[f64; 3]> = (0..model.mesh.tets.len())
+        .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())
+        .collect();
+    check_points(&grid.points, &wanted)?;
+    let a = grid.point_array(STRESS).ok_or(FieldFileError::Missing(STRESS))?;
+    let points = a
+        .2
+        .chunks_exact(96)
+        .map(|c| std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))))
+        .collect();
+    Ok(StressField { points })
+}
