@@ -101,7 +101,7 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
 
 fn load(path: &Path) -> Result<Assembly, Diagnostics> {
     if path.extension().is_none_or(|e| e != "json") {
-        return Err(Diagnostic::environment("cli/unavailable", "this build meshes assemblies in JSON only").into());
+        return Ok(super::spec_file::read(path)?.joint.assembly);
     }
     let text = std::fs::read_to_string(path).map_err(|e| {
         Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))

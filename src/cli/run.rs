@@ -187,7 +187,9 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         .resolved
         .iter()
         .map(|r| {
-            let (value, unit) = r.value.split_once(' ').unwrap_or((&r.value, ""));
+            // a list carries a unit at every entry
+            let single = !r.value.starts_with('[');
+            let (value, unit) = r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
             let origin = match (&r.default, r.given) {
                 (_, true) => "given".to_string(),
                 (Some(expression), false) => format!("default `{expression}`"),
