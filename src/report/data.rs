@@ -191,7 +191,7 @@ pub struct CaseResult {
 /// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is claimed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PeakPressure {
-    /// Of the kinematic program's contact multipliers.
+    /// Of the displacement's stress at the vertices of contact faces.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kinematic: Option<f64>,
     /// Of the static program's tractions.
