@@ -2,8 +2,6 @@
 #![allow(clippy::unwrap_used)]
 
 mod common;
-#[path = "literature/signorini_hard_contacts.rs"]
-mod signorini_hard_contacts;
 #[path = "literature/coulomb_block_on_ground.rs"]
 mod coulomb_block_on_ground;
 #[path = "literature/hertz_sphere_on_flat.rs"]
@@ -16,6 +14,8 @@ mod lame_cylinder_and_sphere;
 mod paper_reference_meshes;
 #[path = "literature/saint_venant_triangle.rs"]
 mod saint_venant_triangle;
+#[path = "literature/signorini_hard_contacts.rs"]
+mod signorini_hard_contacts;
 #[path = "literature/timoshenko_exact_bars.rs"]
 mod timoshenko_exact_bars;
 #[path = "literature/vdi2230_bolt_in_sleeve.rs"]

@@ -5,7 +5,7 @@
 
 use super::linear::{SparseCholesky, solve_refined};
 use super::status::{Solution, SolveOptions, SolveStatus};
-use crate::model::program::{Cone, ConicProgram};
+use crate::model::program::{Cone, ConicProgram, cone_margin};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use std::time::Instant;
@@ -46,6 +46,16 @@ pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> S
     let start = Instant::now();
     if program.cones.is_empty() {
         return linear(program, block, start);
+    }
+    if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
+        // nothing loads the model and no contact is violated at rest: rest is the solution
+        return Solution {
+            status: SolveStatus::Optimal,
+            x: vec![0.0; program.p.n],
+            z: vec![0.0; program.h.len()],
+            iterations: 0,
+            seconds: start.elapsed().as_secs_f64(),
+        };
     }
     let s = Scaling::new(program);
     let p = CscMatrix::new(
@@ -117,6 +127,12 @@ pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> S
         iterations: sol.iterations,
         seconds: start.elapsed().as_secs_f64(),
     }
+}
+
+/// True when `x = 0` satisfies every cone.
+fn at_rest(program: &ConicProgram) -> bool {
+    let starts = program.cone_starts().into_iter();
+    starts.zip(&program.cones).all(|(s, c)| cone_margin(&program.h[s..s + c.dim()]) >= 0.0)
 }
 
 /// `−G` by columns, rows scaled: Clarabel's `A` in `A x + s = b`.

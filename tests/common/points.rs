@@ -113,9 +113,7 @@ impl<'a> Fields<'a> {
         for load in self.model.surface_loads.iter().filter(|l| l.faces.contains(f)) {
             let more = match &load.traction {
                 Traction::Pressure(p) => n.map(|c| -p * c),
-                Traction::Linear { traction0, gradient } => {
-                    std::array::from_fn(|i| traction0[i] + dot(gradient[i], x))
-                }
+                Traction::Linear { traction0, gradient } => std::array::from_fn(|i| traction0[i] + dot(gradient[i], x)),
             };
             (0..3).for_each(|d| t[d] += more[d]);
         }
@@ -267,7 +265,12 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let gn = dot(g, n);
         let gt = norm(sub(g, n.map(|c| gn * c)));
         let slack = 1e-12 * size.max(g0.abs());
-        assert!(gn + g0 >= law.mu * gt - slack, "{name}: g_N + g₀ = {:e}, μ g_T = {:e} at {at:?}", gn + g0, law.mu * gt);
+        assert!(
+            gn + g0 >= law.mu * gt - slack,
+            "{name}: g_N + g₀ = {:e}, μ g_T = {:e} at {at:?}",
+            gn + g0,
+            law.mu * gt
+        );
     }
 }
 

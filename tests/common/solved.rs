@@ -65,7 +65,10 @@ impl Solved {
         let copies = f64::from(self.model.symmetry);
         let scale = lower.abs().max(upper.abs()).max(b.upper().certificate().work.abs() * copies);
         let (total, gap) = (c.total() * copies, upper - lower);
-        assert!((total - gap).abs() <= 1e-8 * scale, "{name}: Σ contributions {total:e} against {gap:e}, scale {scale:e}");
+        assert!(
+            (total - gap).abs() <= 1e-8 * scale,
+            "{name}: Σ contributions {total:e} against {gap:e}, scale {scale:e}"
+        );
         let least = c.elements.iter().chain(&c.contacts).copied().fold(0.0, f64::min);
         assert!(least >= -1e-12 * scale, "{name}: contribution {least:e}, scale {scale:e}");
         points::check(name, &self.model, p.stress.as_ref().unwrap(), p.displacement.as_ref().unwrap());

@@ -59,7 +59,8 @@ fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
 
 fn hertz(xy: &[f64], z: &[f64]) -> Solved {
     let k = 0.5 / R;
-    let law = format!("- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, 0]}}}}\n");
+    let law =
+        format!("- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, 0]}}}}\n");
     solve_to(&quarter(&law, "", -F / 4.0), block(xy, z), &SolveOptions::default())
 }
 
@@ -94,7 +95,12 @@ fn check(xy: &[f64], z: &[f64], square: f64) {
     let (force, a, p0) = pressure(&s);
     println!("B1: D {extra:?} ({:.3e} of δ/F), δ in {delta:?}, F {force}, a {a}, p0 {p0}", mean_extra * F / 0.021_941);
     let mean = 0.5 * (delta[0] + delta[1]);
-    println!("B1: δ {mean} error {:+.3e}, a {:+.3e}, p0 {:+.3e}", mean / 0.021_941_0 - 1.0, a / 1.481_25 - 1.0, p0 / 2176.13 - 1.0);
+    println!(
+        "B1: δ {mean} error {:+.3e}, a {:+.3e}, p0 {:+.3e}",
+        mean / 0.021_941_0 - 1.0,
+        a / 1.481_25 - 1.0,
+        p0 / 2176.13 - 1.0
+    );
     assert!((force / F - 1.0).abs() < 1e-8);
     assert!((mean / 0.021_941_0 - 1.0).abs() < 0.01, "δ {mean}");
     assert!((a / 1.481_25 - 1.0).abs() < 0.05, "a {a}");

@@ -32,8 +32,7 @@ fn a29_plate_with_a_hole() {
         let outer = if x[1] == 0.5 { [w, w] } else { outer };
         [a * c + t * (outer[0] - a * c), a * n + t * (outer[1] - a * n), x[2]]
     });
-    let pulled: Vec<[u32; 3]> =
-        crate::common::triangles_where(&mesh, |x| (x[0] - w).abs() < 1e-9);
+    let pulled: Vec<[u32; 3]> = crate::common::triangles_where(&mesh, |x| (x[0] - w).abs() < 1e-9);
     mesh.faces.push(bracket::mesh::NamedFaces { name: "PULLED".into(), triangles: pulled });
     let yaml = format!(
         "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Y0, fix: [y]}}\n\

@@ -190,3 +190,19 @@ fn a_stiffness_contrast_of_a_million() {
         }
     }
 }
+
+#[test]
+fn a_loose_part_that_nothing_loads_carries_nothing() {
+    // B is pressed on the ground beside C, which only stands there
+    for mu in ["0", "0.3, friction: associated"] {
+        let b = Block::new([2, 2, 2], [10.0; 3]).jittered(1).mesh(&["B"], |_| 0, |_, _| false);
+        let c = Block { cells: [2, 2, 2], min: [20.0, 0.0, 0.0], max: [30.0, 10.0, 10.0], jitter: 0.2, seed: 2 };
+        let c = crate::common::renamed(c.mesh(&["C"], |_| 0, |_, _| false), "Z1", "TOP_C");
+        let guide = if mu == "0" { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" } else { "" };
+        let yaml = format!(
+            "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s, C: s}}\nsupports:\n{guide}\
+             - {{face: Z0, law: contact, mu: {mu}}}\nloads:\n- {{face: Z1, pressure: 60}}\n"
+        );
+        solve(&yaml, crate::common::beside(b, c)).strict(&format!("unloaded part beside, μ {mu}"));
+    }
+}

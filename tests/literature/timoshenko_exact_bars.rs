@@ -45,7 +45,9 @@ fn a6_pure_bending_without_support() {
         let mesh = block([4, 2, 3], [0.0, -b / 2.0, -h / 2.0], [l, b / 2.0, h / 2.0], seed);
         let load = |face: &str, sign: f64| {
             let k = sign * m / i;
-            format!("- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, 0, 0], [0, 0, 0]]}}}}\n")
+            format!(
+                "- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, 0, 0], [0, 0, 0]]}}}}\n"
+            )
         };
         let yaml = format!("{STEEL}loads:\n{}{}", load("X1", 1.0), load("X0", -1.0));
         let s = solve(&yaml, mesh);

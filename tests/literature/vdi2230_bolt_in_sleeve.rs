@@ -13,8 +13,8 @@
 //! Tolerance of the energies 1e-8 relative: constant stress is in both spaces, the contact state is strictly open or strictly
 //! closed. Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force at which it is.
 
-use crate::common::{Block, beside, renamed};
 use crate::common::solved::{Solved, solve};
+use crate::common::{Block, beside, renamed};
 
 const E: f64 = 200_000.0;
 const L: f64 = 10.0;
