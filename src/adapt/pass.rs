@@ -165,7 +165,11 @@ fn run_kinematic(
     progress("kinematic", Stage::Assembly, 0, 1.0);
     let kinematic = Kinematic::new(model)?;
     let assembly = start.elapsed().as_secs_f64();
-    let solution = solve("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
+    let mut solution = solve("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
+    if stalled(solution.status) {
+        let modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
+        unless_collapse(&mut solution, &kinematic.program, &modes, options);
+    }
     let mut run = start_run(&solution, kinematic.map.n, kinematic.program.cones.len(), assembly);
     let start = Instant::now();
     let mut result = None;

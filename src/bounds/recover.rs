@@ -192,7 +192,7 @@ fn tractions(statics: &Static, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f
 fn balanced_tractions(
     statics: &Static,
     solution: &Solution,
-    modes: &[crate::model::static_form::ContactMode],
+    modes: &[crate::model::contact_modes::ContactMode],
 ) -> Result<Vec<f64>, RecoverError> {
     let program = &statics.program;
     if modes.is_empty() || solution.z.is_empty() {
