@@ -2,5 +2,21 @@
 #![allow(clippy::unwrap_used)]
 
 mod common;
+#[path = "literature/coulomb_block_on_ground.rs"]
+mod coulomb_block_on_ground;
+#[path = "literature/hertz_sphere_on_flat.rs"]
+mod hertz_sphere_on_flat;
+#[path = "literature/kirsch_plate_with_hole.rs"]
+mod kirsch_plate_with_hole;
+#[path = "literature/lame_cylinder_and_sphere.rs"]
+mod lame_cylinder_and_sphere;
 #[path = "literature/paper_reference_meshes.rs"]
 mod paper_reference_meshes;
+#[path = "literature/saint_venant_triangle.rs"]
+mod saint_venant_triangle;
+#[path = "literature/signorini_hard_contacts.rs"]
+mod signorini_hard_contacts;
+#[path = "literature/timoshenko_exact_bars.rs"]
+mod timoshenko_exact_bars;
+#[path = "literature/vdi2230_bolt_in_sleeve.rs"]
+mod vdi2230_bolt_in_sleeve;

@@ -10,7 +10,7 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::status::Iterations;
-use crate::solve::{Solution, SolveOptions, SolveStatus, clarabel};
+use crate::solve::{Solution, SolveOptions, SolveStatus, clarabel, collapse};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -165,7 +165,11 @@ fn run_kinematic(
     progress("kinematic", Stage::Assembly, 0, 1.0);
     let kinematic = Kinematic::new(model)?;
     let assembly = start.elapsed().as_secs_f64();
-    let solution = solve("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
+    let mut solution = solve("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
+    if stalled(solution.status) {
+        let modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
+        unless_collapse(&mut solution, &kinematic.program, &modes, options);
+    }
     let mut run = start_run(&solution, kinematic.map.n, kinematic.program.cones.len(), assembly);
     let start = Instant::now();
     let mut result = None;
@@ -201,7 +205,11 @@ fn run_static(
     progress("static", Stage::Assembly, 0, 1.0);
     let statics = Static::new(model)?;
     let assembly = start.elapsed().as_secs_f64();
-    let solution = solve("static", &statics.program, &statics.map.block, options, progress);
+    let mut solution = solve("static", &statics.program, &statics.map.block, options, progress);
+    if stalled(solution.status) {
+        let modes: Vec<Vec<f64>> = statics.contact_modes().into_iter().map(|m| m.unknowns).collect();
+        unless_collapse(&mut solution, &statics.program, &modes, options);
+    }
     let mut run = start_run(&solution, statics.map.n, statics.program.cones.len(), assembly);
     let start = Instant::now();
     let mut result = None;
@@ -230,6 +238,25 @@ fn run_static(
     }
     run.certify_seconds = start.elapsed().as_secs_f64();
     Ok(Timed { run, result })
+}
+
+/// True when the solver gave up without an answer.
+fn stalled(status: SolveStatus) -> bool {
+    use SolveStatus::{Infeasible, IterationLimit, NumericalError, ReducedAccuracy};
+    matches!(status, Infeasible | IterationLimit | NumericalError | ReducedAccuracy)
+}
+
+/// Asks whether a stalled program lacks equilibrium, and if so says `Unbounded`.
+fn unless_collapse(
+    solution: &mut Solution,
+    program: &crate::model::ConicProgram,
+    modes: &[Vec<f64>],
+    options: &SolveOptions,
+) {
+    if let Some(x) = collapse::direction(program, modes, options) {
+        solution.status = SolveStatus::Unbounded;
+        solution.x = x;
+    }
 }
 
 /// Which parts move along an unbounded direction, in words.

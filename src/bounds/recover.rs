@@ -185,39 +185,74 @@ fn tractions(statics: &Static, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f
     Ok(statics.map.reduce(&full))
 }
 
-/// The contact tractions, corrected so that they balance the loads on every rigid motion only contact resists. The
-/// correction at a cone is weighted by the square of its margin, so that it stays well inside.
+/// The contact tractions, corrected so that they balance the loads on every rigid motion only contact resists.
+///
+/// A contact whose force is lost in the solver's noise may have to carry none at all (a loose part that nothing loads):
+/// such forces are dropped when the balance cannot be found with them.
 fn balanced_tractions(
     statics: &Static,
     solution: &Solution,
-    modes: &[crate::model::static_form::ContactMode],
+    modes: &[crate::model::contact_modes::ContactMode],
 ) -> Result<Vec<f64>, RecoverError> {
     let program = &statics.program;
-    let mut z = solution.z.clone();
-    if modes.is_empty() || z.is_empty() {
-        return Ok(z);
+    if modes.is_empty() || solution.z.is_empty() {
+        return Ok(solution.z.clone());
     }
-    let starts = program.cone_starts();
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(&m.unknowns)).collect();
     let needed: Vec<f64> = modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
-    for _ in 0..3 {
-        let mut weight = vec![0.0; z.len()];
-        for (&start, cone) in starts.iter().zip(&program.cones) {
-            let range = start..start + cone.dim();
-            let m = cone_margin(&z[range.clone()]).max(0.0);
-            weight[range].fill(m * m);
+    let noise = 1e-7 * solution.z.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    for least in [0.0, noise] {
+        let mut z = solution.z.clone();
+        for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
+            let force = &mut z[start..start + cone.dim()];
+            if force[0] < least {
+                force.fill(0.0);
+            }
         }
-        let n = modes.len();
-        let gram = Mat::from_fn(n, n, |i, j| (0..z.len()).map(|r| rows[i][r] * weight[r] * rows[j][r]).sum::<f64>());
-        let missing = Mat::from_fn(n, 1, |i, _| needed[i] - rows[i].iter().zip(&z).map(|(a, b)| a * b).sum::<f64>());
+        if balance(program, &rows, &needed, &mut z) {
+            return Ok(z);
+        }
+    }
+    Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
+}
+
+/// Corrects `z` by the smallest change, measured in each cone's own (Dikin) metric, that makes `rows · z = needed`; true
+/// when every force is still in its cone.
+///
+/// The inverse Hessian of a cone's barrier, `z zᵀ − ½ det(z) J` (z² on the half-line), lets a force near the cone's
+/// surface grow or shrink freely along itself but hardly leave; a change of length below 1 stays inside.
+fn balance(program: &ConicProgram, rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
+    let cones: Vec<(usize, usize)> =
+        program.cone_starts().into_iter().zip(&program.cones).map(|(s, c)| (s, c.dim())).collect();
+    let n = rows.len();
+    for _ in 0..3 {
+        let weighted: Vec<Vec<f64>> = rows
+            .iter()
+            .map(|row| {
+                let mut w = vec![0.0; z.len()];
+                for &(s, d) in &cones {
+                    let (z, r) = (&z[s..s + d], &row[s..s + d]);
+                    let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
+                    let half_det =
+                        if d == 1 { 0.0 } else { 0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z)) };
+                    for i in 0..d {
+                        let j = if i == 0 { 1.0 } else { -1.0 };
+                        w[s + i] = z[i] * along - half_det * j * r[i];
+                    }
+                }
+                w
+            })
+            .collect();
+        let dot = |a: &[f64], b: &[f64]| crate::math::Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
+        let gram = Mat::from_fn(n, n, |i, j| dot(&rows[i], &weighted[j]));
+        let missing = Mat::from_fn(n, 1, |i, _| needed[i] - dot(&rows[i], z));
         // modes that no contact touches have a zero row here; the pseudo-inverse leaves them alone
         let multipliers = pseudo_solve(&gram, &missing);
         for r in 0..z.len() {
-            z[r] += weight[r] * (0..n).map(|i| rows[i][r] * multipliers[(i, 0)]).sum::<f64>();
+            z[r] += (0..n).map(|i| weighted[i][r] * multipliers[(i, 0)]).sum::<f64>();
         }
     }
-    let inside = starts.iter().zip(&program.cones).all(|(&s, c)| cone_margin(&z[s..s + c.dim()]) >= 0.0);
-    if inside { Ok(z) } else { Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", "))) }
+    cones.iter().all(|&(s, d)| cone_margin(&z[s..s + d]) >= 0.0)
 }
 
 /// Minimum-norm solution of a small symmetric positive semidefinite system.

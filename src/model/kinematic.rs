@@ -6,6 +6,7 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
+use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::loads::{face_corners, face_nodes};
@@ -247,6 +248,25 @@ impl Kinematic {
             }
         }
         Ok(Self { program, space, map, rigid, points })
+    }
+}
+
+impl Kinematic {
+    /// The rigid motions that only contact resists.
+    pub fn contact_modes(&self, model: &AnalysisModel) -> Vec<ContactMode> {
+        let part = model.node_parts();
+        let points: Vec<(usize, V3)> = self
+            .space
+            .nodes
+            .iter()
+            .enumerate()
+            .map(|(i, x)| {
+                let vertex =
+                    if i < self.space.vertices { i as u32 } else { self.space.edges.nodes[i - self.space.vertices][0] };
+                (part[vertex as usize] as usize, *x)
+            })
+            .collect();
+        contact_modes(model, &self.map, &points)
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod assemble;
+pub mod contact_modes;
 pub mod dofs;
 pub mod file;
 pub mod from_joint;

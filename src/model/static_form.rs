@@ -6,6 +6,7 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
+use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::kinematic::{hold, push_rows};
@@ -288,73 +289,17 @@ fn pin_free_modes(elements: &SuperElements, map: &DofMap, p: &mut super::program
     hold(p, holds::pins(motions));
 }
 
-/// A rigid motion of parts and rigid faces that no support resists, only contact.
-pub struct ContactMode {
-    /// The motion in the program's unknowns.
-    pub unknowns: Vec<f64>,
-    /// The motion `[U, θ]` about the origin of each part.
-    pub parts: Vec<[f64; 6]>,
-}
-
 impl Static<'_> {
     /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the
     /// loads.
     pub fn contact_modes(&self) -> Vec<ContactMode> {
-        let model = self.elements.model;
-        let parts = model.parts.len();
-        let faces = &self.elements.faces;
-        // motions about the middle of the model, rotations scaled to its size
-        let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
-            (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
-        });
-        let centre: V3 = std::array::from_fn(|d| 0.5 * (lo[d] + hi[d]));
-        let size = vec3::norm(vec3::sub(hi, lo)).max(f64::MIN_POSITIVE);
-        let unit: [[f64; 6]; 6] = std::array::from_fn(|m| {
-            let mut v = [0.0; 6];
-            v[m] = if m < 3 { 1.0 } else { 1.0 / size };
-            v
-        });
-        let rigid = self.map.n - self.map.plain;
-        let n = 6 * parts + rigid;
-        let mut gram = faer::Mat::<f64>::zeros(n, n);
-        for f in 0..faces.nodes.len() {
-            for (p, &node) in faces.nodes[f].iter().enumerate() {
-                for d in 0..3 {
-                    let full = 9 * f + 3 * p + d;
-                    if self.map.own(full).is_some() {
-                        continue;
-                    }
-                    let part = self.elements.part(f);
-                    let x = model.mesh.nodes[node as usize];
-                    let mut row: Vec<(usize, f64)> =
-                        (0..6).map(|m| (6 * part + m, holds::rigid_displacement(&unit[m], centre, x)[d])).collect();
-                    row.extend(
-                        self.map.terms(full).iter().map(|&(k, c)| (6 * parts + k as usize - self.map.plain, -c)),
-                    );
-                    for &(i, a) in &row {
-                        for &(j, b) in &row {
-                            gram[(i, j)] += a * b;
-                        }
-                    }
-                }
-            }
-        }
-        crate::math::dense::null_space(&gram, 1e-11)
-            .into_iter()
-            .map(|c| {
-                let motions: Vec<[f64; 6]> = (0..parts)
-                    .map(|p| {
-                        let theta: V3 = std::array::from_fn(|d| c[6 * p + 3 + d] / size);
-                        let u: V3 = std::array::from_fn(|d| c[6 * p + d]);
-                        // about the origin: U + θ × (x − centre) = (U − θ × centre) + θ × x
-                        let u = vec3::sub(u, vec3::cross(theta, centre));
-                        [u[0], u[1], u[2], theta[0], theta[1], theta[2]]
-                    })
-                    .collect();
-                let mut unknowns = part_motions(&self.elements, &self.map, |p| motions[p]);
-                unknowns[self.map.plain..].copy_from_slice(&c[6 * parts..]);
-                ContactMode { unknowns, parts: motions }
-            })
-            .collect()
+        let (model, faces) = (self.elements.model, &self.elements.faces);
+        let points: Vec<(usize, V3)> = faces
+            .nodes
+            .iter()
+            .enumerate()
+            .flat_map(|(f, nodes)| nodes.map(|n| (self.elements.part(f), model.mesh.nodes[n as usize])))
+            .collect();
+        contact_modes(model, &self.map, &points)
     }
 }

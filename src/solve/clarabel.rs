@@ -1,43 +1,49 @@
 //! Clarabel (homogeneous embedding, Nesterov–Todd) as the conic solver, with faer's sparse kernels.
 //!
-//! Programs are scaled first: unit mean stiffness, unit largest load, unit rows per cone. A program without cones is a
+//! Programs are scaled first: unit stiffness of every unknown, unit largest load, unit rows per cone. A program without cones is a
 //! linear system and is solved as one.
 
 use super::linear::{SparseCholesky, solve_refined};
 use super::status::{Solution, SolveOptions, SolveStatus};
-use crate::model::program::{Cone, ConicProgram};
+use crate::model::program::{Cone, ConicProgram, cone_margin};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use std::time::Instant;
 
-/// Scales of a program: `x = x_scale·x̂`, `z = z_scale·row_scale·ẑ`.
+/// Scales of a program: `x_i = size·columns_i·x̂_i`, `z = size·rows·ẑ`.
 struct Scaling {
-    p: f64,
-    x: f64,
+    columns: Vec<f64>,
+    size: f64,
     rows: Vec<f64>,
 }
 
 impl Scaling {
     fn new(program: &ConicProgram) -> Self {
+        // every unknown is measured in the give of its own stiffness: soft parts on hard ones are no trouble
         let diagonal = program.p.diagonal();
-        let p = (diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64).max(f64::MIN_POSITIVE);
-        let load = program.q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let mean = (diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64).max(f64::MIN_POSITIVE);
+        let columns: Vec<f64> = diagonal.iter().map(|d| d.max(1e-14 * mean).sqrt().recip()).collect();
+        let load = program.q.iter().zip(&columns).fold(0.0f64, |m, (q, c)| m.max((q * c).abs()));
         let mut rows = vec![1.0; program.h.len()];
         for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
             let range = start..start + cone.dim();
-            let largest = range.clone().flat_map(|r| program.g.row(r)).map(|(_, v)| v.abs()).fold(0.0f64, f64::max);
+            let largest = range
+                .clone()
+                .flat_map(|r| program.g.row(r))
+                .map(|(c, v)| (v * columns[c]).abs())
+                .fold(0.0f64, f64::max);
             rows[range].fill(if largest > 0.0 { 1.0 / largest } else { 1.0 });
         }
         let offset = program.h.iter().zip(&rows).map(|(h, s)| (h * s).abs()).fold(0.0f64, f64::max);
-        // displacements are measured in the local give of the largest load, or in the largest gap when nothing is loaded
-        let x = if load > 0.0 {
-            load / p
+        // the scaled loads are 1, or the largest gap is when nothing is loaded
+        let size = if load > 0.0 {
+            load
         } else if offset > 0.0 {
             offset
         } else {
             1.0
         };
-        Self { p, x, rows }
+        Self { columns, size, rows }
     }
 }
 
@@ -47,17 +53,30 @@ pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> S
     if program.cones.is_empty() {
         return linear(program, block, start);
     }
+    if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
+        // nothing loads the model and no contact is violated at rest: rest is the solution
+        return Solution {
+            status: SolveStatus::Optimal,
+            x: vec![0.0; program.p.n],
+            z: vec![0.0; program.h.len()],
+            iterations: 0,
+            seconds: start.elapsed().as_secs_f64(),
+        };
+    }
     let s = Scaling::new(program);
     let p = CscMatrix::new(
         program.p.n,
         program.p.n,
         program.p.col_ptr.clone(),
         program.p.row_idx.clone(),
-        program.p.values.iter().map(|v| v / s.p).collect(),
+        (0..program.p.n)
+            .flat_map(|c| (program.p.col_ptr[c]..program.p.col_ptr[c + 1]).map(move |k| (c, k)))
+            .map(|(c, k)| program.p.values[k] * s.columns[c] * s.columns[program.p.row_idx[k]])
+            .collect(),
     );
-    let q: Vec<f64> = program.q.iter().map(|v| v / (s.p * s.x)).collect();
+    let q: Vec<f64> = program.q.iter().zip(&s.columns).map(|(v, c)| v * c / s.size).collect();
     let a = minus_columns(program, &s);
-    let b: Vec<f64> = program.h.iter().zip(&s.rows).map(|(h, r)| h * r / s.x).collect();
+    let b: Vec<f64> = program.h.iter().zip(&s.rows).map(|(h, r)| h * r / s.size).collect();
     let cones: Vec<SupportedConeT<f64>> = program
         .cones
         .iter()
@@ -112,11 +131,17 @@ pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> S
     };
     Solution {
         status,
-        x: sol.x.iter().map(|x| x * s.x).collect(),
-        z: sol.z.iter().zip(&s.rows).map(|(z, r)| z * r * s.p * s.x).collect(),
+        x: sol.x.iter().zip(&s.columns).map(|(x, c)| x * c * s.size).collect(),
+        z: sol.z.iter().zip(&s.rows).map(|(z, r)| z * r * s.size).collect(),
         iterations: sol.iterations,
         seconds: start.elapsed().as_secs_f64(),
     }
+}
+
+/// True when `x = 0` satisfies every cone.
+fn at_rest(program: &ConicProgram) -> bool {
+    let starts = program.cone_starts().into_iter();
+    starts.zip(&program.cones).all(|(s, c)| cone_margin(&program.h[s..s + c.dim()]) >= 0.0)
 }
 
 /// `−G` by columns, rows scaled: Clarabel's `A` in `A x + s = b`.
@@ -133,7 +158,7 @@ fn minus_columns(program: &ConicProgram, s: &Scaling) -> CscMatrix<f64> {
     for r in 0..rows {
         for (c, v) in program.g.row(r) {
             row_idx[next[c]] = r;
-            values[next[c]] = -v * s.rows[r];
+            values[next[c]] = -v * s.rows[r] * s.columns[c];
             next[c] += 1;
         }
     }

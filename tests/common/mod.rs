@@ -1,6 +1,10 @@
 //! Meshes and models for tests.
 #![allow(dead_code, missing_docs)]
 
+pub mod points;
+pub mod prism;
+pub mod solved;
+
 use bracket::mesh::{NamedFaces, TetMesh};
 
 /// A structured block of tets (six per cell), interior nodes jittered by `jitter` × cell size.
@@ -105,4 +109,83 @@ pub fn triangles_where(mesh: &TetMesh, inside: impl Fn([f64; 3]) -> bool) -> Vec
     out.sort_unstable();
     out.dedup();
     out
+}
+
+/// Planes of a structured grid from 0: `n` steps of `first`, then steps growing by `ratio` up to `end`.
+pub fn graded(first: f64, n: usize, ratio: f64, end: f64) -> Vec<f64> {
+    let mut planes: Vec<f64> = (0..=n).map(|i| first * i as f64).collect();
+    let start = first * n as f64;
+    // the number of growing steps that comes nearest, then scaled to end exactly
+    let mut steps = vec![first * ratio];
+    while steps.iter().sum::<f64>() < end - start {
+        steps.push(steps[steps.len() - 1] * ratio);
+    }
+    let scale = (end - start) / steps.iter().sum::<f64>();
+    let mut at = start;
+    for s in &steps {
+        at += s * scale;
+        planes.push(at);
+    }
+    if let Some(last) = planes.last_mut() {
+        *last = end;
+    }
+    planes
+}
+
+/// Moves every node, and turns tets that a mirroring map would leave with negative volume.
+pub fn mapped(mut mesh: TetMesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> TetMesh {
+    mesh.nodes.iter_mut().for_each(|x| *x = map(*x));
+    for e in 0..mesh.tets.len() {
+        if mesh.volume(e) < 0.0 {
+            mesh.tets[e].swap(2, 3);
+        }
+    }
+    mesh
+}
+
+/// Two meshes side by side, sharing nothing; faces of one name become one face.
+pub fn beside(mut a: TetMesh, b: TetMesh) -> TetMesh {
+    let (nodes, bodies) = (a.nodes.len() as u32, a.bodies.len() as u32);
+    a.nodes.extend(b.nodes);
+    a.tets.extend(b.tets.iter().map(|t| t.map(|n| n + nodes)));
+    a.tet_body.extend(b.tet_body.iter().map(|t| t + bodies));
+    a.bodies.extend(b.bodies);
+    for f in b.faces {
+        let moved = f.triangles.iter().map(|t| t.map(|n| n + nodes));
+        match a.faces.iter_mut().find(|g| g.name == f.name) {
+            Some(g) => g.triangles.extend(moved),
+            None => a.faces.push(NamedFaces { name: f.name, triangles: moved.collect() }),
+        }
+    }
+    a
+}
+
+/// The mesh with its face `from` called `to`.
+pub fn renamed(mut mesh: TetMesh, from: &str, to: &str) -> TetMesh {
+    mesh.faces.iter_mut().filter(|f| f.name == from).for_each(|f| f.name = to.into());
+    mesh
+}
+
+/// A sequence of numbers in [0, 1), the same for the same seed (xorshift).
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+    }
+    pub fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+    pub fn below(&mut self, n: usize) -> usize {
+        ((self.unit() * n as f64) as usize).min(n - 1)
+    }
+    /// Barycentric coordinates of a point in a simplex with N corners, uniform.
+    pub fn simplex<const N: usize>(&mut self) -> [f64; N] {
+        let w: [f64; N] = std::array::from_fn(|_| -(1.0 - self.unit()).ln() + 1e-12);
+        let sum: f64 = w.iter().sum();
+        w.map(|x| x / sum)
+    }
 }

@@ -1,0 +1,64 @@
+//! Is there equilibrium at all? A small conic program over the rigid motions that only contact resists.
+//!
+//! Along such a motion m the stiffness is zero, so the program falls without limit when the loads work on it, `q·m < 0`, and
+//! no contact resists it, `G m ∈ K`. The nearest such motion to the loads is the projection of −q on that cone: it is zero
+//! when the contacts can balance the loads. Interior-point iterations on the full program lose that answer in
+//! their noise when the loads exceed the limit by little; the projection has as many unknowns as there are modes.
+
+use super::clarabel;
+use super::status::{SolveOptions, SolveStatus};
+use crate::model::program::{ConicProgram, Csr, SymmetricCsc, cone_margin};
+
+/// Smallest projection, as a part of the loads, that counts as a lack of equilibrium.
+const EXCESS: f64 = 1e-6;
+/// Largest violation of a cone by the motion, as a part of its largest opening.
+const VIOLATION: f64 = 1e-7;
+
+/// A direction along which the program falls without limit, among the given motions (`P m = 0`); `None` when none is found.
+pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOptions) -> Option<Vec<f64>> {
+    let n = modes.len();
+    let q: Vec<f64> = modes.iter().map(|m| m.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    let size = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if size == 0.0 {
+        return None;
+    }
+    let columns: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(m)).collect();
+    let mut g = Csr { ncols: n, ..Csr::default() };
+    for r in 0..program.h.len() {
+        let row: Vec<(u32, f64)> = (0..n).map(|c| (c as u32, columns[c][r])).collect();
+        g.push_row(&row);
+    }
+    let identity = SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n).collect(), values: vec![1.0; n] };
+    let small = ConicProgram {
+        p: identity,
+        q: q.iter().map(|x| x / size).collect(),
+        c: 0.0,
+        h: vec![0.0; program.h.len()],
+        g,
+        cones: program.cones.clone(),
+    };
+    let block: Vec<u32> = (0..n as u32).collect();
+    let solution = clarabel::solve(&small, &block, &SolveOptions { progress: None, ..options.clone() });
+    if solution.status != SolveStatus::Optimal {
+        return None;
+    }
+    // the projection's squared length is the work of the loads on it
+    let work: f64 = -solution.x.iter().zip(&small.q).map(|(a, b)| a * b).sum::<f64>();
+    let length = solution.x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let slack = small.g.mul(&solution.x);
+    let largest = slack.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let worst = small
+        .cone_starts()
+        .into_iter()
+        .zip(&small.cones)
+        .map(|(s, c)| cone_margin(&slack[s..s + c.dim()]))
+        .fold(f64::INFINITY, f64::min);
+    if length < EXCESS || work < EXCESS * length || worst < -VIOLATION * largest {
+        return None;
+    }
+    let mut x = vec![0.0; program.p.n];
+    for (mode, w) in modes.iter().zip(&solution.x) {
+        x.iter_mut().zip(mode).for_each(|(x, m)| *x += w * m);
+    }
+    Some(x)
+}

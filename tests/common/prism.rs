@@ -1,0 +1,75 @@
+//! A structured mesh of a triangle times layers: triangular prisms and octants of spheres.
+
+use bracket::mesh::{NamedFaces, TetMesh};
+
+/// `n` segments along each side of the triangle, `layers` layers.
+pub struct Prism {
+    pub n: usize,
+    pub layers: usize,
+}
+
+impl Prism {
+    /// The mesh: node positions by `map(barycentric, t)` with t from 0 to 1 through the layers.
+    ///
+    /// Faces S0, S1, S2 lie opposite the triangle's corners; BOTTOM is t = 0, TOP t = 1. One body, `B`.
+    pub fn mesh(&self, map: impl Fn([f64; 3], f64) -> [f64; 3]) -> TetMesh {
+        let n = self.n;
+        let flat: Vec<[usize; 2]> = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j])).collect();
+        let index = |i: usize, j: usize| flat.iter().position(|p| *p == [i, j]).unwrap();
+        let mut triangles = Vec::new();
+        for i in 0..n {
+            for j in 0..n - i {
+                triangles.push([index(i, j), index(i + 1, j), index(i, j + 1)]);
+                if i + j + 2 <= n {
+                    triangles.push([index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)]);
+                }
+            }
+        }
+        let per = flat.len();
+        let mut mesh = TetMesh { bodies: vec!["B".into()], ..TetMesh::default() };
+        for k in 0..=self.layers {
+            for [i, j] in &flat {
+                let (a, b) = (*i as f64 / n as f64, *j as f64 / n as f64);
+                mesh.nodes.push(map([a, b, (n - i - j) as f64 / n as f64], k as f64 / self.layers as f64));
+            }
+        }
+        for k in 0..self.layers {
+            for t in &triangles {
+                // sorted corners: the diagonals of neighbours agree
+                let mut s = *t;
+                s.sort_unstable();
+                let low = s.map(|c| (k * per + c) as u32);
+                let high = s.map(|c| ((k + 1) * per + c) as u32);
+                mesh.tets.push([low[0], low[1], low[2], high[2]]);
+                mesh.tets.push([low[0], low[1], high[1], high[2]]);
+                mesh.tets.push([low[0], high[0], high[1], high[2]]);
+            }
+        }
+        mesh.tet_body = vec![0; mesh.tets.len()];
+        for e in 0..mesh.tets.len() {
+            if mesh.volume(e) < 0.0 {
+                mesh.tets[e].swap(2, 3);
+            }
+        }
+        let on = |name: &str, inside: &dyn Fn(usize, usize) -> bool| {
+            let mut triangles = Vec::new();
+            for t in &mesh.tets {
+                for f in bracket::mesh::tet::FACES {
+                    let v = f.map(|i| t[i]);
+                    if v.iter().all(|&v| inside(v as usize % per, v as usize / per)) {
+                        triangles.push(v);
+                    }
+                }
+            }
+            NamedFaces { name: name.into(), triangles }
+        };
+        mesh.faces = vec![
+            on("S0", &|p, _| flat[p][0] == 0),
+            on("S1", &|p, _| flat[p][1] == 0),
+            on("S2", &|p, _| flat[p][0] + flat[p][1] == n),
+            on("BOTTOM", &|_, k| k == 0),
+            on("TOP", &|_, k| k == self.layers),
+        ];
+        mesh
+    }
+}

@@ -1,0 +1,106 @@
+//! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
+
+use super::points;
+use bracket::adapt::pass::{self, Pass};
+use bracket::diag::{Diagnostics, Place};
+use bracket::mesh::TetMesh;
+use bracket::model::AnalysisModel;
+use bracket::model::file::ModelFile;
+use bracket::solve::{SolveOptions, SolveStatus};
+use std::path::Path;
+use std::sync::Arc;
+
+/// A model and its pass.
+pub struct Solved {
+    pub model: AnalysisModel,
+    pub pass: Pass,
+}
+
+/// Reads the model; `yaml` without its `mesh` and `analysis: elastic` lines.
+pub fn resolve(yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
+    let text = format!("mesh: in memory\nanalysis: elastic\n{yaml}");
+    let parsed = bracket::spec::yaml::parse::<ModelFile>(&text, Path::new("test.yaml"))?;
+    bracket::model::resolve::resolve(&parsed.value, mesh, &|_| Place::default())
+}
+
+/// Reads and runs a model that must be sound.
+pub fn solve(yaml: &str, mesh: TetMesh) -> Solved {
+    solve_to(yaml, mesh, &SolveOptions::default())
+}
+
+/// The same with other solver limits.
+pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
+    let model = match resolve(yaml, mesh) {
+        Ok(model) => model,
+        Err(e) => panic!("{e:?}"),
+    };
+    let quiet: pass::Progress = Arc::new(|_, _, _, _| {});
+    let pass = pass::run(&model, options, &quiet).unwrap();
+    Solved { model, pass }
+}
+
+impl Solved {
+    /// Lower and upper bound \[N mm\], after all that holds for every run: both programs optimal, a strict bracket,
+    /// Σ contributions = gap, no negative contribution, admissible at random points.
+    pub fn strict(&self, name: &str) -> [f64; 2] {
+        let p = &self.pass;
+        let runs = [p.kinematic.as_ref().unwrap(), p.statics.as_ref().unwrap()];
+        for r in runs {
+            assert_eq!(r.status, SolveStatus::Optimal, "{name}: {r:?}");
+            assert_eq!(r.trouble, None, "{name}");
+        }
+        let b = p.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
+        let [lower, upper] = [b.lower().value(), b.upper().value()];
+        println!(
+            "{name}: [{lower:.10e}, {upper:.10e}] gap {:.3e}; {} tets, dofs {} / {}, iterations {} / {}",
+            b.gap(),
+            self.model.mesh.tets.len(),
+            runs[0].dofs,
+            runs[1].dofs,
+            runs[0].iterations,
+            runs[1].iterations
+        );
+        assert!(b.is_strict(), "{name}: {:?} {:?}", b.lower().certificate(), b.upper().certificate());
+        let c = p.contributions.as_ref().unwrap();
+        let copies = f64::from(self.model.symmetry);
+        let scale = lower.abs().max(upper.abs()).max(b.upper().certificate().work.abs() * copies);
+        let (total, gap) = (c.total() * copies, upper - lower);
+        assert!(
+            (total - gap).abs() <= 1e-8 * scale,
+            "{name}: Σ contributions {total:e} against {gap:e}, scale {scale:e}"
+        );
+        let least = c.elements.iter().chain(&c.contacts).copied().fold(0.0, f64::min);
+        assert!(least >= -1e-12 * scale, "{name}: contribution {least:e}, scale {scale:e}");
+        points::check(name, &self.model, p.stress.as_ref().unwrap(), p.displacement.as_ref().unwrap());
+        [lower, upper]
+    }
+
+    /// A strict bracket with both ends at `exact` within `tolerance` (relative).
+    pub fn exact(&self, name: &str, exact: f64, tolerance: f64) {
+        let [lower, upper] = self.strict(name);
+        println!("{name}: exact {exact:.10e}, relative errors {:.1e} {:.1e}", lower / exact - 1.0, upper / exact - 1.0);
+        for x in [lower, upper] {
+            assert!((x - exact).abs() <= tolerance * exact.abs(), "{name}: {x:.12e} against {exact:.12e}");
+        }
+    }
+
+    /// A strict bracket that holds `exact`, up to rounding.
+    pub fn contains(&self, name: &str, exact: f64) -> [f64; 2] {
+        let [lower, upper] = self.strict(name);
+        let slack = 1e-9 * exact.abs();
+        assert!(lower <= exact + slack && exact <= upper + slack, "{name}: {exact:e} outside [{lower:e}, {upper:e}]");
+        [lower, upper]
+    }
+
+    /// No equilibrium: both programs unbounded, each naming `part`.
+    pub fn no_equilibrium(&self, name: &str, part: &str) {
+        assert!(self.pass.bracket.is_none() && self.pass.lower.is_none() && self.pass.upper.is_none(), "{name}");
+        for (which, r) in [("kinematic", &self.pass.kinematic), ("static", &self.pass.statics)] {
+            let r = r.as_ref().unwrap();
+            println!("{name}: {which} {:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
+            assert_eq!(r.status, SolveStatus::Unbounded, "{name}: {which}");
+            let mechanism = r.mechanism.as_deref().unwrap_or_default();
+            assert!(mechanism.contains(part), "{name}: {which} {mechanism}");
+        }
+    }
+}
