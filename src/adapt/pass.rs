@@ -10,7 +10,7 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::status::Iterations;
-use crate::solve::{Solution, SolveOptions, SolveStatus, clarabel, collapse};
+use crate::solve::{self, Solution, SolveOptions, SolveStatus, collapse};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -143,7 +143,7 @@ fn start_run(solution: &Solution, dofs: usize, cones: usize, assembly: f64) -> P
 }
 
 /// Solves a program, telling its iterations.
-fn solve(
+fn solve_told(
     name: &'static str,
     program: &crate::model::ConicProgram,
     block: &[u32],
@@ -153,7 +153,7 @@ fn solve(
     progress(name, Stage::Solve, 0, 1.0);
     let told = progress.clone();
     let tell: Iterations = Arc::new(move |iteration, gap, _| told(name, Stage::Solve, iteration, gap));
-    clarabel::solve(program, block, &SolveOptions { progress: Some(tell), ..options.clone() })
+    solve::solve(program, block, &SolveOptions { progress: Some(tell), ..options.clone() })
 }
 
 fn run_kinematic(
@@ -165,7 +165,7 @@ fn run_kinematic(
     progress("kinematic", Stage::Assembly, 0, 1.0);
     let kinematic = Kinematic::new(model)?;
     let assembly = start.elapsed().as_secs_f64();
-    let mut solution = solve("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
+    let mut solution = solve_told("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
     if stalled(solution.status) {
         let modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
         unless_collapse(&mut solution, &kinematic.program, &modes, options);
@@ -205,7 +205,7 @@ fn run_static(
     progress("static", Stage::Assembly, 0, 1.0);
     let statics = Static::new(model)?;
     let assembly = start.elapsed().as_secs_f64();
-    let mut solution = solve("static", &statics.program, &statics.map.block, options, progress);
+    let mut solution = solve_told("static", &statics.program, &statics.map.block, options, progress);
     if stalled(solution.status) {
         let modes: Vec<Vec<f64>> = statics.contact_modes().into_iter().map(|m| m.unknowns).collect();
         unless_collapse(&mut solution, &statics.program, &modes, options);

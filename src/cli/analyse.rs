@@ -51,6 +51,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         mesh_quality: quality_table(&quality::table(&model.mesh)),
         mirror: Vec::new(),
         target_gap: file.adapt.as_ref().map(|a| a.target_gap),
+        solver: args.options.solver,
     };
     let case = Case {
         name: file_stem(&name),
@@ -69,8 +70,15 @@ fn folder_name(path: &Path) -> Option<String> {
 
 /// The mesh quality as the report's table.
 pub fn quality_table(rows: &[quality::BodyQuality]) -> Table {
-    let columns =
-        ["body", "tets", "volume [mm³]", "worst dihedral angle [°]", "median [°]", "worst aspect ratio", "one-layer tets"];
+    let columns = [
+        "body",
+        "tets",
+        "volume [mm³]",
+        "worst dihedral angle [°]",
+        "median [°]",
+        "worst aspect ratio",
+        "one-layer tets",
+    ];
     let rows = rows
         .iter()
         .map(|r| {

@@ -16,15 +16,17 @@ use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::text::report_markdown;
-use crate::solve::SolveOptions;
+use crate::solve::{SolveOptions, Solver};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Which solver solves the conic programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Solver {
-    /// Clarabel, a general interior-point solver.
+pub enum SolverChoice {
+    /// The condensed interior-point method: one sparse factor per iteration.
     #[default]
+    Condensed,
+    /// Clarabel, a general interior-point solver.
     Clarabel,
 }
 
@@ -35,8 +37,8 @@ pub struct AnalysisOptions {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Solver of the conic programs.
-    #[arg(long, value_enum, default_value = "clarabel")]
-    pub solver: Solver,
+    #[arg(long, value_enum, default_value = "condensed")]
+    pub solver: SolverChoice,
     /// Also keep the plain data that crosses each stage.
     #[arg(long)]
     pub keep: bool,
@@ -92,6 +94,8 @@ pub struct Echo {
     pub mirror: Vec<usize>,
     /// The gap asked for, a fraction.
     pub target_gap: Option<f64>,
+    /// The solver asked for.
+    pub solver: SolverChoice,
 }
 
 /// A file name made of a case's name.
@@ -107,7 +111,7 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
     for case in &cases {
-        let pass = run_pass(case, &log)?;
+        let pass = run_pass(case, echo.solver, &log)?;
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
         if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap) {
             if gap > target {
@@ -168,10 +172,12 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
 
 /// Every program that ran gave its bound.
 fn has_asked_bounds(c: &CaseResult) -> bool {
-    c.history.last().is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
+    c.history
+        .last()
+        .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
 }
 
-fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
+fn run_pass(case: &Case, solver: SolverChoice, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part(s)",
         case.name,
@@ -187,7 +193,12 @@ fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
         Stage::Solve => told.stage(format!("{name}: {program} iteration {iteration}, relative gap {gap:.1e}")),
         Stage::Certify => told.stage(format!("{name}: certifying the {program} field")),
     });
-    pass::run(&case.model, &SolveOptions::default(), &progress).map_err(|e| Diagnostic::from(e).into())
+    let solver = match solver {
+        SolverChoice::Condensed => Solver::Condensed,
+        SolverChoice::Clarabel => Solver::Clarabel,
+    };
+    let options = SolveOptions { solver, ..SolveOptions::default() };
+    pass::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 
 fn write_fields(case: &Case, pass: &pass::Pass, stem: &str, folder: &ResultFolder) -> Result<(), Diagnostics> {
@@ -213,10 +224,7 @@ fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) 
     let picture = draw(&model.mesh, &PictureOptions { mirror, ..PictureOptions::default() });
     folder.write("mesh.png", &png(&picture)?)?;
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
-    Ok(PictureRef {
-        file: "mesh.png".into(),
-        caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()),
-    })
+    Ok(PictureRef { file: "mesh.png".into(), caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()) })
 }
 
 /// The deformed shape with the size of the displacement as colours.

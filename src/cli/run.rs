@@ -64,9 +64,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     }
     let cases = cases(&input, &meshed, kind, mesh_seconds)?;
     let project = &input.spec.value.project;
-    let title = project.title.clone().unwrap_or_else(|| {
-        args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned())
-    });
+    let title = project
+        .title
+        .clone()
+        .unwrap_or_else(|| args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned()));
     let mut block = vec![("title".to_string(), title)];
     for (name, value) in [
         ("number", &project.number),
@@ -92,6 +93,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         mesh_quality: quality_table(&meshed.quality),
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
         target_gap: Some(input.spec.value.analysis.target_gap),
+        solver: args.options.solver,
         input_text: input.text,
     };
     finish(cases, echo, folder, log, common)

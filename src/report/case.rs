@@ -66,8 +66,7 @@ fn only_load(model: &AnalysisModel) -> Option<f64> {
     match (&model.surface_loads[..], &actions[..]) {
         ([], [action]) => Some(action.abs()),
         ([load], []) => {
-            let areas: Vec<_> =
-                load.faces.iter().map(|f| vec3::area_vector(&face_corners(&model.mesh, f))).collect();
+            let areas: Vec<_> = load.faces.iter().map(|f| vec3::area_vector(&face_corners(&model.mesh, f))).collect();
             let total: f64 = areas.iter().map(|a| vec3::norm(*a)).sum();
             let resultant = areas.iter().fold([0.0; 3], |s, a| vec3::add(s, *a));
             let plane = vec3::norm(resultant) > (1.0 - 1e-9) * total;

@@ -37,8 +37,7 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
         g,
         cones: program.cones.clone(),
     };
-    let block: Vec<u32> = (0..n as u32).collect();
-    let solution = clarabel::solve(&small, &block, &SolveOptions { progress: None, ..options.clone() });
+    let solution = clarabel::solve(&small, &SolveOptions { progress: None, ..options.clone() });
     if solution.status != SolveStatus::Optimal {
         return None;
     }

@@ -31,11 +31,17 @@ pub struct SparseCholesky {
 impl SparseCholesky {
     /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering.
     pub fn new(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
+        let mut factor = Self::symbolic(a, block)?;
+        factor.refactor(a)?;
+        Ok(factor)
+    }
+
+    /// Orders and lays out the factor of matrices with the pattern of `a`, without numbers yet.
+    pub fn symbolic(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
         let order = nested_dissection(a, block);
         let mut inverse = vec![0; order.len()];
         order.iter().enumerate().for_each(|(new, &old)| inverse[old] = new);
         let pattern = SymbolicSparseColMatRef::new_checked(a.n, a.n, &a.col_ptr, None, &a.row_idx);
-        let matrix = SparseColMatRef::new(pattern, &a.values);
         let symbolic = factorize_symbolic_cholesky(
             pattern,
             Side::Upper,
@@ -43,13 +49,20 @@ impl SparseCholesky {
             CholeskySymbolicParams::default(),
         )
         .map_err(|e| LinearError::Setup(format!("{e:?}")))?;
-        let mut values = vec![0.0; symbolic.len_val()];
-        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let values = vec![0.0; symbolic.len_val()];
+        Ok(Self { symbolic, values })
+    }
+
+    /// Factors a matrix with the pattern the layout was made for.
+    pub fn refactor(&mut self, a: &SymmetricCsc) -> Result<(), LinearError> {
+        let pattern = SymbolicSparseColMatRef::new_checked(a.n, a.n, &a.col_ptr, None, &a.row_idx);
+        let matrix = SparseColMatRef::new(pattern, &a.values);
+        let scratch = self.symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let mut memory = MemBuffer::try_new(scratch).map_err(|e| LinearError::Setup(format!("{e:?}")))?;
         // sequential kernels: faer's parallel ones have two public reports of wrong results
-        symbolic
+        self.symbolic
             .factorize_numeric_llt(
-                &mut values,
+                &mut self.values,
                 matrix,
                 Side::Upper,
                 LltRegularization::default(),
@@ -58,7 +71,7 @@ impl SparseCholesky {
                 Default::default(),
             )
             .map_err(|_| LinearError::Singular)?;
-        Ok(Self { symbolic, values })
+        Ok(())
     }
 
     /// `A⁻¹ b`, without refinement.

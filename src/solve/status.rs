@@ -61,9 +61,21 @@ pub struct Solution {
 /// Told at every iteration: its number, the relative gap, the residual.
 pub type Iterations = Arc<dyn Fn(u32, f64, f64) + Send + Sync>;
 
+/// Which method solves the conic programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Solver {
+    /// The condensed interior-point method, with Clarabel behind it when it ends without an answer.
+    #[default]
+    Condensed,
+    /// Clarabel, a general interior-point solver.
+    Clarabel,
+}
+
 /// Limits and reporting of a solve.
 #[derive(Clone)]
 pub struct SolveOptions {
+    /// The method.
+    pub solver: Solver,
     /// Relative duality gap and residuals at which to stop.
     pub tolerance: f64,
     /// Iterations at most.
@@ -76,6 +88,12 @@ pub struct SolveOptions {
 
 impl Default for SolveOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-8, max_iterations: 100, time_limit: f64::INFINITY, progress: None }
+        Self {
+            solver: Solver::default(),
+            tolerance: 1e-8,
+            max_iterations: 100,
+            time_limit: f64::INFINITY,
+            progress: None,
+        }
     }
 }

@@ -12,7 +12,7 @@
 use bracket::adapt::pass;
 use bracket::model::kinematic::{ControlPoint, Kinematic};
 use bracket::model::{AnalysisModel, ConicProgram};
-use bracket::solve::{SolveStatus, clarabel};
+use bracket::solve::{self, SolveStatus};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -82,7 +82,7 @@ fn check(folder: &str, upper: f64, reference_upper: f64, reference_lower: f64, d
     let keep = kept_by_reference(&model, &kinematic);
     assert_eq!(keep.iter().filter(|k| !**k).count(), dropped);
     let program = with_cones(&kinematic.program, &keep);
-    let solution = clarabel::solve(&program, &kinematic.map.block, &Default::default());
+    let solution = solve::solve(&program, &kinematic.map.block, &Default::default());
     assert_eq!(solution.status, SolveStatus::Optimal);
     let value = program.objective(&solution.x);
     println!("{folder}: with the reference's cones {value}");

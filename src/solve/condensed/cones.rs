@@ -1,0 +1,258 @@
+//! Cone arithmetic and Nesterov–Todd scaling, cone by cone, on flat vectors.
+
+use crate::model::program::Cone;
+
+/// The product cone of a program.
+#[derive(Clone, Debug)]
+pub struct Cones {
+    /// First row and dimension of each cone.
+    pub blocks: Vec<(usize, usize)>,
+    /// Rows altogether.
+    pub rows: usize,
+}
+
+/// `a₀² − ‖a₁‖²` as a product of sums, exact to rounding near the surface of the cone.
+fn det(a: &[f64]) -> f64 {
+    let n = norm(&a[1..]);
+    (a[0] - n) * (a[0] + n)
+}
+
+fn norm(a: &[f64]) -> f64 {
+    a.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+impl Cones {
+    /// From the cones of a program.
+    pub fn new(cones: &[Cone]) -> Self {
+        let mut rows = 0;
+        let blocks = cones
+            .iter()
+            .map(|c| {
+                let start = rows;
+                rows += c.dim();
+                (start, c.dim())
+            })
+            .collect();
+        Self { blocks, rows }
+    }
+
+    /// Degree of the barrier: one per cone (the second-order cone's barrier is counted by its identity `(1, 0)`).
+    pub fn degree(&self) -> f64 {
+        self.blocks.len() as f64
+    }
+
+    /// The identity element.
+    pub fn identity(&self) -> Vec<f64> {
+        let mut e = vec![0.0; self.rows];
+        self.blocks.iter().for_each(|&(s, _)| e[s] = 1.0);
+        e
+    }
+
+    /// Jordan product `a ∘ b`.
+    pub fn product(&self, a: &[f64], b: &[f64]) -> Vec<f64> {
+        let mut c = vec![0.0; self.rows];
+        for &(s, d) in &self.blocks {
+            let (x, y) = (&a[s..s + d], &b[s..s + d]);
+            c[s] = dot(x, y);
+            for i in 1..d {
+                c[s + i] = x[0] * y[i] + y[0] * x[i];
+            }
+        }
+        c
+    }
+
+    /// The x with `a ∘ x = b`.
+    pub fn divide(&self, a: &[f64], b: &[f64]) -> Vec<f64> {
+        let mut c = vec![0.0; self.rows];
+        for &(s, d) in &self.blocks {
+            let (l, y) = (&a[s..s + d], &b[s..s + d]);
+            if d == 1 {
+                c[s] = y[0] / l[0];
+                continue;
+            }
+            let x0 = (l[0] * y[0] - dot(&l[1..], &y[1..])) / det(l);
+            c[s] = x0;
+            for i in 1..d {
+                c[s + i] = (y[i] - x0 * l[i]) / l[0];
+            }
+        }
+        c
+    }
+
+    /// Moves every block that is not well inside its cone to the inside, by a multiple of the identity.
+    pub fn push_inside(&self, v: &mut [f64], least: f64) {
+        for &(s, d) in &self.blocks {
+            let margin = v[s] - norm(&v[s + 1..s + d]);
+            if margin < least {
+                v[s] += least - margin;
+            }
+        }
+    }
+
+    /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
+    pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
+        self.blocks.iter().fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
+    }
+}
+
+/// Largest step of one block.
+fn step_in(x: &[f64], dx: &[f64]) -> f64 {
+    if x.len() == 1 {
+        return if dx[0] < 0.0 { -x[0] / dx[0] } else { f64::INFINITY };
+    }
+    // det(x + a dx) = c + 2 b a + a₂ a²; its smallest positive root, if any
+    let a2 = dx[0] * dx[0] - dot(&dx[1..], &dx[1..]);
+    let b = x[0] * dx[0] - dot(&x[1..], &dx[1..]);
+    let c = det(x);
+    let discriminant = b * b - a2 * c;
+    let mut step = if dx[0] < 0.0 { -x[0] / dx[0] } else { f64::INFINITY };
+    if discriminant >= 0.0 {
+        let q = -(b + if b >= 0.0 { discriminant.sqrt() } else { -discriminant.sqrt() });
+        for root in [q / a2, c / q] {
+            if root > 0.0 && root.is_finite() {
+                step = step.min(root);
+            }
+        }
+    }
+    step
+}
+
+/// The Nesterov–Todd scaling: the symmetric W with `W z = W⁻¹ s = λ`.
+#[derive(Clone, Debug)]
+pub struct Scaling {
+    /// η of each cone.
+    eta: Vec<f64>,
+    /// Unit hyperbolic vector w of each cone, flat.
+    w: Vec<f64>,
+    /// The scaled point λ.
+    pub lambda: Vec<f64>,
+}
+
+impl Scaling {
+    /// The scaling of a pair strictly inside; `None` when one of them has reached the surface.
+    pub fn new(cones: &Cones, s: &[f64], z: &[f64]) -> Option<Self> {
+        let mut eta = Vec::with_capacity(cones.blocks.len());
+        let mut w = vec![0.0; cones.rows];
+        for &(at, d) in &cones.blocks {
+            let (sb, zb) = (&s[at..at + d], &z[at..at + d]);
+            if d == 1 {
+                if !(sb[0] > 0.0 && zb[0] > 0.0) {
+                    return None;
+                }
+                eta.push((sb[0] / zb[0]).sqrt());
+                w[at] = 1.0;
+                continue;
+            }
+            let (ds, dz) = (det(sb), det(zb));
+            if !(ds > 0.0 && dz > 0.0 && sb[0] > 0.0 && zb[0] > 0.0) {
+                return None;
+            }
+            let (rs, rz) = (ds.sqrt(), dz.sqrt());
+            let gamma = (0.5 * (1.0 + dot(sb, zb) / (rs * rz))).sqrt();
+            for i in 1..d {
+                w[at + i] = (sb[i] / rs - zb[i] / rz) / (2.0 * gamma);
+            }
+            // normalised: w₀² − ‖w₁‖² = 1
+            w[at] = (1.0 + dot(&w[at + 1..at + d], &w[at + 1..at + d])).sqrt();
+            eta.push((rs / rz).sqrt());
+        }
+        let mut scaling = Self { eta, w, lambda: Vec::new() };
+        scaling.lambda = scaling.apply(cones, z);
+        Some(scaling)
+    }
+
+    fn map(&self, cones: &Cones, x: &[f64], inverse: bool) -> Vec<f64> {
+        let mut y = vec![0.0; x.len()];
+        for (k, &(s, d)) in cones.blocks.iter().enumerate() {
+            let e = if inverse { 1.0 / self.eta[k] } else { self.eta[k] };
+            if d == 1 {
+                y[s] = e * x[s];
+                continue;
+            }
+            let (w, v) = (&self.w[s..s + d], &x[s..s + d]);
+            let sign = if inverse { -1.0 } else { 1.0 };
+            let t = dot(&w[1..], &v[1..]);
+            y[s] = e * (w[0] * v[0] + sign * t);
+            let f = sign * v[0] + t / (1.0 + w[0]);
+            for i in 1..d {
+                y[s + i] = e * (v[i] + w[i] * f);
+            }
+        }
+        y
+    }
+
+    /// `W x`.
+    pub fn apply(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
+        self.map(cones, x, false)
+    }
+
+    /// `W⁻¹ x`.
+    pub fn apply_inverse(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
+        self.map(cones, x, true)
+    }
+
+    /// `W⁻²` of cone `k`, row by row.
+    pub fn inverse_square(&self, cones: &Cones, k: usize, out: &mut [[f64; 6]; 6]) {
+        let (s, d) = cones.blocks[k];
+        let e = 1.0 / (self.eta[k] * self.eta[k]);
+        if d == 1 {
+            out[0][0] = e;
+            return;
+        }
+        // W⁻² = η⁻² (2 (Jw)(Jw)ᵀ − J)
+        let w = &self.w[s..s + d];
+        for i in 0..d {
+            for j in 0..d {
+                let flip = if (i == 0) == (j == 0) { 1.0 } else { -1.0 };
+                let jordan = match (i == j, i == 0) {
+                    (true, true) => 1.0,
+                    (true, false) => -1.0,
+                    _ => 0.0,
+                };
+                out[i][j] = e * (2.0 * flip * w[i] * w[j] - jordan);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scaling_maps_both_points_to_one() {
+        let cones = Cones::new(&[Cone::SecondOrder(3), Cone::NonNegative, Cone::SecondOrder(4), Cone::SecondOrder(6)]);
+        let s = [2.0, 0.5, -1.0, 0.3, 1.0, 0.2, 0.3, -0.4, 3.0, 1.0, 0.5, -0.7, 0.2, 1.1];
+        let z = [1.0, -0.3, 0.2, 4.0, 2.0, -0.2, 0.7, 0.4, 0.9, 0.1, 0.2, 0.3, -0.4, 0.1];
+        let w = Scaling::new(&cones, &s, &z).expect("both points are inside");
+        let (a, b) = (w.apply(&cones, &z), w.apply_inverse(&cones, &s));
+        a.iter().zip(&b).for_each(|(x, y)| assert!((x - y).abs() < 1e-13, "{x} {y}"));
+        // W⁻² is the square of W⁻¹
+        let twice = w.apply_inverse(&cones, &w.apply_inverse(&cones, &s));
+        for (k, &(at, d)) in cones.blocks.iter().enumerate() {
+            let mut m = [[0.0; 6]; 6];
+            w.inverse_square(&cones, k, &mut m);
+            for i in 0..d {
+                let y: f64 = (0..d).map(|j| m[i][j] * s[at + j]).sum();
+                assert!((y - twice[at + i]).abs() < 1e-12);
+            }
+        }
+        // λ ∘ (λ \ b) = b
+        let back = cones.product(&w.lambda, &cones.divide(&w.lambda, &s));
+        back.iter().zip(&s).for_each(|(x, y)| assert!((x - y).abs() < 1e-12));
+    }
+
+    #[test]
+    fn steps_end_on_the_surface() {
+        let cones = Cones::new(&[Cone::SecondOrder(3)]);
+        let x = [1.0, 0.2, 0.1];
+        let dx = [-0.3, 1.0, 0.4];
+        let a = cones.largest_step(&x, &dx, 10.0);
+        let y: Vec<f64> = x.iter().zip(&dx).map(|(x, d)| x + a * d).collect();
+        assert!(det(&y).abs() < 1e-14 && a > 0.0 && a < 10.0);
+    }
+}
