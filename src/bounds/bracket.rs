@@ -2,14 +2,14 @@
 
 use super::certificate::{KinematicCertificate, StaticCertificate, TOLERANCE};
 
-/// A certified lower bound of the exact potential energy, −Π_c \[N mm\].
+/// A lower bound, strict as far as its certificate says, of the exact potential energy, −Π_c \[N mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
     value: f64,
     certificate: StaticCertificate,
 }
 
-/// A certified upper bound of the exact potential energy, Π_p \[N mm\].
+/// An upper bound, strict as far as its certificate says, of the exact potential energy, Π_p \[N mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct UpperBound {
     value: f64,
@@ -32,7 +32,8 @@ impl LowerBound {
     /// True when every residual is within [`TOLERANCE`].
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
-        [Some(c.equilibrium), Some(c.traction_jump), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
+        self.value.is_finite()
+            && [Some(c.equilibrium), Some(c.traction_jump), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
     }
 }
 
@@ -52,7 +53,7 @@ impl UpperBound {
     /// True when every residual is within [`TOLERANCE`].
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
-        [Some(c.compatibility), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
+        self.value.is_finite() && [Some(c.compatibility), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
     }
 }
 
@@ -98,7 +99,8 @@ impl Bracket {
     /// # Source
     /// Paper, equation (7).
     pub fn gap(&self) -> f64 {
-        let scale = self.lower.value.abs();
+        let lower = self.lower.value.abs();
+        let scale = if lower > 0.0 { lower } else { self.upper.value.abs() };
         if scale > 0.0 { (self.upper.value - self.lower.value) / scale } else { 0.0 }
     }
 

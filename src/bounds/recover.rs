@@ -125,8 +125,8 @@ pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, Reco
     let modes = statics.contact_modes();
     let z = balanced_tractions(statics, solution, &modes)?;
     let mut p = statics.program.p.clone();
-    // contact modes that the model already pins as free are pinned once more; no harm, their force is zero
-    hold(&mut p, holds::pins(modes.into_iter().map(|m| m.unknowns).collect()));
+    // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
+    hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned));
     let factor = SparseCholesky::new(&p, &statics.map.block)?;
     let mut rhs = statics.loads.clone();
     if !z.is_empty() {

@@ -14,11 +14,11 @@ use crate::model::kinematic::Tet10Space;
 /// Largest relative violations found at random points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampled {
-    /// Traction jump across faces of the mesh / largest traction found.
+    /// Traction jump across faces of the mesh / largest stress of the field.
     pub traction_jump: f64,
-    /// Violation of a friction cone by the stress / largest contact traction found.
+    /// Violation of a friction cone by the stress / largest traction of the field.
     pub traction_cone: f64,
-    /// Violation of the contact law by the displacement / largest gap found.
+    /// Violation of the contact law by the displacement / largest displacement of the field.
     pub gap_cone: f64,
 }
 
@@ -42,6 +42,10 @@ impl Random {
     }
 }
 
+fn relative(a: f64, scale: f64) -> f64 {
+    if scale > 0.0 { a / scale } else { a }
+}
+
 fn at(v: &[V3; 3], l: [f64; 3]) -> V3 {
     std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
 }
@@ -57,9 +61,10 @@ pub fn sample(
     let mut out = Sampled::default();
     let contacts = contact_faces(model);
     if let Some(s) = stress {
-        out.traction_jump = jumps(model, s, points, &mut random);
+        let stress = s.points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max);
+        out.traction_jump = relative(jumps(model, s, points, &mut random), stress);
         let roles = roles(model);
-        let (mut worst, mut largest) = (0.0f64, 0.0f64);
+        let mut worst = 0.0f64;
         for _ in 0..points * usize::from(!contacts.is_empty()) {
             let f = &contacts[random.index(contacts.len())];
             let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
@@ -68,13 +73,13 @@ pub fn sample(
             let rn = vec3::dot(r, n);
             let rt = vec3::norm(vec3::sub(r, vec3::scale(rn, n)));
             worst = worst.max(rt - f.law.mu * rn).max(-rn);
-            largest = largest.max(vec3::norm(r));
         }
-        out.traction_cone = if largest > 0.0 { worst / largest } else { worst };
+        out.traction_cone = relative(worst, stress);
     }
     if let Some(u) = displacement {
         let space = Tet10Space::new(&model.mesh);
-        let (mut worst, mut largest) = (0.0f64, 0.0f64);
+        let mut worst = 0.0f64;
+        let largest = u.u.iter().map(|x| vec3::norm(*x)).fold(0.0, f64::max);
         for _ in 0..points * usize::from(!contacts.is_empty()) {
             let f = &contacts[random.index(contacts.len())];
             let l = random.barycentric();
@@ -86,9 +91,8 @@ pub fn sample(
             let gn = vec3::dot(g, n);
             let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
             worst = worst.max(f.law.mu * gt - gn - f.law.gap.at(at(&f.corners(model), l)));
-            largest = largest.max(vec3::norm(g));
         }
-        out.gap_cone = if largest > 0.0 { worst / largest } else { worst };
+        out.gap_cone = relative(worst, largest);
     }
     out
 }
@@ -96,7 +100,7 @@ pub fn sample(
 fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Random) -> f64 {
     let mesh = &model.mesh;
     let faces = FaceNumbering::new(mesh);
-    let (mut worst, mut largest) = (0.0f64, 0.0f64);
+    let mut worst = 0.0f64;
     for _ in 0..points {
         let f = random.index(faces.nodes.len());
         let (a, Some(b)) = faces.tets[f] else { continue };
@@ -107,16 +111,15 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
         let l = random.barycentric();
         let side = |e: u32| {
             let e = e as usize;
-            let k = (0..4).find(|&k| faces.of_tet[e][k] as usize == f).unwrap_or(0);
+            let k = (0..4).find(|&k| faces.of_tet[e][k] as usize == f).expect("the tet owns the face");
             let t = nodes.map(|m| {
-                let p = FACES[k].iter().position(|&i| mesh.tets[e][i] == m).unwrap_or(0);
+                let p = FACES[k].iter().position(|&i| mesh.tets[e][i] == m).expect("the node is on the face");
                 mandel::traction(&s.points[e][k][p], n)
             });
             at(&t, l)
         };
         let (ta, tb) = (side(a), side(b));
         worst = worst.max(vec3::norm(vec3::sub(ta, tb)));
-        largest = largest.max(vec3::norm(ta));
     }
-    if largest > 0.0 { worst / largest } else { worst }
+    worst
 }

@@ -51,7 +51,9 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         mesh_quality: quality_table(&quality::table(&model.mesh)),
         mirror: Vec::new(),
         target_gap: file.adapt.as_ref().map(|a| a.target_gap),
+        finer: "a finer mesh file",
         solver: args.options.solver,
+        time_limit: None,
     };
     let case = Case {
         name: file_stem(&name),

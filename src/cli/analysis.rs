@@ -10,7 +10,7 @@ use crate::model::file::Friction;
 use crate::report::case::case_result;
 use crate::report::data::{CaseResult, ResultFile, Verdict};
 use crate::report::field_files::{displacement_grid, stress_grid};
-use crate::report::figures;
+use crate::report::figures::{self, Rounding};
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
@@ -94,8 +94,12 @@ pub struct Echo {
     pub mirror: Vec<usize>,
     /// The gap asked for, a fraction.
     pub target_gap: Option<f64>,
+    /// How the user gets a finer mesh.
+    pub finer: &'static str,
     /// The solver asked for.
     pub solver: SolverChoice,
+    /// Wall time the run may take \[s\].
+    pub time_limit: Option<f64>,
 }
 
 /// A file name made of a case's name.
@@ -111,14 +115,15 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
     for case in &cases {
-        let pass = run_pass(case, echo.solver, &log)?;
+        let pass = run_pass(case, &echo, &log)?;
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
         if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap) {
             if gap > target {
                 entry.warnings.push(format!(
-                    "the gap is {}, the target {}: a finer mesh is needed (`--size-factor`, or `analysis.mesh.size`)",
+                    "the gap is {}, the target {}: a finer mesh is needed ({})",
                     figures::percent_up(gap),
-                    figures::percent_up(target)
+                    figures::percent_up(target),
+                    echo.finer
                 ));
             }
         }
@@ -177,7 +182,7 @@ fn has_asked_bounds(c: &CaseResult) -> bool {
         .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
 }
 
-fn run_pass(case: &Case, solver: SolverChoice, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
+fn run_pass(case: &Case, echo: &Echo, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part(s)",
         case.name,
@@ -193,11 +198,13 @@ fn run_pass(case: &Case, solver: SolverChoice, log: &Arc<Log>) -> Result<pass::P
         Stage::Solve => told.stage(format!("{name}: {program} iteration {iteration}, relative gap {gap:.1e}")),
         Stage::Certify => told.stage(format!("{name}: certifying the {program} field")),
     });
-    let solver = match solver {
+    let solver = match echo.solver {
         SolverChoice::Condensed => Solver::Condensed,
         SolverChoice::Clarabel => Solver::Clarabel,
     };
-    let options = SolveOptions { solver, ..SolveOptions::default() };
+    // what is left of the time asked for; a solve that cannot finish in it ends with status `time limit`
+    let left = echo.time_limit.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
+    let options = SolveOptions { solver, time_limit: left, ..SolveOptions::default() };
     pass::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 
@@ -274,8 +281,16 @@ pub fn answer(c: &CaseResult) -> String {
             let gap = c.gap.map_or(String::new(), |g| format!(", gap {}", figures::percent_up(g)));
             format!("{}: potential energy between {l} and {u} N mm{gap} ({word})", c.name)
         }
-        (Some(l), None) => format!("{}: potential energy at least {l:.6e} N mm ({word})", c.name),
-        (None, Some(u)) => format!("{}: potential energy at most {u:.6e} N mm ({word})", c.name),
+        (Some(l), None) => {
+            format!(
+                "{}: potential energy at least {} N mm ({word})",
+                c.name,
+                figures::significant(l, 7, Rounding::Down)
+            )
+        }
+        (None, Some(u)) => {
+            format!("{}: potential energy at most {} N mm ({word})", c.name, figures::significant(u, 7, Rounding::Up))
+        }
         (None, None) => format!("{}: no bound", c.name),
     };
     if let (true, Some([l, u])) = (strict, c.load_displacement) {

@@ -79,21 +79,21 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
     block.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
-    let options = format!("full {} size_factor {}", args.full, args.size_factor);
+    // the models hold what the catalogue and the template gave, the script what the mesher was told
+    let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
+    pieces.extend(cases.iter().map(|c| ("model", c.model_file.1.as_bytes())));
     let echo = Echo {
         project: block,
         input_name: args.spec.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
-        input_hash: input_hash(&[
-            ("spec", input.text.as_bytes()),
-            ("options", options.as_bytes()),
-            ("geo", meshed.geo.as_bytes()),
-        ]),
+        input_hash: input_hash(&pieces),
         resolved: resolved_values(&input),
         catalogue_rows: catalogue_rows(&input),
         mesh_quality: quality_table(&meshed.quality),
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
         target_gap: Some(input.spec.value.analysis.target_gap),
+        finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
         solver: args.options.solver,
+        time_limit: input.spec.value.analysis.time_limit.map(|t| t.0),
         input_text: input.text,
     };
     finish(cases, echo, folder, log, common)
@@ -163,6 +163,17 @@ fn cases(
     mesh_seconds: f64,
 ) -> Result<Vec<Case>, Diagnostics> {
     let names = from_joint::cases(&input.joint.assembly);
+    for (i, name) in names.iter().enumerate() {
+        if let Some(other) = names[..i].iter().find(|n| file_stem(n) == file_stem(name)) {
+            let mut d = Diagnostic::input(
+                "spec/case-names",
+                format!("load cases `{other}` and `{name}` would share the file name `{}`", file_stem(name)),
+            )
+            .help("use letters, digits and `-` in the names of load cases, and different ones");
+            d.place = input.spec.index.place("loads");
+            return Err(d.into());
+        }
+    }
     names
         .iter()
         .enumerate()

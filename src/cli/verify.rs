@@ -2,12 +2,13 @@
 
 use super::analysis::file_stem;
 use super::{Common, Format, Outcome, out};
-use crate::bounds::bracket::{LowerBound, UpperBound};
+use crate::adapt::pass::Pass;
+use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
 use crate::bounds::sampling::sample;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::model::AnalysisModel;
 use crate::model::resolve::load_model;
+use crate::report::case::case_result;
 use crate::report::data::{CaseResult, RESULT_FILE, ResultFile};
 use crate::report::field_files::{read_displacement, read_stress};
 use serde::Serialize;
@@ -42,12 +43,17 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
     let text = read(&args.folder.join(RESULT_FILE))?;
     let result = ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
     let mut findings = Vec::new();
+    let mut refuted = Vec::new();
     for case in &result.cases {
-        findings.extend(verify_case(&args.folder, case, result.symmetry)?);
+        let (found, other) = verify_case(&args.folder, case, result.symmetry)?;
+        findings.extend(found);
+        refuted.extend(other);
     }
-    let confirmed = findings.iter().all(|f| f.confirmed) && findings.len() == claimed_bounds(&result);
+    let confirmed = findings.iter().all(|f| f.confirmed) && refuted.is_empty();
     match common.format {
-        Format::Json => out::json(&serde_json::json!({"confirmed": confirmed, "bounds": findings}))?,
+        Format::Json => {
+            out::json(&serde_json::json!({"confirmed": confirmed, "bounds": findings, "refuted": refuted}))?
+        }
         Format::Text => {
             let rows: Vec<Vec<String>> = findings
                 .iter()
@@ -72,16 +78,15 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
                 .collect();
             let head = ["case", "bound", "claimed", "recomputed", "worst residual", "random points", "finding"];
             out::text(&out::columns(&head, &rows))?;
+            for sentence in &refuted {
+                out::text(&format!("REFUTED: {sentence}\n"))?;
+            }
             if findings.is_empty() {
                 out::text("the result claims no bound: nothing to confirm\n")?;
             }
         }
     }
     Ok(u8::from(!confirmed))
-}
-
-fn claimed_bounds(result: &ResultFile) -> usize {
-    result.cases.iter().map(|c| usize::from(c.lower.is_some()) + usize::from(c.upper.is_some())).sum()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
@@ -93,52 +98,85 @@ fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
     })
 }
 
-fn verify_case(folder: &Path, case: &CaseResult, symmetry: u32) -> Result<Vec<Finding>, Diagnostics> {
+/// Recomputes the bounds of a case, and everything that follows from them; sentences for what does not agree.
+fn verify_case(folder: &Path, case: &CaseResult, symmetry: u32) -> Result<(Vec<Finding>, Vec<String>), Diagnostics> {
     let own = folder.join(format!("model_{}.yaml", file_stem(&case.name)));
     let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
     let claims_strict = case.certificate.is_some_and(|c| c.strict);
     let field = |kind: &str| folder.join("fields").join(format!("{}_{kind}.vtu", file_stem(&case.name)));
     let mut findings = Vec::new();
+    let mut pass = Pass::default();
     if let Some(claimed) = case.lower {
-        findings.push(lower(&model, &read(&field("static"))?, case, claimed, claims_strict, symmetry)?);
+        let stress = read_stress(&model, &read(&field("static"))?).map_err(Diagnostic::from)?;
+        let sampled = sample(&model, None, Some(&stress), POINTS);
+        let bound = LowerBound::new(certify_stress(&model, &stress), model.symmetry);
+        let c = bound.certificate();
+        let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
+        let random = sampled.traction_jump.max(sampled.traction_cone);
+        findings.push(finding(
+            case,
+            "lower",
+            [claimed, bound.value(), worst, random],
+            bound.is_strict(),
+            claims_strict,
+        ));
+        pass.lower = Some(bound);
     }
     if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
-        findings.push(upper(&model, &read(&field("kinematic"))?, case, claimed, claims_strict, symmetry)?);
+        let displacement = read_displacement(&model, &read(&field("kinematic"))?).map_err(Diagnostic::from)?;
+        let random = sample(&model, Some(&displacement), None, POINTS).gap_cone;
+        let bound = UpperBound::new(certify_displacement(&model, &displacement), model.symmetry);
+        let c = bound.certificate();
+        let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
+        findings.push(finding(
+            case,
+            "upper",
+            [claimed, bound.value(), worst, random],
+            bound.is_strict(),
+            claims_strict,
+        ));
+        pass.upper = Some(bound);
     }
-    Ok(findings)
+    let mut refuted = Vec::new();
+    if symmetry != model.symmetry {
+        refuted.push(format!("the result claims symmetry {symmetry}, its model has {}", model.symmetry));
+    }
+    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
+        match Bracket::new(l.clone(), u.clone()) {
+            Ok(b) => pass.bracket = Some(b),
+            Err(e) => refuted.push(format!("{}: {e}", case.name)),
+        }
+    }
+    refuted.extend(derived_differences(case, &case_result(&case.name, &model, &pass, None)));
+    Ok((findings, refuted))
 }
 
-fn lower(
-    model: &AnalysisModel,
-    bytes: &[u8],
-    case: &CaseResult,
-    claimed: f64,
-    claims_strict: bool,
-    symmetry: u32,
-) -> Result<Finding, Diagnostics> {
-    let stress = read_stress(model, bytes).map_err(Diagnostic::from)?;
-    let sampled = sample(model, None, Some(&stress), POINTS);
-    let bound = LowerBound::new(certify_stress(model, &stress), symmetry);
-    let c = bound.certificate();
-    let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
-    let random = sampled.traction_jump.max(sampled.traction_cone);
-    Ok(finding(case, "lower", [claimed, bound.value(), worst, random], bound.is_strict(), claims_strict))
-}
-
-fn upper(
-    model: &AnalysisModel,
-    bytes: &[u8],
-    case: &CaseResult,
-    claimed: f64,
-    claims_strict: bool,
-    symmetry: u32,
-) -> Result<Finding, Diagnostics> {
-    let displacement = read_displacement(model, bytes).map_err(Diagnostic::from)?;
-    let sampled = sample(model, Some(&displacement), None, POINTS);
-    let bound = UpperBound::new(certify_displacement(model, &displacement), symmetry);
-    let c = bound.certificate();
-    let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
-    Ok(finding(case, "upper", [claimed, bound.value(), worst, sampled.gap_cone], bound.is_strict(), claims_strict))
+/// What a result derives from its bounds, claimed against recomputed.
+fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> {
+    let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs().max(b.abs()) + 1e-12,
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let end = |c: &CaseResult, i: usize| c.load_displacement.map(|d| d[i]);
+    let last = |c: &CaseResult| c.history.last().map(|h| (h.lower, h.upper.and_then(|u| u.finite()), h.gap));
+    let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
+    let history = match (last(claimed), last(found)) {
+        (Some(a), Some(b)) => near(a.0, b.0) && near(a.1, b.1) && near(a.2, b.2),
+        _ => false,
+    };
+    let agree = [
+        ("gap", near(claimed.gap, found.gap)),
+        ("load_displacement", (0..2).all(|i| near(end(claimed, i), end(found, i)))),
+        ("problem", claimed.problem == found.problem),
+        ("analysis", claimed.analysis == found.analysis),
+        ("certificate.strict", !strict(claimed) || strict(found)),
+        ("the last row of history", history),
+    ];
+    agree
+        .into_iter()
+        .filter(|(_, agrees)| !agrees)
+        .map(|(what, _)| format!("{}: {what} is not what the fields give", claimed.name))
+        .collect()
 }
 
 /// Confirmed: the same number to 1e-9, and strict where strictness is claimed, at random points as well.

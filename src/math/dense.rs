@@ -74,7 +74,7 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
     if n == 0 {
         return Vec::new();
     }
-    let Ok(eig) = gram.self_adjoint_eigen(faer::Side::Lower) else { return Vec::new() };
+    let eig = gram.self_adjoint_eigen(faer::Side::Lower).expect("a finite symmetric matrix has eigenvectors");
     let s = eig.S().column_vector();
     let largest = (0..n).map(|i| s[i].abs()).fold(0.0, f64::max);
     (0..n)

@@ -1,4 +1,4 @@
-//! Small fixed-size mathematics: vectors, Mandel tensors, quadrature, dense factors, exact summation.
+//! Small fixed-size mathematics: vectors, Mandel tensors, quadrature, dense factors, compensated sums.
 
 pub mod dense;
 pub mod mandel;

@@ -43,7 +43,7 @@ impl FaceNumbering {
     /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's increasing nodes.
     pub fn positions(&self, mesh: &TetMesh, tet: usize, k: usize) -> [usize; 3] {
         let nodes = self.nodes[self.of_tet[tet][k] as usize];
-        FACES[k].map(|i| nodes.iter().position(|n| *n == mesh.tets[tet][i]).unwrap_or(0))
+        FACES[k].map(|i| nodes.iter().position(|n| *n == mesh.tets[tet][i]).expect("a tet's face has the tet's nodes"))
     }
 }
 
@@ -66,8 +66,11 @@ impl EdgeNumbering {
         let mut nodes: Vec<[u32; 2]> = mesh.tets.iter().flat_map(|t| EDGES.iter().map(move |e| key(t, e))).collect();
         nodes.sort_unstable();
         nodes.dedup();
-        let of_tet =
-            mesh.tets.iter().map(|t| EDGES.map(|e| nodes.binary_search(&key(t, &e)).map_or(0, |i| i as u32))).collect();
+        let of_tet = mesh
+            .tets
+            .iter()
+            .map(|t| EDGES.map(|e| nodes.binary_search(&key(t, &e)).expect("the table holds every edge") as u32))
+            .collect();
         Self { nodes, of_tet }
     }
 

@@ -166,11 +166,20 @@ pub fn add_rigid_actions(model: &AnalysisModel, motions: &[RigidMotions], f: &mu
     }
 }
 
-/// Unknowns to hold so that none of the given motions remains: one per motion, by complete pivoting. Holding them
-/// changes no stress, since no load works on the motions.
-pub fn pins(mut motions: Vec<Vec<f64>>) -> Vec<usize> {
+/// Unknowns to hold so that none of the given motions remains: one per motion, by complete pivoting. Unknowns in `held`
+/// are held already and use up the motions they stop. Holding them changes no stress, since no load works on the motions
+/// and there is one hold per motion, no more.
+pub fn pins(mut motions: Vec<Vec<f64>>, held: &[usize]) -> Vec<usize> {
+    let mut first = 0;
+    for &pivot in held {
+        let candidates = first..motions.len();
+        let best = candidates.max_by(|&a, &b| motions[a][pivot].abs().total_cmp(&motions[b][pivot].abs()));
+        let Some(m) = best.filter(|&m| motions[m][pivot] != 0.0) else { continue };
+        eliminate(&mut motions, first, m, pivot);
+        first += 1;
+    }
     let mut chosen = Vec::new();
-    for step in 0..motions.len() {
+    for step in first..motions.len() {
         let mut best = (0.0, step, 0);
         for (m, motion) in motions.iter().enumerate().skip(step) {
             for (i, x) in motion.iter().enumerate() {
@@ -183,14 +192,19 @@ pub fn pins(mut motions: Vec<Vec<f64>>) -> Vec<usize> {
         if size == 0.0 {
             break;
         }
-        motions.swap(step, m);
-        let row = motions[step].clone();
-        for other in motions.iter_mut().skip(step + 1) {
-            let k = other[pivot] / row[pivot];
-            other.iter_mut().zip(&row).for_each(|(a, b)| *a -= k * b);
-            other[pivot] = 0.0;
-        }
+        eliminate(&mut motions, step, m, pivot);
         chosen.push(pivot);
     }
     chosen
+}
+
+/// Puts motion `m` at `step` and removes unknown `pivot` from the motions after it.
+fn eliminate(motions: &mut [Vec<f64>], step: usize, m: usize, pivot: usize) {
+    motions.swap(step, m);
+    let row = motions[step].clone();
+    for other in motions.iter_mut().skip(step + 1) {
+        let k = other[pivot] / row[pivot];
+        other.iter_mut().zip(&row).for_each(|(a, b)| *a -= k * b);
+        other[pivot] = 0.0;
+    }
 }

@@ -58,8 +58,7 @@ impl Tet10Space {
                 v[i] as usize
             } else {
                 let [a, b] = FACE_EDGES[i - 3];
-                // every edge of a mesh face is in the table of the same mesh
-                self.vertices + self.edges.find(v[a], v[b]).unwrap_or(0) as usize
+                self.vertices + self.edges.find(v[a], v[b]).expect("every edge of a mesh face is in the table") as usize
             }
         })
     }
@@ -167,7 +166,8 @@ fn points_of_face(
 ) {
     let area = vec3::area_vector(corners);
     let normal = vec3::scale(1.0 / vec3::norm(area), area);
-    let rounded = normal.map(|x| (x * 1e6).round() as i64);
+    // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a bound would not be one
+    let rounded = normal.map(|x| (x * 1e12).round() as i64);
     for i in 0..6 {
         if !seen.insert((a[i], b.map_or(usize::MAX, |b| b[i]), rounded)) {
             continue;
@@ -327,12 +327,12 @@ fn pin_free_modes(model: &AnalysisModel, space: &Tet10Space, map: &DofMap, p: &m
             x
         })
         .collect();
-    hold(p, holds::pins(motions));
+    hold(p, &holds::pins(motions, &[]));
 }
 
 /// Stiffens the given unknowns by the mean diagonal; their force is zero, so their value becomes zero.
-pub fn hold(p: &mut super::program::SymmetricCsc, unknowns: Vec<usize>) {
+pub fn hold(p: &mut super::program::SymmetricCsc, unknowns: &[usize]) {
     let diagonal = p.diagonal();
     let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
-    unknowns.into_iter().for_each(|k| p.add_diagonal(k, mean));
+    unknowns.iter().for_each(|&k| p.add_diagonal(k, mean));
 }

@@ -84,7 +84,9 @@ impl<'a> SuperElements<'a> {
     /// order.
     pub fn vertex_dofs(&self, face: &BoundaryFace, nodes: [u32; 3]) -> [usize; 3] {
         let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
-        nodes.map(|n| 9 * f + 3 * self.faces.nodes[f].iter().position(|m| *m == n).unwrap_or(0))
+        nodes.map(|n| {
+            9 * f + 3 * self.faces.nodes[f].iter().position(|m| *m == n).expect("the nodes are those of the face")
+        })
     }
 }
 
@@ -142,6 +144,8 @@ pub struct Static<'a> {
     pub vertices: Vec<ContactVertex>,
     /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions must balance.
     pub loads: Vec<f64>,
+    /// Unknowns held against free rigid motions.
+    pub pinned: Vec<usize>,
 }
 
 fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
@@ -228,7 +232,7 @@ impl<'a> Static<'a> {
             }
             map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
         }
-        pin_free_modes(&elements, &map, &mut p);
+        let pinned = pin_free_modes(&elements, &map, &mut p);
         let mut program = ConicProgram { p, q, c, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
@@ -237,7 +241,7 @@ impl<'a> Static<'a> {
                 vertices.push(v);
             }
         }
-        Ok(Self { program, elements, map, rigid, vertices, loads })
+        Ok(Self { program, elements, map, rigid, vertices, loads, pinned })
     }
 }
 
@@ -280,13 +284,15 @@ pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl
     x
 }
 
-fn pin_free_modes(elements: &SuperElements, map: &DofMap, p: &mut super::program::SymmetricCsc) {
+fn pin_free_modes(elements: &SuperElements, map: &DofMap, p: &mut super::program::SymmetricCsc) -> Vec<usize> {
     let modes = &elements.model.free_modes;
     if modes.is_empty() {
-        return;
+        return Vec::new();
     }
     let motions = modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect();
-    hold(p, holds::pins(motions));
+    let pinned = holds::pins(motions, &[]);
+    hold(p, &pinned);
+    pinned
 }
 
 impl Static<'_> {

@@ -41,8 +41,7 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
 
 /// Whose solution the bracket contains.
 fn problem(model: &AnalysisModel) -> Problem {
-    let laws = || contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect::<Vec<_>>();
-    let laws = laws();
+    let laws: Vec<_> = contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
         Problem::Frictionless
     } else if laws.iter().any(|l| l.friction == Friction::Coulomb) {
@@ -87,7 +86,8 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     let lower = pass.lower.as_ref().map(|b| b.value());
     let upper = pass.upper.as_ref().map(|b| b.value());
     let gap = pass.bracket.as_ref().map(|b| b.gap());
-    let force = only_load(model).filter(|f| *f > 0.0).map(|f| f * f64::from(model.symmetry));
+    let strict = pass.bracket.as_ref().is_some_and(|b| b.is_strict());
+    let force = only_load(model).filter(|f| *f > 0.0 && strict).map(|f| f * f64::from(model.symmetry));
     let load_displacement = match (lower, upper, force) {
         (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f, -2.0 * l / f]),
         _ => None,
@@ -100,7 +100,13 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
         let Some(run) = run else { continue };
         if let Some(m) = &run.mechanism {
-            warnings.push(format!("no equilibrium exists under these loads: {m} (the {program} program is unbounded)"));
+            // the kinematic program's motion is admissible, so it proves that there is no equilibrium; the static one's
+            // may only show that the stresses of this mesh cannot reach it
+            warnings.push(if program == "kinematic" {
+                format!("no equilibrium exists under these loads: {m}")
+            } else {
+                format!("no stress of this mesh is in equilibrium with the loads: {m}")
+            });
         } else if let Some(t) = &run.trouble {
             warnings.push(format!("the {program} solution could not be certified: {t}"));
         } else if run.status != crate::solve::SolveStatus::Optimal {

@@ -19,7 +19,7 @@ pub enum FieldFileError {
     #[error(transparent)]
     Vtu(#[from] VtuError),
     /// An array is missing.
-    #[error("the field file has no array `{0}`")]
+    #[error("the field file has no array `{0}` of the right size")]
     Missing(&'static str),
     /// The points are not those of the mesh.
     #[error("point {point} of the field file is not where the mesh has it")]
@@ -105,6 +105,9 @@ pub fn read_displacement(model: &AnalysisModel, bytes: &[u8]) -> Result<Displace
     let grid = VtuGrid::from_bytes(bytes)?;
     check_points(&grid.points, &Tet10Space::new(&model.mesh).nodes)?;
     let a = grid.point_array(DISPLACEMENT).ok_or(FieldFileError::Missing(DISPLACEMENT))?;
+    if a.1 != 3 || a.2.len() != 3 * grid.points.len() {
+        return Err(FieldFileError::Missing(DISPLACEMENT));
+    }
     Ok(DisplacementField { u: a.2.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
 }
 
@@ -116,6 +119,9 @@ pub fn read_stress(model: &AnalysisModel, bytes: &[u8]) -> Result<StressField, F
         .collect();
     check_points(&grid.points, &wanted)?;
     let a = grid.point_array(STRESS).ok_or(FieldFileError::Missing(STRESS))?;
+    if a.1 != 6 || a.2.len() != 96 * model.mesh.tets.len() {
+        return Err(FieldFileError::Missing(STRESS));
+    }
     let points =
         a.2.chunks_exact(96)
             .map(|c| std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))))

@@ -47,6 +47,11 @@ impl Log {
         self.bar.set_message(text);
     }
 
+    /// Seconds since the run began.
+    pub fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
     /// The text of `log.txt`: seconds since the start before each line.
     pub fn text(&self) -> String {
         self.lines.lock().unwrap_or_else(PoisonError::into_inner).clone()
