@@ -113,7 +113,7 @@ fn b1_hertz_coarse() {
 }
 
 #[test]
-#[ignore = "heavy: minutes"]
+#[ignore = "heavy: over a minute"]
 fn b1_hertz() {
-    check(&graded(0.2, 8, 1.5, 20.0), &graded(0.25, 4, 1.5, 20.0), 1.6);
+    check(&graded(0.25, 6, 1.7, 20.0), &graded(0.3, 3, 1.7, 20.0), 1.5);
 }

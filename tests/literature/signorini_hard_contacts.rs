@@ -206,3 +206,25 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
         solve(&yaml, crate::common::beside(b, c)).strict(&format!("unloaded part beside, μ {mu}"));
     }
 }
+
+#[test]
+fn the_random_points_find_faulty_fields() {
+    let s = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0);
+    let (stress, u) = (s.pass.stress.clone().unwrap(), s.pass.displacement.clone().unwrap());
+    let refused = |stress: &bracket::bounds::fields::StressField, u: &bracket::bounds::fields::DisplacementField| {
+        std::panic::catch_unwind(|| crate::common::points::check("faulty", &s.model, stress, u)).is_err()
+    };
+    assert!(!refused(&stress, &u));
+    // one stress value off by a millionth of the largest
+    let mut off = stress.clone();
+    off.points[10][2][1][0] += 1e-4;
+    assert!(refused(&off, &u));
+    // a uniform, self-equilibrated change that pulls at the contact
+    let mut pulled = stress.clone();
+    pulled.points.iter_mut().flatten().flatten().for_each(|p| p[2] += 1e3);
+    assert!(refused(&pulled, &u));
+    // the whole block a nanometre below the ground
+    let mut sunk = u.clone();
+    sunk.u.iter_mut().for_each(|x| x[2] -= 1e-6);
+    assert!(refused(&stress, &sunk));
+}
