@@ -53,7 +53,8 @@ impl AnalysisOptions {
 pub fn use_threads(common: &Common) -> Result<(), Diagnostics> {
     let Some(n) = common.threads else { return Ok(()) };
     if !(1..=1024).contains(&n) {
-        return Err(Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024")).into());
+        let d = Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024"));
+        return Err(d.help("leave the option out to use every processor").into());
     }
     // a second call in one process (tests) keeps the first pool
     let _ = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
@@ -168,7 +169,9 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
 
 /// Every program that ran gave its bound.
 fn has_asked_bounds(c: &CaseResult) -> bool {
-    c.history.last().is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
+    c.history
+        .last()
+        .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
 }
 
 fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
@@ -213,10 +216,7 @@ fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) 
     let picture = draw(&model.mesh, &PictureOptions { mirror, ..PictureOptions::default() });
     folder.write("mesh.png", &png(&picture)?)?;
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
-    Ok(PictureRef {
-        file: "mesh.png".into(),
-        caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()),
-    })
+    Ok(PictureRef { file: "mesh.png".into(), caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()) })
 }
 
 /// The deformed shape with the size of the displacement as colours.

@@ -116,10 +116,9 @@ pub fn read_stress(model: &AnalysisModel, bytes: &[u8]) -> Result<StressField, F
         .collect();
     check_points(&grid.points, &wanted)?;
     let a = grid.point_array(STRESS).ok_or(FieldFileError::Missing(STRESS))?;
-    let points = a
-        .2
-        .chunks_exact(96)
-        .map(|c| std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))))
-        .collect();
+    let points =
+        a.2.chunks_exact(96)
+            .map(|c| std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))))
+            .collect();
     Ok(StressField { points })
 }
