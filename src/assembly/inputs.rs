@@ -343,7 +343,11 @@ fn given(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     for (name, value) in &out {
         if matches!(value, Given::Many(list) if list.is_empty()) {
             let help = find(name).map_or_else(String::new, |p| p.about.clone());
-            faults.push(AssemblyError::Value { path: path_of(name), problem: "the list is empty".into(), help });
+            faults.push(AssemblyError::Value {
+                path: path_of(name),
+                problem: "the list is empty".into(),
+                help: format!("give at least one value: {help}"),
+            });
         }
     }
     out

@@ -1,7 +1,7 @@
 //! `bracket analyse`: the engine on a mesh the user brings.
 
 use super::analysis::{AnalysisOptions, Case, Echo, file_stem, finish, use_threads};
-use super::{Common, Outcome};
+use super::{Common, Outcome, spec_file};
 use crate::diag::Diagnostic;
 use crate::mesh::quality;
 use crate::model::file::ModelFile;
@@ -28,7 +28,14 @@ pub struct AnalyseArgs {
 /// Runs `bracket analyse`.
 pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     use_threads(common)?;
-    let model = load_model(&args.model)?;
+    let model = load_model(&args.model).map_err(|mut faults| {
+        let text = std::fs::read_to_string(&args.model).unwrap_or_default();
+        if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
+            faults.0.truncate(1);
+            faults.0[0].help = Some("this looks like a connection spec: `bracket run` reads it".into());
+        }
+        faults
+    })?;
     let unread = |path: &Path, e: std::io::Error| {
         Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
     };

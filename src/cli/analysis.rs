@@ -55,7 +55,8 @@ impl AnalysisOptions {
 pub fn use_threads(common: &Common) -> Result<(), Diagnostics> {
     let Some(n) = common.threads else { return Ok(()) };
     if !(1..=1024).contains(&n) {
-        return Err(Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024")).into());
+        let d = Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024"));
+        return Err(d.help("leave the option out to use every processor").into());
     }
     // a second call in one process (tests) keeps the first pool
     let _ = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();

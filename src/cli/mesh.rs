@@ -43,7 +43,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
     for (name, value) in [("--size-factor", args.size_factor), ("--time-limit", args.time_limit)] {
         if !(value.is_finite() && value > 0.0 && value < 1e9) {
             let d = Diagnostic::input("cli/value", format!("{name} is {value}, it must be above 0 and below 1e9"));
-            return Err(d.into());
+            return Err(d.help("leave the option out for its usual value: `bracket mesh --help`").into());
         }
     }
     let assembly = load(&args.spec)?;

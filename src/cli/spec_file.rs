@@ -26,8 +26,19 @@ pub fn read(path: &Path) -> Result<SpecFile, Diagnostics> {
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
     })?;
-    let spec = yaml::parse::<ConnectionSpec>(&text, path)?;
+    let spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|mut faults| {
+        if top_level(&text, "mesh") && top_level(&text, "bodies") {
+            faults.0.truncate(1);
+            faults.0[0].help = Some("this looks like a model file: `bracket analyse` reads it".into());
+        }
+        faults
+    })?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let joint = assembly::build(&spec, path.parent().unwrap_or(Path::new("")), &catalog)?;
     Ok(SpecFile { text, spec, joint, catalog })
+}
+
+/// True when a line of the file begins with this key: enough to tell the two kinds of input apart.
+pub fn top_level(text: &str, key: &str) -> bool {
+    text.lines().any(|l| l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }

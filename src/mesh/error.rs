@@ -227,7 +227,7 @@ impl MeshError {
     /// Stable code, place, and what to do next.
     fn parts(&self) -> (&'static str, Option<&MshPlace>, &'static str) {
         use MeshError as E;
-        let again = "write the mesh again with gmsh; the file is damaged or was edited by hand";
+        let again = "write the mesh again with gmsh; the file is cut off, damaged or was edited by hand";
         match self {
             E::Io { at, .. } => (
                 "mesh/read",

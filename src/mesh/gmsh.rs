@@ -71,20 +71,16 @@ pub enum MesherError {
     Failed {
         /// Its exit code, when it is not 0.
         code: Option<i32>,
-        /// Its first error lines.
+        /// Its first error lines. The log itself goes with the working folder, so it is quoted, not named.
         said: String,
-        /// Its log.
-        log: PathBuf,
     },
     /// It ended well and left no usable file.
-    #[error("the mesher ended without error but left no usable `{}`: {why}", file.display())]
+    #[error("the mesher ended without error but left no usable {what}: {why}")]
     NoOutput {
-        /// The file expected.
-        file: PathBuf,
+        /// `mesh` or `STEP file`.
+        what: &'static str,
         /// Absent, empty or cut off.
         why: String,
-        /// Its log.
-        log: PathBuf,
     },
     /// The disk is full.
     #[error("no space is left on the disk for `{}`", file.display())]
@@ -105,13 +101,24 @@ pub enum MesherError {
 impl MesherError {
     /// A failed write; a full disk is told apart.
     pub fn write(file: impl Into<PathBuf>, source: std::io::Error) -> Self {
-        let file = file.into();
-        if source.kind() == std::io::ErrorKind::StorageFull {
-            MesherError::DiskFull { file }
-        } else {
-            MesherError::Write { file, source }
+        use std::io::ErrorKind as K;
+        let file = whole(&file.into());
+        match source.kind() {
+            K::StorageFull | K::QuotaExceeded | K::FileTooLarge => MesherError::DiskFull { file },
+            _ => MesherError::Write { file, source },
         }
     }
+}
+
+/// The path as the user knows it: `joint/mesh.msh` for `joint.part/mesh.msh`, which is written aside and renamed.
+fn whole(path: &Path) -> PathBuf {
+    let ours = |word: &str| word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()));
+    path.components()
+        .map(|c| match c.as_os_str().to_str().and_then(|w| Some((w, ours(w)?))) {
+            Some((word, end)) => OsString::from(&word[..end]),
+            None => c.as_os_str().to_os_string(),
+        })
+        .collect()
 }
 
 impl From<MesherError> for Diagnostic {
@@ -133,11 +140,15 @@ impl From<MesherError> for Diagnostic {
             E::Killed { .. } => {
                 ("mesher/killed", "free memory, or ask for a larger `analysis.mesh.size`; then run again".into())
             }
-            E::Failed { log, .. } => ("mesher/failed", format!("the whole log is `{}`", log.display())),
-            E::NoOutput { log, .. } => (
-                "mesher/no-output",
-                format!("check that the disk is not full; then `bracket doctor`; the log is `{}`", log.display()),
+            E::Failed { .. } => (
+                "mesher/failed",
+                "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it fails again, \
+                 `bracket doctor` tells what is wrong with the mesher"
+                    .into(),
             ),
+            E::NoOutput { .. } => {
+                ("mesher/no-output", "check that the disk is not full; then run `bracket doctor`".into())
+            }
             E::DiskFull { .. } => ("mesher/disk", "free some space, or write elsewhere with `--out`".into()),
             E::Write { .. } => ("mesher/write", "check the folder and the right to write there, or use `--out`".into()),
         };
@@ -201,7 +212,7 @@ impl Mesher {
             .map_err(|e| MesherError::write(&log_path, e))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         if text.contains("No space left on device") {
-            return Err(MesherError::DiskFull { file: dir.to_path_buf() });
+            return Err(MesherError::DiskFull { file: whole(dir) });
         }
         if let Some(signal) = killed_by(&status) {
             return Err(MesherError::Killed { signal, seconds: started.elapsed().as_secs_f64() });
@@ -214,7 +225,7 @@ impl Mesher {
                 (true, None) => "it said nothing".to_string(),
             };
             let code = status.code().filter(|c| *c != 0);
-            return Err(MesherError::Failed { code, said, log: log_path });
+            return Err(MesherError::Failed { code, said });
         }
         Ok(text)
     }

@@ -6,7 +6,7 @@ use super::quality::{self, BodyQuality};
 use super::{MeshError, TetMesh, msh, msh_write};
 use crate::assembly::Assembly;
 use crate::assembly::joint::SymmetryPlane;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::geometry::Scene;
 use crate::geometry::geo_script::{self, Purpose};
 use crate::geometry::size::SizeRule;
@@ -90,7 +90,7 @@ pub fn mesh_joint(
     mesher.run(&["joint.geo", "-3", "-o", "joint_raw.msh"], dir, log, options.time_limit)?;
     let mesher_seconds = in_mesher.elapsed().as_secs_f64();
     progress("naming bodies and faces");
-    let mut mesh = read_output(&raw, &dir.join(log))?;
+    let mut mesh = read_output(&raw)?;
     remove(&raw)?;
     let checks = naming::name_and_check(&mut mesh, &scene)?;
     Ok(JointMesh {
@@ -125,7 +125,7 @@ pub fn write_step(assembly: &Assembly, options: &MeshOptions, path: &Path) -> Re
     let text = std::fs::read_to_string(&raw).unwrap_or_default();
     if !text.trim_end().ends_with("END-ISO-10303-21;") {
         let why = if text.is_empty() { "it is absent or empty" } else { "it is cut off" };
-        return Err(MesherError::NoOutput { file: raw, why: why.into(), log: dir.join(log) }.into());
+        return Err(MesherError::NoOutput { what: "STEP file", why: why.into() }.into());
     }
     msh_write::write_whole(path, &text)?;
     remove(&raw)?;
@@ -147,15 +147,21 @@ fn remove(path: &Path) -> Result<(), MesherError> {
 }
 
 /// Reads the mesher's file; a damaged file is the machine's fault here, not the user's.
-fn read_output(raw: &Path, log: &Path) -> Result<TetMesh, Diagnostics> {
-    let damaged = |why: String| MesherError::NoOutput { file: raw.into(), why, log: log.into() }.into();
+fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
+    let damaged = |why: String| MesherError::NoOutput { what: "mesh", why }.into();
     match std::fs::metadata(raw) {
         Err(_) => return Err(damaged("it is absent".into())),
         Ok(m) if m.len() == 0 => return Err(damaged("it is empty".into())),
         Ok(_) => {}
     }
     msh::read(raw).map_err(|error| match error {
-        MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => error.into(),
+        // the mesher's file is not the user's: its lines mean nothing to him
+        MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => {
+            let mut d =
+                Diagnostic::from(error).help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");
+            d.place = Place::default();
+            d.into()
+        }
         other => damaged(other.to_string()),
     })
 }

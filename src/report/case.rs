@@ -97,6 +97,8 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         static_: pass.lower.as_ref().and_then(|b| b.certificate().peak_pressure),
     };
     let mut warnings = Vec::new();
+    // one program that runs away leaves the other without a solution: that is one fault, told once
+    let runs_away = [&pass.kinematic, &pass.statics].into_iter().flatten().any(|r| r.mechanism.is_some());
     for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
         let Some(run) = run else { continue };
         if let Some(m) = &run.mechanism {
@@ -109,7 +111,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
             });
         } else if let Some(t) = &run.trouble {
             warnings.push(format!("the {program} solution could not be certified: {t}"));
-        } else if run.status != crate::solve::SolveStatus::Optimal {
+        } else if run.status != crate::solve::SolveStatus::Optimal && !runs_away {
             warnings.push(format!("the {program} program ended with status `{}`: no bound", run.status.words()));
         }
     }

@@ -138,7 +138,7 @@ impl ResultFolder {
         let result = parents
             .iter()
             .try_for_each(|p| fs::create_dir(p).map_err(io_error("create the folder", p)))
-            .and_then(|()| claim(&part));
+            .and_then(|()| claim(&part, &target));
         match result {
             Ok(lock) => Ok(Self { target, part, parents, _lock: lock, finished: false }),
             Err(e) => {
@@ -271,8 +271,8 @@ fn check_replaceable(target: &Path) -> Result<(), FolderError> {
     Ok(())
 }
 
-/// Makes the part folder and locks its marker; the left-over of a killed run is removed first.
-fn claim(part: &Path) -> Result<File, FolderError> {
+/// Makes the part folder and locks its marker; the left-over of a killed run is removed first. Messages name the target.
+fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
     let marker = part.join(MARKER);
     if part.symlink_metadata().is_ok() {
         let lock = File::open(&marker).map_err(|_| FolderError::InTheWay { path: part.into() })?;
@@ -284,11 +284,11 @@ fn claim(part: &Path) -> Result<File, FolderError> {
     }
     fs::create_dir(part).map_err(|e| match e.kind() {
         io::ErrorKind::AlreadyExists => FolderError::Busy { path: part.into() },
-        _ => io_error("create the folder", part)(e),
+        _ => io_error("create the folder", target)(e),
     })?;
     let made = File::create_new(&marker).and_then(|f| f.try_lock().map(|()| f).map_err(io::Error::from));
     made.map_err(|e| {
         let _ = fs::remove_dir_all(part);
-        io_error("create", &marker)(e)
+        io_error("create a file in", target)(e)
     })
 }

@@ -1,0 +1,133 @@
+//! A folder to run the program in, and what a refusal must look like.
+#![allow(dead_code, missing_docs)]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The paper's joint, the sound spec that the tests spoil.
+pub const JOINT: &str = include_str!("../../examples/paper_joint/joint.yaml");
+
+/// A temporary folder with input files.
+pub struct Bench {
+    dir: tempfile::TempDir,
+}
+
+impl Bench {
+    pub fn new() -> Self {
+        Self { dir: tempfile::tempdir().expect("temporary folder") }
+    }
+
+    pub fn path(&self) -> &Path {
+        self.dir.path()
+    }
+
+    pub fn file(self, name: &str, content: impl AsRef<[u8]>) -> Self {
+        std::fs::write(self.path().join(name), content).expect("written");
+        self
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+    }
+
+    pub fn command(&self, args: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_bracket"));
+        command.current_dir(self.path()).env_remove("BRACKET_GMSH").args(args);
+        command
+    }
+
+    pub fn run(&self, args: &[&str]) -> Output {
+        self.command(args).output().expect("the program starts")
+    }
+
+    /// Every file below the folder with its bytes, every empty folder with none.
+    pub fn everything(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+        let mut found = BTreeMap::new();
+        collect(self.path(), self.path(), &mut found);
+        found
+    }
+
+    /// A mesher that tells a version and then runs `script` (`sh`; the arguments are those of gmsh).
+    pub fn mesher(&self, script: &str) -> String {
+        let path = self.path().join("mesher.sh");
+        let text = format!("[ \"$1\" = --version ] && {{ echo 4.15.2; exit 0; }}\n{script}\n");
+        std::fs::write(&path, text).expect("written");
+        serde_json::json!(["sh", path]).to_string()
+    }
+}
+
+fn collect(root: &Path, dir: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) {
+    for entry in std::fs::read_dir(dir).expect("folder") {
+        let path = entry.expect("entry").path();
+        let name = path.strip_prefix(root).expect("below the root").to_path_buf();
+        if path.is_dir() {
+            found.insert(name, Vec::new());
+            collect(root, &path, found);
+        } else {
+            found.insert(name, std::fs::read(&path).expect("readable"));
+        }
+    }
+}
+
+/// What a refused input must be told: exit code, code, place as it is printed (empty: the message holds it), words of
+/// the message, words of the cure.
+pub struct Told<'a> {
+    pub exit: i32,
+    pub code: &'a str,
+    pub place: &'a str,
+    pub message: &'a str,
+    pub cure: &'a str,
+}
+
+/// Runs the command; the exit code, one message with place and cure, nothing on standard output, and not a byte in the
+/// folder changed. Returns what is wrong.
+pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<String, String> {
+    let before = bench.everything();
+    let run = command.output().expect("the program starts");
+    let text = String::from_utf8_lossy(&run.stderr).into_owned();
+    let mut faults = Vec::new();
+    if run.status.code() != Some(told.exit) {
+        faults.push(format!("exit {:?}, expected {}", run.status.code(), told.exit));
+    }
+    let titles: Vec<&str> = text.lines().filter(|l| l.starts_with("error")).collect();
+    match titles[..] {
+        [title] => {
+            if !title.starts_with(&format!("error[{}]: ", told.code)) {
+                faults.push(format!("code is not {}", told.code));
+            }
+        }
+        _ => faults.push(format!("{} messages", titles.len())),
+    }
+    let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for (what, words) in [("place", told.place), ("message", told.message), ("cure", told.cure)] {
+        if !flat.contains(words) {
+            faults.push(format!("lacks the {what} {words:?}"));
+        }
+    }
+    if !text.contains("help: ") {
+        faults.push("no cure".into());
+    }
+    for odd in ["panicked", "unwrap", ".part", "Os {"] {
+        if text.contains(odd) {
+            faults.push(format!("talks of {odd:?}"));
+        }
+    }
+    if !run.stdout.is_empty() {
+        faults.push(format!("says on standard output {:?}", String::from_utf8_lossy(&run.stdout)));
+    }
+    let after = bench.everything();
+    if after != before {
+        let names: Vec<_> = after.keys().filter(|k| before.get(*k) != after.get(*k)).collect();
+        faults.push(format!("left {names:?}, {} entries before, {} after", before.len(), after.len()));
+    }
+    if faults.is_empty() { Ok(text) } else { Err(format!("{}:\n{text}", faults.join("; "))) }
+}
+
+/// Fails with all that is wrong in a table of cases.
+pub fn none_wrong(results: Vec<(String, Result<String, String>)>) {
+    assert!(results.len() > 1, "an empty table proves nothing");
+    let wrong: Vec<String> =
+        results.into_iter().filter_map(|(name, r)| Some(format!("== {name}: {}", r.err()?))).collect();
+    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+}

@@ -1,0 +1,237 @@
+//! What `bracket analyse` leaves.
+
+use crate::bench::{Bench, Told, refusal};
+use crate::{MODEL, bench, expect};
+use serde_json::Value;
+use std::path::Path;
+
+fn json(bench: &Bench, name: &str) -> Value {
+    serde_json::from_str(&bench.read(name)).expect("JSON")
+}
+
+/// Seconds and memory differ from run to run; everything else must not.
+fn without_costs(value: &mut Value) {
+    match value {
+        Value::Object(fields) => {
+            fields.retain(|key, _| !key.ends_with("seconds") && !key.ends_with("memory_mib"));
+            fields.iter_mut().for_each(|(_, v)| without_costs(v));
+        }
+        Value::Array(items) => items.iter_mut().for_each(without_costs),
+        _ => {}
+    }
+}
+
+/// The report without the history table, whose columns are seconds and memory.
+fn report_without_costs(text: &str) -> String {
+    let (head, rest) = text.split_once("## Mesh and history").expect("the section");
+    let (_, tail) = rest.split_once("\n## Certificate").expect("the next section");
+    format!("{head}{tail}")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("a number, not {value}"))
+}
+
+#[test]
+fn the_result_holds_what_the_contract_promises() {
+    let bench = bench(MODEL);
+    let (out, err) = expect(&bench, &["analyse", "block.yaml"], 0);
+    assert_eq!(out, "");
+    assert!(err.contains("potential energy between") && err.contains("(certified)"), "{err}");
+
+    let files: Vec<String> = bench.everything().keys().map(|p| p.to_string_lossy().into_owned()).collect();
+    let expected = [
+        "block",
+        "block/deformed_block.png",
+        "block/fields",
+        "block/fields/block_kinematic.vtu",
+        "block/fields/block_static.vtu",
+        "block/log.txt",
+        "block/mesh.msh",
+        "block/mesh.png",
+        "block/model.yaml",
+        "block/report.md",
+        "block/result.json",
+        "block.yaml",
+        "m.msh",
+    ];
+    assert_eq!(files, expected);
+    assert_eq!(bench.read("block/mesh.msh"), bench.read("m.msh"));
+
+    let result = json(&bench, "block/result.json");
+    assert_eq!(result["schema"], 1);
+    assert_eq!(result["tool"]["name"], "bracket");
+    assert_eq!(result["tool"]["version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(result["input_hash"].as_str().map(str::len), Some(64));
+    assert_eq!((&result["symmetry"], &result["verdict"]), (&1.into(), &"none".into()));
+    let case = &result["cases"][0];
+    assert_eq!(result["cases"].as_array().map(Vec::len), Some(1));
+    for (key, value) in
+        [("name", "block"), ("analysis", "elastic"), ("quantity", "potential_energy"), ("problem", "associated")]
+    {
+        assert_eq!(case[key], value);
+    }
+    let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
+    // 40 MPa on 400 mm² shortens 60 mm by 11 µm: −Π is near ½ · 16 kN · 11 µm = 91 N mm; the side push adds to it
+    assert!(lower < upper && upper < -85.0 && lower > -110.0, "{lower} {upper}");
+    // MECHANICS: (Π_p + Π_c) over the larger size
+    let gap = number(&case["gap"]);
+    assert!(gap > 0.0 && gap < 0.15 && (gap - (upper - lower) / lower.abs().max(upper.abs())).abs() < 0.01, "{gap}");
+    let [soft, stiff] = [1, 0].map(|i| number(&case["load_displacement"][i]));
+    let force = 400.0 * 40.0f64.hypot(2.0);
+    assert!((soft + 2.0 * lower / force).abs() < 1e-12 && (stiff + 2.0 * upper / force).abs() < 1e-12);
+    let certificate = &case["certificate"];
+    assert_eq!(certificate["strict"], true);
+    for residual in ["equilibrium", "traction_jump", "contact", "compatibility"] {
+        assert!((0.0..=1e-9).contains(&number(&certificate[residual])), "{residual}: {certificate}");
+    }
+    assert!(certificate.get("yield").is_none(), "nothing yields in an elastic analysis: absent is absent");
+    let history = &case["history"][0];
+    assert_eq!((&history["macro_tets"], &history["lower"]), (&144.into(), &case["lower"]));
+    for program in ["kinematic", "static"] {
+        assert_eq!(history[program]["status"], "optimal");
+        assert!(number(&history[program]["seconds"]) > 0.0 && number(&history[program]["iterations"]) > 0.0);
+        assert!(number(&history[format!("{program}_dofs")]) > 100.0);
+    }
+    assert!(!bench.read("block/result.json").contains("null"), "absent is absent");
+
+    let report = bench.read("block/report.md");
+    for words in [
+        "# block",
+        "## Answer",
+        "gap **",
+        "Peak contact pressure",
+        "## Input",
+        MODEL,
+        "## Mesh and history",
+        "| BASE | 72 |",
+        "## Certificate",
+        "| block | strict |",
+        "## Assumptions and limits",
+        "associated",
+    ] {
+        assert!(report.contains(words), "{words:?} in\n{report}");
+    }
+    for (_, rest) in report.match_indices("](").map(|(i, _)| report.split_at(i + 2)) {
+        let file = rest.split(')').next().unwrap_or("");
+        assert!(bench.path().join("block").join(file).is_file(), "the report shows `{file}`");
+    }
+    let model = bench.read("block/model.yaml");
+    assert!(model.contains("mesh: mesh.msh") && model.contains("friction: associated"), "{model}");
+}
+
+#[test]
+fn two_runs_differ_in_seconds_and_memory_only() {
+    let bench = bench(MODEL);
+    expect(&bench, &["analyse", "block.yaml", "--out", "one"], 0);
+    expect(&bench, &["analyse", "block.yaml", "--out", "two", "--quiet"], 0);
+    let everything = bench.everything();
+    let of = |folder: &str| -> Vec<(&Path, &Vec<u8>)> {
+        everything.iter().filter_map(|(p, b)| Some((p.strip_prefix(folder).ok()?, b))).collect()
+    };
+    let (one, two) = (of("one"), of("two"));
+    assert_eq!(one.len(), two.len());
+    let mut alike = 0;
+    for ((name, a), (other, b)) in one.iter().zip(&two) {
+        assert_eq!(name, other);
+        match name.to_string_lossy().as_ref() {
+            "log.txt" => {}
+            "result.json" => {
+                let [a, b] = [a, b].map(|bytes| {
+                    let mut v: Value = serde_json::from_slice(bytes).expect("JSON");
+                    without_costs(&mut v);
+                    v
+                });
+                assert_eq!(a, b);
+            }
+            "report.md" => {
+                let [a, b] = [a, b].map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes)));
+                assert_eq!(a, b);
+            }
+            name => {
+                assert!(a == b, "{name} differs");
+                alike += usize::from(name.ends_with(".vtu") || name.ends_with(".png"));
+            }
+        }
+    }
+    assert_eq!(alike, 4);
+}
+
+#[test]
+fn json_goes_to_standard_output_and_nothing_else() {
+    let bench = bench(MODEL);
+    let (out, _) = expect(&bench, &["analyse", "block.yaml", "--format", "json"], 0);
+    assert_eq!(out, bench.read("block/result.json"));
+    let (out, err) = expect(&bench, &["--format", "json", "--quiet", "analyse", "block.yaml"], 0);
+    assert_eq!((out, err.as_str()), (bench.read("block/result.json"), ""));
+    // faults too, one object a line, on standard error
+    std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
+    let (out, err) = expect(&bench, &["analyse", "block.yaml", "--format", "json"], 2);
+    let fault: Value = serde_json::from_str(&err).expect("one object");
+    assert_eq!((out.as_str(), &fault["code"], &fault["place"]["line"]), ("", &"model/unknown-face".into(), &10.into()));
+}
+
+#[test]
+fn an_earlier_result_is_replaced_and_a_foreign_folder_is_not() {
+    let bench = bench(MODEL);
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    let before = bench.everything();
+    std::fs::write(bench.path().join("block/fields/stale.vtu"), "old").expect("written");
+    std::fs::write(bench.path().join("block.yaml"), MODEL.replace("-40", "-20")).expect("written");
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    let after = bench.everything();
+    assert!(after.keys().eq(before.keys()), "the old folder is gone as a whole: {:?}", after.keys());
+    assert!(after[Path::new("block/result.json")] != before[Path::new("block/result.json")]);
+    // a wrong model leaves the earlier result alone
+    std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
+    let told = Told { exit: 2, code: "model/unknown-face", place: "block.yaml:10:", message: "`Z9`", cure: "Z0, Z1" };
+    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &told) {
+        panic!("{e}");
+    }
+    // a folder without our result.json is someone else's
+    std::fs::write(bench.path().join("block.yaml"), MODEL).expect("written");
+    std::fs::remove_file(bench.path().join("block/result.json")).expect("removed");
+    let told = Told {
+        exit: 2,
+        code: "report/folder-exists",
+        place: "block",
+        message: "holds no result.json",
+        cure: "choose another folder with --out",
+    };
+    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &told) {
+        panic!("{e}");
+    }
+}
+
+/// Pushed sideways with 0.999 μN it holds, with 1.001 μN nothing can hold it.
+#[test]
+fn without_equilibrium_there_is_no_bound() {
+    for (push, code) in [(0.3 * 0.999, 0), (0.3 * 1.001, 3)] {
+        // pressed at the top, pushed at the lower layer's height would tilt it: the push acts as a body force of the block
+        let (p, height) = (1.0, 30.0);
+        let model = MODEL.replace("  - {face: Z1, traction: [2, 0, -40]}\n", &{
+            let weight = p / height;
+            format!("  - {{body: BLOCK, force: [{}, 0, -{weight}]}}\n", push * weight)
+        });
+        let bench = bench(&model);
+        let (out, err) = expect(&bench, &["analyse", "block.yaml", "--format", "json"], code);
+        let case = &serde_json::from_str::<Value>(&out).expect("JSON")["cases"][0];
+        if code == 0 {
+            assert_eq!(case["certificate"]["strict"], true, "{err}");
+            assert!(number(&case["lower"]) <= number(&case["upper"]));
+            continue;
+        }
+        for absent in ["lower", "upper", "gap", "certificate", "load_displacement"] {
+            assert!(case.get(absent).is_none(), "{absent} in {case:#}");
+        }
+        let warnings = case["warnings"].as_array().expect("warnings");
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        let told = warnings[0].as_str().unwrap_or("");
+        assert!(told.starts_with("no equilibrium exists under these loads: part BLOCK moves along +x"), "{told}");
+        assert!(err.contains(told), "{err}");
+        assert!(bench.read("block/report.md").contains(told));
+        // what claims nothing cannot be refuted
+        let (out, _) = expect(&bench, &["verify", "block"], 0);
+        assert!(out.contains("claims no bound"), "{out}");
+    }
+}

@@ -1,0 +1,124 @@
+//! `bracket verify`: confirms what `bracket analyse` left and refutes it after any tampering.
+
+use crate::bench::Bench;
+use crate::{MODEL, bench, expect, mesh};
+use bracket::report::vtu::VtuGrid;
+use serde_json::Value;
+
+/// A finished result, changed by `tamper`; the exit code of `verify` and what it says.
+fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
+    let bench = bench(MODEL);
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    tamper(&bench);
+    let run = bench.run(&["verify", "block"]);
+    let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+    assert!(!text.contains("panicked"), "{text}");
+    (run.status.code(), text)
+}
+
+fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
+    let mut result: Value = serde_json::from_str(&bench.read("block/result.json")).expect("JSON");
+    edit(&mut result);
+    std::fs::write(bench.path().join("block/result.json"), format!("{result:#}\n")).expect("written");
+}
+
+/// Changes the largest number of an array of a field file, in place.
+fn edit_field(bench: &Bench, name: &str, array: &str, change: impl Fn(f64) -> f64) {
+    let path = bench.path().join("block/fields").join(name);
+    let mut bytes = std::fs::read(&path).expect("field");
+    let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
+    let (_, _, values) = grid.point_array(array).unwrap_or_else(|| panic!("no array {array}"));
+    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
+    // the arrays are stored as they are in memory
+    let at = bytes.windows(8).position(|w| w == largest.to_le_bytes()).expect("the value stands in the file");
+    bytes[at..at + 8].copy_from_slice(&change(largest).to_le_bytes());
+    std::fs::write(&path, bytes).expect("written");
+}
+
+#[test]
+fn an_untouched_result_is_confirmed() {
+    let (code, text) = after(|_| {});
+    assert_eq!(code, Some(0), "{text}");
+    assert_eq!(text.matches("confirmed").count(), 2, "{text}");
+    // moved elsewhere it is still whole: mesh and model lie inside
+    let (code, text) = after(|b| {
+        std::fs::rename(b.path().join("block"), b.path().join("moved")).expect("moved");
+        std::fs::remove_file(b.path().join("m.msh")).expect("removed");
+        std::fs::rename(b.path().join("moved"), b.path().join("block")).expect("moved back");
+    });
+    assert_eq!(code, Some(0), "{text}");
+}
+
+#[test]
+fn a_changed_claim_is_refuted() {
+    for (bound, factor) in [("lower", 0.999_999), ("lower", 1.000_001), ("upper", 1.000_001), ("upper", 0.5)] {
+        let (code, text) = after(|b| {
+            edit_result(b, |r| {
+                let value = &mut r["cases"][0][bound];
+                *value = (value.as_f64().expect("a bound") * factor).into();
+            });
+        });
+        assert_eq!(code, Some(1), "{bound} × {factor}: {text}");
+        assert_eq!(text.matches("REFUTED").count(), 1, "{bound} × {factor}: {text}");
+    }
+}
+
+#[test]
+fn a_changed_field_is_refuted() {
+    for (file, array) in [("block_static.vtu", "stress_mandel"), ("block_kinematic.vtu", "displacement")] {
+        for factor in [1.0001, -1.0] {
+            let (code, text) = after(|b| edit_field(b, file, array, |x| factor * x));
+            assert_eq!(code, Some(1), "{file} × {factor}: {text}");
+            assert!(text.contains("REFUTED"), "{file} × {factor}: {text}");
+        }
+        let (code, text) = after(|b| edit_field(b, file, array, |_| f64::NAN));
+        assert!(matches!(code, Some(1 | 2)), "{file} NaN: {text}");
+        assert!(!text.contains("  confirmed\n") || text.contains("REFUTED"), "{file} NaN: {text}");
+    }
+}
+
+#[test]
+fn another_mesh_or_model_is_refuted_or_refused() {
+    // the same connectivity, another height: the fields fit in number and are wrong in every place
+    let (code, text) = after(|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
+    assert!(matches!(code, Some(1 | 2)), "{text}");
+    // a mesh of another size
+    let other = crate::common::Block::new([1, 1, 2], [20.0, 20.0, 60.0]);
+    let other =
+        bracket::mesh::msh_write::text(&other.mesh(&["BASE", "BLOCK"], |x| usize::from(x[2] > 30.0), |_, _| false));
+    let (code, text) = after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
+    assert_eq!(code, Some(2), "{text}");
+    // softer steel, more friction, another load: the stored fields do not solve that problem or have other energies
+    for (old, new) in [("210000", "200000"), ("mu: 0.3", "mu: 0.01"), ("-40", "-41")] {
+        let (code, text) = after(|b| {
+            let model = b.read("block/model.yaml");
+            assert!(model.contains(old), "{old} in {model}");
+            std::fs::write(b.path().join("block/model.yaml"), model.replacen(old, new, 1)).expect("written");
+        });
+        assert_eq!(code, Some(1), "{old} -> {new}: {text}");
+    }
+}
+
+#[test]
+fn what_is_missing_or_torn_is_named() {
+    for (file, words) in [
+        ("result.json", "result.json"),
+        ("mesh.msh", "mesh.msh"),
+        ("model.yaml", "model.yaml"),
+        ("fields/block_static.vtu", "block_static.vtu"),
+    ] {
+        let (code, text) = after(|b| std::fs::remove_file(b.path().join("block").join(file)).expect("removed"));
+        assert_eq!(code, Some(2), "{file}: {text}");
+        assert!(text.contains(words) && text.contains("help: "), "{file}: {text}");
+        let (code, text) = after(|b| {
+            let path = b.path().join("block").join(file);
+            let bytes = std::fs::read(&path).expect("read");
+            std::fs::write(&path, &bytes[..bytes.len() / 2]).expect("written");
+        });
+        assert_eq!(code, Some(2), "half of {file}: {text}");
+        assert!(text.contains("help: "), "half of {file}: {text}");
+    }
+    let bench = Bench::new();
+    let (_, err) = expect(&bench, &["verify", "nowhere"], 2);
+    assert!(err.contains("nowhere") && err.contains("help: "), "{err}");
+}

@@ -1,0 +1,50 @@
+//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes.
+
+#[path = "cli/bench.rs"]
+mod bench;
+#[path = "common/mod.rs"]
+mod common;
+#[path = "cli/result_folder.rs"]
+mod result_folder;
+#[path = "cli/verify.rs"]
+mod verify;
+
+use bench::Bench;
+use bracket::mesh::msh_write;
+use common::Block;
+
+/// A block that stands on another with friction and is pressed obliquely: contact, friction, two bodies, 144 tets.
+pub const MODEL: &str = "\
+mesh: m.msh
+analysis: elastic
+materials: {steel: {E: 210000, nu: 0.3}}
+bodies: {BASE: steel, BLOCK: steel}
+interfaces:
+  - {between: [BLOCK, BASE], law: contact, mu: 0.3, friction: associated}
+supports:
+  - {face: Z0, fix: [x, y, z]}
+loads:
+  - {face: Z1, traction: [2, 0, -40]}
+";
+
+/// The mesh of [`MODEL`], `height` mm high.
+pub fn mesh(height: f64) -> String {
+    let block = Block::new([2, 2, 6], [20.0, 20.0, height]).jittered(3);
+    let joint = height / 2.0;
+    let mesh =
+        block.mesh(&["BASE", "BLOCK"], |x| usize::from(x[2] > joint), |axis, x| axis == 2 && (x - joint).abs() < 1e-9);
+    msh_write::text(&mesh)
+}
+
+/// A folder with model and mesh.
+pub fn bench(model: &str) -> Bench {
+    Bench::new().file("block.yaml", model).file("m.msh", mesh(60.0))
+}
+
+/// Runs with an expected exit code; returns standard output and standard error.
+pub fn expect(bench: &Bench, args: &[&str], code: i32) -> (String, String) {
+    let run = bench.run(args);
+    let [out, err] = [run.stdout, run.stderr].map(|b| String::from_utf8(b).expect("UTF-8"));
+    assert_eq!(run.status.code(), Some(code), "{args:?}\n{out}\n{err}");
+    (out, err)
+}
