@@ -118,15 +118,15 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     for case in &cases {
         let pass = run_pass(case, &echo, &log)?;
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
-        if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap) {
-            if gap > target {
-                entry.warnings.push(format!(
-                    "the gap is {}, the target {}: a finer mesh is needed ({})",
-                    figures::percent_up(gap),
-                    figures::percent_up(target),
-                    echo.finer
-                ));
-            }
+        if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap)
+            && gap > target
+        {
+            entry.warnings.push(format!(
+                "the gap is {}, the target {}: a finer mesh is needed ({})",
+                figures::percent_up(gap),
+                figures::percent_up(target),
+                echo.finer
+            ));
         }
         let stem = file_stem(&case.name);
         if pictures.is_empty() {

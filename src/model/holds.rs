@@ -103,7 +103,7 @@ pub fn number_unknowns(
         }
     }
     let plain = block.len();
-    let mut next_block = (0..points.count()).map(|p| points.block(p) + 1).max().unwrap_or(0);
+    let rigid_block = (0..points.count()).map(|p| points.block(p) + 1).max().unwrap_or(0);
     let mut rigid_motions = Vec::with_capacity(model.rigid.len());
     for (r, rigid) in model.rigid.iter().enumerate() {
         let mine: Vec<(usize, usize)> = owner.iter().filter(|(_, o)| **o == r).map(|(k, _)| *k).collect();
@@ -116,9 +116,8 @@ pub fn number_unknowns(
                     combinations[3 * p + d].push(((first + k) as u32, w));
                 }
             }
-            block.push(next_block);
+            block.push(rigid_block + r as u32);
         }
-        next_block += 1;
         rigid_motions.push(RigidMotions { first, basis });
     }
     Ok((DofMap::new(combinations, plain, block), rigid_motions))

@@ -172,16 +172,17 @@ fn points_of_face(
         if !seen.insert((a[i], b.map_or(usize::MAX, |b| b[i]), rounded)) {
             continue;
         }
-        let edge = i >= 3;
-        let (pick, gap): (&dyn Fn(&[usize; 6]) -> [usize; 3], f64) = if edge {
+        // a vertex stands for itself, an edge for its mid-side node and its two ends
+        let (picked, gap) = if i < 3 {
+            ([i; 3], law.gap.at(corners[i]))
+        } else {
             let [p, q] = FACE_EDGES[i - 3];
             let mid = vec3::scale(0.5, vec3::add(corners[p], corners[q]));
-            let g = 2.0 * law.gap.at(mid) - 0.5 * (law.gap.at(corners[p]) + law.gap.at(corners[q]));
-            (&move |n| [n[i], n[p], n[q]], g)
-        } else {
-            (&move |n| [n[i]; 3], law.gap.at(corners[i]))
+            let ends = 0.5 * (law.gap.at(corners[p]) + law.gap.at(corners[q]));
+            ([i, p, q], 2.0 * law.gap.at(mid) - ends)
         };
-        out.push(ControlPoint { normal, mu: law.mu, gap, a: pick(&a), b: b.as_ref().map(pick), edge });
+        let pick = |n: [usize; 6]| picked.map(|k| n[k]);
+        out.push(ControlPoint { normal, mu: law.mu, gap, a: pick(a), b: b.map(pick), edge: i >= 3 });
     }
 }
 

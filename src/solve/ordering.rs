@@ -65,5 +65,5 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
             iperm.as_mut_ptr(),
         )
     };
-    (status == metis_sys::rstatus_et_METIS_OK as i32).then(|| perm.into_iter().map(|p| p as usize).collect())
+    (status == metis_sys::rstatus_et_METIS_OK).then(|| perm.into_iter().map(|p| p as usize).collect())
 }
