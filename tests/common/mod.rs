@@ -1,5 +1,5 @@
 //! Meshes and models for tests.
-#![allow(dead_code, missing_docs)]
+#![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
 pub mod points;
 pub mod prism;
