@@ -6,6 +6,7 @@ use crate::bounds::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
+use crate::model::analysis::Traction;
 use crate::model::file::Friction;
 use crate::report::case::case_result;
 use crate::report::data::{CaseResult, ResultFile, Verdict};
@@ -107,6 +108,7 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
+    cases.iter().try_for_each(refuse_idle)?;
     for case in &cases {
         let pass = run_pass(case, &log)?;
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
@@ -172,6 +174,22 @@ fn has_asked_bounds(c: &CaseResult) -> bool {
     c.history
         .last()
         .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
+}
+
+/// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
+fn refuse_idle(case: &Case) -> Result<(), Diagnostic> {
+    let m = &case.model;
+    let acts = m.surface_loads.iter().any(|l| match l.traction {
+        Traction::Pressure(p) => p != 0.0,
+        Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
+    }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
+        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
+    if acts {
+        return Ok(());
+    }
+    Err(Diagnostic::input("model/no-load", format!("nothing acts on the model of `{}`: every load is zero", case.name))
+        .path("loads")
+        .help("give a load that is not zero"))
 }
 
 fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {

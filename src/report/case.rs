@@ -102,7 +102,11 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
         let Some(run) = run else { continue };
         if let Some(m) = &run.mechanism {
-            warnings.push(format!("no equilibrium exists under these loads: {m} (the {program} program is unbounded)"));
+            let text = format!("no equilibrium exists under these loads: {m}");
+            // both programs may find the same motion
+            if !warnings.iter().any(|w: &String| w.starts_with(&text)) {
+                warnings.push(format!("{text} (the {program} program is unbounded)"));
+            }
         } else if let Some(t) = &run.trouble {
             warnings.push(format!("the {program} solution could not be certified: {t}"));
         } else if run.status != crate::solve::SolveStatus::Optimal && !runs_away {
