@@ -101,14 +101,31 @@ pub fn file_stem(case: &str) -> String {
     case.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
 }
 
+/// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
+fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
+    let m = &case.model;
+    let acts = m.surface_loads.iter().any(|l| match l.traction {
+        Traction::Pressure(p) => p != 0.0,
+        Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
+    }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
+        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
+    if acts {
+        return Ok(());
+    }
+    Err(Diagnostic::input("model/no-load", format!("nothing acts on the model of `{}`: every load is zero", case.name))
+        .path("loads")
+        .help("give a load that is not zero")
+        .into())
+}
+
 /// Analyses the cases, writes fields, result and report, prints the answer; returns the exit code.
 pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>, common: &Common) -> super::Outcome {
+    cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
-    cases.iter().try_for_each(refuse_idle)?;
     for case in &cases {
         let pass = run_pass(case, &log)?;
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
@@ -174,22 +191,6 @@ fn has_asked_bounds(c: &CaseResult) -> bool {
     c.history
         .last()
         .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
-}
-
-/// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
-fn refuse_idle(case: &Case) -> Result<(), Diagnostic> {
-    let m = &case.model;
-    let acts = m.surface_loads.iter().any(|l| match l.traction {
-        Traction::Pressure(p) => p != 0.0,
-        Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
-    }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
-        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
-    if acts {
-        return Ok(());
-    }
-    Err(Diagnostic::input("model/no-load", format!("nothing acts on the model of `{}`: every load is zero", case.name))
-        .path("loads")
-        .help("give a load that is not zero"))
 }
 
 fn run_pass(case: &Case, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {

@@ -102,16 +102,16 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
         let Some(run) = run else { continue };
         if let Some(m) = &run.mechanism {
-            let text = format!("no equilibrium exists under these loads: {m}");
-            // both programs may find the same motion
-            if !warnings.iter().any(|w: &String| w.starts_with(&text)) {
-                warnings.push(format!("{text} (the {program} program is unbounded)"));
-            }
+            warnings.push(format!("no equilibrium exists under these loads: {m} (the {program} program is unbounded)"));
         } else if let Some(t) = &run.trouble {
             warnings.push(format!("the {program} solution could not be certified: {t}"));
         } else if run.status != crate::solve::SolveStatus::Optimal && !runs_away {
             warnings.push(format!("the {program} program ended with status `{}`: no bound", run.status.words()));
         }
+    }
+    // an admissible motion proves it; what the static program says beside adds nothing
+    if pass.kinematic.as_ref().is_some_and(|r| r.mechanism.is_some()) {
+        warnings.truncate(1);
     }
     if let Some(c) = certificate(pass).filter(|c| !c.strict) {
         let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
