@@ -89,7 +89,14 @@ const CASES: &[Case] = &[
         new: "gauge: 160",
         code: "spec/rule",
         path: "bolts.gauge",
-        words: &["bolts leave the end plate (180 mm wide)", "at most 148.8"],
+        words: &["bolts leave the end plate (180 mm wide)", "at most 148 mm"],
+    },
+    Case {
+        old: "size: M18",
+        new: "size: M39",
+        code: "spec/rule",
+        path: "bolts.size",
+        words: &["no gauge has room for these bolts", "take smaller bolts"],
     },
     Case {
         old: "z: [-250, 200]",
@@ -257,7 +264,7 @@ fn a_faulty_template_of_the_user_is_named() {
     assert!(d.message.contains("unknown name `colum.h`, did you mean `column.h`?"), "{d:#?}");
     let d = fault("{name: face, value: column.h / 2}", "{name: face, value: column.h / }");
     assert_eq!((d.code, d.place.line.is_some()), ("yaml/expression", true), "{d:#?}");
-    let d = fault("size: 1.85 * column.tf", "size: 1.7 * 2");
+    let d = fault("size: 1.85 * column.tf", "size: 1.85 * 2");
     assert!(d.message.contains("a length [mm] is wanted, this number has no unit"), "{d:#?}");
     let d = fault("{part: COLUMN, thickness: column.tf}", "{part: COLUMNS, thickness: column.tf}");
     assert!(d.message.contains("there is no part `COLUMNS`"), "{d:#?}");

@@ -6,6 +6,7 @@ use crate::bounds::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
+use crate::model::analysis::Traction;
 use crate::model::file::Friction;
 use crate::report::case::case_result;
 use crate::report::data::{CaseResult, ResultFile, Verdict};
@@ -108,8 +109,26 @@ pub fn file_stem(case: &str) -> String {
     case.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
 }
 
+/// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
+fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
+    let m = &case.model;
+    let acts = m.surface_loads.iter().any(|l| match l.traction {
+        Traction::Pressure(p) => p != 0.0,
+        Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
+    }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
+        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
+    if acts {
+        return Ok(());
+    }
+    Err(Diagnostic::input("model/no-load", format!("nothing acts on the model of `{}`: every load is zero", case.name))
+        .path("loads")
+        .help("give a load that is not zero")
+        .into())
+}
+
 /// Analyses the cases, writes fields, result and report, prints the answer; returns the exit code.
 pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>, common: &Common) -> super::Outcome {
+    cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
     let mut pictures = Vec::new();

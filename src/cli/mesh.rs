@@ -46,12 +46,12 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
             return Err(d.help("leave the option out for its usual value: `bracket mesh --help`").into());
         }
     }
-    let assembly = load(&args.spec)?;
+    let (assembly, layers) = load(&args.spec)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
     let folder = Folder::new(&out)?;
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
-    options.layers = !args.no_layers;
+    options.layers = layers && !args.no_layers;
     options.sizes.factor = args.size_factor;
     options.time_limit = Duration::from_secs_f64(args.time_limit);
     options.mesher = Some(Mesher::find()?);
@@ -99,16 +99,18 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-fn load(path: &Path) -> Result<Assembly, Diagnostics> {
+/// The assembly, and whether the spec wants mid-thickness layers.
+fn load(path: &Path) -> Result<(Assembly, bool), Diagnostics> {
     if path.extension().is_none_or(|e| e != "json") {
-        return Ok(super::spec_file::read(path)?.joint.assembly);
+        let file = super::spec_file::read(path)?;
+        return Ok((file.joint.assembly, file.spec.value.analysis.mesh.layers));
     }
     let text = std::fs::read_to_string(path).map_err(|e| {
         Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))
             .file(path)
             .help("check the path")
     })?;
-    serde_json::from_str(&text).map_err(|e| {
+    serde_json::from_str(&text).map(|a| (a, true)).map_err(|e| {
         Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
             .file(path)
             .at(e.line(), e.column())

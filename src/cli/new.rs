@@ -125,8 +125,9 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     }
     out.push_str(
         "#\n# Lengths: a bare number is mm, `1.5 cm` works too. Forces, moments and stresses need a unit: 80 kN, 120 kN m,\n\
-         # 45 MPa. A commented line shows the default: take the `#` away to change it. `bracket schema spec` prints the\n\
-         # JSON Schema for your editor, `bracket catalog list` the profiles, bolts and steels.\n\n",
+         # 45 MPa. A commented line shows the default: take the `#` away to change it; values that follow from the profiles\n\
+         # are shown for those written here. `bracket schema spec` prints the JSON Schema for your editor, `bracket catalog\n\
+         # list` the profiles, bolts and steels.\n\n",
     );
     out.push_str(
         "project:\n  title: New joint\n  # number: \"\"  # project number\n  # author: \"\"  # who made it\n  \

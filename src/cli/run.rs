@@ -43,7 +43,7 @@ pub struct RunArgs {
 pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     if !(args.size_factor.is_finite() && (0.05..=20.0).contains(&args.size_factor)) {
         let text = format!("--size-factor is {}, it must be between 0.05 and 20", args.size_factor);
-        let help = "1 is the usual size, 0.7 takes about three times as many elements, 1.4 a third";
+        let help = "1 is the usual size; 0.7 takes about twice the elements, 1.4 half of them";
         return Err(Diagnostic::input("cli/value", text).help(help).into());
     }
     use_threads(common)?;

@@ -61,6 +61,7 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "can move along x",
         "support",
     ),
+    ("traction: [-1, 0, 0]", "traction: [0, 0, 0]", "model/no-load", 0, "every load is zero", "not zero"),
     ("traction: [-1, 0, 0]", "traction: [-1 MPa, 0, 0]", "yaml/type", 10, "-1 MPa", ""),
 ];
 
