@@ -15,6 +15,8 @@ use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.
 const TO_THE_SURFACE: f64 = 0.99;
+/// Passes of refinement on the full system at most.
+const REFINEMENTS: usize = 3;
 /// An iterate that stalls within this many times the tolerance is taken.
 const NEARLY: f64 = 100.0;
 /// Steps shorter than this make no progress; three of them end the iteration.
@@ -129,7 +131,7 @@ pub fn iterate(
 ) -> Outcome {
     let mut p = starting_point(program, cones, system);
     let degree = cones.degree() + 1.0;
-    let (mut best, mut short) = (p.clone(), 0);
+    let (mut best, mut short, mut worse) = (p.clone(), 0, 0);
     let mut best_merit = f64::INFINITY;
     let end = |status, p: Point, iterations| {
         let t = if status == SolveStatus::Unbounded || status == SolveStatus::Infeasible { 1.0 } else { p.tau };
@@ -153,7 +155,13 @@ pub fn iterate(
             return end(status, p, iteration);
         }
         if merit < best_merit {
-            (best_merit, best) = (merit, p.clone());
+            (best_merit, best, worse) = (merit, p.clone(), 0);
+        } else if best_merit <= NEARLY * options.tolerance {
+            // good enough and no longer getting better: the floor of the arithmetic
+            worse += 1;
+            if worse == 2 {
+                return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
+            }
         }
         if iteration == options.max_iterations {
             return stop(SolveStatus::IterationLimit, best, best_merit, iteration);
@@ -257,8 +265,30 @@ impl<'a> Newton<'a> {
         n
     }
 
-    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2`.
+    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2`, refined on this full residual: the condensed matrix alone loses the
+    /// small multipliers in the rounding of the large `W⁻²`.
     fn kkt(&self, r1: &[f64], r2: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let (mut dx, mut dz) = self.condensed(r1, r2);
+        let mut last = f64::INFINITY;
+        for _ in 0..REFINEMENTS {
+            let (px, gz, gx) = (self.program.p.mul(&dx), self.program.g.mul_transpose(&dz), self.program.g.mul(&dx));
+            let e1: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[i] + gz[i]).collect();
+            let w2 = self.scaling.apply(self.cones, &self.scaling.apply(self.cones, &dz));
+            let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
+            let error = largest(&e1);
+            if error >= 0.5 * last || error <= 1e-13 * largest(r1) {
+                break;
+            }
+            last = error;
+            let (cx, cz) = self.condensed(&e1, &e2);
+            dx.iter_mut().zip(&cx).for_each(|(a, b)| *a += b);
+            dz.iter_mut().zip(&cz).for_each(|(a, b)| *a += b);
+        }
+        (dx, dz)
+    }
+
+    /// The same through the condensed factor, without refinement.
+    fn condensed(&self, r1: &[f64], r2: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let inverse_square =
             |v: &[f64]| self.scaling.apply_inverse(self.cones, &self.scaling.apply_inverse(self.cones, v));
         let g = self.program.g.mul_transpose(&inverse_square(r2));

@@ -108,12 +108,9 @@ impl CondensedSystem {
         self.factor.refactor(&self.matrix)
     }
 
-    /// Solves with one pass of refinement against the matrix.
+    /// Solves, without refinement.
     pub fn solve(&self, b: &[f64]) -> Vec<f64> {
-        let mut x = self.factor.solve(b);
-        let r: Vec<f64> = self.matrix.mul(&x).iter().zip(b).map(|(ax, b)| b - ax).collect();
-        self.factor.solve(&r).iter().zip(&mut x).for_each(|(d, x)| *x += d);
-        x
+        self.factor.solve(b)
     }
 
     /// Entries of the factor.
