@@ -10,6 +10,7 @@ A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -
   help     what `bracket --help` prints
 """
 
+import math
 import os
 import pathlib
 import re
@@ -59,9 +60,14 @@ def spec(_check: bool) -> str:
     return f"```yaml\n{body}\n```"
 
 
-def number(value) -> str:
-    """Six figures; a word such as `unbounded` stays a word."""
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+def number(value, direction=None) -> str:
+    """Six figures, rounded towards `direction` (math.floor or math.ceil): a bound stays a bound. Words stay words."""
+    if not isinstance(value, float):
+        return str(value)
+    if direction and value:
+        step = 10.0 ** (math.floor(math.log10(abs(value))) - 5)
+        value = direction(value / step) * step
+    return f"{value:.6g}"
 
 
 def table(case: dict) -> list[str]:
@@ -69,8 +75,8 @@ def table(case: dict) -> list[str]:
     head = ["macro tets", "lower", "upper", "gap %"]
     lines = ["| " + " | ".join(head) + " |", "|" + " ---: |" * len(head)]
     for row in case["history"]:
-        cells = [number(row.get(key, "–")) for key in ("macro_tets", "lower", "upper")]
-        cells.append(f"{100 * row['gap']:.2f}" if "gap" in row else "–")
+        cells = [number(row.get(key, "–"), way) for key, way in (("macro_tets", None), ("lower", math.floor), ("upper", math.ceil))]
+        cells.append(f"{math.ceil(1e4 * row['gap']) / 100:.2f}" if "gap" in row else "–")
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 
@@ -80,10 +86,13 @@ def bracket(_check: bool) -> str:
     lines = []
     for case in result()["cases"]:
         unit = " N mm" if case["quantity"] == "potential_energy" else ""
-        lower, upper = number(case.get("lower", "–")), number(case.get("upper", "–"))
+        lower, upper = number(case.get("lower", "–"), math.floor), number(case.get("upper", "–"), math.ceil)
         quantity = case["quantity"].replace("_", " ")
         word = "lies between" if case["certificate"]["strict"] else "is estimated between"
         lines.append(f"`{case['name']}`, {case['analysis']}: the {quantity} {word} **{lower}** and **{upper}**{unit}.")
+        if "load_displacement" in case:
+            near, far = (number(v, way) for v, way in zip(case["load_displacement"], (math.floor, math.ceil)))
+            lines.append(f"So the load moves by between {near} and {far} mm.")
         lines += ["", *table(case), ""]
         residuals = [f"{key.replace('_', ' ')} {value:.0e}" for key, value in case["certificate"].items() if key != "strict"]
         lines += ["Certificate, largest residuals: " + ", ".join(residuals) + ".", ""]
