@@ -36,12 +36,12 @@ pub fn displacement(kinematic: &Kinematic, solution: &Solution) -> Result<Displa
     let mut x = solution.x.clone();
     let program = &kinematic.program;
     for _ in 0..3 {
-        let violation = worst_margin(program, &x);
+        let violation = smallest_margin(program, &program.slack(&x));
         if violation >= 0.0 {
             break;
         }
         let opening = opening_field(program, &kinematic.map.block)?;
-        let gain = worst_gain(program, &opening);
+        let gain = smallest_margin(program, &program.g.mul(&opening));
         if gain <= 0.0 {
             break;
         }
@@ -52,26 +52,10 @@ pub fn displacement(kinematic: &Kinematic, solution: &Solution) -> Result<Displa
     Ok(DisplacementField { u: full.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
 }
 
-/// Smallest cone margin of `G x + h` \[mm\].
-fn worst_margin(program: &ConicProgram, x: &[f64]) -> f64 {
-    let s = program.slack(x);
-    program
-        .cone_starts()
-        .iter()
-        .zip(&program.cones)
-        .map(|(&start, c)| cone_margin(&s[start..start + c.dim()]))
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// Smallest cone margin of `G w` \[mm\].
-fn worst_gain(program: &ConicProgram, w: &[f64]) -> f64 {
-    let s = program.g.mul(w);
-    program
-        .cone_starts()
-        .iter()
-        .zip(&program.cones)
-        .map(|(&start, c)| cone_margin(&s[start..start + c.dim()]))
-        .fold(f64::INFINITY, f64::min)
+/// Smallest cone margin of the rows `s` \[mm\].
+fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
+    let starts = program.cone_starts().into_iter();
+    starts.zip(&program.cones).map(|(at, c)| cone_margin(&s[at..at + c.dim()])).fold(f64::INFINITY, f64::min)
 }
 
 /// A displacement that opens every contact by about 1 mm with little slip: least squares on the gaps, regularised by
