@@ -9,7 +9,6 @@ use super::certificate::contact_tractions;
 use super::faces::{contact_faces, roles};
 use super::fields::{DisplacementField, StressField};
 use crate::math::Sum;
-use crate::math::mandel;
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
@@ -73,9 +72,4 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
         })
         .collect();
     Contributions { elements, contacts }
-}
-
-/// Largest Frobenius norm of the stress, for scales \[MPa\].
-pub fn largest_stress(s: &StressField) -> f64 {
-    s.points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max)
 }

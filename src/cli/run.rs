@@ -183,17 +183,6 @@ fn cases(
     mesh_seconds: f64,
 ) -> Result<Vec<Case>, Diagnostics> {
     let names = from_joint::cases(&input.joint.assembly);
-    for (i, name) in names.iter().enumerate() {
-        if let Some(other) = names[..i].iter().find(|n| file_stem(n) == file_stem(name)) {
-            let mut d = Diagnostic::input(
-                "spec/case-names",
-                format!("load cases `{other}` and `{name}` would share the file name `{}`", file_stem(name)),
-            )
-            .help("use letters, digits and `-` in the names of load cases, and different ones");
-            d.place = input.spec.index.place("loads");
-            return Err(d.into());
-        }
-    }
     names
         .iter()
         .enumerate()

@@ -88,11 +88,6 @@ impl SparseCholesky {
         );
         x
     }
-
-    /// Stored entries of the factor.
-    pub fn entries(&self) -> usize {
-        self.values.len()
-    }
 }
 
 /// `A⁻¹ b` refined until the residual stops falling; returns the solution and the last relative residual.

@@ -83,16 +83,6 @@ impl Cones {
         c
     }
 
-    /// Moves every block that is not well inside its cone to the inside, by a multiple of the identity.
-    pub fn push_inside(&self, v: &mut [f64], least: f64) {
-        for &(s, d) in &self.blocks {
-            let margin = v[s] - norm(&v[s + 1..s + d]);
-            if margin < least {
-                v[s] += least - margin;
-            }
-        }
-    }
-
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
         self.blocks.iter().fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))

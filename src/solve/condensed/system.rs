@@ -112,11 +112,6 @@ impl CondensedSystem {
     pub fn solve(&self, b: &[f64]) -> Vec<f64> {
         self.factor.solve(b)
     }
-
-    /// Entries of the factor.
-    pub fn factor_entries(&self) -> usize {
-        self.factor.entries()
-    }
 }
 
 /// The union of the pattern of P and of all cones' products; P's values in it.
