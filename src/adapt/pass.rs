@@ -176,7 +176,7 @@ fn solve_told(
 ) -> Solution {
     progress(name, Stage::Solve, 0, 1.0);
     let told = progress.clone();
-    let tell: Iterations = Arc::new(move |iteration, gap, _| told(name, Stage::Solve, iteration, gap));
+    let tell: Iterations = Arc::new(move |i| told(name, Stage::Solve, i.number, i.gap));
     solve::solve(program, block, &SolveOptions { progress: Some(tell), ..options.clone() })
 }
 

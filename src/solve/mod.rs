@@ -3,46 +3,98 @@
 pub mod clarabel;
 pub mod collapse;
 pub mod condensed;
+pub mod dense;
+pub mod forecast;
 pub mod linear;
 pub mod ordering;
 pub mod scales;
 pub mod status;
 
-pub use status::{Solution, SolveOptions, SolveStatus, Solver};
+pub use forecast::Forecast;
+pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
 
 use crate::model::program::{ConicProgram, cone_margin};
 use linear::{SparseCholesky, solve_refined};
 use std::time::Instant;
 
-/// Solves a program; `block` gives the block (node or face) of each unknown, for orderings.
-///
-/// A program without cones is a linear system and is solved as one. When the condensed method ends without an answer,
-/// Clarabel is asked.
-pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> Solution {
+/// A program with its ordering and symbolic factor, ready to be solved; its cost is known.
+pub struct Prepared<'a> {
+    program: &'a ConicProgram,
+    block: &'a [u32],
+    way: Way<'a>,
+    start: Instant,
+}
+
+/// How a prepared program is solved.
+enum Way<'a> {
+    /// No cones: a linear system.
+    Linear,
+    /// Nothing loads it: zero.
+    Rest,
+    /// By the condensed method.
+    Condensed(Box<condensed::Prepared<'a>>),
+    /// By Clarabel.
+    Clarabel,
+}
+
+/// Prepares a program; `block` gives the block (node or face) of each unknown, for orderings.
+pub fn prepare<'a>(program: &'a ConicProgram, block: &'a [u32], options: &SolveOptions) -> Prepared<'a> {
     let start = Instant::now();
-    if program.cones.is_empty() {
-        return linear_solution(program, block, start);
-    }
-    if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
-        // nothing loads the model and no contact is violated at rest: rest is the solution
-        return Solution {
-            status: SolveStatus::Optimal,
-            x: vec![0.0; program.p.n],
-            z: vec![0.0; program.h.len()],
-            iterations: 0,
-            seconds: start.elapsed().as_secs_f64(),
-        };
-    }
-    if options.solver == Solver::Condensed {
-        let solution = condensed::solve(program, block, options);
-        use SolveStatus::{Optimal, TimeLimit, Unbounded};
-        if matches!(solution.status, Optimal | Unbounded | TimeLimit) {
-            return solution;
+    let way = if program.cones.is_empty() {
+        Way::Linear
+    } else if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
+        Way::Rest
+    } else if options.solver == Solver::Condensed {
+        condensed::Prepared::new(program, block).map_or(Way::Clarabel, |p| Way::Condensed(Box::new(p)))
+    } else {
+        Way::Clarabel
+    };
+    Prepared { program, block, way, start }
+}
+
+impl Prepared<'_> {
+    /// What the solve will cost; `None` where nobody can tell (Clarabel) or it costs little.
+    pub fn forecast(&self) -> Option<Forecast> {
+        match &self.way {
+            Way::Condensed(p) => Some(p.forecast()),
+            _ => None,
         }
     }
-    let solution = clarabel::solve(program, options);
-    // a condensed attempt before it counts as well
-    Solution { seconds: start.elapsed().as_secs_f64(), ..solution }
+
+    /// Solves it.
+    ///
+    /// A program without cones is a linear system and is solved as one. When the condensed method ends without an answer,
+    /// Clarabel is asked.
+    pub fn solve(self, options: &SolveOptions) -> Solution {
+        let start = self.start;
+        let solution = match self.way {
+            Way::Linear => linear_solution(self.program, self.block, start),
+            Way::Rest => Solution {
+                status: SolveStatus::Optimal,
+                x: vec![0.0; self.program.p.n],
+                z: vec![0.0; self.program.h.len()],
+                iterations: 0,
+                seconds: 0.0,
+            },
+            Way::Condensed(prepared) => {
+                use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
+                let solution = prepared.solve(options);
+                if matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted) {
+                    solution
+                } else {
+                    clarabel::solve(self.program, options)
+                }
+            }
+            Way::Clarabel => clarabel::solve(self.program, options),
+        };
+        // preparing and an attempt in vain count as well
+        Solution { seconds: start.elapsed().as_secs_f64(), ..solution }
+    }
+}
+
+/// Prepares and solves a program.
+pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> Solution {
+    prepare(program, block, options).solve(options)
 }
 
 /// True when `x = 0` satisfies every cone.

@@ -63,6 +63,8 @@ impl Scales {
             g,
             h: program.h.iter().zip(&self.rows).map(|(h, r)| h * r / self.size).collect(),
             cones: program.cones.clone(),
+            stage: program.stage.clone(),
+            maximised: program.maximised.clone(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// How a solve ended. Only `Optimal` can become a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,6 +24,8 @@ pub enum SolveStatus {
     NumericalError,
     /// Stopped by the user.
     Interrupted,
+    /// Not started: the forecast exceeds the memory there is.
+    TooLarge,
 }
 
 impl SolveStatus {
@@ -37,6 +40,7 @@ impl SolveStatus {
             SolveStatus::TimeLimit => "time limit",
             SolveStatus::NumericalError => "numerical error",
             SolveStatus::Interrupted => "interrupted",
+            SolveStatus::TooLarge => "too large for the memory",
         }
     }
 }
@@ -58,8 +62,23 @@ pub struct Solution {
     pub seconds: f64,
 }
 
-/// Told at every iteration: its number, the relative gap, the residual.
-pub type Iterations = Arc<dyn Fn(u32, f64, f64) + Send + Sync>;
+/// What a solver tells at every iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Iteration {
+    /// Its number; 0 is the starting point.
+    pub number: u32,
+    /// Relative duality gap.
+    pub gap: f64,
+    /// Largest relative residual.
+    pub residual: f64,
+    /// Length of the step that led here, 0 to 1; 0 at the start and where the solver does not tell.
+    pub step: f64,
+    /// Wall time since the solve began \[s\].
+    pub seconds: f64,
+}
+
+/// Told at every iteration.
+pub type Iterations = Arc<dyn Fn(&Iteration) + Send + Sync>;
 
 /// Which method solves the conic programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,6 +103,15 @@ pub struct SolveOptions {
     pub time_limit: f64,
     /// Told every iteration.
     pub progress: Option<Iterations>,
+    /// Set from outside to end the solve at the next iteration.
+    pub interrupt: Option<Arc<AtomicBool>>,
+}
+
+impl SolveOptions {
+    /// True once the user has asked to stop.
+    pub fn interrupted(&self) -> bool {
+        self.interrupt.as_ref().is_some_and(|i| i.load(std::sync::atomic::Ordering::Relaxed))
+    }
 }
 
 impl Default for SolveOptions {
@@ -94,6 +122,7 @@ impl Default for SolveOptions {
             max_iterations: 100,
             time_limit: f64::INFINITY,
             progress: None,
+            interrupt: None,
         }
     }
 }

@@ -10,7 +10,7 @@
 use super::cones::{Cones, Scaling};
 use super::system::CondensedSystem;
 use crate::model::program::ConicProgram;
-use crate::solve::status::{SolveOptions, SolveStatus};
+use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.
@@ -121,7 +121,7 @@ fn certificate(program: &ConicProgram, p: &Point, r: &Residuals, tolerance: f64)
     None
 }
 
-/// Iterates on a scaled program; `system` holds the factor of the starting matrix `P + GᵀG`.
+/// Iterates on a scaled program.
 pub fn iterate(
     program: &ConicProgram,
     cones: &Cones,
@@ -129,7 +129,12 @@ pub fn iterate(
     options: &SolveOptions,
     start: Instant,
 ) -> Outcome {
+    if system.factor_start(cones).is_err() {
+        let (x, z) = (vec![0.0; program.p.n], vec![0.0; cones.rows]);
+        return Outcome { status: SolveStatus::NumericalError, x, z, iterations: 0 };
+    }
     let mut p = starting_point(program, cones, system);
+    let mut last_step = 0.0;
     let degree = cones.degree() + 1.0;
     let (mut best, mut short, mut worse) = (p.clone(), 0, 0);
     let mut best_merit = f64::INFINITY;
@@ -139,14 +144,16 @@ pub fn iterate(
     };
     // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
     let stop = |status, best: Point, merit: f64, iteration| {
-        let good = merit <= NEARLY * options.tolerance && status != SolveStatus::TimeLimit;
+        let good = merit <= NEARLY * options.tolerance && !matches!(status, SolveStatus::TimeLimit);
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
         let r = residuals(program, &p);
         let merit = r.gap.max(r.dual).max(r.primal);
         if let Some(tell) = &options.progress {
-            tell(iteration, r.gap, r.dual.max(r.primal));
+            let residual = r.dual.max(r.primal);
+            let seconds = start.elapsed().as_secs_f64();
+            tell(&Iteration { number: iteration, gap: r.gap, residual, step: last_step, seconds });
         }
         if merit <= options.tolerance {
             return end(SolveStatus::Optimal, p, iteration);
@@ -165,6 +172,9 @@ pub fn iterate(
         }
         if iteration == options.max_iterations {
             return stop(SolveStatus::IterationLimit, best, best_merit, iteration);
+        }
+        if options.interrupted() {
+            return stop(SolveStatus::Interrupted, best, best_merit, iteration);
         }
         if start.elapsed().as_secs_f64() > options.time_limit {
             return stop(SolveStatus::TimeLimit, best, best_merit, iteration);
@@ -190,6 +200,7 @@ pub fn iterate(
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
+        last_step = a;
         short = if a < SHORT_STEP { short + 1 } else { 0 };
         if short == 3 {
             return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);

@@ -7,33 +7,50 @@ pub mod cones;
 pub mod ipm;
 pub mod system;
 
+use super::forecast::Forecast;
+use super::linear::LinearError;
 use super::scales::Scales;
-use super::status::{Solution, SolveOptions, SolveStatus};
+use super::status::{Solution, SolveOptions};
 use crate::model::program::ConicProgram;
 use cones::Cones;
 use std::time::Instant;
 use system::CondensedSystem;
 
-/// Solves a program with at least one cone; `block` gives the block (node or face) of each unknown.
-pub fn solve(program: &ConicProgram, block: &[u32], options: &SolveOptions) -> Solution {
-    let start = Instant::now();
-    let scales = Scales::new(program);
-    let scaled = scales.apply(program);
-    let cones = Cones::new(&program.cones);
-    let failed = || Solution {
-        status: SolveStatus::NumericalError,
-        x: vec![0.0; program.p.n],
-        z: vec![0.0; program.h.len()],
-        iterations: 0,
-        seconds: start.elapsed().as_secs_f64(),
-    };
-    let Ok(mut system) = CondensedSystem::new(&scaled, &cones, block, 1.0) else { return failed() };
-    let outcome = ipm::iterate(&scaled, &cones, &mut system, options, start);
-    Solution {
-        status: outcome.status,
-        x: scales.unscale_x(&outcome.x),
-        z: scales.unscale_z(&outcome.z),
-        iterations: outcome.iterations,
-        seconds: start.elapsed().as_secs_f64(),
+/// A program scaled, ordered and laid out.
+pub struct Prepared<'a> {
+    program: &'a ConicProgram,
+    scales: Scales,
+    scaled: ConicProgram,
+    cones: Cones,
+    system: CondensedSystem,
+}
+
+impl<'a> Prepared<'a> {
+    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each unknown.
+    pub fn new(program: &'a ConicProgram, block: &[u32]) -> Result<Self, LinearError> {
+        let scales = Scales::new(program);
+        let scaled = scales.apply(program);
+        let cones = Cones::new(&program.cones);
+        let system = CondensedSystem::new(&scaled, &cones, block)?;
+        Ok(Self { program, scales, scaled, cones, system })
+    }
+
+    /// What the solve will cost.
+    pub fn forecast(&self) -> Forecast {
+        self.system.forecast()
+    }
+
+    /// Solves the program.
+    pub fn solve(mut self, options: &SolveOptions) -> Solution {
+        let start = Instant::now();
+        let outcome = ipm::iterate(&self.scaled, &self.cones, &mut self.system, options, start);
+        debug_assert_eq!(outcome.x.len(), self.program.p.n);
+        Solution {
+            status: outcome.status,
+            x: self.scales.unscale_x(&outcome.x),
+            z: self.scales.unscale_z(&outcome.z),
+            iterations: outcome.iterations,
+            seconds: start.elapsed().as_secs_f64(),
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::cones::{Cones, Scaling};
 use crate::model::program::{ConicProgram, SymmetricCsc};
+use crate::solve::forecast::Forecast;
 use crate::solve::linear::{LinearError, SparseCholesky};
 
 /// Columns of one cone's rows and where its products go in the matrix.
@@ -23,8 +24,8 @@ pub struct CondensedSystem {
 }
 
 impl CondensedSystem {
-    /// Lays out the pattern and factors `P + κ GᵀG` (all cones scaled by `κ`) for the starting point.
-    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32], kappa: f64) -> Result<Self, LinearError> {
+    /// Lays out the pattern, ordering and symbolic factor.
+    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32]) -> Result<Self, LinearError> {
         let columns: Vec<Vec<usize>> = cones
             .blocks
             .iter()
@@ -62,14 +63,27 @@ impl CondensedSystem {
             .collect();
         let mut start = matrix;
         start.values.copy_from_slice(&base);
-        let mut system = Self { factor: SparseCholesky::symbolic(&start, block)?, matrix: start, base, cones: maps };
-        let uniform = |k: usize, w: &mut [[f64; 6]; 6]| {
-            for i in 0..cones.blocks[k].1 {
-                w[i][i] = kappa;
-            }
-        };
-        system.refactor(uniform, 0.0)?;
-        Ok(system)
+        Ok(Self { factor: SparseCholesky::symbolic(&start, block)?, matrix: start, base, cones: maps })
+    }
+
+    /// What a solve with this system costs.
+    pub fn forecast(&self) -> Forecast {
+        let (entries, flops) = (self.factor.entries(), self.factor.flops());
+        let work = self.factor.work_bytes();
+        let matrix = self.matrix.row_idx.len() * 24;
+        Forecast {
+            unknowns: self.matrix.n,
+            factor_entries: entries,
+            factor_flops: flops,
+            bytes: (entries * 8 + matrix + work + self.matrix.n * 8 * 30) as u64,
+            seconds: Forecast::seconds(flops, entries),
+        }
+    }
+
+    /// Factors `P + GᵀG` for the starting point.
+    pub fn factor_start(&mut self, cones: &Cones) -> Result<(), LinearError> {
+        let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
+        self.refactor(unit, 0.0)
     }
 
     /// Factors `P + Gᵀ W⁻² G`, its diagonal raised by the fraction `regularisation`.

@@ -1,0 +1,64 @@
+//! What a solve will cost, told before it starts.
+
+use std::time::Instant;
+
+/// Iterations a forecast reckons with.
+const TYPICAL_ITERATIONS: f64 = 20.0;
+
+/// Cost of one solve by the condensed method.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Forecast {
+    /// Unknowns that reach the sparse factor.
+    pub unknowns: usize,
+    /// Nonzeros of the factor.
+    pub factor_entries: usize,
+    /// Floating-point operations of one factorisation.
+    pub factor_flops: f64,
+    /// Memory at the peak of the solve, on top of the program itself \[bytes\].
+    pub bytes: u64,
+    /// Wall time on one thread \[s\], for a typical number of iterations.
+    pub seconds: f64,
+}
+
+impl Forecast {
+    /// Memory \[GiB\].
+    pub fn gib(&self) -> f64 {
+        self.bytes as f64 / f64::from(1u32 << 30)
+    }
+
+    /// Seconds for `flops` per factorisation and `entries` of the factor at this machine's measured rates.
+    pub(crate) fn seconds(flops: f64, entries: usize) -> f64 {
+        // two thirds of the dense rate is what sparse factorisations reach; solves read the factor twice each
+        let solves = 6.0 * entries as f64 * 8.0 / 8e9;
+        TYPICAL_ITERATIONS * (flops / (0.67 * dense_rate()) + solves)
+    }
+}
+
+/// Floating-point operations per second of a dense Cholesky factorisation on one thread of this machine.
+pub fn dense_rate() -> f64 {
+    static RATE: std::sync::OnceLock<f64> = std::sync::OnceLock::new();
+    *RATE.get_or_init(|| {
+        let n = 512;
+        let mut best = f64::INFINITY;
+        for _ in 0..4 {
+            let mut a = faer::Mat::<f64>::from_fn(n, n, |i, j| if i == j { n as f64 } else { 1.0 });
+            let start = Instant::now();
+            super::dense::cholesky(a.as_mut());
+            best = best.min(start.elapsed().as_secs_f64());
+        }
+        (n as f64).powi(3) / 3.0 / best
+    })
+}
+
+/// Memory the machine can still give \[bytes\]; `None` where the system does not tell.
+///
+/// The smaller of what the kernel calls available and what is left of a control group's limit.
+pub fn available_memory() -> Option<u64> {
+    let info = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = info.lines().find(|l| l.starts_with("MemAvailable:"))?;
+    let available = line.split_whitespace().nth(1)?.parse::<u64>().ok()? * 1024;
+    let number = |path: &str| std::fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
+    let group = number("/sys/fs/cgroup/memory.max")
+        .map(|limit| limit.saturating_sub(number("/sys/fs/cgroup/memory.current").unwrap_or(0)));
+    Some(group.map_or(available, |g| g.min(available)))
+}
