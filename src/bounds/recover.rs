@@ -12,7 +12,7 @@ use crate::model::program::{ConicProgram, SymmetricCsc, cone_margin};
 use crate::model::static_form::Static;
 use crate::model::super_element::PARAMETERS;
 use crate::solve::Solution;
-use crate::solve::linear::{LinearError, SparseCholesky};
+use crate::solve::sparse::{LinearError, SparseCholesky};
 use faer::Mat;
 use faer::prelude::Solve;
 use rayon::prelude::*;
@@ -72,11 +72,11 @@ fn opening_field(program: &ConicProgram, block: &[u32]) -> Result<Vec<f64>, Reco
 
 /// `P + w GᵀG`.
 fn plus_rows(p: &SymmetricCsc, program: &ConicProgram, w: f64) -> SymmetricCsc {
-    let mut extra: Vec<(usize, usize, f64)> = Vec::new();
+    let mut extra: Vec<(usize, u32, f64)> = Vec::new();
     for r in 0..program.h.len() {
         let row: Vec<(usize, f64)> = program.g.row(r).collect();
         for &(i, a) in &row {
-            extra.extend(row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i, w * a * b)));
+            extra.extend(row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i as u32, w * a * b)));
         }
     }
     extra.sort_unstable_by_key(|e| (e.0, e.1));

@@ -50,13 +50,13 @@ fn pattern<const M: usize>(
             of_unknown[k as usize].push(e as u32);
         }
     }
-    let columns: Vec<Vec<usize>> = (0..map.n)
+    let columns: Vec<Vec<u32>> = (0..map.n)
         .into_par_iter()
         .map(|c| {
-            let mut rows: Vec<usize> = of_unknown[c]
+            let mut rows: Vec<u32> = of_unknown[c]
                 .iter()
-                .flat_map(|&e| unknowns[e as usize].iter().map(|&r| r as usize).take_while(move |&r| r <= c))
-                .chain([c])
+                .flat_map(|&e| unknowns[e as usize].iter().copied().take_while(move |&r| r as usize <= c))
+                .chain([c as u32])
                 .collect();
             rows.sort_unstable();
             rows.dedup();
@@ -68,7 +68,7 @@ fn pattern<const M: usize>(
     for c in &columns {
         col_ptr.push(col_ptr[col_ptr.len() - 1] + c.len());
     }
-    let row_idx: Vec<usize> = columns.into_iter().flatten().collect();
+    let row_idx: Vec<u32> = columns.into_iter().flatten().collect();
     let values = vec![0.0; row_idx.len()];
     SymmetricCsc { n: map.n, col_ptr, row_idx, values }
 }
@@ -82,8 +82,7 @@ fn scatter<const M: usize>(a: &mut SymmetricCsc, map: &DofMap, dofs: &[usize; M]
                     if r > c {
                         continue;
                     }
-                    let at =
-                        a.row_idx[range.clone()].binary_search(&(r as usize)).expect("the pattern holds every pair");
+                    let at = a.row_idx[range.clone()].binary_search(&r).expect("the pattern holds every pair");
                     a.values[range.start + at] += wr * wc * ke[i][j];
                 }
             }

@@ -15,7 +15,7 @@ pub struct SymmetricCsc {
     /// Start of each column, `n + 1` entries.
     pub col_ptr: Vec<usize>,
     /// Row of each entry, `row ≤ column`.
-    pub row_idx: Vec<usize>,
+    pub row_idx: Vec<u32>,
     /// Values.
     pub values: Vec<f64>,
 }
@@ -78,17 +78,29 @@ pub struct ConicProgram {
 impl SymmetricCsc {
     /// `A x`.
     pub fn mul(&self, x: &[f64]) -> Vec<f64> {
-        let mut y = vec![0.0; self.n];
+        let [y] = self.mul_all([x]);
+        y
+    }
+
+    /// `A X` for a few vectors, the matrix read once.
+    pub fn mul_all<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let mut y: [Vec<f64>; SIDES] = std::array::from_fn(|_| vec![0.0; self.n]);
         for c in 0..self.n {
-            let mut yc = 0.0;
-            for k in self.col_ptr[c]..self.col_ptr[c + 1] {
-                let (r, v) = (self.row_idx[k], self.values[k]);
-                y[r] += v * x[c];
-                if r != c {
-                    yc += v * x[r];
+            let xc: [f64; SIDES] = std::array::from_fn(|k| x[k][c]);
+            let mut yc = [0.0; SIDES];
+            let range = self.col_ptr[c]..self.col_ptr[c + 1];
+            for (&r, &v) in self.row_idx[range.clone()].iter().zip(&self.values[range]) {
+                let r = r as usize;
+                if r == c {
+                    (0..SIDES).for_each(|k| yc[k] += v * xc[k]);
+                    continue;
+                }
+                for k in 0..SIDES {
+                    y[k][r] += v * xc[k];
+                    yc[k] += v * x[k][r];
                 }
             }
-            y[c] += yc;
+            (0..SIDES).for_each(|k| y[k][c] += yc[k]);
         }
         y
     }
@@ -98,7 +110,7 @@ impl SymmetricCsc {
         (0..self.n)
             .map(|c| {
                 let range = self.col_ptr[c]..self.col_ptr[c + 1];
-                self.row_idx[range.clone()].binary_search(&c).map_or(0.0, |k| self.values[range.start + k])
+                self.row_idx[range.clone()].binary_search(&(c as u32)).map_or(0.0, |k| self.values[range.start + k])
             })
             .collect()
     }
@@ -106,7 +118,7 @@ impl SymmetricCsc {
     /// Adds `d` to the stored diagonal entry of column `c`.
     pub fn add_diagonal(&mut self, c: usize, d: f64) {
         let range = self.col_ptr[c]..self.col_ptr[c + 1];
-        if let Ok(k) = self.row_idx[range.clone()].binary_search(&c) {
+        if let Ok(k) = self.row_idx[range.clone()].binary_search(&(c as u32)) {
             self.values[range.start + k] += d;
         }
     }

@@ -13,7 +13,8 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
     let scales = Scales::new(program);
     let scaled = scales.apply(program);
     let a = minus_columns(&scaled);
-    let p = CscMatrix::new(scaled.p.n, scaled.p.n, scaled.p.col_ptr, scaled.p.row_idx, scaled.p.values);
+    let rows = scaled.p.row_idx.iter().map(|&r| r as usize).collect();
+    let p = CscMatrix::new(scaled.p.n, scaled.p.n, scaled.p.col_ptr, rows, scaled.p.values);
     let cones: Vec<SupportedConeT<f64>> = program
         .cones
         .iter()

@@ -28,7 +28,8 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
         let row: Vec<(u32, f64)> = (0..n).map(|c| (c as u32, columns[c][r])).collect();
         g.push_row(&row);
     }
-    let identity = SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n).collect(), values: vec![1.0; n] };
+    let identity =
+        SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n as u32).collect(), values: vec![1.0; n] };
     let small = ConicProgram {
         p: identity,
         q: q.iter().map(|x| x / size).collect(),

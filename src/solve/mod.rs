@@ -3,36 +3,43 @@
 pub mod clarabel;
 pub mod collapse;
 pub mod condensed;
-pub mod dense;
 pub mod forecast;
-pub mod linear;
-pub mod ordering;
 pub mod scales;
+pub mod sparse;
 pub mod status;
 
 pub use forecast::Forecast;
 pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
 
 use crate::model::program::{ConicProgram, cone_margin};
-use linear::{SparseCholesky, solve_refined};
+use sparse::{SparseCholesky, solve_refined};
 use std::time::Instant;
 
 /// A program with its ordering and symbolic factor, ready to be solved; its cost is known.
 pub struct Prepared<'a> {
     program: &'a ConicProgram,
     block: &'a [u32],
-    way: Way<'a>,
+    way: Way,
     start: Instant,
 }
 
+/// Time of the pieces a solve is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Yardstick {
+    /// One factorisation \[s\].
+    pub factor: f64,
+    /// One solve \[s\].
+    pub solve: f64,
+}
+
 /// How a prepared program is solved.
-enum Way<'a> {
+enum Way {
     /// No cones: a linear system.
     Linear,
     /// Nothing loads it: zero.
     Rest,
     /// By the condensed method.
-    Condensed(Box<condensed::Prepared<'a>>),
+    Condensed(Box<condensed::Prepared>),
     /// By Clarabel.
     Clarabel,
 }
@@ -57,6 +64,14 @@ impl Prepared<'_> {
     pub fn forecast(&self) -> Option<Forecast> {
         match &self.way {
             Way::Condensed(p) => Some(p.forecast()),
+            _ => None,
+        }
+    }
+
+    /// Times one factor and one solve of the matrix the iterations work with; `None` where there is no such matrix.
+    pub fn yardstick(&mut self) -> Option<Yardstick> {
+        match &mut self.way {
+            Way::Condensed(p) => p.yardstick(),
             _ => None,
         }
     }

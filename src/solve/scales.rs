@@ -47,7 +47,7 @@ impl Scales {
         let mut p = program.p.clone();
         for c in 0..p.n {
             for k in p.col_ptr[c]..p.col_ptr[c + 1] {
-                p.values[k] *= self.columns[c] * self.columns[p.row_idx[k]];
+                p.values[k] *= self.columns[c] * self.columns[p.row_idx[k] as usize];
             }
         }
         let mut g = program.g.clone();

@@ -2,14 +2,15 @@
 //!
 //! `min ½ xᵀPx + qᵀx`, `s = G x + h ∈ K` is embedded with τ, κ ≥ 0:
 //! `Px − Gᵀz + qτ = 0`, `s = Gx + hτ`, `κ = −xᵀPx/τ − qᵀx − hᵀz`. A solution with τ > 0 gives x/τ, z/τ; κ > 0 gives a
-//! certificate that the program is unbounded or infeasible.
+//! certificate that the program is unbounded or infeasible. Rows of maximised unknowns y enter with their natural sign
+//! (`E x − F y − b τ = 0`); in the scalar row and in the objectives they count with the opposite one.
 //!
 //! # Source
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
 
 use super::cones::{Cones, Scaling};
 use super::system::CondensedSystem;
-use crate::model::program::ConicProgram;
+use crate::model::program::Csr;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
@@ -17,10 +18,55 @@ use std::time::Instant;
 const TO_THE_SURFACE: f64 = 0.99;
 /// Passes of refinement on the full system at most.
 const REFINEMENTS: usize = 3;
+/// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs no refinement.
+const DIRECTION_ERROR: f64 = 0.01;
 /// An iterate that stalls within this many times the tolerance is taken.
 const NEARLY: f64 = 100.0;
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
+
+/// The scaled program beside its quadratic term, which the system holds.
+pub struct Problem {
+    /// Linear term; `−b` for maximised unknowns.
+    pub q: Vec<f64>,
+    /// Rows of the cones.
+    pub g: Csr,
+    /// Offsets of the rows.
+    pub h: Vec<f64>,
+    /// The cones.
+    pub cones: Cones,
+    /// True for unknowns maximised over; empty when there are none.
+    pub maximised: Vec<bool>,
+}
+
+impl Problem {
+    /// `G x + h`.
+    fn slack(&self, x: &[f64]) -> Vec<f64> {
+        self.g.mul(x).iter().zip(&self.h).map(|(a, b)| a + b).collect()
+    }
+
+    /// Scalar product in which maximised unknowns count negative.
+    fn signed_dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        if self.maximised.is_empty() {
+            return dot(a, b);
+        }
+        (0..a.len()).map(|i| if self.maximised[i] { -a[i] * b[i] } else { a[i] * b[i] }).sum()
+    }
+
+    /// Maximised entries with the opposite sign.
+    fn signed(&self, mut a: Vec<f64>) -> Vec<f64> {
+        a.iter_mut().zip(&self.maximised).filter(|(_, m)| **m).for_each(|(v, _)| *v = -*v);
+        a
+    }
+
+    /// The vector with the maximised (or the other) entries zero.
+    fn part(&self, a: &[f64], maximised: bool) -> Vec<f64> {
+        if self.maximised.is_empty() {
+            return if maximised { vec![0.0; a.len()] } else { a.to_vec() };
+        }
+        a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
+    }
+}
 
 /// An iterate.
 #[derive(Clone, Debug)]
@@ -48,7 +94,8 @@ struct Residuals {
     f3: f64,
     px: Vec<f64>,
     xpx: f64,
-    qx: f64,
+    /// Linear terms of the scalar row: `qᵀx + bᵀy`.
+    cx: f64,
     hz: f64,
     gap: f64,
     dual: f64,
@@ -75,65 +122,82 @@ fn largest(a: &[f64]) -> f64 {
     a.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-fn residuals(program: &ConicProgram, p: &Point) -> Residuals {
-    let px = program.p.mul(&p.x);
-    let gz = program.g.mul_transpose(&p.z);
-    let gx = program.g.mul(&p.x);
+fn residuals(problem: &Problem, system: &CondensedSystem, p: &Point) -> Residuals {
+    let [px] = system.multiply([&p.x]);
+    let gz = problem.g.mul_transpose(&p.z);
+    let gx = problem.g.mul(&p.x);
     let n = p.x.len();
-    let f1: Vec<f64> = (0..n).map(|i| px[i] - gz[i] + program.q[i] * p.tau).collect();
-    let f2: Vec<f64> = (0..p.s.len()).map(|r| p.s[r] - gx[r] - program.h[r] * p.tau).collect();
-    let (xpx, qx, hz) = (dot(&p.x, &px), dot(&program.q, &p.x), dot(&program.h, &p.z));
+    let f1: Vec<f64> = (0..n).map(|i| px[i] - gz[i] + problem.q[i] * p.tau).collect();
+    let f2: Vec<f64> = (0..p.s.len()).map(|r| p.s[r] - gx[r] - problem.h[r] * p.tau).collect();
+    let (xpx, cx, hz) = (problem.signed_dot(&p.x, &px), problem.signed_dot(&problem.q, &p.x), dot(&problem.h, &p.z));
     let t = p.tau;
-    let (po, dual_objective) = (0.5 * xpx / (t * t) + qx / t, -0.5 * xpx / (t * t) - hz / t);
+    let by = -dot(&problem.part(&problem.q, true), &p.x);
+    let po = 0.5 * xpx / (t * t) + (cx - by) / t;
+    let dual_objective = -0.5 * xpx / (t * t) - (hz + by) / t;
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
-    let dual_scale = largest(&program.q).max(largest(&px) / t).max(largest(&gz) / t);
-    let primal_scale = largest(&program.h).max(largest(&gx) / t).max(largest(&p.s) / t);
+    let dual_scale = largest(&problem.q).max(largest(&px) / t).max(largest(&gz) / t);
+    let primal_scale = largest(&problem.h).max(largest(&gx) / t).max(largest(&p.s) / t);
     Residuals {
         dual: largest(&f1) / (t * dual_scale.max(1e-300)),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
-        f3: xpx / t + qx + hz + p.kappa,
+        f3: xpx / t + cx + hz + p.kappa,
         f1,
         f2,
         px,
         xpx,
-        qx,
+        cx,
         hz,
         gap,
     }
 }
 
 /// A certificate in the point, if there is one.
-fn certificate(program: &ConicProgram, p: &Point, r: &Residuals, tolerance: f64) -> Option<SolveStatus> {
-    if r.qx < 0.0 {
-        // G x − s without the τ term
-        let off: Vec<f64> = r.f2.iter().zip(&program.h).map(|(f, h)| f + h * p.tau).collect();
-        let unit = -r.qx / largest(&program.q).max(1e-300);
-        if largest(&r.px) <= tolerance * -r.qx && largest(&off) <= tolerance * unit.max(largest(&p.s)) {
+fn certificate(
+    problem: &Problem,
+    system: &CondensedSystem,
+    p: &Point,
+    r: &Residuals,
+    tolerance: f64,
+) -> Option<SolveStatus> {
+    if r.cx + r.hz + r.xpx / p.tau >= 0.0 {
+        return None;
+    }
+    let saddle = problem.maximised.contains(&true);
+    let x = problem.part(&p.x, false);
+    let qx = dot(&problem.q, &x);
+    if qx < 0.0 {
+        // P x, E x and G x − s without the τ term
+        let off: Vec<f64> = r.f2.iter().zip(&problem.h).map(|(f, h)| f + h * p.tau).collect();
+        let unit = -qx / largest(&problem.q).max(1e-300);
+        let px = if saddle { largest(&system.multiply([&x])[0]) } else { largest(&r.px) };
+        if px <= tolerance * -qx && largest(&off) <= tolerance * unit.max(largest(&p.s)) {
             return Some(SolveStatus::Unbounded);
         }
     }
-    if r.hz < 0.0 {
-        let off: Vec<f64> = (0..p.x.len()).map(|i| r.px[i] - r.f1[i] + program.q[i] * p.tau).collect();
-        if largest(&off) <= tolerance * -r.hz {
+    // Eᵀ y − Gᵀ z and F y without the τ term
+    let y = problem.part(&p.x, true);
+    let work = r.hz - dot(&problem.q, &y);
+    if work < 0.0 {
+        let mut off = problem.g.mul_transpose(&p.z);
+        if saddle {
+            let [py] = system.multiply([&y]);
+            off.iter_mut().zip(&py).for_each(|(o, v)| *o -= v);
+        }
+        if largest(&off) <= tolerance * -work {
             return Some(SolveStatus::Infeasible);
         }
     }
     None
 }
 
-/// Iterates on a scaled program.
-pub fn iterate(
-    program: &ConicProgram,
-    cones: &Cones,
-    system: &mut CondensedSystem,
-    options: &SolveOptions,
-    start: Instant,
-) -> Outcome {
+/// Iterates on a scaled problem.
+pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveOptions, start: Instant) -> Outcome {
+    let cones = &problem.cones;
     if system.factor_start(cones).is_err() {
-        let (x, z) = (vec![0.0; program.p.n], vec![0.0; cones.rows]);
+        let (x, z) = (vec![0.0; problem.q.len()], vec![0.0; cones.rows]);
         return Outcome { status: SolveStatus::NumericalError, x, z, iterations: 0 };
     }
-    let mut p = starting_point(program, cones, system);
+    let mut p = starting_point(problem, system);
     let mut last_step = 0.0;
     let degree = cones.degree() + 1.0;
     let (mut best, mut short, mut worse) = (p.clone(), 0, 0);
@@ -148,7 +212,7 @@ pub fn iterate(
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
-        let r = residuals(program, &p);
+        let r = residuals(problem, system, &p);
         let merit = r.gap.max(r.dual).max(r.primal);
         if let Some(tell) = &options.progress {
             let residual = r.dual.max(r.primal);
@@ -158,7 +222,7 @@ pub fn iterate(
         if merit <= options.tolerance {
             return end(SolveStatus::Optimal, p, iteration);
         }
-        if let Some(status) = certificate(program, &p, &r, options.tolerance) {
+        if let Some(status) = certificate(problem, system, &p, &r, options.tolerance) {
             return end(status, p, iteration);
         }
         if merit < best_merit {
@@ -186,9 +250,8 @@ pub fn iterate(
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         let mu = (dot(&p.s, &p.z) + p.tau * p.kappa) / degree;
-        let newton = Newton::new(program, cones, &scaling, system, &p, &r);
         let ll = cones.product(&scaling.lambda, &scaling.lambda);
-        let affine = newton.solve(&ll, p.kappa * p.tau, 0.0);
+        let (newton, affine) = Newton::new(problem, &scaling, system, &p, &r, &ll);
         let a = newton.step(&affine).min(1.0);
         let sigma = (1.0 - a).powi(3);
         let cross = cones.product(&scaling.apply_inverse(cones, &affine.s), &scaling.apply(cones, &affine.z));
@@ -222,11 +285,12 @@ pub fn iterate(
 }
 
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside.
-fn starting_point(program: &ConicProgram, cones: &Cones, system: &CondensedSystem) -> Point {
-    let gh = program.g.mul_transpose(&program.h);
-    let rhs: Vec<f64> = program.q.iter().zip(&gh).map(|(q, g)| -q - g).collect();
-    let x = system.solve(&rhs);
-    let s = program.slack(&x);
+fn starting_point(problem: &Problem, system: &CondensedSystem) -> Point {
+    let cones = &problem.cones;
+    let gh = problem.g.mul_transpose(&problem.h);
+    let rhs: Vec<f64> = problem.q.iter().zip(&gh).map(|(q, g)| -q - g).collect();
+    let [x] = system.solve([&rhs]);
+    let s = problem.slack(&x);
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
         let margins: Vec<f64> =
@@ -244,8 +308,7 @@ fn starting_point(program: &ConicProgram, cones: &Cones, system: &CondensedSyste
 
 /// Newton's system of one iteration.
 struct Newton<'a> {
-    program: &'a ConicProgram,
-    cones: &'a Cones,
+    problem: &'a Problem,
     scaling: &'a Scaling,
     system: &'a CondensedSystem,
     point: &'a Point,
@@ -253,76 +316,117 @@ struct Newton<'a> {
     /// Solution for the right-hand side `[−q; h]`.
     x2: Vec<f64>,
     z2: Vec<f64>,
-    /// `2 P x/τ + q`.
+    /// Slope of the scalar row: `2 P x/τ + q`, maximised entries of opposite sign.
     slope: Vec<f64>,
     denominator: f64,
+    /// Error of stationarity rows that is small beside what is to be removed.
+    allowed: f64,
 }
 
 impl<'a> Newton<'a> {
+    /// The system, and the affine direction: both right-hand sides go through the factor together.
     fn new(
-        program: &'a ConicProgram,
-        cones: &'a Cones,
+        problem: &'a Problem,
         scaling: &'a Scaling,
         system: &'a CondensedSystem,
         point: &'a Point,
         r: &'a Residuals,
-    ) -> Self {
+        ll: &[f64],
+    ) -> (Self, Direction) {
         let t = point.tau;
-        let slope: Vec<f64> = r.px.iter().zip(&program.q).map(|(p, q)| 2.0 * p / t + q).collect();
-        let mut n = Self { program, cones, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0 };
-        let minus_q: Vec<f64> = program.q.iter().map(|q| -q).collect();
-        (n.x2, n.z2) = n.kkt(&minus_q, &program.h);
-        n.denominator = dot(&n.slope, &n.x2) + dot(&program.h, &n.z2) - r.xpx / (t * t) - point.kappa / t;
-        n
+        let mut slope: Vec<f64> = problem.signed(r.px.iter().zip(&problem.q).map(|(p, q)| 2.0 * p / t + q).collect());
+        if problem.maximised.contains(&true) {
+            // (M + Mᵀ) w = S P w + P S w for M = S P: the coupling cancels
+            let [other] = system.multiply([&problem.signed(point.x.clone())]);
+            let own = problem.signed(r.px.clone());
+            slope.iter_mut().zip(own.iter().zip(&other)).for_each(|(s, (a, b))| *s += (b - a) / t);
+        }
+        let allowed = (DIRECTION_ERROR * largest(&r.f1)).max(1e-13 * largest(&problem.q));
+        let mut n =
+            Self { problem, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0, allowed };
+        let minus_q: Vec<f64> = problem.q.iter().map(|q| -q).collect();
+        let (r1, r2) = n.right_hand_side(ll, 0.0);
+        let [(x2, z2), (x1, z1)] = n.kkt([(&minus_q, &problem.h), (&r1, &r2)]);
+        (n.x2, n.z2) = (x2, z2);
+        n.denominator = dot(&n.slope, &n.x2) + dot(&problem.h, &n.z2) - r.xpx / (t * t) - point.kappa / t;
+        let affine = n.direction(x1, z1, point.kappa * point.tau, 0.0);
+        (n, affine)
     }
 
-    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2`, refined on this full residual: the condensed matrix alone loses the
-    /// small multipliers in the rounding of the large `W⁻²`.
-    fn kkt(&self, r1: &[f64], r2: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let (mut dx, mut dz) = self.condensed(r1, r2);
+    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2` for a few right-hand sides, refined on this full residual: the condensed
+    /// matrix alone loses the small multipliers in the rounding of the large `W⁻²`.
+    fn kkt<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
+        let cones = &self.problem.cones;
+        let g = &self.problem.g;
+        let mut solution = self.condensed(rhs);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let (px, gz, gx) = (self.program.p.mul(&dx), self.program.g.mul_transpose(&dz), self.program.g.mul(&dx));
-            let e1: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[i] + gz[i]).collect();
-            let w2 = self.scaling.apply(self.cones, &self.scaling.apply(self.cones, &dz));
-            let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
-            let error = largest(&e1);
-            if error >= 0.5 * last || error <= 1e-13 * largest(r1) {
+            let px = self.system.multiply(std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
+            let errors: [(Vec<f64>, Vec<f64>); SIDES] = std::array::from_fn(|k| {
+                let ((dx, dz), (r1, r2)) = (&solution[k], rhs[k]);
+                let (gz, gx) = (g.mul_transpose(dz), g.mul(dx));
+                let e1: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[k][i] + gz[i]).collect();
+                let w2 = self.scaling.apply(cones, &self.scaling.apply(cones, dz));
+                let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
+                (e1, e2)
+            });
+            let error = errors.iter().map(|e| largest(&e.0)).fold(0.0, f64::max);
+            if error <= self.allowed || error >= 0.5 * last {
                 break;
             }
             last = error;
-            let (cx, cz) = self.condensed(&e1, &e2);
-            dx.iter_mut().zip(&cx).for_each(|(a, b)| *a += b);
-            dz.iter_mut().zip(&cz).for_each(|(a, b)| *a += b);
+            let sides = std::array::from_fn::<_, SIDES, _>(|k| (errors[k].0.as_slice(), errors[k].1.as_slice()));
+            let correction = self.condensed(sides);
+            for ((dx, dz), (cx, cz)) in solution.iter_mut().zip(&correction) {
+                dx.iter_mut().zip(cx).for_each(|(a, b)| *a += b);
+                dz.iter_mut().zip(cz).for_each(|(a, b)| *a += b);
+            }
         }
-        (dx, dz)
+        solution
     }
 
     /// The same through the condensed factor, without refinement.
-    fn condensed(&self, r1: &[f64], r2: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let inverse_square =
-            |v: &[f64]| self.scaling.apply_inverse(self.cones, &self.scaling.apply_inverse(self.cones, v));
-        let g = self.program.g.mul_transpose(&inverse_square(r2));
-        let rhs: Vec<f64> = r1.iter().zip(&g).map(|(a, b)| a - b).collect();
-        let dx = self.system.solve(&rhs);
-        let v: Vec<f64> = self.program.g.mul(&dx).iter().zip(r2).map(|(g, r)| -g - r).collect();
-        (dx, inverse_square(&v))
+    fn condensed<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
+        let (cones, g) = (&self.problem.cones, &self.problem.g);
+        let inverse_square = |v: &[f64]| self.scaling.apply_inverse(cones, &self.scaling.apply_inverse(cones, v));
+        let sides = rhs.map(|(r1, r2)| {
+            let g = g.mul_transpose(&inverse_square(r2));
+            r1.iter().zip(&g).map(|(a, b)| a - b).collect::<Vec<f64>>()
+        });
+        let mut dx = self.system.solve(std::array::from_fn::<_, SIDES, _>(|k| sides[k].as_slice()));
+        std::array::from_fn(|k| {
+            let v: Vec<f64> = g.mul(&dx[k]).iter().zip(rhs[k].1).map(|(g, r)| -g - r).collect();
+            (std::mem::take(&mut dx[k]), inverse_square(&v))
+        })
+    }
+
+    /// Right-hand side for removing the fraction `1 − σ` of the residuals with complementarity `ds`.
+    fn right_hand_side(&self, ds: &[f64], sigma: f64) -> (Vec<f64>, Vec<f64>) {
+        let cones = &self.problem.cones;
+        let keep = 1.0 - sigma;
+        let back = self.scaling.apply(cones, &cones.divide(&self.scaling.lambda, ds));
+        let r1 = self.r.f1.iter().map(|f| -keep * f).collect();
+        let r2 = self.r.f2.iter().zip(&back).map(|(f, b)| b - keep * f).collect();
+        (r1, r2)
     }
 
     /// The direction that removes the fraction `1 − σ` of the residuals, with complementarity right-hand sides `ds`, `dk`.
     fn solve(&self, ds: &[f64], dk: f64, sigma: f64) -> Direction {
+        let (r1, r2) = self.right_hand_side(ds, sigma);
+        let [(x1, z1)] = self.kkt([(&r1, &r2)]);
+        self.direction(x1, z1, dk, sigma)
+    }
+
+    /// The direction from the solution for its right-hand side, the scalar rows taken in.
+    fn direction(&self, x1: Vec<f64>, z1: Vec<f64>, dk: f64, sigma: f64) -> Direction {
         let (p, r) = (self.point, self.r);
-        let keep = 1.0 - sigma;
-        let back = self.scaling.apply(self.cones, &self.cones.divide(&self.scaling.lambda, ds));
-        let r1: Vec<f64> = r.f1.iter().map(|f| -keep * f).collect();
-        let r2: Vec<f64> = r.f2.iter().zip(&back).map(|(f, b)| b - keep * f).collect();
-        let (x1, z1) = self.kkt(&r1, &r2);
-        let tau = (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(&self.program.h, &z1)) / self.denominator;
+        let (keep, h) = (1.0 - sigma, &self.problem.h);
+        let tau = (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(h, &z1)) / self.denominator;
         let x: Vec<f64> = x1.iter().zip(&self.x2).map(|(a, b)| a + tau * b).collect();
         let z: Vec<f64> = z1.iter().zip(&self.z2).map(|(a, b)| a + tau * b).collect();
         // the slack row holds exactly: s = G x + h τ with the residual shrunk
-        let gx = self.program.g.mul(&x);
-        let s = (0..ds.len()).map(|i| gx[i] + self.program.h[i] * tau - keep * r.f2[i]).collect();
+        let gx = self.problem.g.mul(&x);
+        let s = (0..h.len()).map(|i| gx[i] + h[i] * tau - keep * r.f2[i]).collect();
         let kappa = -(dk + p.kappa * tau) / p.tau;
         Direction { x, s, z, tau, kappa }
     }
@@ -330,9 +434,10 @@ impl<'a> Newton<'a> {
     /// Largest step that stays in the cones.
     fn step(&self, d: &Direction) -> f64 {
         let p = self.point;
+        let cones = &self.problem.cones;
         let along = |v: f64, dv: f64| if dv < 0.0 { -v / dv } else { f64::INFINITY };
         let limit = along(p.tau, d.tau).min(along(p.kappa, d.kappa)).min(1e3);
-        let limit = self.cones.largest_step(&p.s, &d.s, limit);
-        self.cones.largest_step(&p.z, &d.z, limit)
+        let limit = cones.largest_step(&p.s, &d.s, limit);
+        cones.largest_step(&p.z, &d.z, limit)
     }
 }

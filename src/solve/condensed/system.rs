@@ -1,83 +1,107 @@
 //! The condensed matrix `P + Gᵀ W⁻² G` of every iteration: one fixed pattern, one ordering, one symbolic factor.
+//!
+//! Unknowns of a stage above 0 are eliminated element by element ([`super::local`]); the others reach the sparse factor.
+//! Every entry has its place in the factor's own storage, so no matrix is assembled beside it.
 
 use super::cones::{Cones, Scaling};
-use crate::model::program::{ConicProgram, SymmetricCsc};
+use super::local::Local;
+use crate::model::program::{Csr, SymmetricCsc};
 use crate::solve::forecast::Forecast;
-use crate::solve::linear::{LinearError, SparseCholesky};
+use crate::solve::sparse::{LinearError, SparseCholesky};
 
-/// Columns of one cone's rows and where its products go in the matrix.
+/// Columns of one cone's rows and where its products go.
 struct ConeMap {
     /// Distinct columns of the cone's rows.
-    columns: Vec<usize>,
+    columns: Vec<u32>,
     /// Its rows as a dense block, `rows × columns`.
     rows: Vec<f64>,
-    /// Position of entry (i ≤ j by column) in the matrix, packed by columns.
-    positions: Vec<usize>,
+    /// Place of entry (i ≤ j by column), packed by columns.
+    places: Vec<u32>,
 }
 
 /// The matrix, its factor and its fixed data.
 pub struct CondensedSystem {
-    matrix: SymmetricCsc,
-    base: Vec<f64>,
+    /// P in its own pattern.
+    p: SymmetricCsc,
+    /// Place of each entry of P.
+    place: Vec<u32>,
     cones: Vec<ConeMap>,
+    local: Local,
     factor: SparseCholesky,
 }
 
 impl CondensedSystem {
-    /// Lays out the pattern, ordering and symbolic factor.
-    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32]) -> Result<Self, LinearError> {
-        let columns: Vec<Vec<usize>> = cones
+    /// Lays out the pattern, the elimination and the symbolic factor.
+    ///
+    /// `stage` as in [`crate::model::ConicProgram::stage`], `maximised` likewise; `block` gives the block of each unknown.
+    pub fn new(
+        p: SymmetricCsc,
+        g: &Csr,
+        cones: &Cones,
+        stage: &[u8],
+        maximised: &[bool],
+        block: &[u32],
+    ) -> Result<Self, LinearError> {
+        let columns: Vec<Vec<u32>> = cones
             .blocks
             .iter()
             .map(|&(s, d)| {
-                let mut c: Vec<usize> = (s..s + d).flat_map(|r| program.g.row(r).map(|(c, _)| c)).collect();
+                let mut c: Vec<u32> = (s..s + d).flat_map(|r| g.row(r).map(|(c, _)| c as u32)).collect();
                 c.sort_unstable();
                 c.dedup();
                 c
             })
             .collect();
-        let (matrix, base) = union(&program.p, &columns);
-        let maps = columns
-            .into_iter()
-            .zip(&cones.blocks)
-            .map(|(columns, &(s, d))| {
-                let m = columns.len();
-                let mut rows = vec![0.0; d * m];
-                for r in 0..d {
-                    for (c, v) in program.g.row(s + r) {
-                        if let Ok(k) = columns.binary_search(&c) {
-                            rows[r * m + k] += v;
-                        }
+        let pattern = union(&p, &columns);
+        let (local, reduced, reduced_block) = Local::new(pattern, stage, maximised, block)?;
+        let factor = SparseCholesky::symbolic(&reduced, &reduced_block)?;
+        let mut system = Self { place: Vec::new(), cones: Vec::new(), local, factor, p };
+        system.local.locate(&system.factor);
+        let mut locator = system.factor.locator();
+        let mut place = |r: u32, c: u32| system.local.place(&mut locator, r, c);
+        let mut places = Vec::with_capacity(system.p.row_idx.len());
+        for c in 0..system.p.n {
+            let rows = &system.p.row_idx[system.p.col_ptr[c]..system.p.col_ptr[c + 1]];
+            places.extend(rows.iter().map(|&r| place(r, c as u32)));
+        }
+        let cones = columns.into_iter().zip(&cones.blocks).map(|(columns, &(s, d))| {
+            let m = columns.len();
+            let mut rows = vec![0.0; d * m];
+            for r in 0..d {
+                for (c, v) in g.row(s + r) {
+                    if let Ok(k) = columns.binary_search(&(c as u32)) {
+                        rows[r * m + k] += v;
                     }
                 }
-                let mut positions = Vec::with_capacity(m * (m + 1) / 2);
-                for j in 0..m {
-                    let range = matrix.col_ptr[columns[j]]..matrix.col_ptr[columns[j] + 1];
-                    for &row in &columns[..=j] {
-                        let at = matrix.row_idx[range.clone()].binary_search(&row).unwrap_or_default();
-                        positions.push(range.start + at);
-                    }
-                }
-                ConeMap { columns, rows, positions }
-            })
-            .collect();
-        let mut start = matrix;
-        start.values.copy_from_slice(&base);
-        Ok(Self { factor: SparseCholesky::symbolic(&start, block)?, matrix: start, base, cones: maps })
+            }
+            let places = (0..m).flat_map(|j| (0..=j).map(move |i| (i, j))).map(|(i, j)| place(columns[i], columns[j]));
+            let places = places.collect();
+            ConeMap { columns, rows, places }
+        });
+        let cones: Vec<ConeMap> = cones.collect();
+        (system.place, system.cones) = (places, cones);
+        Ok(system)
     }
 
     /// What a solve with this system costs.
     pub fn forecast(&self) -> Forecast {
-        let (entries, flops) = (self.factor.entries(), self.factor.flops());
-        let work = self.factor.work_bytes();
-        let matrix = self.matrix.row_idx.len() * 24;
+        let (entries, flops) = (self.factor.nonzeros(), self.factor.flops() + self.local.flops());
+        let cones: usize = self.cones.iter().map(|c| 4 * c.columns.len() + 8 * c.rows.len() + 4 * c.places.len()).sum();
+        // the iterates, directions and right-hand sides of the method
+        let vectors = 8 * 30 * self.p.n;
+        let bytes = self.factor.bytes() + self.local.bytes() + 16 * self.place.len() + cones + vectors;
         Forecast {
-            unknowns: self.matrix.n,
+            unknowns: self.factor.unknowns(),
             factor_entries: entries,
             factor_flops: flops,
-            bytes: (entries * 8 + matrix + work + self.matrix.n * 8 * 30) as u64,
+            bytes: bytes as u64,
             seconds: Forecast::seconds(flops, entries),
         }
+    }
+
+    /// `P X` for a few vectors.
+    pub fn multiply<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        self.p.mul_all(x)
     }
 
     /// Factors `P + GᵀG` for the starting point.
@@ -86,73 +110,70 @@ impl CondensedSystem {
         self.refactor(unit, 0.0)
     }
 
-    /// Factors `P + Gᵀ W⁻² G`, its diagonal raised by the fraction `regularisation`.
+    /// Factors `P + Gᵀ W⁻² G`, the diagonal of P raised by the fraction `regularisation`.
     pub fn factor(&mut self, cones: &Cones, scaling: &Scaling, regularisation: f64) -> Result<(), LinearError> {
         self.refactor(|k, w| scaling.inverse_square(cones, k, w), regularisation)
     }
 
     fn refactor(&mut self, inverse_square: impl Fn(usize, &mut [[f64; 6]; 6]), raise: f64) -> Result<(), LinearError> {
-        let values = &mut self.matrix.values;
-        values.copy_from_slice(&self.base);
-        for (k, cone) in self.cones.iter().enumerate() {
+        let Self { p, place, cones, local, factor } = self;
+        let values = factor.clear()?;
+        let mut store = local.store(values);
+        place.iter().zip(&p.values).for_each(|(&at, &v)| store.add(at, v));
+        if raise > 0.0 {
+            for c in 0..p.n {
+                let last = p.col_ptr[c + 1] - 1;
+                store.add(place[last], raise * p.values[last]);
+            }
+        }
+        for (k, cone) in cones.iter().enumerate() {
             let mut w = [[0.0; 6]; 6];
             inverse_square(k, &mut w);
             let m = cone.columns.len();
             let d = cone.rows.len() / m.max(1);
             let mut at = 0;
             for j in 0..m {
-                let wj: [f64; 6] =
-                    std::array::from_fn(
-                        |r| {
-                            if r < d { (0..d).map(|q| w[r][q] * cone.rows[q * m + j]).sum() } else { 0.0 }
-                        },
-                    );
+                let mut wj = [0.0; 6];
+                for r in 0..d {
+                    wj[r] = (0..d).map(|q| w[r][q] * cone.rows[q * m + j]).sum();
+                }
                 for i in 0..=j {
-                    values[cone.positions[at]] += (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>();
+                    store.add(cone.places[at], (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>());
                     at += 1;
                 }
             }
         }
-        if raise > 0.0 {
-            for c in 0..self.matrix.n {
-                let last = self.matrix.col_ptr[c + 1] - 1;
-                self.matrix.values[last] *= 1.0 + raise;
-            }
-        }
-        self.factor.refactor(&self.matrix)
+        local.eliminate(factor.values_mut())?;
+        factor.factor()
     }
 
-    /// Solves, without refinement.
-    pub fn solve(&self, b: &[f64]) -> Vec<f64> {
-        self.factor.solve(b)
+    /// Solves for a few right-hand sides, without refinement.
+    pub fn solve<const SIDES: usize>(&self, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        if self.local.is_empty() {
+            return self.factor.solve_all(b);
+        }
+        let (condensed, kept) = self.local.condense(b);
+        let sides: [&[f64]; SIDES] = std::array::from_fn(|k| condensed[k].as_slice());
+        self.local.expand(self.factor.solve_all(sides), kept)
     }
 }
 
-/// The union of the pattern of P and of all cones' products; P's values in it.
-fn union(p: &SymmetricCsc, cones: &[Vec<usize>]) -> (SymmetricCsc, Vec<f64>) {
-    let mut extra: Vec<Vec<usize>> = vec![Vec::new(); p.n];
+/// The union of the pattern of P and of all cones' products.
+fn union(p: &SymmetricCsc, cones: &[Vec<u32>]) -> SymmetricCsc {
+    let mut extra: Vec<Vec<u32>> = vec![Vec::new(); p.n];
     for columns in cones {
         for (j, &c) in columns.iter().enumerate() {
-            extra[c].extend_from_slice(&columns[..=j]);
+            extra[c as usize].extend_from_slice(&columns[..=j]);
         }
     }
     let mut out = SymmetricCsc { n: p.n, col_ptr: vec![0], ..SymmetricCsc::default() };
     for c in 0..p.n {
-        let own = p.col_ptr[c]..p.col_ptr[c + 1];
         let mut rows = std::mem::take(&mut extra[c]);
-        rows.extend_from_slice(&p.row_idx[own.clone()]);
+        rows.extend_from_slice(&p.row_idx[p.col_ptr[c]..p.col_ptr[c + 1]]);
         rows.sort_unstable();
         rows.dedup();
-        let start = out.row_idx.len();
         out.row_idx.extend_from_slice(&rows);
-        out.values.resize(out.row_idx.len(), 0.0);
-        for k in own {
-            if let Ok(at) = rows.binary_search(&p.row_idx[k]) {
-                out.values[start + at] = p.values[k];
-            }
-        }
         out.col_ptr.push(out.row_idx.len());
     }
-    let base = out.values.clone();
-    (out, base)
+    out
 }

@@ -1,0 +1,110 @@
+//! What a solve costs: `cargo bench --bench solve -- [OPTIONS] MODEL.yaml…`
+//!
+//! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two solves of the same matrix
+//! in the same run, and the yardstick Y = solve ÷ (iterations × (one factor + two solves)).
+
+use bracket::model::program::ConicProgram;
+use bracket::model::{AnalysisModel, Kinematic, Static};
+use bracket::solve::{self, SolveOptions, Solver};
+use std::path::Path;
+use std::time::Instant;
+
+struct Options {
+    programs: Vec<&'static str>,
+    solver: Solver,
+    trace: bool,
+    factor_only: bool,
+}
+
+fn main() {
+    let mut options =
+        Options { programs: vec!["kinematic", "static"], solver: Solver::Condensed, trace: false, factor_only: false };
+    let mut models = Vec::new();
+    let mut threads = 1;
+    let mut args = std::env::args().skip(1);
+    while let Some(arg) = args.next() {
+        match arg.as_str() {
+            "--kinematic" => options.programs = vec!["kinematic"],
+            "--static" => options.programs = vec!["static"],
+            "--clarabel" => options.solver = Solver::Clarabel,
+            "--trace" => options.trace = true,
+            "--factor" => options.factor_only = true,
+            "--threads" => threads = args.next().and_then(|n| n.parse().ok()).unwrap_or(1),
+            // cargo passes this to every bench
+            "--bench" => {}
+            model => models.push(model.to_string()),
+        }
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the pool is built once");
+    faer::set_global_parallelism(faer::Par::Seq);
+    println!("dense Cholesky rate {:.1} GFLOP/s, {threads} threads", solve::forecast::dense_rate() / 1e9);
+    for path in &models {
+        let model = bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable");
+        options.programs.iter().for_each(|p| run(&model, path, p, &options));
+    }
+}
+
+fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
+    let start = Instant::now();
+    let (program, block): (ConicProgram, Vec<u32>) = if name == "kinematic" {
+        let k = Kinematic::new(model).expect("the model is sound");
+        (k.program, k.map.block)
+    } else {
+        let s = Static::new(model).expect("the model is sound");
+        (s.program, s.map.block)
+    };
+    let assembly = start.elapsed().as_secs_f64();
+    println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
+    measure(&program, &block, options);
+    println!("  peak memory {} MiB", bracket::adapt::pass::peak_memory_mib().unwrap_or(0));
+}
+
+fn measure(program: &ConicProgram, block: &[u32], options: &Options) {
+    let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
+    if options.trace {
+        settings.progress = Some(std::sync::Arc::new(|i: &solve::Iteration| {
+            println!(
+                "    {:3} gap {:9.2e} residual {:9.2e} step {:5.3} {:8.2} s",
+                i.number, i.gap, i.residual, i.step, i.seconds
+            );
+        }));
+    }
+    let start = Instant::now();
+    let mut prepared = solve::prepare(program, block, &settings);
+    let setup = start.elapsed().as_secs_f64();
+    if let Some(f) = prepared.forecast() {
+        println!(
+            "  set up in {setup:.2} s; forecast: {} unknowns, {:.1} M factor entries, {:.1} GFLOP a factor, {:.2} GiB, {:.0} s",
+            f.unknowns,
+            f.factor_entries as f64 / 1e6,
+            f.factor_flops / 1e9,
+            f.gib(),
+            f.seconds
+        );
+    }
+    let yardstick = prepared.yardstick();
+    if let Some(y) = &yardstick {
+        println!(
+            "  one factor {:.3} s ({:.1} GFLOP/s), one solve {:.3} s",
+            y.factor,
+            prepared.forecast().map_or(0.0, |f| f.factor_flops / 1e9 / y.factor),
+            y.solve
+        );
+    }
+    if options.factor_only {
+        return;
+    }
+    let start = Instant::now();
+    let solution = prepared.solve(&settings);
+    let seconds = setup + start.elapsed().as_secs_f64();
+    println!(
+        "  {}: {} iterations, {seconds:.2} s, objective {:.9e}",
+        solution.status.words(),
+        solution.iterations,
+        program.objective(&solution.x)
+    );
+    if let Some(y) = yardstick {
+        let unit = f64::from(solution.iterations.max(1)) * (y.factor + 2.0 * y.solve);
+        println!("  Y = {:.3}", seconds / unit);
+    }
+}

@@ -1,0 +1,261 @@
+//! Numeric supernodal Cholesky: subtrees of the dissection side by side, then the separators in blocks.
+//!
+//! Left-looking: a supernode gathers the updates of its descendants, then factors its own dense block, so the factor and
+//! one block of work space per thread are all the memory. Where the work is cut depends on sizes alone: the factor
+//! is the same, byte for byte, on any number of threads.
+
+use super::dense;
+use super::symbolic::{Symbolic, Update};
+use faer::{MatMut, MatRef};
+use rayon::prelude::*;
+use std::sync::Mutex;
+
+/// Columns of a supernode updated together; wider supernodes are cut into such strips, one task each.
+const STRIP: usize = 96;
+/// Columns of a panel of a wide diagonal block.
+const PANEL: usize = 128;
+/// Rows of a panel solved together.
+const ROWS: usize = 512;
+/// Subtrees with less than this part of all operations are factored by one thread.
+const SUBTREE: f64 = 1.0 / 24.0;
+
+/// How the tree is cut for threads.
+pub struct Plan {
+    /// Subtrees (first and last supernode) that are independent of each other, in order.
+    pub subtrees: Vec<(usize, usize)>,
+    /// Supernodes above them, in order.
+    pub top: Vec<usize>,
+}
+
+impl Plan {
+    /// Cuts the tree: subtrees as large as allowed, and what is above them.
+    pub fn new(symbolic: &Symbolic) -> Self {
+        let count = symbolic.supernodes();
+        let mut below = symbolic.flops.clone();
+        for s in 0..count {
+            if symbolic.parent[s] != u32::MAX {
+                below[symbolic.parent[s] as usize] += below[s];
+            }
+        }
+        let limit = SUBTREE * symbolic.flops.iter().sum::<f64>();
+        let mut plan = Self { subtrees: Vec::new(), top: Vec::new() };
+        let mut s = count;
+        // from the root down; a subtree is left behind whole
+        while s > 0 {
+            s -= 1;
+            if below[s] <= limit {
+                let first = symbolic.first_descendant[s] as usize;
+                plan.subtrees.push((first, s));
+                s = first;
+            } else {
+                plan.top.push(s);
+            }
+        }
+        plan.subtrees.reverse();
+        plan.top.reverse();
+        plan
+    }
+}
+
+/// Work space of one thread.
+#[derive(Default)]
+struct Work {
+    /// Place of a row in the supernode at hand.
+    place: Vec<u32>,
+    /// One update before it is scattered.
+    product: Vec<f64>,
+    /// Places of the rows of one update.
+    targets: Vec<u32>,
+}
+
+/// Work spaces, taken and given back.
+#[derive(Default)]
+pub struct Pool(Mutex<Vec<Work>>);
+
+impl Pool {
+    fn with<T>(&self, n: usize, run: impl FnOnce(&mut Work) -> T) -> T {
+        let taken = self.0.lock().ok().and_then(|mut free| free.pop());
+        let mut work = taken.unwrap_or_default();
+        work.place.resize(n, 0);
+        let result = run(&mut work);
+        if let Ok(mut free) = self.0.lock() {
+            free.push(work);
+        }
+        result
+    }
+}
+
+/// A pivot was not positive.
+pub struct NotPositive;
+
+/// One supernode's dense block being made.
+struct Target<'a> {
+    symbolic: &'a Symbolic,
+    s: usize,
+    /// Values of supernodes before it, from value `base` on.
+    done: &'a [f64],
+    base: usize,
+}
+
+/// Factors in place; `values` holds the matrix in the layout of `symbolic`.
+pub fn factor(symbolic: &Symbolic, plan: &Plan, values: &mut [f64], pool: &Pool) -> Result<(), NotPositive> {
+    let mut pieces = Vec::with_capacity(plan.subtrees.len());
+    let (mut rest, mut at) = (&mut *values, 0);
+    for &(first, last) in &plan.subtrees {
+        let (from, to) = (symbolic.value_start[first], symbolic.value_start[last + 1]);
+        let (piece, after) = std::mem::take(&mut rest).split_at_mut(from - at).1.split_at_mut(to - from);
+        pieces.push((first, last, piece));
+        (rest, at) = (after, to);
+    }
+    // the costliest first: less waiting at the end
+    pieces.sort_by_key(|(first, last, _)| {
+        std::cmp::Reverse(symbolic.value_start[*last + 1] - symbolic.value_start[*first])
+    });
+    pieces.into_par_iter().with_max_len(1).try_for_each(|(first, last, piece)| {
+        let base = symbolic.value_start[first];
+        pool.with(symbolic.n, |work| {
+            (first..=last).try_for_each(|s| {
+                let (done, own) = piece.split_at_mut(symbolic.value_start[s] - base);
+                let own = &mut own[..symbolic.value_start[s + 1] - symbolic.value_start[s]];
+                Target { symbolic, s, done, base }.factor_alone(own, work)
+            })
+        })
+    })?;
+    plan.top.iter().try_for_each(|&s| {
+        let (done, own) = values.split_at_mut(symbolic.value_start[s]);
+        let own = &mut own[..symbolic.value_start[s + 1] - symbolic.value_start[s]];
+        Target { symbolic, s, done, base: 0 }.factor_together(own, pool)
+    })
+}
+
+impl Target<'_> {
+    fn columns(&self) -> usize {
+        self.symbolic.columns(self.s)
+    }
+
+    /// Updates and factors with one thread.
+    fn factor_alone(&self, own: &mut [f64], work: &mut Work) -> Result<(), NotPositive> {
+        let height = self.symbolic.height(self.s);
+        self.note_places(work);
+        for (k, strip) in own.chunks_mut(STRIP * height).enumerate() {
+            self.update(k * STRIP, strip, work);
+        }
+        factor_block(own, height, self.columns())
+    }
+
+    /// Updates and factors with all threads.
+    fn factor_together(&self, own: &mut [f64], pool: &Pool) -> Result<(), NotPositive> {
+        let height = self.symbolic.height(self.s);
+        own.par_chunks_mut(STRIP * height).enumerate().with_max_len(1).for_each(|(k, strip)| {
+            pool.with(self.symbolic.n, |work| {
+                self.note_places(work);
+                self.update(k * STRIP, strip, work);
+            });
+        });
+        factor_block(own, height, self.columns())
+    }
+
+    fn note_places(&self, work: &mut Work) {
+        let columns = self.columns();
+        for (k, &row) in self.symbolic.rows_of(self.s).iter().enumerate() {
+            work.place[row as usize] = (columns + k) as u32;
+        }
+    }
+
+    /// Subtracts the descendants' products from the columns `first..` that `strip` holds.
+    fn update(&self, first: usize, strip: &mut [f64], work: &mut Work) {
+        let symbolic = self.symbolic;
+        let height = symbolic.height(self.s);
+        let begin = symbolic.begin[self.s];
+        let end = symbolic.begin[self.s + 1];
+        let from = begin + first as u32;
+        let to = from + (strip.len() / height) as u32;
+        for &Update { from: d, first: at, count } in symbolic.updates_of(self.s) {
+            let d = d as usize;
+            let rows = &symbolic.rows_of(d)[at as usize..];
+            let within = &rows[..count as usize];
+            let skip = within.partition_point(|&r| r < from);
+            let wide = within[skip..].partition_point(|&r| r < to);
+            if wide == 0 {
+                continue;
+            }
+            let rows = &rows[skip..];
+            let (tall, depth) = (rows.len(), symbolic.columns(d));
+            let block = &self.done[symbolic.value_start[d] - self.base..symbolic.value_start[d + 1] - self.base];
+            let block = MatRef::from_column_major_slice(block, symbolic.height(d), depth);
+            let left = block.subrows(depth + at as usize + skip, tall);
+            let right = left.subrows(0, wide);
+            let Work { place, product, targets } = work;
+            targets.clear();
+            targets.extend(rows.iter().map(|&r| if r < end { r - begin } else { place[r as usize] }));
+            let column = (rows[0] - from) as usize;
+            let contiguous =
+                targets[tall - 1] - targets[0] + 1 == tall as u32 && rows[wide - 1] - rows[0] + 1 == wide as u32;
+            if contiguous {
+                // rows above the diagonal are written as well, and never read
+                let whole = MatMut::from_column_major_slice_mut(strip, height, (to - from) as usize);
+                let part = whole.submatrix_mut(targets[0] as usize, column, tall, wide);
+                dense::subtract_product(part, left, right);
+                continue;
+            }
+            product.resize(product.len().max(tall * wide), 0.0);
+            let product = &mut product[..tall * wide];
+            dense::product(MatMut::from_column_major_slice_mut(product, tall, wide), left, right);
+            for (j, values) in product.chunks_exact(tall).enumerate() {
+                let column = (rows[j] - from) as usize * height;
+                let column = &mut strip[column..column + height];
+                for (&t, v) in targets[j..].iter().zip(&values[j..]) {
+                    column[t as usize] -= v;
+                }
+            }
+        }
+    }
+}
+
+/// Cholesky of the leading `columns` of a block, and the rows below solved by it.
+fn factor_block(own: &mut [f64], height: usize, columns: usize) -> Result<(), NotPositive> {
+    if columns <= 2 * PANEL {
+        return factor_panel(MatMut::from_column_major_slice_mut(own, height, columns), false);
+    }
+    let mut first = 0;
+    while first < columns {
+        let wide = PANEL.min(columns - first);
+        let (panel, right) = own[first * height..].split_at_mut(wide * height);
+        let block = MatMut::from_column_major_slice_mut(panel, height, wide).subrows_mut(first, height - first);
+        factor_panel(block, true)?;
+        let panel = MatRef::from_column_major_slice(panel, height, wide);
+        right.par_chunks_mut(STRIP * height).enumerate().with_max_len(1).for_each(|(k, strip)| {
+            let at = first + wide + k * STRIP;
+            let count = strip.len() / height;
+            let left = panel.subrows(at, height - at);
+            let target = MatMut::from_column_major_slice_mut(strip, height, count).subrows_mut(at, height - at);
+            dense::subtract_product(target, left, left.subrows(0, count));
+        });
+        first += wide;
+    }
+    Ok(())
+}
+
+/// Cholesky of the square on top and the rows below it.
+fn factor_panel(block: MatMut<'_, f64>, together: bool) -> Result<(), NotPositive> {
+    let columns = block.ncols();
+    let (mut top, bottom) = block.split_at_row_mut(columns);
+    if !dense::cholesky(top.as_mut()) {
+        return Err(NotPositive);
+    }
+    let top = top.as_ref();
+    if !together {
+        dense::solve_right(top, bottom);
+        return Ok(());
+    }
+    let mut strips = Vec::new();
+    let mut rest = bottom;
+    while rest.nrows() > ROWS {
+        let (strip, below) = rest.split_at_row_mut(ROWS);
+        strips.push(strip);
+        rest = below;
+    }
+    strips.push(rest);
+    strips.into_par_iter().with_max_len(1).for_each(|strip| dense::solve_right(top, strip));
+    Ok(())
+}

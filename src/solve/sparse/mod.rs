@@ -1,0 +1,214 @@
+//! One symmetric positive definite sparse system: ordered once, factored as often as its values change.
+
+pub mod dense;
+pub mod factor;
+pub mod ordering;
+pub mod substitution;
+pub mod symbolic;
+
+use crate::model::program::SymmetricCsc;
+use factor::{Plan, Pool};
+use symbolic::Symbolic;
+
+/// Why a factorisation failed.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum LinearError {
+    /// The matrix is not positive definite: some part can move freely.
+    #[error("the stiffness matrix is singular: some part of the model is not held")]
+    Singular,
+    /// Out of memory or too large an index.
+    #[error("the sparse factorisation could not be set up: {0}")]
+    Setup(String),
+}
+
+/// A Cholesky factor `A = L Lᵀ` under nested dissection.
+pub struct SparseCholesky {
+    symbolic: Symbolic,
+    plan: Plan,
+    /// Block of each unknown.
+    block: Vec<u32>,
+    /// The matrix, and then its factor, in the layout of `symbolic`.
+    values: Vec<f64>,
+    pool: Pool,
+}
+
+impl SparseCholesky {
+    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering.
+    pub fn new(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
+        let mut factor = Self::symbolic(a, block)?;
+        factor.clear()?;
+        let mut values = std::mem::take(&mut factor.values);
+        let mut locator = factor.locator();
+        for c in 0..a.n {
+            let range = a.col_ptr[c]..a.col_ptr[c + 1];
+            for (&r, &v) in a.row_idx[range.clone()].iter().zip(&a.values[range]) {
+                values[locator.place(r, c as u32) as usize] += v;
+            }
+        }
+        factor.values = values;
+        factor.factor()?;
+        Ok(factor)
+    }
+
+    /// Orders and lays out the factor of matrices with the pattern of `a`, without numbers yet.
+    pub fn symbolic(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
+        let symbolic = Symbolic::new(a, block);
+        if symbolic.len() > u32::MAX as usize {
+            let gib = symbolic.len() as f64 / f64::from(1 << 27);
+            return Err(LinearError::Setup(format!("its factor would take {gib:.0} GiB")));
+        }
+        let plan = Plan::new(&symbolic);
+        Ok(Self { symbolic, plan, block: block.to_vec(), values: Vec::new(), pool: Pool::default() })
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.symbolic.n
+    }
+
+    /// Nonzeros of the factor.
+    pub fn nonzeros(&self) -> usize {
+        self.symbolic.nonzeros()
+    }
+
+    /// Length of its storage.
+    pub fn len(&self) -> usize {
+        self.symbolic.len()
+    }
+
+    /// True for an empty matrix.
+    pub fn is_empty(&self) -> bool {
+        self.symbolic.is_empty()
+    }
+
+    /// Floating-point operations of a factorisation.
+    pub fn flops(&self) -> f64 {
+        self.symbolic.flops.iter().sum()
+    }
+
+    /// Memory of the factor and its layout, once it has numbers \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let s = &self.symbolic;
+        8 * s.len() + 4 * s.rows.len() + std::mem::size_of::<symbolic::Update>() * s.updates.len() + 24 * s.n
+    }
+
+    /// The storage, all zero: the entries of the matrix are added at the places the locator tells, then it is factored.
+    pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
+        if self.values.is_empty() {
+            let len = self.symbolic.len();
+            self.values.try_reserve_exact(len).map_err(|e| LinearError::Setup(e.to_string()))?;
+            self.values.resize(len, 0.0);
+        } else {
+            self.values.fill(0.0);
+        }
+        Ok(&mut self.values)
+    }
+
+    /// The storage.
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// Factors the matrix that has been added.
+    pub fn factor(&mut self) -> Result<(), LinearError> {
+        factor::factor(&self.symbolic, &self.plan, &mut self.values, &self.pool).map_err(|_| LinearError::Singular)
+    }
+
+    /// Tells the places of entries.
+    pub fn locator(&self) -> Locator<'_> {
+        Locator::new(&self.symbolic, &self.block)
+    }
+
+    /// `A⁻¹ b`, without refinement.
+    pub fn solve(&self, b: &[f64]) -> Vec<f64> {
+        let [x] = self.solve_all([b]);
+        x
+    }
+
+    /// `A⁻¹ B` for a few right-hand sides, at about the price of one.
+    pub fn solve_all<const SIDES: usize>(&self, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let n = self.symbolic.n;
+        let mut x = vec![0.0; SIDES * n];
+        for (new, &old) in self.symbolic.order.iter().enumerate() {
+            for (k, side) in b.iter().enumerate() {
+                x[SIDES * new + k] = side[old as usize];
+            }
+        }
+        substitution::solve::<SIDES>(&self.symbolic, &self.plan, &self.values, &mut x);
+        std::array::from_fn(|k| self.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect())
+    }
+}
+
+/// Finds the place of matrix entries in the factor's storage; entries of one column and block in a row are cheap.
+pub struct Locator<'a> {
+    symbolic: &'a Symbolic,
+    block: &'a [u32],
+    /// Supernode of each position.
+    owner: Vec<u32>,
+    /// Position of the first unknown of each block.
+    first: Vec<u32>,
+    /// The supernode, block and row found last.
+    known: (u32, u32, u32),
+}
+
+impl<'a> Locator<'a> {
+    fn new(symbolic: &'a Symbolic, block: &'a [u32]) -> Self {
+        let mut owner = vec![0u32; symbolic.n];
+        for s in 0..symbolic.supernodes() {
+            owner[symbolic.begin[s] as usize..symbolic.begin[s + 1] as usize].fill(s as u32);
+        }
+        let mut first = vec![u32::MAX; block.iter().map(|&b| b as usize + 1).max().unwrap_or(0)];
+        for (i, &b) in block.iter().enumerate() {
+            first[b as usize] = first[b as usize].min(symbolic.position[i]);
+        }
+        Self { symbolic, block, owner, first, known: (u32::MAX, u32::MAX, 0) }
+    }
+
+    /// Place of the entry of unknowns `r` and `c`, which must be in the pattern.
+    pub fn place(&mut self, r: u32, c: u32) -> u32 {
+        let symbolic = self.symbolic;
+        let (pr, pc) = (symbolic.position[r as usize], symbolic.position[c as usize]);
+        let (low, high, outer) = if pr > pc { (pc, pr, r) } else { (pr, pc, c) };
+        let block = self.block[outer as usize];
+        let s = self.owner[low as usize];
+        let first = self.first[block as usize];
+        if (self.known.0, self.known.1) != (s, block) {
+            self.known = (s, block, row_in(symbolic, s as usize, first));
+        }
+        let s = s as usize;
+        let row = (self.known.2 + (high - first)) as usize;
+        let column = (low - symbolic.begin[s]) as usize;
+        (symbolic.value_start[s] + column * symbolic.height(s) + row) as u32
+    }
+}
+
+/// Row of unknown `position` in the dense block of supernode `s`.
+fn row_in(symbolic: &Symbolic, s: usize, position: u32) -> u32 {
+    if position < symbolic.begin[s + 1] {
+        return position - symbolic.begin[s];
+    }
+    let rows = symbolic.rows_of(s);
+    symbolic.columns(s) as u32 + rows.partition_point(|&r| r < position) as u32
+}
+
+/// `A⁻¹ b` refined until the residual stops falling; returns the solution and the last relative residual.
+pub fn solve_refined(a: &SymmetricCsc, factor: &SparseCholesky, b: &[f64]) -> (Vec<f64>, f64) {
+    let size = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let scale = size(b);
+    let mut x = factor.solve(b);
+    let mut best = f64::INFINITY;
+    if scale == 0.0 {
+        return (x, 0.0);
+    }
+    for _ in 0..5 {
+        let r: Vec<f64> = a.mul(&x).iter().zip(b).map(|(ax, b)| b - ax).collect();
+        let residual = size(&r) / scale;
+        if residual >= 0.5 * best {
+            break;
+        }
+        best = residual;
+        let dx = factor.solve(&r);
+        x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
+    }
+    (x, best)
+}
