@@ -24,14 +24,14 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
         })
         .collect();
     // below 1e-8 Clarabel mostly runs into its own noise
-    let tolerance = options.tolerance.max(1e-8);
+    let (gap, residual) = (options.gap.max(1e-8), options.residual.max(1e-8));
     let settings = DefaultSettings {
         verbose: false,
         max_iter: options.max_iterations,
         time_limit: options.time_limit,
-        tol_gap_abs: tolerance,
-        tol_gap_rel: tolerance,
-        tol_feas: tolerance,
+        tol_gap_abs: gap,
+        tol_gap_rel: gap,
+        tol_feas: residual,
         // sequential: deterministic, and the two programs run side by side
         max_threads: 1,
         direct_solve_method: "faer".into(),

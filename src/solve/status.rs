@@ -95,8 +95,12 @@ pub enum Solver {
 pub struct SolveOptions {
     /// The method.
     pub solver: Solver,
-    /// Relative duality gap and residuals at which to stop; an iterate that stalls within a hundred times this is taken.
-    pub tolerance: f64,
+    /// Relative duality gap at which to stop.
+    pub gap: f64,
+    /// Relative residuals at which to stop.
+    ///
+    /// An iterate that stalls within a hundred times the gap and the residual asked for is taken.
+    pub residual: f64,
     /// Iterations at most.
     pub max_iterations: u32,
     /// Wall time at most \[s\].
@@ -118,7 +122,8 @@ impl Default for SolveOptions {
     fn default() -> Self {
         Self {
             solver: Solver::default(),
-            tolerance: 1e-9,
+            gap: 1e-8,
+            residual: 1e-8,
             max_iterations: 100,
             time_limit: f64::INFINITY,
             progress: None,

@@ -20,7 +20,7 @@ const TO_THE_SURFACE: f64 = 0.99;
 const REFINEMENTS: usize = 3;
 /// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs no refinement.
 const DIRECTION_ERROR: f64 = 0.01;
-/// An iterate that stalls within this many times the tolerance is taken.
+/// An iterate that stalls within this many times the tolerances is taken.
 const NEARLY: f64 = 100.0;
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
@@ -208,26 +208,27 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
     };
     // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
     let stop = |status, best: Point, merit: f64, iteration| {
-        let good = merit <= NEARLY * options.tolerance && !matches!(status, SolveStatus::TimeLimit);
+        let good = merit <= NEARLY && !matches!(status, SolveStatus::TimeLimit);
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
         let r = residuals(problem, system, &p);
-        let merit = r.gap.max(r.dual).max(r.primal);
+        // 1 is what was asked for
+        let merit = (r.gap / options.gap).max(r.dual.max(r.primal) / options.residual);
         if let Some(tell) = &options.progress {
             let residual = r.dual.max(r.primal);
             let seconds = start.elapsed().as_secs_f64();
             tell(&Iteration { number: iteration, gap: r.gap, residual, step: last_step, seconds });
         }
-        if merit <= options.tolerance {
+        if merit <= 1.0 {
             return end(SolveStatus::Optimal, p, iteration);
         }
-        if let Some(status) = certificate(problem, system, &p, &r, options.tolerance) {
+        if let Some(status) = certificate(problem, system, &p, &r, options.residual) {
             return end(status, p, iteration);
         }
         if merit < best_merit {
             (best_merit, best, worse) = (merit, p.clone(), 0);
-        } else if best_merit <= NEARLY * options.tolerance {
+        } else if best_merit <= NEARLY {
             // good enough and no longer getting better: the floor of the arithmetic
             worse += 1;
             if worse == 2 {

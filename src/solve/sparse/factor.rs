@@ -66,6 +66,8 @@ struct Work {
     product: Vec<f64>,
     /// Places of the rows of one update.
     targets: Vec<u32>,
+    /// Runs of neighbouring places among them: first place, first row, rows.
+    runs: Vec<(u32, u32, u32)>,
 }
 
 /// Work spaces, taken and given back.
@@ -185,7 +187,7 @@ impl Target<'_> {
             let block = MatRef::from_column_major_slice(block, symbolic.height(d), depth);
             let left = block.subrows(depth + at as usize + skip, tall);
             let right = left.subrows(0, wide);
-            let Work { place, product, targets } = work;
+            let Work { place, product, targets, runs } = work;
             targets.clear();
             targets.extend(rows.iter().map(|&r| if r < end { r - begin } else { place[r as usize] }));
             let column = (rows[0] - from) as usize;
@@ -201,11 +203,20 @@ impl Target<'_> {
             product.resize(product.len().max(tall * wide), 0.0);
             let product = &mut product[..tall * wide];
             dense::product(MatMut::from_column_major_slice_mut(product, tall, wide), left, right);
+            runs.clear();
+            for (i, &t) in targets.iter().enumerate() {
+                match runs.last_mut() {
+                    Some((to, _, count)) if *to + *count == t => *count += 1,
+                    _ => runs.push((t, i as u32, 1)),
+                }
+            }
+            // rows above the diagonal are written as well, and never read
             for (j, values) in product.chunks_exact(tall).enumerate() {
                 let column = (rows[j] - from) as usize * height;
                 let column = &mut strip[column..column + height];
-                for (&t, v) in targets[j..].iter().zip(&values[j..]) {
-                    column[t as usize] -= v;
+                for &(to, i, count) in runs.iter() {
+                    let (to, i, count) = (to as usize, i as usize, count as usize);
+                    column[to..to + count].iter_mut().zip(&values[i..i + count]).for_each(|(c, v)| *c -= v);
                 }
             }
         }

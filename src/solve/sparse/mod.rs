@@ -97,6 +97,7 @@ impl SparseCholesky {
         if self.values.is_empty() {
             let len = self.symbolic.len();
             self.values.try_reserve_exact(len).map_err(|e| LinearError::Setup(e.to_string()))?;
+            huge_pages(&mut self.values);
             self.values.resize(len, 0.0);
         } else {
             self.values.fill(0.0);
@@ -136,6 +137,20 @@ impl SparseCholesky {
         }
         substitution::solve::<SIDES>(&self.symbolic, &self.plan, &self.values, &mut x);
         std::array::from_fn(|k| self.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect())
+    }
+}
+
+/// Asks for huge pages under memory not yet touched: the factor is too large for the address cache of small ones.
+fn huge_pages(values: &mut Vec<f64>) {
+    #[cfg(target_os = "linux")]
+    {
+        const PAGE: usize = 1 << 21;
+        let start = (values.as_mut_ptr() as usize).next_multiple_of(PAGE);
+        let end = values.as_mut_ptr() as usize + 8 * values.capacity();
+        if end > start + PAGE {
+            // SAFETY: the range lies within one allocation of ours; the call only advises and changes no content
+            unsafe { libc::madvise(start as *mut libc::c_void, (end - start) / PAGE * PAGE, libc::MADV_HUGEPAGE) };
+        }
     }
 }
 

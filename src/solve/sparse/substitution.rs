@@ -82,14 +82,12 @@ fn forward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64],
     for &s in &plan.top {
         let (columns, height) = (symbolic.columns(s), symbolic.height(s));
         let from = SIDES * symbolic.begin[s] as usize;
-        buffer.clear();
-        buffer.extend_from_slice(&x[from..from + SIDES * columns]);
-        buffer.resize(SIDES * height, 0.0);
+        separate::<SIDES>(&x[from..from + SIDES * columns], height, &mut buffer);
         forward_block::<SIDES>(block_of(symbolic, values, s), height, columns, &mut buffer);
-        x[from..from + SIDES * columns].copy_from_slice(&buffer[..SIDES * columns]);
+        interleave::<SIDES>(&buffer, height, &mut x[from..from + SIDES * columns]);
         for (i, &row) in symbolic.rows_of(s).iter().enumerate() {
             for k in 0..SIDES {
-                x[SIDES * row as usize + k] += buffer[SIDES * (columns + i) + k];
+                x[SIDES * row as usize + k] += buffer[k * height + columns + i];
             }
         }
     }
@@ -109,11 +107,9 @@ fn forward_in_subtree<const SIDES: usize>(
 ) {
     let (columns, height) = (symbolic.columns(s), symbolic.height(s));
     let from = SIDES * (symbolic.begin[s] - share.begin) as usize;
-    buffer.clear();
-    buffer.extend_from_slice(&share.own[from..from + SIDES * columns]);
-    buffer.resize(SIDES * height, 0.0);
+    separate::<SIDES>(&share.own[from..from + SIDES * columns], height, buffer);
     forward_block::<SIDES>(block_of(symbolic, values, s), height, columns, buffer);
-    share.own[from..from + SIDES * columns].copy_from_slice(&buffer[..SIDES * columns]);
+    interleave::<SIDES>(buffer, height, &mut share.own[from..from + SIDES * columns]);
     let end = share.begin + (share.own.len() / SIDES) as u32;
     for (i, &row) in symbolic.rows_of(s).iter().enumerate() {
         let (to, at) = if row < end {
@@ -122,7 +118,7 @@ fn forward_in_subtree<const SIDES: usize>(
             (&mut share.top[..], top.number(row))
         };
         for k in 0..SIDES {
-            to[SIDES * at + k] += buffer[SIDES * (columns + i) + k];
+            to[SIDES * at + k] += buffer[k * height + columns + i];
         }
     }
 }
@@ -132,13 +128,12 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
     for &s in plan.top.iter().rev() {
         let (columns, height) = (symbolic.columns(s), symbolic.height(s));
         let from = SIDES * symbolic.begin[s] as usize;
-        buffer.clear();
-        buffer.extend_from_slice(&x[from..from + SIDES * columns]);
-        for &row in symbolic.rows_of(s) {
-            buffer.extend_from_slice(&x[SIDES * row as usize..SIDES * (row as usize + 1)]);
+        separate::<SIDES>(&x[from..from + SIDES * columns], height, &mut buffer);
+        for (i, &row) in symbolic.rows_of(s).iter().enumerate() {
+            (0..SIDES).for_each(|k| buffer[k * height + columns + i] = x[SIDES * row as usize + k]);
         }
         backward_block::<SIDES>(block_of(symbolic, values, s), height, columns, &mut buffer);
-        x[from..from + SIDES * columns].copy_from_slice(&buffer[..SIDES * columns]);
+        interleave::<SIDES>(&buffer, height, &mut x[from..from + SIDES * columns]);
     }
     // subtrees read the top and write their own columns
     let mut pieces = Vec::with_capacity(plan.subtrees.len());
@@ -164,23 +159,20 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
         for s in (first..=last).rev() {
             let (columns, height) = (symbolic.columns(s), symbolic.height(s));
             let from = SIDES * (symbolic.begin[s] - begin) as usize;
-            buffer.clear();
-            buffer.extend_from_slice(&own[from..from + SIDES * columns]);
-            for &row in symbolic.rows_of(s) {
-                if row < end {
-                    let at = SIDES * (row - begin) as usize;
-                    buffer.extend_from_slice(&own[at..at + SIDES]);
-                } else {
-                    buffer.extend_from_slice(above(row));
-                }
+            separate::<SIDES>(&own[from..from + SIDES * columns], height, &mut buffer);
+            for (i, &row) in symbolic.rows_of(s).iter().enumerate() {
+                let entry = if row < end { &own[SIDES * (row - begin) as usize..] } else { above(row) };
+                (0..SIDES).for_each(|k| buffer[k * height + columns + i] = entry[k]);
             }
             backward_block::<SIDES>(block_of(symbolic, values, s), height, columns, &mut buffer);
-            own[from..from + SIDES * columns].copy_from_slice(&buffer[..SIDES * columns]);
+            interleave::<SIDES>(&buffer, height, &mut own[from..from + SIDES * columns]);
         }
     });
 }
 
-/// Solves the triangle on top for `x[..columns]` and subtracts the rows below from the rest of `x`.
+/// Solves the triangle on top for the first `columns` of each side and subtracts the rows below from the rest.
+///
+/// `x` holds the sides one after the other, `height` entries each.
 fn forward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
     pulp::Arch::new().dispatch(
         #[inline(always)]
@@ -190,38 +182,27 @@ fn forward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usiz
             while j + 4 <= columns {
                 let column = |k: usize| &block[(j + k) * height + j..(j + k + 1) * height];
                 let (c0, c1, c2, c3) = (column(0), column(1), column(2), column(3));
-                let x = &mut x[SIDES * j..SIDES * height];
                 for k in 0..SIDES {
-                    let a = x[k] / c0[0];
-                    let b = (x[SIDES + k] - c0[1] * a) / c1[1];
-                    let c = (x[2 * SIDES + k] - c0[2] * a - c1[2] * b) / c2[2];
-                    let d = (x[3 * SIDES + k] - c0[3] * a - c1[3] * b - c2[3] * c) / c3[3];
-                    (x[k], x[SIDES + k], x[2 * SIDES + k], x[3 * SIDES + k]) = (a, b, c, d);
-                }
-                let (head, tail) = x.split_at_mut(4 * SIDES);
-                let rows = tail.len() / SIDES;
-                let (c0, c1, c2, c3) = (&c0[4..4 + rows], &c1[4..4 + rows], &c2[4..4 + rows], &c3[4..4 + rows]);
-                for i in 0..rows {
-                    for k in 0..SIDES {
-                        tail[SIDES * i + k] -= c0[i] * head[k]
-                            + c1[i] * head[SIDES + k]
-                            + c2[i] * head[2 * SIDES + k]
-                            + c3[i] * head[3 * SIDES + k];
+                    let x = &mut x[k * height + j..(k + 1) * height];
+                    let a = x[0] / c0[0];
+                    let b = (x[1] - c0[1] * a) / c1[1];
+                    let c = (x[2] - c0[2] * a - c1[2] * b) / c2[2];
+                    let d = (x[3] - c0[3] * a - c1[3] * b - c2[3] * c) / c3[3];
+                    (x[0], x[1], x[2], x[3]) = (a, b, c, d);
+                    let rows = c0[4..].iter().zip(&c1[4..]).zip(&c2[4..]).zip(&c3[4..]);
+                    for (v, (((l0, l1), l2), l3)) in x[4..].iter_mut().zip(rows) {
+                        *v -= l0 * a + l1 * b + l2 * c + l3 * d;
                     }
                 }
                 j += 4;
             }
             while j < columns {
                 let c = &block[j * height + j..(j + 1) * height];
-                let x = &mut x[SIDES * j..SIDES * height];
                 for k in 0..SIDES {
-                    x[k] /= c[0];
-                }
-                let (head, tail) = x.split_at_mut(SIDES);
-                for i in 0..tail.len() / SIDES {
-                    for k in 0..SIDES {
-                        tail[SIDES * i + k] -= c[i + 1] * head[k];
-                    }
+                    let x = &mut x[k * height + j..(k + 1) * height];
+                    x[0] /= c[0];
+                    let a = x[0];
+                    x[1..].iter_mut().zip(&c[1..]).for_each(|(v, l)| *v -= l * a);
                 }
                 j += 1;
             }
@@ -229,37 +210,81 @@ fn forward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usiz
     );
 }
 
-/// Subtracts the rows below, then solves the transposed triangle on top; the result is `x[..columns]`.
+/// Partial sums of a dot product: one alone would wait for itself.
+const LANES: usize = 8;
+
+/// `Σ c x` for four columns.
+#[inline(always)]
+fn dots(c: [&[f64]; 4], x: &[f64]) -> [f64; 4] {
+    let mut sums = [[0.0f64; LANES]; 4];
+    let (xs, x_rest) = x.as_chunks::<LANES>();
+    let (c0, r0) = c[0].as_chunks::<LANES>();
+    let (c1, r1) = c[1].as_chunks::<LANES>();
+    let (c2, r2) = c[2].as_chunks::<LANES>();
+    let (c3, r3) = c[3].as_chunks::<LANES>();
+    for ((((x, l0), l1), l2), l3) in xs.iter().zip(c0).zip(c1).zip(c2).zip(c3) {
+        for l in 0..LANES {
+            sums[0][l] += l0[l] * x[l];
+            sums[1][l] += l1[l] * x[l];
+            sums[2][l] += l2[l] * x[l];
+            sums[3][l] += l3[l] * x[l];
+        }
+    }
+    let mut out = sums.map(|s| s.iter().sum::<f64>());
+    for (i, x) in x_rest.iter().enumerate() {
+        out[0] += r0[i] * x;
+        out[1] += r1[i] * x;
+        out[2] += r2[i] * x;
+        out[3] += r3[i] * x;
+    }
+    out
+}
+
+/// Subtracts the rows below, then solves the transposed triangle on top; the result is the first `columns` of each side.
 fn backward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
     pulp::Arch::new().dispatch(
         #[inline(always)]
         || {
-            for j in (0..columns).rev() {
-                let c = &block[j * height + j..(j + 1) * height];
-                let (head, tail) = x[SIDES * j..SIDES * height].split_at_mut(SIDES);
-                // eight partial sums: one would wait for itself
-                const LANES: usize = 8;
-                let mut sums = [[0.0f64; SIDES]; LANES];
-                let rows = tail.len() / SIDES;
-                let c1 = &c[1..1 + rows];
-                let whole = rows / LANES * LANES;
-                for i in (0..whole).step_by(LANES) {
-                    for l in 0..LANES {
-                        for k in 0..SIDES {
-                            sums[l][k] += c1[i + l] * tail[SIDES * (i + l) + k];
-                        }
-                    }
-                }
-                for i in whole..rows {
-                    for k in 0..SIDES {
-                        sums[0][k] += c1[i] * tail[SIDES * i + k];
-                    }
-                }
+            let mut j = columns;
+            while j >= 4 {
+                j -= 4;
+                let column = |k: usize| &block[(j + k) * height + j..(j + k + 1) * height];
+                let c = [column(0), column(1), column(2), column(3)];
                 for k in 0..SIDES {
-                    let sum: f64 = sums.iter().map(|s| s[k]).sum();
-                    head[k] = (head[k] - sum) / c[0];
+                    let x = &mut x[k * height + j..(k + 1) * height];
+                    let [s0, s1, s2, s3] = dots([&c[0][4..], &c[1][4..], &c[2][4..], &c[3][4..]], &x[4..]);
+                    let d = (x[3] - s3) / c[3][3];
+                    let e = (x[2] - s2 - c[2][3] * d) / c[2][2];
+                    let b = (x[1] - s1 - c[1][2] * e - c[1][3] * d) / c[1][1];
+                    let a = (x[0] - s0 - c[0][1] * b - c[0][2] * e - c[0][3] * d) / c[0][0];
+                    (x[0], x[1], x[2], x[3]) = (a, b, e, d);
+                }
+            }
+            while j > 0 {
+                j -= 1;
+                let c = &block[j * height + j..(j + 1) * height];
+                for k in 0..SIDES {
+                    let x = &mut x[k * height + j..(k + 1) * height];
+                    let sum: f64 = x[1..].iter().zip(&c[1..]).map(|(v, l)| v * l).sum();
+                    x[0] = (x[0] - sum) / c[0];
                 }
             }
         },
     );
+}
+
+/// Takes the interleaved entries into `buffer`, side by side, each `height` long, zero after them.
+fn separate<const SIDES: usize>(from: &[f64], height: usize, buffer: &mut Vec<f64>) {
+    buffer.clear();
+    buffer.resize(SIDES * height, 0.0);
+    for (i, entry) in from.chunks_exact(SIDES).enumerate() {
+        (0..SIDES).for_each(|k| buffer[k * height + i] = entry[k]);
+    }
+}
+
+/// Puts the first entries of each side back, interleaved.
+fn interleave<const SIDES: usize>(buffer: &[f64], height: usize, to: &mut [f64]) {
+    for (i, entry) in to.chunks_exact_mut(SIDES).enumerate() {
+        (0..SIDES).for_each(|k| entry[k] = buffer[k * height + i]);
+    }
 }
