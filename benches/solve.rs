@@ -1,9 +1,14 @@
-//! What a solve costs: `cargo bench --bench solve -- [OPTIONS] MODEL.yaml…`
+//! What a solve costs: `cargo bench --bench solve -- [OPTIONS] MODEL.yaml…`, or `--size-factor F SPEC.yaml` for a spec.
 //!
 //! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two solves of the same matrix
 //! in the same run, and the yardstick Y = solve ÷ (iterations × (one factor + two solves)).
 
+use bracket::mesh::gmsh::Mesher;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::model::file::AnalysisKind;
+use bracket::model::from_joint;
 use bracket::model::program::ConicProgram;
+use bracket::model::resolve::resolve;
 use bracket::model::{AnalysisModel, Kinematic, Static};
 use bracket::solve::{self, SolveOptions, Solver};
 use std::path::Path;
@@ -21,6 +26,7 @@ fn main() {
         Options { programs: vec!["kinematic", "static"], solver: Solver::Condensed, trace: false, factor_only: false };
     let mut models = Vec::new();
     let mut threads = 1;
+    let mut size_factor = None;
     let mut args = std::env::args().skip(1);
     while let Some(arg) = args.next() {
         match arg.as_str() {
@@ -30,6 +36,7 @@ fn main() {
             "--trace" => options.trace = true,
             "--factor" => options.factor_only = true,
             "--threads" => threads = args.next().and_then(|n| n.parse().ok()).unwrap_or(1),
+            "--size-factor" => size_factor = args.next().and_then(|n| n.parse().ok()),
             // cargo passes this to every bench
             "--bench" => {}
             model => models.push(model.to_string()),
@@ -39,9 +46,31 @@ fn main() {
     faer::set_global_parallelism(faer::Par::Seq);
     println!("dense Cholesky rate {:.1} GFLOP/s, {threads} threads", solve::forecast::dense_rate() / 1e9);
     for path in &models {
-        let model = bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable");
+        let model = match size_factor {
+            Some(factor) => model_of_spec(Path::new(path), factor),
+            None => bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable"),
+        };
+        println!("{path}: {} macro tets", model.mesh.tets.len());
         options.programs.iter().for_each(|p| run(&model, path, p, &options));
     }
+}
+
+/// The first load case of a connection spec, its mesh sizes multiplied by `factor`.
+fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
+    let input = bracket::cli::spec_file::read(path).expect("the spec is sound");
+    let folder = std::env::temp_dir().join(format!("bracket-bench-{}", std::process::id()));
+    let mut options = MeshOptions::new(&folder);
+    options.layers = input.spec.value.analysis.mesh.layers;
+    options.sizes.factor = factor;
+    options.mesher = Some(Mesher::find().expect("gmsh is installed"));
+    let assembly = &input.joint.assembly;
+    let meshed = mesh_joint(assembly, &options, &mut |_| {}).expect("the joint can be meshed");
+    std::fs::remove_dir_all(&folder).expect("the folder is ours");
+    let case = &from_joint::cases(assembly)[0];
+    let kind = AnalysisKind::Elastic;
+    let file = from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", case, kind);
+    let place = |path: &str| input.spec.index.place(path);
+    resolve(&file, meshed.mesh, &place).expect("the model is sound")
 }
 
 fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {

@@ -22,6 +22,8 @@ const REFINEMENTS: usize = 3;
 const DIRECTION_ERROR: f64 = 0.01;
 /// An iterate that stalls within this many times the tolerances is taken.
 const NEARLY: f64 = 100.0;
+/// A certificate is accepted with residuals this many times larger once κ is so many times τ: the embedding has decided.
+const DECIDED: (f64, f64) = (100.0, 1e3);
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
 
@@ -136,7 +138,8 @@ fn residuals(problem: &Problem, system: &CondensedSystem, p: &Point) -> Residual
     let dual_objective = -0.5 * xpx / (t * t) - (hz + by) / t;
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
     let dual_scale = largest(&problem.q).max(largest(&px) / t).max(largest(&gz) / t);
-    let primal_scale = largest(&problem.h).max(largest(&gx) / t).max(largest(&p.s) / t);
+    // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
+    let primal_scale = largest(&problem.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
         dual: largest(&f1) / (t * dual_scale.max(1e-300)),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
@@ -162,6 +165,7 @@ fn certificate(
     if r.cx + r.hz + r.xpx / p.tau >= 0.0 {
         return None;
     }
+    let tolerance = if p.kappa > DECIDED.1 * p.tau { DECIDED.0 * tolerance } else { tolerance };
     let saddle = problem.maximised.contains(&true);
     let x = problem.part(&p.x, false);
     let qx = dot(&problem.q, &x);
