@@ -12,6 +12,7 @@ pub mod loads;
 pub mod program;
 pub mod resolve;
 pub mod static_form;
+pub mod stress_basis;
 pub mod super_element;
 pub mod tet10;
 
