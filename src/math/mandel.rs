@@ -46,6 +46,29 @@ impl Isotropic {
     }
 }
 
+/// An orthonormal basis of the traceless tensors.
+pub const DEVIATORIC: [Mandel; 5] = {
+    // 1/√6
+    const R: f64 = 0.408_248_290_463_863;
+    [
+        [FRAC_1_SQRT_2, -FRAC_1_SQRT_2, 0.0, 0.0, 0.0, 0.0],
+        [-R, -R, 2.0 * R, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+    ]
+};
+
+/// Components of the deviator in the basis [`DEVIATORIC`]; their Euclidean norm is the deviator's norm.
+pub fn deviator(s: &Mandel) -> [f64; 5] {
+    DEVIATORIC.map(|d| dot(&d, s))
+}
+
+/// Radius of the von Mises yield surface, `‖dev σ‖ ≤ √(2/3) f_y` \[MPa\].
+pub fn yield_radius(fy: f64) -> f64 {
+    (2.0f64 / 3.0).sqrt() * fy
+}
+
 /// Inner product.
 pub fn dot(a: &Mandel, b: &Mandel) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
@@ -117,4 +140,26 @@ pub fn piola(j: &M3, det: f64) -> [Mandel; 6] {
 /// `M s` for a 6 × 6 matrix.
 pub fn mul(m: &[Mandel; 6], s: &Mandel) -> Mandel {
     std::array::from_fn(|i| dot(&m[i], s))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The deviator's components keep inner products, forget the trace, and give f_y in uniaxial stress.
+    #[test]
+    fn deviators() {
+        for (i, a) in DEVIATORIC.iter().enumerate() {
+            assert!((a[0] + a[1] + a[2]).abs() < 1e-15);
+            for (j, b) in DEVIATORIC.iter().enumerate() {
+                assert!((dot(a, b) - if i == j { 1.0 } else { 0.0 }).abs() < 1e-15);
+            }
+        }
+        let length = |s: &Mandel| deviator(s).iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert!((length(&[235.0, 0.0, 0.0, 0.0, 0.0, 0.0]) - yield_radius(235.0)).abs() < 1e-12);
+        assert!(length(&[7.0, 7.0, 7.0, 0.0, 0.0, 0.0]) < 1e-14);
+        // pure shear of f_y/√3
+        let shear = SQRT_2 * 235.0 / 3.0f64.sqrt();
+        assert!((length(&[0.0, 0.0, 0.0, 0.0, shear, 0.0]) - yield_radius(235.0)).abs() < 1e-12);
+    }
 }

@@ -8,10 +8,13 @@ use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
+use super::element_unknowns::append;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::loads::{face_corners, face_nodes};
 use super::program::{Cone, ConicProgram};
+use super::split_tet10::{self, YieldingSplit};
 use super::tet10;
+use super::yielding_tet10;
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
@@ -127,8 +130,19 @@ pub struct Kinematic {
     pub map: DofMap,
     /// Unknowns of the rigid faces.
     pub rigid: Vec<RigidMotions>,
-    /// The control point of each cone.
+    /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
+    /// Where the unknowns of each element's own start, after those that elements share; empty without plasticity.
+    pub own: Vec<usize>,
+}
+
+/// Which element a body that yields is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// The plain 10-node tetrahedron: cheap, but flow that keeps its volume locks it.
+    Plain,
+    /// Split at its centroid: the same outer unknowns, and it flows.
+    Split,
 }
 
 /// Every distinct control point of the model's contacts.
@@ -186,14 +200,15 @@ fn points_of_face(
     }
 }
 
-/// Nodal forces of all loads, load factor 1 \[N\].
-fn nodal_forces(model: &AnalysisModel, space: &Tet10Space) -> Vec<f64> {
+/// Nodal forces of all loads, load factor 1 \[N\]; `split` tells which bodies are made of split elements.
+fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, split: &[bool]) -> Vec<f64> {
     let mut f = vec![0.0; 3 * space.nodes.len()];
     let body = model.body_forces();
     if body.iter().any(|b| *b != [0.0; 3]) {
-        let weights = tet10::shape_integrals();
+        let weights = [&tet10::shape_integrals()[..], &split_tet10::shape_integrals()[..]];
         for e in 0..model.mesh.tets.len() {
-            let b = body[model.mesh.tet_body[e] as usize];
+            let of = model.mesh.tet_body[e] as usize;
+            let (b, weights) = (body[of], weights[usize::from(split[of])]);
             let v = model.mesh.volume(e);
             for (i, n) in space.tet(&model.mesh, e).into_iter().enumerate() {
                 (0..3).for_each(|d| f[3 * n + d] += weights[i] * v * b[d]);
@@ -220,24 +235,39 @@ fn nodal_forces(model: &AnalysisModel, space: &Tet10Space) -> Vec<f64> {
 }
 
 impl Kinematic {
-    /// Builds the program.
+    /// Builds the elastic program: no body yields.
     pub fn new(model: &AnalysisModel) -> Result<Self, ModelError> {
+        Self::build(model, None)
+    }
+
+    /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are made of elements that
+    /// yield, the others stay elastic.
+    pub fn with_plasticity(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
+        Self::build(model, Some(flow))
+    }
+
+    fn build(model: &AnalysisModel, flow: Option<Flow>) -> Result<Self, ModelError> {
         let space = Tet10Space::new(&model.mesh);
         let (map, rigid) = holds::number_unknowns(model, &Points { model, space: &space })?;
         let materials = model.stiffnesses();
-        let mut p = assemble::<30, ModelError>(
-            model.mesh.tets.len(),
-            &map,
-            |e| {
-                let nodes = space.tet(&model.mesh, e);
-                std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
-            },
-            |e| {
-                let body = model.mesh.tet_body[e] as usize;
-                Ok(tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]))
-            },
-        )?;
-        let mut f = map.reduce(&nodal_forces(model, &space));
+        let radii: Vec<Option<f64>> = match flow {
+            Some(_) => model.yield_radii(),
+            None => vec![None; model.mesh.bodies.len()],
+        };
+        let split: Vec<bool> = radii.iter().map(|r| r.is_some() && flow == Some(Flow::Split)).collect();
+        let dofs = |e: usize| {
+            let nodes = space.tet(&model.mesh, e);
+            std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
+        };
+        let mut p = assemble::<30, ModelError>(model.mesh.tets.len(), &map, dofs, |e| {
+            let body = model.mesh.tet_body[e] as usize;
+            let (corners, volume, material) = (model.mesh.corners(e), model.mesh.volume(e), &materials[body]);
+            Ok(match split[body] {
+                true => split_tet10::outer_stiffness(&split_tet10::stiffness(&corners, volume, material)),
+                false => tet10::stiffness(&corners, volume, material),
+            })
+        })?;
+        let mut f = map.reduce(&nodal_forces(model, &space, &split));
         holds::add_rigid_actions(model, &rigid, &mut f);
         pin_free_modes(model, &space, &map, &mut p);
         let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), c: 0.0, ..ConicProgram::default() };
@@ -248,7 +278,21 @@ impl Kinematic {
                 points.push(point);
             }
         }
-        Ok(Self { program, space, map, rigid, points })
+        let mut own = Vec::new();
+        if radii.iter().any(Option::is_some) {
+            let forces = model.body_forces();
+            own = append(&mut program, &map, model.mesh.tets.len(), |e| {
+                let body = model.mesh.tet_body[e] as usize;
+                let Some(radius) = radii[body] else { return Ok(None) };
+                let (corners, volume, material) = (model.mesh.corners(e), model.mesh.volume(e), materials[body]);
+                let (dofs, body_force) = (dofs(e), forces[body]);
+                Ok::<_, ModelError>(Some(match split[body] {
+                    true => YieldingSplit { corners, volume, material, radius, body_force, dofs }.unknowns(),
+                    false => yielding_tet10::plain(&corners, volume, material.two_mu, radius, dofs),
+                }))
+            })?;
+        }
+        Ok(Self { program, space, map, rigid, points, own })
     }
 }
 

@@ -46,6 +46,12 @@ impl AnalysisModel {
             .collect()
     }
 
+    /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never yields.
+    pub fn yield_radii(&self) -> Vec<Option<f64>> {
+        let radius = |m: &u32| self.materials[*m as usize].fy.map(crate::math::mandel::yield_radius);
+        self.body_material.iter().map(radius).collect()
+    }
+
     /// Part of each node.
     pub fn node_parts(&self) -> Vec<u32> {
         let mut part = vec![0; self.mesh.nodes.len()];

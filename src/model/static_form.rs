@@ -8,11 +8,13 @@ use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
+use super::element_unknowns::append;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::kinematic::{hold, push_rows};
 use super::loads::face_corners;
 use super::program::ConicProgram;
 use super::super_element::{self, SuperElement, TRACTIONS};
+use super::yielding_super_element;
 use crate::math::mandel::Isotropic;
 use crate::math::quadrature::{TRIANGLE_4, triangle_mass};
 use crate::math::vec3::{self, V3};
@@ -140,8 +142,10 @@ pub struct Static<'a> {
     pub map: DofMap,
     /// Unknowns of the rigid faces.
     pub rigid: Vec<RigidMotions>,
-    /// The face vertex of each cone.
+    /// The face vertex of each contact cone; the cones of yielding elements follow.
     pub vertices: Vec<ContactVertex>,
+    /// Where the unknowns of each element's own start, after those of the faces; empty without plasticity.
+    pub own: Vec<usize>,
     /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions must balance.
     pub loads: Vec<f64>,
     /// Unknowns held against free rigid motions.
@@ -204,15 +208,29 @@ fn face_forces(elements: &SuperElements) -> Vec<f64> {
 }
 
 impl<'a> Static<'a> {
-    /// Builds the program.
+    /// Builds the elastic program: no body yields.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Self::build(model, vec![None; model.mesh.bodies.len()])
+    }
+
+    /// Builds the elastic, perfectly plastic program (Hencky): in bodies with a yield strength the stress parameters stay
+    /// unknowns (maximised over) and every point of their linear stress satisfies von Mises; the others are condensed as in
+    /// the elastic program.
+    pub fn with_plasticity(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Self::build(model, model.yield_radii())
+    }
+
+    /// `radii`: radius of the yield surface of each body.
+    fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>) -> Result<Self, ModelError> {
         let elements = SuperElements::new(model);
         let (map, rigid) = holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
+        let radius = |e: usize| radii[model.mesh.tet_body[e] as usize];
+        let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| radius(e).is_none()).collect();
         let mut p = assemble::<TRACTIONS, ModelError>(
-            model.mesh.tets.len(),
+            elastic.len(),
             &map,
-            |e| elements.dofs(e),
-            |e| Ok(elements.element(e)?.stiffness()),
+            |i| elements.dofs(elastic[i]),
+            |i| Ok(elements.element(elastic[i])?.stiffness()),
         )?;
         let mut loads = map.reduce(&face_forces(&elements));
         holds::add_rigid_actions(model, &rigid, &mut loads);
@@ -221,7 +239,10 @@ impl<'a> Static<'a> {
         if model.body_forces().iter().any(|b| *b != [0.0; 3]) {
             let terms: Vec<([f64; TRACTIONS], f64)> = (0..model.mesh.tets.len())
                 .into_par_iter()
-                .map(|e| Ok(elements.element(e)?.body_terms()))
+                .map(|e| {
+                    let element = elements.element(e)?;
+                    Ok(if radius(e).is_some() { element.particular_terms() } else { element.body_terms() })
+                })
                 .collect::<Result<_, ModelError>>()?;
             let mut full = vec![0.0; map.full()];
             for (e, (linear, constant)) in terms.iter().enumerate() {
@@ -232,7 +253,13 @@ impl<'a> Static<'a> {
             }
             map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
         }
-        let pinned = pin_free_modes(&elements, &map, &mut p);
+        let pinned = pinned(&elements, &map);
+        if elastic.len() < model.mesh.tets.len() && !pinned.is_empty() {
+            let mean = mean_stiffness(&elements, &map)?;
+            pinned.iter().for_each(|&k| p.add_diagonal(k, mean));
+        } else {
+            hold(&mut p, &pinned);
+        }
         let mut program = ConicProgram { p, q, c, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
@@ -241,7 +268,15 @@ impl<'a> Static<'a> {
                 vertices.push(v);
             }
         }
-        Ok(Self { program, elements, map, rigid, vertices, loads, pinned })
+        let mut own = Vec::new();
+        if elastic.len() < model.mesh.tets.len() {
+            own = append(&mut program, &map, model.mesh.tets.len(), |e| {
+                let Some(radius) = radius(e) else { return Ok(None) };
+                let element = elements.element(e)?;
+                Ok::<_, ModelError>(Some(yielding_super_element::unknowns(&element, &elements.dofs(e), radius)))
+            })?;
+        }
+        Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own })
     }
 }
 
@@ -284,15 +319,22 @@ pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl
     x
 }
 
-fn pin_free_modes(elements: &SuperElements, map: &DofMap, p: &mut super::program::SymmetricCsc) -> Vec<usize> {
+/// One face displacement for each free rigid motion.
+fn pinned(elements: &SuperElements, map: &DofMap) -> Vec<usize> {
     let modes = &elements.model.free_modes;
-    if modes.is_empty() {
-        return Vec::new();
-    }
-    let motions = modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect();
-    let pinned = holds::pins(motions, &[]);
-    hold(p, &pinned);
-    pinned
+    holds::pins(modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect(), &[])
+}
+
+/// Mean diagonal entry of the elastic stiffness: yielding elements have none in P.
+fn mean_stiffness(elements: &SuperElements, map: &DofMap) -> Result<f64, ModelError> {
+    let traces: Vec<f64> = (0..elements.model.mesh.tets.len())
+        .into_par_iter()
+        .map(|e| {
+            let k = elements.element(e)?.stiffness();
+            Ok((0..TRACTIONS).map(|i| k[i][i]).sum())
+        })
+        .collect::<Result<_, ModelError>>()?;
+    Ok(traces.iter().sum::<f64>() / map.n.max(1) as f64)
 }
 
 impl Static<'_> {

@@ -8,13 +8,12 @@
 //! Points are `[subtet k][p]`: subtet k holds the outer face opposite macro vertex k, p = 0, 1, 2 its vertices in
 //! [`FACES`] order, p = 3 the centroid. Tractions are `9 k + 3 p + d` (face, vertex in [`FACES`] order, component).
 
+use super::stress_basis::reference;
 use crate::math::dense::Cholesky;
 use crate::math::mandel::{self, Isotropic, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
 use crate::math::vec3::{self, M3, V3};
 use crate::mesh::tet::FACES;
-use faer::Mat;
-use std::sync::OnceLock;
 
 /// Free stress parameters of an element.
 pub const PARAMETERS: usize = 30;
@@ -22,69 +21,6 @@ pub const PARAMETERS: usize = 30;
 pub const TRACTIONS: usize = 36;
 /// Stress at the 4 points of each of the 4 subtets.
 pub type PointStress = [[Mandel; 4]; 4];
-
-/// Constant data of the reference tetrahedron (0, e₁, e₂, e₃).
-struct Reference {
-    /// Stress basis: `basis[k][p][parameter]`.
-    basis: [[[Mandel; PARAMETERS]; 4]; 4],
-    /// Area- and mass-weighted tractions of each parameter, `[traction][parameter]`, before `J` rotates them.
-    traction: Box<[[f64; PARAMETERS]; TRACTIONS]>,
-    /// `flexibility[c]`: 30 × 30 matrix that multiplies entry c of the upper triangle of the transformed compliance.
-    flexibility: Vec<Box<[[f64; PARAMETERS]; PARAMETERS]>>,
-}
-
-/// Corners of the reference tetrahedron.
-const CORNERS: [V3; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// The 66 rows (12 equilibrium, 54 traction continuity) on the 96 stress values of a split tetrahedron.
-///
-/// Rows are scaled to unit length. Rank 66 on any non-degenerate tetrahedron.
-///
-/// # Shape
-/// Column `24 k + 6 p + c`: component c of the stress at point p of subtet k.
-pub fn equilibrium_rows(corners: &[V3; 4]) -> Vec<[f64; 96]> {
-    let centroid = centroid(corners);
-    let mut rows: Vec<[f64; 96]> = Vec::with_capacity(66);
-    for k in 0..4 {
-        let x = [corners[FACES[k][0]], corners[FACES[k][1]], corners[FACES[k][2]], centroid];
-        let grad = gradients(&x);
-        let operators = grad.map(mandel::normal_operator);
-        for d in 0..3 {
-            let mut row = [0.0; 96];
-            for p in 0..4 {
-                row[24 * k + 6 * p..][..6].copy_from_slice(&operators[p][d]);
-            }
-            rows.push(row);
-        }
-    }
-    for k in 0..4 {
-        for l in k + 1..4 {
-            let shared: Vec<usize> = (0..4).filter(|&m| m != k && m != l).collect();
-            let face = [corners[shared[0]], corners[shared[1]], centroid];
-            let a = vec3::area_vector(&face);
-            let operator = mandel::normal_operator(vec3::scale(1.0 / vec3::norm(a), a));
-            for vertex in [Some(shared[0]), Some(shared[1]), None] {
-                let (pk, pl) = (point_of(k, vertex), point_of(l, vertex));
-                for d in 0..3 {
-                    let mut row = [0.0; 96];
-                    row[24 * k + 6 * pk..][..6].copy_from_slice(&operator[d]);
-                    row[24 * l + 6 * pl..][..6].copy_from_slice(&operator[d].map(|x| -x));
-                    rows.push(row);
-                }
-            }
-        }
-    }
-    for row in &mut rows {
-        let n = row.iter().map(|x| x * x).sum::<f64>().sqrt();
-        row.iter_mut().for_each(|x| *x /= n);
-    }
-    rows
-}
-
-/// Point of subtet `k` that is macro vertex `vertex` (`None`: the centroid).
-fn point_of(k: usize, vertex: Option<usize>) -> usize {
-    vertex.map_or(3, |v| FACES[k].iter().position(|&f| f == v).unwrap_or(3))
-}
 
 /// Centroid of a tetrahedron.
 pub fn centroid(x: &[V3; 4]) -> V3 {
@@ -107,52 +43,23 @@ pub fn jacobian(x: &[V3; 4]) -> (M3, M3, f64) {
     (j, vec3::inverse(&j, det), det)
 }
 
-fn reference() -> &'static Reference {
-    static REFERENCE: OnceLock<Reference> = OnceLock::new();
-    REFERENCE.get_or_init(|| {
-        let rows = equilibrium_rows(&CORNERS);
-        // the last 30 columns of Q in Rᵀ = Q [U; 0] span the null space of R
-        let rt = Mat::from_fn(96, 66, |i, j| rows[j][i]);
-        let q = rt.qr().compute_Q();
-        let basis: [[[Mandel; PARAMETERS]; 4]; 4] = std::array::from_fn(|k| {
-            std::array::from_fn(|p| std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)])))
-        });
-        let mut traction = Box::new([[0.0; PARAMETERS]; TRACTIONS]);
-        for k in 0..4 {
-            let area = vec3::area_vector(&FACES[k].map(|i| CORNERS[i]));
-            for a in 0..PARAMETERS {
-                let t: [V3; 3] = std::array::from_fn(|p| mandel::traction(&basis[k][p][a], area));
-                for p in 0..3 {
-                    for d in 0..3 {
-                        traction[9 * k + 3 * p + d][a] = (0..3).map(|b| triangle_mass(p, b) * t[b][d]).sum();
-                    }
+/// `N_eᵀ (∫ C⁻¹) N_e`, from the columns of the Piola map.
+fn flexibility(columns: &[Mandel; 6], volume: f64, material: &Isotropic) -> Box<[[f64; PARAMETERS]; PARAMETERS]> {
+    let strained = columns.map(|c| material.strain(&c));
+    let mut f = Box::new([[0.0; PARAMETERS]; PARAMETERS]);
+    let mut entry = 0;
+    for i in 0..6 {
+        for j in i..6 {
+            let g = 0.25 * volume * mandel::dot(&columns[i], &strained[j]);
+            for (row, h) in f.iter_mut().zip(reference().flexibility[entry].iter()) {
+                for (x, y) in row.iter_mut().zip(h) {
+                    *x += g * y;
                 }
             }
+            entry += 1;
         }
-        let mut flexibility = Vec::with_capacity(21);
-        for i in 0..6 {
-            for j in i..6 {
-                let mut h = Box::new([[0.0; PARAMETERS]; PARAMETERS]);
-                for subtet in &basis {
-                    for (p, at_p) in subtet.iter().enumerate() {
-                        for (r, at_r) in subtet.iter().enumerate() {
-                            let m = tetrahedron_mass(p, r);
-                            for a in 0..PARAMETERS {
-                                for b in 0..PARAMETERS {
-                                    h[a][b] += m * at_p[a][i] * at_r[b][j];
-                                    if i != j {
-                                        h[a][b] += m * at_p[a][j] * at_r[b][i];
-                                    }
-                                }
-                            }
-                        }
-                    }
-                }
-                flexibility.push(h);
-            }
-        }
-        Reference { basis, traction, flexibility }
-    })
+    }
+    f
 }
 
 /// One super-element, ready to give its stiffness and its stresses.
@@ -182,21 +89,7 @@ impl SuperElement {
         let r = reference();
         // transformed compliance G = Pᵀ C⁻¹ P
         let columns: [Mandel; 6] = std::array::from_fn(|c| std::array::from_fn(|row| piola[row][c]));
-        let strained = columns.map(|c| material.strain(&c));
-        let mut f = Box::new([[0.0; PARAMETERS]; PARAMETERS]);
-        let mut entry = 0;
-        for i in 0..6 {
-            for jj in i..6 {
-                let g = 0.25 * volume * mandel::dot(&columns[i], &strained[jj]);
-                for (row, h) in f.iter_mut().zip(r.flexibility[entry].iter()) {
-                    for (x, y) in row.iter_mut().zip(h) {
-                        *x += g * y;
-                    }
-                }
-                entry += 1;
-            }
-        }
-        let factor = Cholesky::new(f)?;
+        let factor = Cholesky::new(flexibility(&columns, volume, &material))?;
         let mut element = Self {
             corners,
             jacobian: j,
@@ -234,7 +127,8 @@ impl SuperElement {
         std::array::from_fn(|k| [corners[FACES[k][0]], corners[FACES[k][1]], corners[FACES[k][2]], c])
     }
 
-    fn particular(&self) -> PointStress {
+    /// Particular stress of the body force, `−diag(b_i (x_i − origin_i))`; zero without one.
+    pub fn particular(&self) -> PointStress {
         let Some((b, origin)) = self.body_force else { return [[[0.0; 6]; 4]; 4] };
         Self::points(&self.corners).map(|t| {
             t.map(|x| {
@@ -242,6 +136,31 @@ impl SuperElement {
                 [-b[0] * d[0], -b[1] * d[1], -b[2] * d[2], 0.0, 0.0, 0.0]
             })
         })
+    }
+
+    /// Flexibility `F` of the parameters.
+    pub fn flexibility(&self) -> Box<[[f64; PARAMETERS]; PARAMETERS]> {
+        let columns: [Mandel; 6] = std::array::from_fn(|c| std::array::from_fn(|row| self.piola[row][c]));
+        flexibility(&columns, self.volume, &self.material)
+    }
+
+    /// Mass-weighted outer tractions of each parameter, `T` as `[traction][parameter]`; no body force.
+    pub fn traction_matrix(&self) -> Box<[[f64; PARAMETERS]; TRACTIONS]> {
+        let r = reference();
+        let mut t = Box::new([[0.0; PARAMETERS]; TRACTIONS]);
+        for q in 0..12 {
+            for a in 0..PARAMETERS {
+                let local = std::array::from_fn(|c| r.traction[3 * q + c][a]);
+                let w = vec3::mul(&self.jacobian, local);
+                (0..3).for_each(|d| t[3 * q + d][a] = w[d]);
+            }
+        }
+        t
+    }
+
+    /// Stress of each parameter at point `p` of subtet `k`; no body force.
+    pub fn stress_columns(&self, k: usize, p: usize) -> [Mandel; PARAMETERS] {
+        reference().basis[k][p].map(|hat| mandel::mul(&self.piola, &hat))
     }
 
     /// Stiffness `T F⁻¹ Tᵀ` on the mass-weighted tractions' conjugate displacements.
@@ -305,6 +224,18 @@ impl SuperElement {
             (0..3).for_each(|d| t[3 * q + d] += w[d]);
         }
         t
+    }
+
+    /// `N_eᵀ ∫ C⁻¹ σ_p`, the strain of the body force's particular stress on the parameters.
+    pub fn particular_flexibility(&self) -> &[f64; PARAMETERS] {
+        &self.particular_flexibility
+    }
+
+    /// What the body force's particular stress alone adds to the program: its mass-weighted outer tractions, linear in the
+    /// face displacements, and the constant `−½ ∫ σ_p:C⁻¹:σ_p`.
+    pub fn particular_terms(&self) -> ([f64; TRACTIONS], f64) {
+        let s = self.particular();
+        (self.particular_tractions(), -0.5 * integrate(self.volume, &self.material, &s, &s))
     }
 
     /// Mass-weighted outer tractions of the body force's particular stress.
@@ -374,7 +305,9 @@ pub fn integrate(volume: f64, material: &Isotropic, a: &PointStress, b: &PointSt
 
 #[cfg(test)]
 mod tests {
+    use super::super::stress_basis::equilibrium_rows;
     use super::*;
+    use faer::Mat;
 
     fn random_tet(seed: &mut u64) -> [V3; 4] {
         let mut next = || {

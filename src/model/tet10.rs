@@ -62,18 +62,22 @@ pub fn vertex_strains(corners: &[V3; 4], u: &[V3; 10]) -> [Mandel; 4] {
     std::array::from_fn(|v| strain(&g, vertex(v), u))
 }
 
-/// Elastic stiffness, exact for the linear strain.
-pub fn stiffness(corners: &[V3; 4], volume: f64, material: &Isotropic) -> Matrix30 {
+/// Strain at the four vertices of each unknown at unit value: `[vertex][unknown]`.
+pub fn strain_columns(corners: &[V3; 4]) -> [[Mandel; 30]; 4] {
     let g = gradients(corners);
-    // strain columns at each vertex, and their stresses
-    let b: [[Mandel; 30]; 4] = std::array::from_fn(|v| {
+    std::array::from_fn(|v| {
         let n = shape_gradients(&g, vertex(v));
         std::array::from_fn(|c| {
             let mut grad = [[0.0; 3]; 3];
             grad[c % 3] = n[c / 3];
             mandel::symmetric_part(&grad)
         })
-    });
+    })
+}
+
+/// Elastic stiffness, exact for the linear strain.
+pub fn stiffness(corners: &[V3; 4], volume: f64, material: &Isotropic) -> Matrix30 {
+    let b = strain_columns(corners);
     // Σ_vw m_vw B_vᵀ C B_w = Σ_w (Σ_v m_vw B_v)ᵀ C B_w
     let mut k = Box::new([[0.0; 30]; 30]);
     for w in 0..4 {

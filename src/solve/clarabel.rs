@@ -1,4 +1,9 @@
 //! Clarabel (homogeneous embedding, Nesterov–Todd) as the conic solver, with faer's sparse kernels.
+//!
+//! Clarabel minimises. A saddle, `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy` with y maximised over, becomes
+//! `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these equations, stationarity reads
+//! `P x + q + Eᵀw = Gᵀz` and `F y = F w`: w is the y of the saddle, whether F is regular or not; the y of the minimum
+//! is so only where F is regular. Rows `E x − F y` are the rows of y in the saddle's own matrix, b is minus its q.
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
@@ -12,16 +17,14 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
     let start = Instant::now();
     let scales = Scales::new(program);
     let scaled = scales.apply(program);
-    let a = minus_columns(&scaled);
-    let rows = scaled.p.row_idx.iter().map(|&r| r as usize).collect();
-    let p = CscMatrix::new(scaled.p.n, scaled.p.n, scaled.p.col_ptr, rows, scaled.p.values);
-    let cones: Vec<SupportedConeT<f64>> = program
-        .cones
-        .iter()
-        .map(|c| match c {
+    let Minimum { p, q, a, b, equations } = Minimum::new(&scaled);
+    let equality = (equations > 0).then_some(SupportedConeT::ZeroConeT(equations));
+    let cones: Vec<SupportedConeT<f64>> = equality
+        .into_iter()
+        .chain(program.cones.iter().map(|c| match c {
             Cone::NonNegative => SupportedConeT::NonnegativeConeT(1),
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(*n),
-        })
+        }))
         .collect();
     // below 1e-8 Clarabel mostly runs into its own noise
     let (gap, residual) = (options.gap.max(1e-8), options.residual.max(1e-8));
@@ -45,7 +48,7 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
         iterations: 0,
         seconds: start.elapsed().as_secs_f64(),
     };
-    let Ok(mut solver) = DefaultSolver::new(&p, &scaled.q, &a, &scaled.h, &cones, settings) else {
+    let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
         return failed(SolveStatus::NumericalError);
     };
     let told = options.clone();
@@ -76,32 +79,140 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
         SolverStatus::CallbackTerminated => SolveStatus::Interrupted,
         SolverStatus::NumericalError | SolverStatus::Unsolved => SolveStatus::NumericalError,
     };
+    let mut x = sol.x.clone();
+    // along an unbounded direction there are no multipliers
+    if status != SolveStatus::Unbounded {
+        let maximised = (0..x.len()).filter(|&i| program.is_maximised(i));
+        maximised.zip(&sol.z[..equations]).for_each(|(i, w)| x[i] = *w);
+    }
     Solution {
         status,
-        x: scales.unscale_x(&sol.x),
-        z: scales.unscale_z(&sol.z),
+        x: scales.unscale_x(&x),
+        z: scales.unscale_z(&sol.z[equations..]),
         iterations: sol.iterations,
         seconds: start.elapsed().as_secs_f64(),
     }
 }
 
-/// `−G` by columns: Clarabel's `A` in `A x + s = b`.
-fn minus_columns(program: &ConicProgram) -> CscMatrix<f64> {
-    let (rows, n) = (program.h.len(), program.p.n);
-    let mut count = vec![0usize; n + 1];
-    program.g.col_idx.iter().for_each(|&c| count[c + 1] += 1);
-    for c in 0..n {
-        count[c + 1] += count[c];
+/// `min ½ uᵀPu + qᵀu`, `b − A u ∈ {0}ᵐ × K`: what Clarabel solves.
+struct Minimum {
+    p: CscMatrix<f64>,
+    q: Vec<f64>,
+    a: CscMatrix<f64>,
+    b: Vec<f64>,
+    /// Number m of equations.
+    equations: usize,
+}
+
+impl Minimum {
+    /// The minimum that has the saddle point of a program.
+    fn new(program: &ConicProgram) -> Self {
+        let n = program.p.n;
+        let mut row_of = vec![usize::MAX; n];
+        let mut equations = 0;
+        for i in (0..n).filter(|&i| program.is_maximised(i)) {
+            row_of[i] = equations;
+            equations += 1;
+        }
+        let mut rows: Vec<Vec<(usize, f64)>> = vec![Vec::new(); equations];
+        let (mut col_ptr, mut row_idx, mut values) = (vec![0], Vec::new(), Vec::new());
+        for c in 0..n {
+            for k in program.p.col_ptr[c]..program.p.col_ptr[c + 1] {
+                let (r, v) = (program.p.row_idx[k] as usize, program.p.values[k]);
+                let (of_r, of_c) = (rows.get(row_of[r]).is_some(), rows.get(row_of[c]).is_some());
+                if of_r == of_c {
+                    row_idx.push(r);
+                    values.push(if of_c { -v } else { v });
+                }
+                if of_c && v != 0.0 {
+                    rows[row_of[c]].push((r, v));
+                }
+                if of_r && r != c && v != 0.0 {
+                    rows[row_of[r]].push((c, v));
+                }
+            }
+            col_ptr.push(row_idx.len());
+        }
+        let minus_g = (0..program.h.len()).map(|r| program.g.row(r).map(|(c, v)| (c, -v)).collect());
+        rows.extend(minus_g);
+        let maximised = |i: &usize| program.is_maximised(*i);
+        let q = (0..n).map(|i| if maximised(&i) { 0.0 } else { program.q[i] }).collect();
+        let b = (0..n).filter(maximised).map(|i| -program.q[i]).chain(program.h.iter().copied()).collect();
+        Self { p: CscMatrix::new(n, n, col_ptr, row_idx, values), q, a: by_columns(&rows, n), b, equations }
     }
-    let mut next = count.clone();
-    let mut row_idx = vec![0; program.g.col_idx.len()];
-    let mut values = vec![0.0; program.g.col_idx.len()];
-    for r in 0..rows {
-        for (c, v) in program.g.row(r) {
+}
+
+/// The matrix of the given rows, by columns.
+fn by_columns(rows: &[Vec<(usize, f64)>], n: usize) -> CscMatrix<f64> {
+    let mut start = vec![0usize; n + 1];
+    rows.iter().flatten().for_each(|&(c, _)| start[c + 1] += 1);
+    for c in 0..n {
+        start[c + 1] += start[c];
+    }
+    let mut next = start.clone();
+    let mut row_idx = vec![0; start[n]];
+    let mut values = vec![0.0; start[n]];
+    for (r, row) in rows.iter().enumerate() {
+        for &(c, v) in row {
             row_idx[next[c]] = r;
-            values[next[c]] = -v;
+            values[next[c]] = v;
             next[c] += 1;
         }
     }
-    CscMatrix::new(rows, n, count, row_idx, values)
+    CscMatrix::new(rows.len(), n, start, row_idx, values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::program::{Csr, SymmetricCsc};
+
+    /// The upper triangle of a dense symmetric matrix.
+    fn upper(a: &[&[f64]]) -> SymmetricCsc {
+        let mut out = SymmetricCsc { n: a.len(), col_ptr: vec![0], ..SymmetricCsc::default() };
+        for c in 0..a.len() {
+            for r in 0..=c {
+                out.row_idx.push(r as u32);
+                out.values.push(a[r][c]);
+            }
+            out.col_ptr.push(out.row_idx.len());
+        }
+        out
+    }
+
+    /// `½ x₀² + ½ x₁² − x₀ + y₀(x₀ + x₁ − 1) + y₁(x₀ − x₁ − 4) − ½ f y₀²`, x₁ ≥ −1, with the unknowns in the order
+    /// y₀, x₀, x₁, y₁. The second equation has no F: x₀ = x₁ + 4. By hand: the cone holds x₁ at −1, x₀ = 3, and then
+    /// f y₀ = 1. Stationarity: x₀ − 1 + y₀ + y₁ = 0 and x₁ + y₀ − y₁ = z. With f = 0 the first equation is a hard one as
+    /// well, x = (2.5, −1.5), so the cone must let go to −2 there.
+    #[test]
+    fn multipliers_of_a_saddle() {
+        for (f, floor, x0) in [(0.5, -1.0, 3.0), (0.0, -2.0, 2.5)] {
+            let p =
+                upper(&[&[-f, 1.0, 1.0, 0.0], &[1.0, 1.0, 0.0, 1.0], &[1.0, 0.0, 1.0, -1.0], &[0.0, 1.0, -1.0, 0.0]]);
+            let mut g = Csr { ncols: 4, ..Csr::default() };
+            g.push_row(&[(2, 1.0)]);
+            let program = ConicProgram {
+                p,
+                q: vec![-1.0, -1.0, 0.0, -4.0],
+                g,
+                h: vec![-floor],
+                cones: vec![Cone::NonNegative],
+                maximised: vec![true, false, false, true],
+                stage: vec![1, 0, 0, 1],
+                ..ConicProgram::default()
+            };
+            let s = solve(&program, &SolveOptions::default());
+            assert_eq!(s.status, SolveStatus::Optimal);
+            let [y0, x, x1, y1] = s.x[..] else { panic!("four unknowns") };
+            assert!((x - x0).abs() < 1e-6 && (x1 - (x0 - 4.0)).abs() < 1e-6, "{:?}", s.x);
+            // every row of the saddle, multipliers of the cone included
+            let row = program.p.mul(&s.x);
+            let z = program.g.mul_transpose(&s.z);
+            for i in 0..4 {
+                assert!((row[i] + program.q[i] - z[i]).abs() < 1e-6, "row {i} at f = {f}: {:?} {:?}", s.x, s.z);
+            }
+            assert!((f * y0 - if f > 0.0 { 1.0 } else { 0.0 }).abs() < 1e-6, "{y0} {y1}");
+            assert!(s.z[0] >= -1e-9 && (s.z[0] * (x1 - floor)).abs() < 1e-6);
+        }
+    }
 }

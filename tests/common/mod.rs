@@ -4,6 +4,7 @@
 pub mod points;
 pub mod prism;
 pub mod solved;
+pub mod yielding;
 
 use bracket::mesh::{NamedFaces, TetMesh};
 

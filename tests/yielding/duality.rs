@@ -1,0 +1,234 @@
+//! The kinematic programs bound the energy from above, the static one from below; far below yield all are elastic.
+
+use crate::common::Block;
+use crate::common::yielding::{Built, FORMS, Form, block, model};
+use bracket::model::program::{ConicProgram, SymmetricCsc, cone_margin};
+use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::solve::{Solution, SolveOptions, SolveStatus, Solver, solve};
+
+fn options() -> SolveOptions {
+    SolveOptions { solver: Solver::Clarabel, ..SolveOptions::default() }
+}
+
+/// The program of a model and its solution, after all that holds for every optimal one.
+pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solution) {
+    let built = form.build(model);
+    let s = solve(&built.program, &built.block, &options());
+    assert_eq!(s.status, SolveStatus::Optimal, "{name} {form:?}");
+    stationary(&format!("{name} {form:?}"), &built.program, &s);
+    (built, s)
+}
+
+/// `P x + q = Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones, and complementary.
+fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
+    let (px, gz, slack) = (program.p.mul(&s.x), program.g.mul_transpose(&s.z), program.slack(&s.x));
+    // each row against the largest of its terms, in the work of the unknown's own size
+    let energy = program.objective(&s.x).abs();
+    for i in 0..program.p.n {
+        let residual = px[i] + program.q[i] - gz[i];
+        assert!((residual * s.x[i]).abs() <= 1e-6 * energy, "{name}: row {i} {residual:e} × {:e}", s.x[i]);
+    }
+    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
+        let range = start..start + cone.dim();
+        let (a, b) = (&slack[range.clone()], &s.z[range]);
+        assert!(cone_margin(a) * b[0] >= -1e-6 * energy, "{name}: slack {a:?}");
+        assert!(cone_margin(b) >= -1e-6 * largest(&s.z), "{name}: multiplier {b:?}");
+        let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+        assert!(product.abs() <= 1e-6 * energy, "{name}: slack · multiplier {product:e}");
+    }
+}
+
+/// Objectives of the three programs, dual to each other.
+fn bracket(name: &str, model: &AnalysisModel) -> [f64; 3] {
+    let [plain, split, lower] = FORMS.map(|form| {
+        let (built, s) = optimal(name, form, model);
+        built.program.objective(&s.x)
+    });
+    println!(
+        "{name}: static {lower:.9e}, split {split:.9e}, plain {plain:.9e}, gap {:.4}",
+        (split - lower) / lower.abs()
+    );
+    let slack = 1e-7 * lower.abs();
+    assert!(lower <= split + slack && split <= plain + slack, "{name}: {lower:e} {split:e} {plain:e}");
+    [plain, split, lower]
+}
+
+/// Duality on refined meshes of a block that yields in places; the gap shrinks.
+#[test]
+fn the_gap_shrinks() {
+    let gaps: Vec<f64> = (1..4)
+        .map(|n| {
+            let [_, split, lower] = bracket(&format!("block {n}"), &block(n, 0.6));
+            (split - lower) / lower.abs()
+        })
+        .collect();
+    assert!(gaps.windows(2).all(|w| w[1] < 0.8 * w[0]), "{gaps:?}");
+}
+
+/// The linear system among the displacements alone, all plastic unknowns held at zero.
+fn without_flow(program: &ConicProgram, moves: impl Fn(usize) -> bool) -> f64 {
+    let kept: Vec<usize> = (0..program.p.n).filter(|&i| moves(i)).collect();
+    let mut p = SymmetricCsc { n: kept.len(), col_ptr: vec![0], ..SymmetricCsc::default() };
+    for &c in &kept {
+        for k in program.p.col_ptr[c]..program.p.col_ptr[c + 1] {
+            if let Ok(r) = kept.binary_search(&(program.p.row_idx[k] as usize)) {
+                p.row_idx.push(r as u32);
+                p.values.push(program.p.values[k]);
+            }
+        }
+        p.col_ptr.push(p.row_idx.len());
+    }
+    let q = kept.iter().map(|&i| program.q[i]).collect();
+    let part = ConicProgram { p, q, c: program.c, ..ConicProgram::default() };
+    let block: Vec<u32> = (0..kept.len() as u32).collect();
+    part.objective(&solve(&part, &block, &options()).x)
+}
+
+/// Far below yield: the elastic programs, 1e-8.
+#[test]
+fn far_below_yield_everything_is_elastic() {
+    let model = block(2, 0.1);
+    let kinematic = Kinematic::new(&model).unwrap();
+    let elastic = without_flow(&kinematic.program, |_| true);
+    let statics = Static::new(&model).unwrap();
+    let lower = without_flow(&statics.program, |_| true);
+    for form in FORMS {
+        let (built, s) = optimal("far below", form, &model);
+        assert_eq!(built.flowing(&model, &s), 0.0);
+        let got = built.program.objective(&s.x);
+        let want = match form {
+            Form::Plain => elastic,
+            Form::Split => {
+                let inner = |i: usize| built.program.stage[i] < 2;
+                let split = without_flow(&built.program, inner);
+                assert!(split < elastic && split > lower);
+                split
+            }
+            Form::Static => lower,
+        };
+        println!("{form:?}: {got:.12e} against {want:.12e}, {:.1e}", got / want - 1.0);
+        assert!((got - want).abs() < 1e-8 * want.abs(), "{form:?}");
+    }
+}
+
+/// The elastic solution, its stress parameters and no flow satisfy every row of the static saddle, and its yield condition
+/// is that of the elastic stress: no solver involved but one linear solve.
+#[test]
+fn elastic_stress_is_stationary() {
+    let mut model = block(2, 0.1);
+    model.body_loads.push(bracket::model::analysis::BodyLoad { body: 0, dead: false, force: [0.02, -0.01, 0.03] });
+    let elastic = Static::new(&model).unwrap();
+    let v = solve(&elastic.program, &elastic.map.block, &options()).x;
+    let yielding = Static::with_plasticity(&model).unwrap();
+    let program = &yielding.program;
+    let mut x = vec![0.0; program.p.n];
+    x[..v.len()].copy_from_slice(&v);
+    let full = elastic.map.expand(&v);
+    let mut stresses = Vec::new();
+    for e in 0..model.mesh.tets.len() {
+        let element = elastic.elements.element(e).unwrap();
+        let a = element.parameters(&elastic.elements.dofs(e).map(|d| full[d]), true);
+        x[yielding.own[e + 1] - 30..yielding.own[e + 1]].copy_from_slice(&a);
+        stresses.push(element.stress(&a));
+    }
+    let rows: Vec<f64> = program.p.mul(&x).iter().zip(&program.q).map(|(a, b)| a + b).collect();
+    let force = program.q[..v.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
+    assert!(rows[..v.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
+    for e in 0..model.mesh.tets.len() {
+        let (first, radius) = (yielding.own[e], bracket::math::mandel::yield_radius(235.0));
+        let rows = &rows[first..yielding.own[e + 1]];
+        let size = x[first + 96..first + 126].iter().fold(0.0f64, |m, a| m.max(a.abs()));
+        let strain = (0..30).map(|i| program.p.diagonal()[first + 96 + i].abs()).fold(0.0, f64::max) * size;
+        assert!(rows[96..].iter().all(|r| r.abs() < 1e-9 * strain), "compatibility of tet {e}");
+        for point in 0..16 {
+            let s = bracket::math::mandel::deviator(&stresses[e][point / 4][point % 4]);
+            assert!((rows[6 * point] - radius).abs() < 1e-9 * radius);
+            assert!((0..5).all(|i| (rows[6 * point + 1 + i] - s[i]).abs() < 1e-9 * radius), "yield condition");
+            assert!(cone_margin(&rows[6 * point..6 * point + 6]) > 0.5 * radius);
+        }
+    }
+    let (a, b) = (program.objective(&x), elastic.program.objective(&v));
+    assert!((a - b).abs() < 1e-10 * b.abs(), "{a} {b}");
+}
+
+/// The same on the kinematic side, element by element: without flow the multipliers of a vertex are its share of the yield
+/// radius and minus its share of the deviatoric stress, inside the cone.
+#[test]
+fn elastic_displacements_are_stationary() {
+    let model = block(2, 0.1);
+    let elastic = Kinematic::new(&model).unwrap();
+    let u = solve(&elastic.program, &elastic.map.block, &options()).x;
+    let yielding = Kinematic::with_plasticity(&model, Flow::Plain).unwrap();
+    let program = &yielding.program;
+    let mut x = vec![0.0; program.p.n];
+    x[..u.len()].copy_from_slice(&u);
+    let rows: Vec<f64> = program.p.mul(&x).iter().zip(&program.q).map(|(a, b)| a + b).collect();
+    let force = program.q[..u.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
+    assert!(rows[..u.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
+    let full = elastic.map.expand(&u);
+    let material = model.stiffnesses()[0];
+    for e in 0..model.mesh.tets.len() {
+        let nodes = elastic.space.tet(&model.mesh, e);
+        let at = nodes.map(|n| [full[3 * n], full[3 * n + 1], full[3 * n + 2]]);
+        let strains = bracket::model::tet10::vertex_strains(&model.mesh.corners(e), &at);
+        let stress = strains.map(|s| bracket::math::mandel::deviator(&material.stress(&s)));
+        let radius = bracket::math::mandel::yield_radius(235.0) * model.mesh.volume(e) / 4.0;
+        for i in 0..4 {
+            let z = &rows[yielding.own[e] + 6 * i..][..6];
+            assert!((z[0] - radius).abs() < 1e-12 * radius);
+            for a in 0..5 {
+                // ∫ λ_i of a linear field: (its value at i + the sum of all four) V/20
+                let share = (stress[i][a] + (0..4).map(|j| stress[j][a]).sum::<f64>()) * model.mesh.volume(e) / 20.0;
+                assert!((z[1 + a] + share).abs() < 1e-9 * radius, "tet {e} vertex {i}: {z:?}");
+            }
+            assert!(cone_margin(z) > 0.5 * radius);
+        }
+    }
+    let (a, b) = (program.objective(&x), elastic.program.objective(&u));
+    assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
+}
+
+/// Two blocks, one of which never yields, pressed and pushed over a contact with friction, with an initial gap on rigid
+/// ground beside: contact cones and yield cones in one program.
+fn blocks_in_contact(pressure: f64) -> AnalysisModel {
+    let mesh = Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }.mesh(
+        &["LOW", "HIGH"],
+        |c| usize::from(c[2] > 20.0),
+        |axis, z| axis == 2 && (z - 20.0).abs() < 1e-9,
+    );
+    let (p, t) = (pressure, 0.1 * pressure);
+    model(
+        &format!(
+            "bodies: {{LOW: s, HIGH: r}}\n\
+             interfaces:\n- {{between: [LOW, HIGH], law: contact, mu: 0.3, gap: 0.01, friction: associated}}\n\
+             supports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X1, law: contact, mu: 0.0, gap: 0.02}}\n\
+             loads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
+            -p
+        ),
+        mesh,
+    )
+}
+
+#[test]
+fn contact_and_yield_in_one_program() {
+    // far below yield: as elastic bodies in contact
+    let model = blocks_in_contact(20.0);
+    let kinematic = Kinematic::new(&model).unwrap();
+    let statics = Static::new(&model).unwrap();
+    let elastic = [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)]
+        .map(|(p, b)| p.objective(&solve(p, b, &options()).x));
+    let [plain, split, lower] = bracket("contact, elastic", &model);
+    println!("contact: elastic {elastic:?}");
+    assert!((plain - elastic[0]).abs() < 1e-7 * plain.abs() && (lower - elastic[1]).abs() < 1e-7 * lower.abs());
+    assert!(split < plain);
+    // beyond first yield: more energy is released than elastic bodies could
+    let model = blocks_in_contact(225.0);
+    let [plain, split, lower] = bracket("contact, yielding", &model);
+    let elastic = Kinematic::new(&model).unwrap();
+    let stiff = elastic.program.objective(&solve(&elastic.program, &elastic.map.block, &options()).x);
+    assert!(plain < 1.001 * stiff && split < plain && lower < split, "{stiff} {plain} {split} {lower}");
+    let built = Form::Split.build(&model);
+    assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 3).count(), 25);
+    assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 6).count(), 16 * 48);
+}
