@@ -7,8 +7,9 @@ use crate::model::program::{ConicProgram, cone_margin};
 /// Share of the largest that a part's motion or a contact's multiplier must reach to be named.
 const NAMED: f64 = 0.05;
 
-/// Largest part of its own terms that `Gᵀ z` of a certificate may keep.
-const VANISHES: f64 = 1e-6;
+/// Largest part of its own terms that `Gᵀ z` of a certificate may keep. Solvers measure it against unknowns that grow without
+/// limit in an infeasible program, so it need not be small to rounding: enough to say which contacts, not to prove it.
+const VANISHES: f64 = 1e-2;
 
 /// Which parts move along an unbounded direction, in words; `moved`: points with their part.
 pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3)>) -> String {
@@ -47,7 +48,7 @@ fn contact_name(model: &AnalysisModel, contact: usize) -> String {
 }
 
 /// The contacts that no motion satisfies together, in words, from the certificate `z` of an infeasible program: `z ∈ K`,
-/// `Gᵀ z = 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` whatever x. `None` when z is no such certificate.
+/// `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x that is not huge. `None` when z is no such certificate.
 ///
 /// `contacts`: the contact each cone belongs to.
 pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize], z: &[f64]) -> Option<String> {
@@ -76,9 +77,11 @@ pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize
         (0..share.len()).filter(|&c| share[c] > NAMED * most).map(|c| contact_name(model, c)).collect();
     match &names[..] {
         [] => None,
-        [one] => Some(format!("on this mesh no displacement satisfies the contact {one} everywhere")),
+        [one] => {
+            Some(format!("the solver found no displacement on this mesh that satisfies the contact {one} everywhere"))
+        }
         [first @ .., last] => Some(format!(
-            "on this mesh no displacement satisfies the contacts {} and {last} together",
+            "the solver found no displacement on this mesh that satisfies the contacts {} and {last} together",
             first.join(", ")
         )),
     }

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 const WHOLE: u64 = 1000;
 
 /// Program, bar, time left, iteration.
-const TEMPLATE: &str = "{prefix:9} [{bar:16}] {left:>17}  {wide_msg}";
+const TEMPLATE: &str = "{prefix:9} [{bar:8}] {left:>17}  {wide_msg}";
 
 /// How often a bar is drawn again.
 const TICK: Duration = Duration::from_millis(250);

@@ -39,10 +39,6 @@ fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     text
 }
 
-fn iteration_words(i: &Iteration) -> String {
-    format!("iteration {}: gap {:.1e}, residual {:.1e}", i.number, i.gap, i.residual)
-}
-
 /// Tells the log what a program of a load case does; `tolerance`: where its solve ends.
 pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
     let name = program.name();
@@ -64,9 +60,10 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             log.begin(program, Pace::new(tolerance, forecast.map(|f| f.seconds)));
         }
         Event::Iteration(i) => {
-            let words = iteration_words(i);
-            log.detail(format!("{case}: {name} {words}, step {:.2}", i.step));
-            log.iteration(program, i, &words);
+            let Iteration { number, gap, residual, step, .. } = i;
+            log.detail(format!("{case}: {name} iteration {number}: gap {gap:.1e}, residual {residual:.1e}, step {step:.2}"));
+            // with bar and time left it fits into 80 columns
+            log.iteration(program, i, &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"));
         }
         Event::Certify => {
             log.end(program);
