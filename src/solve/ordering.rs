@@ -1,6 +1,7 @@
 //! Fill-reducing ordering: METIS nested dissection of the graph of blocks (nodes or faces), expanded to unknowns.
 
 use crate::model::program::SymmetricCsc;
+use std::sync::{Mutex, PoisonError};
 
 /// New position → old unknown.
 ///
@@ -50,6 +51,10 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
     let mut options = [0i32; 40];
     let mut perm = vec![0i32; n];
     let mut iperm = vec![0i32; n];
+    // METIS draws from the C library's one random sequence and swaps signal handlers: one ordering at a time, or two disturb
+    // each other's order from run to run
+    static ONE: Mutex<()> = Mutex::new(());
+    let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     // SAFETY: the arrays have the lengths METIS asks for (xadj n + 1, adjncy xadj[n], perm and iperm n, options
     // METIS_NOPTIONS = 40); METIS writes only to perm, iperm and options and keeps no pointer.
     let status = unsafe {
