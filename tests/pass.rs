@@ -9,6 +9,7 @@ use bracket::adapt::problem::Program;
 use bracket::adapt::words;
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::{AnalysisModel, Kinematic};
+use bracket::report::case::case_result;
 use bracket::solve::{SolveOptions, SolveStatus, Solver};
 use common::solved::{resolve, solve_to};
 use common::{Block, beside, triangles_where};
@@ -113,6 +114,13 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
         let refusal = refused.refusal.expect("why");
         assert_eq!((refusal.needed, refusal.room.bytes, refusal.room.limit), (s, room, Limit::Asked(1 << 30)));
     }
+    let warnings = |pass: &Pass| case_result("A", &model, pass, None).warnings;
+    let (pass, _) = in_rooms(&model, Limit::Machine, &[k]);
+    let told = warnings(&pass);
+    assert!(
+        told.len() == 1
+            && told[0].starts_with("the static program was not started, so there is no lower bound: it needs")
+    );
     // neither fits: the caller says so, no event does
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k - 1]);
     assert_eq!(bounds(&pass), [false, false]);
@@ -226,6 +234,9 @@ fn an_interrupt_ends_at_the_next_iteration_and_leaves_what_is_certified() {
     assert_eq!(bounds(&pass), [true, false]);
     assert!(pass.upper.as_ref().is_some_and(|b| b.is_strict()));
     assert_eq!((both(&pass)[1].status, both(&pass)[1].iterations), (SolveStatus::Interrupted, 3));
+    let entry = case_result("A", &model, &pass, None);
+    assert_eq!(entry.warnings, ["the static program was interrupted after 3 iterations: no lower bound"]);
+    assert!(entry.upper.is_some() && entry.lower.is_none() && entry.load_displacement.is_none());
 
     // while the first field is certified: it is, the other program does not begin
     let pass = interrupted_at(&model, Solver::Condensed, |p, e| p == Program::Kinematic && matches!(e, Event::Certify));
@@ -290,6 +301,13 @@ fn contacts_that_exclude_each_other_are_named() {
         println!("{mu}: {:?} {:?}", run.status, run.conflict);
         assert_eq!(run.status, SolveStatus::Infeasible);
         assert!(solved.pass.upper.is_none());
+        let warnings = case_result("A", &solved.model, &solved.pass, None).warnings;
+        assert!(
+            warnings[0]
+                .starts_with("the kinematic program has no solution, so there is no upper bound: the solver found")
+                && warnings[0].ends_with("check initial gaps and what holds the parts there, or refine the mesh there"),
+            "{warnings:?}"
+        );
         assert_eq!(
             run.conflict.as_deref(),
             Some(

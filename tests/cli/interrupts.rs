@@ -147,10 +147,10 @@ fn an_earlier_result_outlives_an_interrupt() {
 #[test]
 fn early_signals_end_at_once() {
     let bench = Bench::new().file("joint.yaml", JOINT);
-    std::fs::write(bench.path().join("mesher.sh"), "echo asked > asked; exec sleep 600").expect("written");
+    std::fs::write(bench.path().join("mesher.sh"), "echo $$ > asked; exec sleep 600").expect("written");
     let mesher = serde_json::json!(["sh", bench.path().join("mesher.sh")]).to_string();
     let running = Running::start(bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", mesher));
-    appears(&bench, "asked");
+    let mesher = appears(&bench, "asked");
     running.send(Signal::SIGINT);
     // the mesher keeps standard error open: only the exit counts here
     let mut child = running.child;
@@ -158,6 +158,9 @@ fn early_signals_end_at_once() {
     let status = child.wait().expect("it ends");
     assert!(start.elapsed() < Duration::from_secs(5));
     assert_eq!(status.code(), Some(3));
+    // on a terminal Ctrl-C reaches it too
+    kill(Pid::from_raw(mesher.trim().parse().expect("a number")), Signal::SIGTERM)
+        .expect("what is blocked is no heirloom");
     assert!(!bench.path().join("joint").exists() && !bench.path().join("joint.part").exists());
 }
 
