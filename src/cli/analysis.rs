@@ -67,7 +67,8 @@ impl AnalysisOptions {
 }
 
 /// What the first Ctrl-C leads to.
-pub const WHEN_INTERRUPTED: &str = "the solves end at their next iteration and what is certified is written";
+pub const WHEN_INTERRUPTED: &str =
+    "the mesher ends now, solves at their next iteration, and what is certified is written";
 
 /// How a run is solved, and when it ends early.
 pub struct Limits {

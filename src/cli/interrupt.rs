@@ -107,7 +107,8 @@ impl Interrupt {
         const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {
-            eprintln!("interrupted: nothing was written");
+            // whoever closed standard error wants to hear nothing
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), b"interrupted: nothing was written\n");
             std::process::exit(UNDECIDED);
         };
         match first {

@@ -67,7 +67,7 @@ fn an_interrupted_solve_ends_in_order() {
         let (status, _, err) = running.end();
         assert_eq!(status.code(), Some(3), "{signal}: {err}");
         for words in [
-            "interrupted: the solves end at their next iteration and what is certified is written; interrupt again to stop at once",
+            "interrupted: the mesher ends now, solves at their next iteration, and what is certified is written",
             "the static program was interrupted",
             "result: block/report.md",
         ] {
@@ -83,7 +83,7 @@ fn an_interrupted_solve_ends_in_order() {
         }
         let report = bench.read("block/report.md");
         assert!(report.contains("the static program was interrupted") && report.contains("no lower bound"), "{report}");
-        assert!(bench.read("block/log.txt").contains("interrupted: the solves end"));
+        assert!(bench.read("block/log.txt").contains("interrupted: the mesher ends now"));
         assert!(!bench.path().join("block.part").exists());
         expect(&bench, &["verify", "block"], 0);
     }
