@@ -85,7 +85,7 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let assembly = start.elapsed().as_secs_f64();
     println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
     measure(&program, &block, options);
-    println!("  peak memory {} MiB", bracket::adapt::pass::peak_memory_mib().unwrap_or(0));
+    println!("  peak memory {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
 }
 
 fn measure(program: &ConicProgram, block: &[u32], options: &Options) {

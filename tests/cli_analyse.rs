@@ -1,9 +1,15 @@
-//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes.
+//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes: what they leave, under which
+//! limits, and when they are interrupted.
 
 #[path = "cli/bench.rs"]
 mod bench;
 #[path = "common/mod.rs"]
 mod common;
+#[cfg(unix)]
+#[path = "cli/interrupts.rs"]
+mod interrupts;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/result_folder.rs"]
 mod result_folder;
 #[path = "cli/verify.rs"]
@@ -29,7 +35,17 @@ loads:
 
 /// The mesh of [`MODEL`], `height` mm high.
 pub fn mesh(height: f64) -> String {
-    let block = Block::new([2, 2, 6], [20.0, 20.0, height]).jittered(3);
+    mesh_of([2, 2, 6], height)
+}
+
+/// [`MODEL`] with a gap that closes, pushed so far sideways that the joint stays open at one edge.
+pub fn opening() -> String {
+    MODEL.replace("[2, 0, -40]", "[4, 0, -40]").replace("associated}", "associated, gap: 0.001}")
+}
+
+/// The same with so many cells a side, an even number in height.
+pub fn mesh_of(cells: [usize; 3], height: f64) -> String {
+    let block = Block::new(cells, [20.0, 20.0, height]).jittered(3);
     let joint = height / 2.0;
     let mesh =
         block.mesh(&["BASE", "BLOCK"], |x| usize::from(x[2] > joint), |axis, x| axis == 2 && (x - joint).abs() < 1e-9);

@@ -1,3 +1,6 @@
 //! Passes of dual analysis over meshes.
 
+pub mod memory;
 pub mod pass;
+pub mod problem;
+pub mod words;

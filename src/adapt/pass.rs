@@ -1,18 +1,44 @@
 //! One pass: both programs on one mesh, their fields, certificates and bracket.
 
+use super::memory::{Limit, Room, RoomSource, plan, room};
+use super::problem::{Problem, Program};
+use super::words;
 use crate::bounds::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
-use crate::bounds::certificate::{certify_displacement, certify_stress};
 use crate::bounds::error::{Contributions, contributions};
 use crate::bounds::fields::{DisplacementField, StressField};
-use crate::bounds::recover::{self, RecoverError};
-use crate::math::vec3::{self, V3};
+use crate::bounds::recover::RecoverError;
 use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::status::Iterations;
-use crate::solve::{self, Solution, SolveOptions, SolveStatus, collapse};
-use std::sync::Arc;
+use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
+
+/// Limits of a pass.
+#[derive(Clone)]
+pub struct PassOptions {
+    /// Of each solve; the time limit counts from the start of the pass.
+    pub solve: SolveOptions,
+    /// The memory there is for solves.
+    pub room: RoomSource,
+}
+
+impl Default for PassOptions {
+    /// Both programs, as the machine's memory allows.
+    fn default() -> Self {
+        Self { solve: SolveOptions::default(), room: Arc::new(|| room(None)) }
+    }
+}
+
+/// Why a program was not started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// Memory its solve needs \[bytes\].
+    pub needed: u64,
+    /// The memory there was.
+    pub room: Room,
+}
 
 /// How one program went.
 #[derive(Clone, Debug)]
@@ -27,12 +53,20 @@ pub struct ProgramRun {
     pub cones: usize,
     /// Time to assemble \[s\].
     pub assembly_seconds: f64,
-    /// Time to solve \[s\].
+    /// Time to order and solve \[s\].
     pub solve_seconds: f64,
     /// Time to recover and certify the field \[s\].
     pub certify_seconds: f64,
+    /// What the solve was expected to cost, where that could be told.
+    pub forecast: Option<Forecast>,
+    /// Every iteration, seconds counted from the start of the solve. Numbers begin again where another solver took over.
+    pub trace: Vec<Iteration>,
+    /// For a program too large for the memory: how much it lacks.
+    pub refusal: Option<Refusal>,
     /// For an unbounded program: which parts move, in words.
     pub mechanism: Option<String>,
+    /// For an infeasible program: which contacts exclude each other, in words.
+    pub conflict: Option<String>,
     /// Why no field could be certified although the solve ended well.
     pub trouble: Option<String>,
 }
@@ -88,43 +122,122 @@ impl From<PassError> for crate::diag::Diagnostic {
 }
 
 /// What a program tells while it runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// Assembling.
+#[derive(Clone, Copy, Debug)]
+pub enum Event<'a> {
+    /// It is being assembled.
     Assembly,
-    /// Solving.
-    Solve,
-    /// Recovering and certifying the field.
+    /// It is assembled and ordered.
+    Forecast {
+        /// Unknowns.
+        unknowns: usize,
+        /// What the solve will cost; `None` where nobody can tell.
+        forecast: Option<&'a Forecast>,
+    },
+    /// It waits until the other one has ended: side by side they do not fit.
+    Waits {
+        /// Memory that both need side by side \[bytes\].
+        needed: u64,
+        /// The memory there is.
+        room: Room,
+    },
+    /// It does not fit and is not started, though the other one is.
+    Refused(&'a Refusal),
+    /// Its solve begins.
+    Solve {
+        /// What it will cost; `None` where nobody can tell.
+        forecast: Option<&'a Forecast>,
+    },
+    /// The solver's next iterate.
+    Iteration(&'a Iteration),
+    /// Its field is being recovered and certified.
     Certify,
+    /// It is done with.
+    Ended(&'a ProgramRun),
 }
 
-/// Told which program (`kinematic`, `static`) reaches which stage, its iteration and its relative gap.
-pub type Progress = Arc<dyn Fn(&'static str, Stage, u32, f64) + Send + Sync>;
+/// Told what each program does.
+pub type Progress = Arc<dyn Fn(Program, Event<'_>) + Send + Sync>;
 
-struct Timed<T> {
+/// Tells nobody.
+pub fn silent() -> Progress {
+    Arc::new(|_, _| {})
+}
+
+/// What every program of a pass needs.
+struct Context<'a> {
+    model: &'a AnalysisModel,
+    options: &'a PassOptions,
+    progress: &'a Progress,
+    start: Instant,
+}
+
+/// A program before its solve.
+struct Job<'p, P> {
+    problem: &'p P,
+    /// `None`: the user interrupted before it was ordered.
+    prepared: Option<Prepared<'p>>,
     run: ProgramRun,
-    result: Option<T>,
 }
 
-/// Runs both programs side by side.
-pub fn run(model: &AnalysisModel, options: &SolveOptions, progress: &Progress) -> Result<Pass, PassError> {
+/// A program after its solve: field and bound where both could be certified.
+struct Done<A> {
+    run: ProgramRun,
+    answer: Option<A>,
+}
+
+/// What the plan says to a program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Ticket {
+    Start,
+    /// In turn, if the machine still has so much memory then \[bytes\].
+    StartIf(u64),
+    Refused(Refusal),
+}
+
+/// The plan for both programs.
+struct Turns {
+    kinematic: Ticket,
+    statics: Ticket,
+    /// In turn, the smaller one first: a bound early is worth more than one late. `None`: side by side.
+    first: Option<Program>,
+}
+
+/// Runs both programs: side by side where the memory allows it, else in turn; one that does not fit is not started.
+pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
     // faer's parallel dense kernels would make the last digits depend on the number of threads
     faer::set_global_parallelism(faer::Par::Seq);
+    let context = Context { model, options, progress, start: Instant::now() };
     let (kinematic, statics) = rayon::join(
-        || (model.bounds != Bounds::Static).then(|| run_kinematic(model, options, progress)).transpose(),
-        || (model.bounds != Bounds::Kinematic).then(|| run_static(model, options, progress)).transpose(),
+        || (model.bounds != Bounds::Static).then(|| context.assemble::<Kinematic>()).transpose(),
+        || (model.bounds != Bounds::Kinematic).then(|| context.assemble::<Static>()).transpose(),
     );
+    let (kinematic, statics) = (kinematic?, statics?);
+    let (k, s) = rayon::join(
+        || kinematic.as_ref().map(|(problem, seconds)| context.prepare(problem, *seconds)),
+        || statics.as_ref().map(|(problem, seconds)| context.prepare(problem, *seconds)),
+    );
+    let turns = context.turns(k.as_ref().map(|j| &j.run), s.as_ref().map(|j| &j.run));
+    let kinematic = || k.map(|job| context.finish(job, turns.kinematic)).transpose();
+    let statics = || s.map(|job| context.finish(job, turns.statics)).transpose();
+    let (kinematic, statics) = match turns.first {
+        None => rayon::join(kinematic, statics),
+        Some(Program::Kinematic) => (kinematic(), statics()),
+        Some(Program::Static) => {
+            let s = statics();
+            (kinematic(), s)
+        }
+    };
     let mut pass = Pass::default();
     if let Some(k) = kinematic? {
         pass.kinematic = Some(k.run);
-        if let Some((field, bound)) = k.result {
+        if let Some((field, bound)) = k.answer {
             pass.displacement = Some(field);
             pass.upper = Some(bound);
         }
     }
     if let Some(s) = statics? {
         pass.statics = Some(s.run);
-        if let Some((field, bound)) = s.result {
+        if let Some((field, bound)) = s.answer {
             pass.stress = Some(field);
             pass.lower = Some(bound);
         }
@@ -140,6 +253,175 @@ pub fn run(model: &AnalysisModel, options: &SolveOptions, progress: &Progress) -
     Ok(pass)
 }
 
+impl Pass {
+    /// The programs that ran or were to run.
+    pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
+        let kinematic = self.kinematic.iter().map(|r| (Program::Kinematic, r));
+        kinematic.chain(self.statics.iter().map(|r| (Program::Static, r)))
+    }
+}
+
+impl<'a> Context<'a> {
+    fn tell(&self, program: Program, event: Event<'_>) {
+        (self.progress)(program, event);
+    }
+
+    /// The program, and how long its assembly took \[s\].
+    fn assemble<P: Problem<'a>>(&self) -> Result<(P, f64), PassError> {
+        let start = Instant::now();
+        self.tell(P::PROGRAM, Event::Assembly);
+        Ok((P::assemble(self.model)?, start.elapsed().as_secs_f64()))
+    }
+
+    /// Orders a program and forecasts its cost.
+    fn prepare<'p, P: Problem<'a>>(&self, problem: &'p P, assembly: f64) -> Job<'p, P> {
+        let start = Instant::now();
+        let (map, program) = (problem.map(), problem.program());
+        let options = &self.options.solve;
+        let prepared = (!options.interrupted()).then(|| solve::prepare(program, &map.block, options));
+        let forecast = prepared.as_ref().and_then(Prepared::forecast);
+        let run = ProgramRun {
+            status: SolveStatus::Interrupted,
+            iterations: 0,
+            dofs: map.n,
+            cones: program.cones.len(),
+            assembly_seconds: assembly,
+            solve_seconds: start.elapsed().as_secs_f64(),
+            certify_seconds: 0.0,
+            forecast,
+            trace: Vec::new(),
+            refusal: None,
+            mechanism: None,
+            conflict: None,
+            trouble: None,
+        };
+        Job { problem, prepared, run }
+    }
+
+    /// Tells the forecasts and decides what starts when.
+    fn turns(&self, kinematic: Option<&ProgramRun>, statics: Option<&ProgramRun>) -> Turns {
+        let runs = [(Program::Kinematic, kinematic), (Program::Static, statics)];
+        let mut turns = Turns { kinematic: Ticket::Start, statics: Ticket::Start, first: None };
+        if self.options.solve.interrupted() {
+            return turns;
+        }
+        for (program, run) in runs {
+            let Some(run) = run else { continue };
+            self.tell(program, Event::Forecast { unknowns: run.dofs, forecast: run.forecast.as_ref() });
+        }
+        let Some(room) = (self.options.room)() else { return turns };
+        let needs = runs.map(|(_, run)| run.and_then(|r| r.forecast).map_or(0, |f| f.bytes));
+        let plan = plan(&needs, room.bytes);
+        let any = (0..2).any(|i| runs[i].1.is_some() && plan.starts[i]);
+        for (i, ticket) in [&mut turns.kinematic, &mut turns.statics].into_iter().enumerate() {
+            if !plan.starts[i] {
+                let refusal = Refusal { needed: needs[i], room };
+                *ticket = Ticket::Refused(refusal);
+                // where nothing starts the caller says so at once
+                if any {
+                    self.tell(runs[i].0, Event::Refused(&refusal));
+                }
+            }
+        }
+        if !plan.together {
+            let (first, second) = if needs[0] <= needs[1] { (0, 1) } else { (1, 0) };
+            let waits = if second == 0 { &mut turns.kinematic } else { &mut turns.statics };
+            *waits = Ticket::StartIf(needs[second]);
+            turns.first = Some(runs[first].0);
+            self.tell(runs[second].0, Event::Waits { needed: needs[0].saturating_add(needs[1]), room });
+        }
+        turns
+    }
+
+    /// Solves a program and certifies its field, as far as its ticket and the user let it.
+    fn finish<P: Problem<'a>>(&self, job: Job<'_, P>, ticket: Ticket) -> Result<Done<P::Answer>, PassError> {
+        let Job { problem, prepared, mut run } = job;
+        let refusal = match ticket {
+            Ticket::Start => None,
+            Ticket::Refused(refusal) => Some(refusal),
+            // others may have taken memory meanwhile; what the user allows was counted by the plan, and what this process
+            // still holds of the first program it will use again
+            Ticket::StartIf(needed) => {
+                let now = (self.options.room)().filter(|r| r.limit == Limit::Machine);
+                let refusal = now.filter(|r| r.bytes < needed).map(|room| Refusal { needed, room });
+                refusal.iter().for_each(|r| self.tell(P::PROGRAM, Event::Refused(r)));
+                refusal
+            }
+        };
+        let mut answer = None;
+        if self.options.solve.interrupted() {
+            run.status = SolveStatus::Interrupted;
+        } else if let Some(refusal) = refusal {
+            run.status = SolveStatus::TooLarge;
+            run.refusal = Some(refusal);
+        } else if let Some(prepared) = prepared {
+            let solution = self.solve(problem, prepared, &mut run);
+            let start = Instant::now();
+            answer = self.judge(problem, &solution, &mut run)?;
+            run.certify_seconds = start.elapsed().as_secs_f64();
+        }
+        self.tell(P::PROGRAM, Event::Ended(&run));
+        Ok(Done { run, answer })
+    }
+
+    /// Solves a program, telling and keeping its iterations.
+    fn solve<P: Problem<'a>>(&self, problem: &P, prepared: Prepared<'_>, run: &mut ProgramRun) -> Solution {
+        self.tell(P::PROGRAM, Event::Solve { forecast: run.forecast.as_ref() });
+        let start = Instant::now();
+        let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
+        let (kept, told) = (trace.clone(), self.progress.clone());
+        let tell: Iterations = Arc::new(move |i| {
+            // one clock for all: a solver that takes over starts its own
+            let i = Iteration { seconds: start.elapsed().as_secs_f64(), ..*i };
+            kept.lock().unwrap_or_else(PoisonError::into_inner).push(i);
+            told(P::PROGRAM, Event::Iteration(&i));
+        });
+        let given = &self.options.solve;
+        let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
+        let options = SolveOptions { progress: Some(tell), time_limit: left, ..given.clone() };
+        let mut solution = prepared.solve(&options);
+        if stalled(solution.status) {
+            let modes = problem.contact_modes(self.model);
+            if let Some(x) = collapse::direction(problem.program(), &modes, &options) {
+                solution.status = SolveStatus::Unbounded;
+                solution.x = x;
+            }
+        }
+        run.status = solution.status;
+        run.iterations = solution.iterations;
+        run.solve_seconds += start.elapsed().as_secs_f64();
+        run.trace = std::mem::take(&mut *trace.lock().unwrap_or_else(PoisonError::into_inner));
+        solution
+    }
+
+    /// Field and bound of an optimal solution; of any other, its certificate in words. Only optimal ones give a bound.
+    fn judge<P: Problem<'a>>(
+        &self,
+        problem: &P,
+        solution: &Solution,
+        run: &mut ProgramRun,
+    ) -> Result<Option<P::Answer>, PassError> {
+        match solution.status {
+            SolveStatus::Optimal => {
+                self.tell(P::PROGRAM, Event::Certify);
+                match problem.recover(self.model, solution) {
+                    Ok(answer) => return Ok(Some(answer)),
+                    Err(RecoverError::Model(e)) => return Err(e.into()),
+                    Err(e) => run.trouble = Some(e.to_string()),
+                }
+            }
+            SolveStatus::Unbounded => {
+                run.mechanism = Some(words::mechanism(self.model, problem.motion(self.model, &solution.x)));
+            }
+            SolveStatus::Infeasible => {
+                run.conflict = words::conflict(self.model, problem.program(), &problem.contacts(), &solution.z);
+            }
+            _ => {}
+        }
+        Ok(None)
+    }
+}
+
 /// Σ contributions = gap, to 1e-8 of the energies; asserted where both fields are admissible.
 fn check_identity(model: &AnalysisModel, bracket: Option<&Bracket>, sum: f64) -> Result<(), PassError> {
     let Some(b) = bracket.filter(|b| b.is_strict()) else { return Ok(()) };
@@ -152,162 +434,8 @@ fn check_identity(model: &AnalysisModel, bracket: Option<&Bracket>, sum: f64) ->
     Ok(())
 }
 
-fn start_run(solution: &Solution, dofs: usize, cones: usize, assembly: f64) -> ProgramRun {
-    ProgramRun {
-        status: solution.status,
-        iterations: solution.iterations,
-        dofs,
-        cones,
-        assembly_seconds: assembly,
-        solve_seconds: solution.seconds,
-        certify_seconds: 0.0,
-        mechanism: None,
-        trouble: None,
-    }
-}
-
-/// Solves a program, telling its iterations.
-fn solve_told(
-    name: &'static str,
-    program: &crate::model::ConicProgram,
-    block: &[u32],
-    options: &SolveOptions,
-    progress: &Progress,
-) -> Solution {
-    progress(name, Stage::Solve, 0, 1.0);
-    let told = progress.clone();
-    let tell: Iterations = Arc::new(move |i| told(name, Stage::Solve, i.number, i.gap));
-    solve::solve(program, block, &SolveOptions { progress: Some(tell), ..options.clone() })
-}
-
-fn run_kinematic(
-    model: &AnalysisModel,
-    options: &SolveOptions,
-    progress: &Progress,
-) -> Result<Timed<(DisplacementField, UpperBound)>, PassError> {
-    let start = Instant::now();
-    progress("kinematic", Stage::Assembly, 0, 1.0);
-    let kinematic = Kinematic::new(model)?;
-    let assembly = start.elapsed().as_secs_f64();
-    let mut solution = solve_told("kinematic", &kinematic.program, &kinematic.map.block, options, progress);
-    if stalled(solution.status) {
-        let modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
-        unless_collapse(&mut solution, &kinematic.program, &modes, options);
-    }
-    let mut run = start_run(&solution, kinematic.map.n, kinematic.program.cones.len(), assembly);
-    let start = Instant::now();
-    let mut result = None;
-    match solution.status {
-        SolveStatus::Optimal => {
-            progress("kinematic", Stage::Certify, solution.iterations, 0.0);
-            match recover::displacement(&kinematic, &solution) {
-                Ok(field) => {
-                    let bound = UpperBound::new(certify_displacement(model, &field), model.symmetry);
-                    result = Some((field, bound));
-                }
-                Err(e) => run.trouble = Some(e.to_string()),
-            }
-        }
-        SolveStatus::Unbounded => {
-            let u = kinematic.map.expand(&solution.x);
-            let moved =
-                model.node_parts().into_iter().enumerate().map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]]));
-            run.mechanism = Some(mechanism(model, moved));
-        }
-        _ => {}
-    }
-    run.certify_seconds = start.elapsed().as_secs_f64();
-    Ok(Timed { run, result })
-}
-
-fn run_static(
-    model: &AnalysisModel,
-    options: &SolveOptions,
-    progress: &Progress,
-) -> Result<Timed<(StressField, LowerBound)>, PassError> {
-    let start = Instant::now();
-    progress("static", Stage::Assembly, 0, 1.0);
-    let statics = Static::new(model)?;
-    let assembly = start.elapsed().as_secs_f64();
-    let mut solution = solve_told("static", &statics.program, &statics.map.block, options, progress);
-    if stalled(solution.status) {
-        let modes: Vec<Vec<f64>> = statics.contact_modes().into_iter().map(|m| m.unknowns).collect();
-        unless_collapse(&mut solution, &statics.program, &modes, options);
-    }
-    let mut run = start_run(&solution, statics.map.n, statics.program.cones.len(), assembly);
-    let start = Instant::now();
-    let mut result = None;
-    match solution.status {
-        SolveStatus::Optimal => {
-            progress("static", Stage::Certify, solution.iterations, 0.0);
-            match recover::stress(&statics, &solution) {
-                Ok(field) => {
-                    let bound = LowerBound::new(certify_stress(model, &field), model.symmetry);
-                    result = Some((field, bound));
-                }
-                Err(RecoverError::Model(e)) => return Err(e.into()),
-                Err(e) => run.trouble = Some(e.to_string()),
-            }
-        }
-        SolveStatus::Unbounded => {
-            let v = statics.map.expand(&solution.x);
-            let moved = (0..v.len() / 9).flat_map(|f| {
-                let part = statics.elements.part(f) as u32;
-                let at = |p: usize| [v[9 * f + 3 * p], v[9 * f + 3 * p + 1], v[9 * f + 3 * p + 2]];
-                [(part, at(0)), (part, at(1)), (part, at(2))]
-            });
-            run.mechanism = Some(mechanism(model, moved));
-        }
-        _ => {}
-    }
-    run.certify_seconds = start.elapsed().as_secs_f64();
-    Ok(Timed { run, result })
-}
-
 /// True when the solver gave up without an answer.
 fn stalled(status: SolveStatus) -> bool {
     use SolveStatus::{Infeasible, IterationLimit, NumericalError, ReducedAccuracy};
     matches!(status, Infeasible | IterationLimit | NumericalError | ReducedAccuracy)
-}
-
-/// Asks whether a stalled program lacks equilibrium, and if so says `Unbounded`.
-fn unless_collapse(
-    solution: &mut Solution,
-    program: &crate::model::ConicProgram,
-    modes: &[Vec<f64>],
-    options: &SolveOptions,
-) {
-    if let Some(x) = collapse::direction(program, modes, options) {
-        solution.status = SolveStatus::Unbounded;
-        solution.x = x;
-    }
-}
-
-/// Which parts move along an unbounded direction, in words.
-fn mechanism(model: &AnalysisModel, moved: impl Iterator<Item = (u32, V3)>) -> String {
-    let mut mean = vec![([0.0; 3], 0.0); model.parts.len()];
-    for (p, u) in moved {
-        let m = &mut mean[p as usize];
-        *m = (vec3::add(m.0, u), m.1 + 1.0);
-    }
-    let mean: Vec<V3> = mean.into_iter().map(|(s, n)| if n > 0.0 { vec3::scale(1.0 / n, s) } else { s }).collect();
-    let largest = mean.iter().map(|m| vec3::norm(*m)).fold(0.0, f64::max);
-    let moving: Vec<String> = mean
-        .iter()
-        .zip(&model.parts)
-        .filter(|(m, _)| vec3::norm(**m) > 0.05 * largest)
-        .map(|(m, name)| {
-            let d = (0..3).max_by(|&a, &b| m[a].abs().total_cmp(&m[b].abs())).unwrap_or(0);
-            format!("part {name} moves along {}{}", if m[d] < 0.0 { "−" } else { "+" }, ["x", "y", "z"][d])
-        })
-        .collect();
-    if moving.is_empty() { "the parts turn without moving their centres".into() } else { moving.join(", ") }
-}
-
-/// Peak resident memory of this process so far \[MiB\]; `None` where the system does not tell.
-pub fn peak_memory_mib() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(kib / 1024)
 }

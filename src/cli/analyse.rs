@@ -1,6 +1,6 @@
 //! `bracket analyse`: the engine on a mesh the user brings.
 
-use super::analysis::{AnalysisOptions, Case, Echo, file_stem, finish, use_threads};
+use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, file_stem, finish, use_threads};
 use super::{Common, Outcome, spec_file};
 use crate::diag::Diagnostic;
 use crate::mesh::quality;
@@ -27,6 +27,7 @@ pub struct AnalyseArgs {
 
 /// Runs `bracket analyse`.
 pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
+    let limits = args.options.limits()?;
     use_threads(common)?;
     let model = load_model(&args.model).map_err(|mut faults| {
         let text = std::fs::read_to_string(&args.model).unwrap_or_default();
@@ -43,7 +44,9 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     let mut file = yaml::parse::<ModelFile>(&text, &args.model)?.value;
     let mesh_path = args.model.parent().unwrap_or(Path::new("")).join(&file.mesh);
     let mesh_bytes = std::fs::read(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
+    let log = Arc::new(Log::new(common.quiet));
     let folder = ResultFolder::begin(&args.options.folder(&args.model))?;
+    limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     folder.write("mesh.msh", &mesh_bytes)?;
     file.mesh = "mesh.msh".into();
     let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
@@ -59,8 +62,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         mirror: Vec::new(),
         target_gap: file.adapt.as_ref().map(|a| a.target_gap),
         finer: "a finer mesh file",
-        solver: args.options.solver,
-        time_limit: None,
+        coarser: "a coarser mesh file",
     };
     let case = Case {
         name: file_stem(&name),
@@ -68,7 +70,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         model_file: ("model.yaml".into(), yaml::to_string(&file)?),
         mesh_seconds: None,
     };
-    finish(vec![case], echo, folder, Arc::new(Log::new(common.quiet)), common)
+    finish(vec![case], echo, &limits, folder, log, common)
 }
 
 /// Name of the folder a file lies in.

@@ -1,7 +1,10 @@
 //! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
 
-use super::{Common, Format, out};
-use crate::adapt::pass::{self, Stage};
+use super::interrupt::Interrupt;
+use super::{Common, Format, memory_limit, out};
+use crate::adapt::memory::{Limit, room};
+use crate::adapt::pass::{self, PassOptions, Refusal};
+use crate::adapt::problem::Program;
 use crate::bounds::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3;
@@ -15,6 +18,7 @@ use crate::report::figures::{self, Rounding};
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::text::report_markdown;
 use crate::solve::{SolveOptions, Solver};
@@ -40,6 +44,9 @@ pub struct AnalysisOptions {
     /// Solver of the conic programs.
     #[arg(long, value_enum, default_value = "condensed")]
     pub solver: SolverChoice,
+    /// Memory the run may use in all, for example 8GiB (default: what the machine has left).
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    pub memory_limit: Option<String>,
     /// Also keep the plain data that crosses each stage.
     #[arg(long)]
     pub keep: bool,
@@ -50,6 +57,29 @@ impl AnalysisOptions {
     pub fn folder(&self, input: &Path) -> PathBuf {
         self.out.clone().unwrap_or_else(|| input.with_extension(""))
     }
+
+    /// The limits of a run, as far as the options set them; a wrong option is refused. To be called before any thread starts:
+    /// from here on the user's interrupts are heard.
+    pub fn limits(&self) -> Result<Limits, Diagnostics> {
+        let memory = self.memory_limit.as_deref().map(memory_limit::parse).transpose()?;
+        Ok(Limits { solver: self.solver, time: None, memory, interrupt: Interrupt::watch()? })
+    }
+}
+
+/// What the first Ctrl-C leads to.
+pub const WHEN_INTERRUPTED: &str =
+    "the mesher ends now, solves at their next iteration, and what is certified is written";
+
+/// How a run is solved, and when it ends early.
+pub struct Limits {
+    /// The solver asked for.
+    pub solver: SolverChoice,
+    /// Wall time the run may take \[s\].
+    pub time: Option<f64>,
+    /// Memory the process may use \[bytes\].
+    pub memory: Option<u64>,
+    /// The user's wish to stop.
+    pub interrupt: Interrupt,
 }
 
 /// Sets the number of threads, once.
@@ -98,10 +128,8 @@ pub struct Echo {
     pub target_gap: Option<f64>,
     /// How the user gets a finer mesh.
     pub finer: &'static str,
-    /// The solver asked for.
-    pub solver: SolverChoice,
-    /// Wall time the run may take \[s\].
-    pub time_limit: Option<f64>,
+    /// How the user gets a coarser one.
+    pub coarser: &'static str,
 }
 
 /// A file name made of a case's name.
@@ -127,15 +155,30 @@ fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
 }
 
 /// Analyses the cases, writes fields, result and report, prints the answer; returns the exit code.
-pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>, common: &Common) -> super::Outcome {
+pub fn finish(
+    cases: Vec<Case>,
+    echo: Echo,
+    limits: &Limits,
+    folder: ResultFolder,
+    log: Arc<Log>,
+    common: &Common,
+) -> super::Outcome {
     cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
-    for case in &cases {
-        let pass = run_pass(case, &echo, &log)?;
+    for (i, case) in cases.iter().enumerate() {
+        if limits.interrupt.asked() && i > 0 {
+            let names: Vec<&str> = cases[i..].iter().map(|c| &c.name[..]).collect();
+            result.warnings.push(format!("interrupted: not analysed were {}", names.join(", ")));
+            break;
+        }
+        let pass = run_pass(case, limits, &log)?;
+        if i == 0 && pass.runs().all(|(_, run)| run.refusal.is_some()) {
+            return Err(too_large(case, &pass, &echo).into());
+        }
         let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
         if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap)
             && gap > target
@@ -145,6 +188,12 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
                 figures::percent_up(gap),
                 figures::percent_up(target),
                 echo.finer
+            ));
+        }
+        if pass.runs().any(|(_, run)| run.refusal.is_some()) {
+            entry.warnings.push(format!(
+                "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
+                echo.coarser
             ));
         }
         let stem = file_stem(&case.name);
@@ -182,9 +231,16 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     };
     folder.write("result.json", json.as_bytes())?;
     folder.write("report.md", report_markdown(&data).as_bytes())?;
+    let bare = data.result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
+    let complete = data.result.cases.len() == cases.len();
     let certified = data.result.cases.iter().all(|c| c.certificate.is_some_and(|x| x.strict) && has_asked_bounds(c));
     for c in &data.result.cases {
         log.line(answer(c));
+    }
+    data.result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
+    if limits.interrupt.asked() && bare && folder.target().exists() {
+        log.line(format!("interrupted before anything was certified: {} stays as it was", folder.target().display()));
+        return Ok(3);
     }
     folder.write("log.txt", log.text().as_bytes())?;
     let place = folder.finish()?;
@@ -192,7 +248,7 @@ pub fn finish(cases: Vec<Case>, echo: Echo, folder: ResultFolder, log: Arc<Log>,
     if common.format == Format::Json {
         out::text(&json)?;
     }
-    Ok(if certified { 0 } else { 3 })
+    Ok(if complete && certified { 0 } else { 3 })
 }
 
 /// Every program that ran gave its bound.
@@ -202,7 +258,18 @@ fn has_asked_bounds(c: &CaseResult) -> bool {
         .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
 }
 
-fn run_pass(case: &Case, echo: &Echo, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
+/// No program of a case fits into the memory.
+fn too_large(case: &Case, pass: &pass::Pass, echo: &Echo) -> Diagnostic {
+    let refused: Vec<(Program, Refusal)> = pass.runs().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
+    let each = refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
+    let message = format!("`{}` does not fit into the memory: {}", case.name, each.collect::<Vec<_>>().join("; "));
+    let asked = refused.iter().any(|(_, r)| r.room.limit != Limit::Machine);
+    let larger = if asked { ", a larger --memory-limit" } else { "" };
+    Diagnostic::environment("run/memory", message)
+        .help(format!("use {}{larger} or a machine with more memory; nothing was written", echo.coarser))
+}
+
+fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part(s)",
         case.name,
@@ -210,21 +277,19 @@ fn run_pass(case: &Case, echo: &Echo, log: &Arc<Log>) -> Result<pass::Pass, Diag
         contact_faces(&case.model).len(),
         case.model.parts.len()
     ));
-    let told = log.clone();
-    let name = case.name.clone();
-    let progress: pass::Progress = Arc::new(move |program, stage, iteration, gap| match stage {
-        Stage::Assembly => told.stage(format!("{name}: assembling the {program} program")),
-        Stage::Solve if iteration == 0 => told.stage(format!("{name}: solving the {program} program")),
-        Stage::Solve => told.stage(format!("{name}: {program} iteration {iteration}, relative gap {gap:.1e}")),
-        Stage::Certify => told.stage(format!("{name}: certifying the {program} field")),
-    });
-    let solver = match echo.solver {
+    let solver = match limits.solver {
         SolverChoice::Condensed => Solver::Condensed,
         SolverChoice::Clarabel => Solver::Clarabel,
     };
     // what is left of the time asked for; a solve that cannot finish in it ends with status `time limit`
-    let left = echo.time_limit.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
-    let options = SolveOptions { solver, time_limit: left, ..SolveOptions::default() };
+    let left = limits.time.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
+    let interrupt = Some(limits.interrupt.flag());
+    let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
+    let (told, name, tolerance) = (log.clone(), case.name.clone(), solve.gap);
+    let progress: pass::Progress =
+        Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
+    let memory = limits.memory;
+    let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
     pass::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 

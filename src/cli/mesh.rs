@@ -1,12 +1,15 @@
 //! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
+use super::interrupt::Interrupt;
 use super::{Common, Format, Outcome};
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::{Mesher, MesherError};
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
+use crate::report::log::Log;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 /// The file that marks a folder as written by `bracket mesh`.
@@ -46,20 +49,21 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
             return Err(d.help("leave the option out for its usual value: `bracket mesh --help`").into());
         }
     }
+    let interrupt = Interrupt::watch()?;
     let (assembly, layers) = load(&args.spec)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
+    let mesher = Mesher::find()?;
+    let log = Arc::new(Log::new(common.quiet));
     let folder = Folder::new(&out)?;
+    interrupt.begin(&log, "the mesher is stopped", folder.give_up());
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
     options.layers = layers && !args.no_layers;
     options.sizes.factor = args.size_factor;
     options.time_limit = Duration::from_secs_f64(args.time_limit);
-    options.mesher = Some(Mesher::find()?);
-    let mut progress = |stage: &str| {
-        if !common.quiet {
-            eprintln!("{stage}");
-        }
-    };
+    options.mesher = Some(mesher);
+    options.interrupt = Some(interrupt.flag());
+    let mut progress = |stage: &str| log.line(stage);
     let joint = mesh_joint(&assembly, &options, &mut progress)?;
     msh_write::write(&joint.mesh, &folder.aside.join("mesh.msh"))?;
     if !args.no_step {
@@ -70,6 +74,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
     let json = serde_json::to_string_pretty(&summary(&joint)).expect("plain numbers and strings serialise");
     msh_write::write_whole(&folder.aside.join("quality.txt"), &table)?;
     msh_write::write_whole(&folder.aside.join(MARK), &format!("{json}\n"))?;
+    interrupt.check("meshing")?;
     folder.finish()?;
     match common.format {
         Format::Text => {
@@ -123,6 +128,8 @@ fn load(path: &Path) -> Result<(Assembly, bool), Diagnostics> {
 struct Folder {
     wanted: PathBuf,
     aside: PathBuf,
+    /// Locked while the folder moves into place.
+    moving: Arc<Mutex<()>>,
 }
 
 impl Folder {
@@ -143,10 +150,21 @@ impl Folder {
         name.push(format!(".part{}", std::process::id()));
         let aside = wanted.with_file_name(name);
         std::fs::create_dir_all(&aside).map_err(|e| MesherError::write(&aside, e))?;
-        Ok(Folder { wanted: wanted.to_path_buf(), aside })
+        Ok(Folder { wanted: wanted.to_path_buf(), aside, moving: Arc::default() })
+    }
+
+    /// For a program that ends right after, from whatever thread: removes what is written so far.
+    fn give_up(&self) -> impl Fn() + Send + 'static {
+        let (aside, moving) = (self.aside.clone(), self.moving.clone());
+        move || {
+            // never given back: nothing may begin to move from now on
+            std::mem::forget(moving.lock().unwrap_or_else(PoisonError::into_inner));
+            let _ = std::fs::remove_dir_all(&aside);
+        }
     }
 
     fn finish(self) -> Result<(), MesherError> {
+        let _moving = self.moving.lock().unwrap_or_else(PoisonError::into_inner);
         if self.wanted.exists() {
             std::fs::remove_dir_all(&self.wanted).map_err(|e| MesherError::write(&self.wanted, e))?;
         }

@@ -4,6 +4,8 @@ pub mod analyse;
 pub mod analysis;
 pub mod catalog;
 pub mod doctor;
+pub mod interrupt;
+pub mod memory_limit;
 pub mod mesh;
 pub mod new;
 pub mod out;

@@ -1,7 +1,8 @@
 //! `bracket run`: connection spec → geometry → mesh → dual analyses → bracket and report.
 
 use super::analyse::quality_table;
-use super::analysis::{AnalysisOptions, Case, Echo, catalogue_row, file_stem, finish, use_threads};
+use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, use_threads};
+use super::interrupt::Interrupt;
 use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
 use crate::diag::{Diagnostic, Diagnostics};
@@ -46,15 +47,18 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         let help = "1 is the usual size; 0.7 takes about twice the elements, 1.4 half of them";
         return Err(Diagnostic::input("cli/value", text).help(help).into());
     }
+    let mut limits = args.options.limits()?;
     use_threads(common)?;
     let input = spec_file::read(&args.spec)?;
     let kind = analysis_kind(&input)?;
     check_names(&input)?;
     let mesher = Mesher::find()?;
-    let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
+    limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(common.quiet));
+    let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
+    limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     let start = Instant::now();
-    let meshed = mesh(args, &input, mesher, &folder, &log)?;
+    let meshed = mesh(args, &input, mesher, &limits.interrupt, &folder, &log)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
     let mesh_file = folder.path().join("mesh.msh");
     msh_write::write(&meshed.mesh, &mesh_file)?;
@@ -65,6 +69,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         folder.write("joint.geo", meshed.geo.as_bytes())?;
     }
     let cases = cases(&input, &meshed, kind, mesh_seconds)?;
+    limits.interrupt.check("meshing")?;
     let project = &input.spec.value.project;
     let title = project
         .title
@@ -94,11 +99,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
         target_gap: Some(input.spec.value.analysis.target_gap),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
-        solver: args.options.solver,
-        time_limit: input.spec.value.analysis.time_limit.map(|t| t.0),
+        coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         input_text: input.text,
     };
-    finish(cases, echo, folder, log, common)
+    finish(cases, echo, &limits, folder, log, common)
 }
 
 /// The kind of analysis asked for, if this version has it.
@@ -147,6 +151,7 @@ fn mesh(
     args: &RunArgs,
     input: &SpecFile,
     mesher: Mesher,
+    interrupt: &Interrupt,
     folder: &ResultFolder,
     log: &Log,
 ) -> Result<JointMesh, Diagnostics> {
@@ -156,6 +161,7 @@ fn mesh(
     options.layers = input.spec.value.analysis.mesh.layers;
     options.sizes.factor = args.size_factor;
     options.mesher = Some(mesher);
+    options.interrupt = Some(interrupt.flag());
     if let Some(limit) = input.spec.value.analysis.time_limit {
         options.time_limit = Duration::from_secs_f64(limit.0.min(600.0));
     }

@@ -8,6 +8,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Environment variable with the mesher's command: words separated by blanks, or a JSON list of words.
@@ -56,6 +57,12 @@ pub enum MesherError {
     #[error("the mesher was stopped after {seconds:.0} s, the time limit")]
     TimeLimit {
         /// The limit \[s\].
+        seconds: f64,
+    },
+    /// The user asked to stop.
+    #[error("interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was written")]
+    Interrupted {
+        /// How long it ran \[s\].
         seconds: f64,
     },
     /// Something killed it.
@@ -137,6 +144,10 @@ impl From<MesherError> for Diagnostic {
             E::TimeLimit { .. } => {
                 ("mesher/time", "allow more time (`analysis.time_limit`), or a larger `analysis.mesh.size`".into())
             }
+            E::Interrupted { .. } => {
+                let help = "run the same command again when there is time for it";
+                return Diagnostic::undecided("mesher/interrupted", error.to_string()).help(help);
+            }
             E::Killed { .. } => {
                 ("mesher/killed", "free memory, or ask for a larger `analysis.mesh.size`; then run again".into())
             }
@@ -189,12 +200,20 @@ impl Mesher {
 
     /// Runs it in `dir` with `arguments`, its talk going to `dir/log_name`; returns the log's text.
     ///
-    /// The process is killed when `limit` has passed. Every error line of the log is a failure, whatever the exit code.
-    pub fn run(&self, arguments: &[&str], dir: &Path, log_name: &str, limit: Duration) -> Result<String, MesherError> {
+    /// The process is killed, with all it has started, when `limit` has passed or `interrupt` is set. Every error line of the
+    /// log is a failure, whatever the exit code.
+    pub fn run(
+        &self,
+        arguments: &[&str],
+        dir: &Path,
+        log_name: &str,
+        limit: Duration,
+        interrupt: Option<&AtomicBool>,
+    ) -> Result<String, MesherError> {
         let log_path = dir.join(log_name);
         let log = File::create(&log_path).map_err(|e| MesherError::write(&log_path, e))?;
         let log_too = log.try_clone().map_err(|e| MesherError::write(&log_path, e))?;
-        let mut child = process(&self.command)
+        let mut child = alone(&mut process(&self.command))
             .args(arguments)
             .current_dir(dir)
             .stdin(Stdio::null())
@@ -203,9 +222,13 @@ impl Mesher {
             .spawn()
             .map_err(|source| MesherError::Start { command: shown(&self.command), source })?;
         let started = Instant::now();
-        let status = wait(&mut child, limit)
-            .map_err(|source| MesherError::Start { command: shown(&self.command), source })?
-            .ok_or(MesherError::TimeLimit { seconds: limit.as_secs_f64() })?;
+        let end = wait(&mut child, limit, interrupt)
+            .map_err(|source| MesherError::Start { command: shown(&self.command), source })?;
+        let status = match end {
+            End::Exit(status) => status,
+            End::TimeLimit => return Err(MesherError::TimeLimit { seconds: limit.as_secs_f64() }),
+            End::Interrupted => return Err(MesherError::Interrupted { seconds: started.elapsed().as_secs_f64() }),
+        };
         let mut bytes = Vec::new();
         File::open(&log_path)
             .and_then(|mut f| f.read_to_end(&mut bytes))
@@ -250,18 +273,58 @@ fn shown(command: &[OsString]) -> String {
     command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// Waits at most `limit`; `None`: it was killed because the time was over.
-fn wait(child: &mut Child, limit: Duration) -> std::io::Result<Option<ExitStatus>> {
+/// In a process group of its own: a Ctrl-C in the terminal reaches us alone, and we end the mesher with all it has started (a
+/// wrapper's gmsh too).
+#[cfg(unix)]
+fn alone(command: &mut Command) -> &mut Command {
+    std::os::unix::process::CommandExt::process_group(command, 0)
+}
+
+#[cfg(not(unix))]
+fn alone(command: &mut Command) -> &mut Command {
+    command
+}
+
+/// Kills a child and, where it leads a group of its own, the group.
+fn kill(child: &mut Child) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{Signal, killpg};
+        use nix::unistd::{Pid, getpgid};
+        let pid = Pid::from_raw(child.id().cast_signed());
+        // only the child of `alone` leads a group: another's is our own
+        if getpgid(Some(pid)) == Ok(pid) {
+            let _ = killpg(pid, Signal::SIGKILL);
+        }
+    }
+    child.kill()?;
+    child.wait().map(|_| ())
+}
+
+/// How a child ended.
+enum End {
+    Exit(ExitStatus),
+    /// It was killed because the time was over.
+    TimeLimit,
+    /// It was killed because the user asked to stop.
+    Interrupted,
+}
+
+/// Waits at most `limit`, and no longer than the user wants.
+fn wait(child: &mut Child, limit: Duration, interrupt: Option<&AtomicBool>) -> std::io::Result<End> {
     let started = Instant::now();
     let mut pause = Duration::from_millis(2);
     loop {
         if let Some(status) = child.try_wait()? {
-            return Ok(Some(status));
+            return Ok(End::Exit(status));
+        }
+        if interrupt.is_some_and(|i| i.load(Ordering::Relaxed)) {
+            kill(child)?;
+            return Ok(End::Interrupted);
         }
         if started.elapsed() >= limit {
-            child.kill()?;
-            child.wait()?;
-            return Ok(None);
+            kill(child)?;
+            return Ok(End::TimeLimit);
         }
         std::thread::sleep(pause.min(limit.saturating_sub(started.elapsed())));
         pause = (pause * 2).min(Duration::from_millis(50));
@@ -287,8 +350,8 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
         .spawn()
         .map_err(|source| MesherError::Start { command: shown(command), source })?;
     let fail = |answer: String| MesherError::NoVersion { command: shown(command), answer };
-    let status = wait(&mut child, Duration::from_secs(60)).map_err(|e| fail(e.to_string()))?;
-    if status.is_none() {
+    let end = wait(&mut child, Duration::from_secs(60), None).map_err(|e| fail(e.to_string()))?;
+    if !matches!(end, End::Exit(_)) {
         return Err(fail("no answer within 60 s".into()));
     }
     // 4.8 answers on standard error, later versions on standard output. The answer is short: the pipes cannot fill.

@@ -11,6 +11,8 @@ use crate::geometry::Scene;
 use crate::geometry::geo_script::{self, Purpose};
 use crate::geometry::size::SizeRule;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// What is meshed, how finely, and where files go.
@@ -28,6 +30,8 @@ pub struct MeshOptions {
     pub work_dir: PathBuf,
     /// The mesher; `None`: looked for.
     pub mesher: Option<Mesher>,
+    /// Set from outside to stop the mesher.
+    pub interrupt: Option<Arc<AtomicBool>>,
 }
 
 impl MeshOptions {
@@ -40,6 +44,7 @@ impl MeshOptions {
             time_limit: Duration::from_secs(600),
             work_dir: work_dir.into(),
             mesher: None,
+            interrupt: None,
         }
     }
 }
@@ -87,7 +92,13 @@ pub fn mesh_joint(
     let raw = dir.join("joint_raw.msh");
     remove(&raw)?;
     let log = "gmsh.log";
-    mesher.run(&["joint.geo", "-3", "-o", "joint_raw.msh"], dir, log, options.time_limit)?;
+    mesher.run(
+        &["joint.geo", "-3", "-o", "joint_raw.msh"],
+        dir,
+        log,
+        options.time_limit,
+        options.interrupt.as_deref(),
+    )?;
     let mesher_seconds = in_mesher.elapsed().as_secs_f64();
     progress("naming bodies and faces");
     let mut mesh = read_output(&raw)?;
@@ -121,6 +132,7 @@ pub fn write_step(assembly: &Assembly, options: &MeshOptions, path: &Path) -> Re
         dir,
         log,
         options.time_limit,
+        options.interrupt.as_deref(),
     )?;
     let text = std::fs::read_to_string(&raw).unwrap_or_default();
     if !text.trim_end().ends_with("END-ISO-10303-21;") {

@@ -90,6 +90,8 @@ impl FacePoints for Points<'_> {
 /// A Bernstein coefficient of the gap on an interface: a vertex, or an edge with its two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ControlPoint {
+    /// Which contact it belongs to: interfaces first, then contacts with the ground.
+    pub contact: usize,
     /// Unit normal out of side A.
     pub normal: V3,
     /// Friction coefficient.
@@ -148,20 +150,20 @@ pub enum Flow {
 /// Every distinct control point of the model's contacts.
 pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
     let mut out = Vec::new();
-    for interface in &model.interfaces {
+    for (contact, interface) in model.interfaces.iter().enumerate() {
         let mut seen = BTreeSet::new();
         for f in &interface.faces {
             let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
             let b = Some(space.triangle(f.nodes_b));
-            points_of_face(&interface.law, &corners, space.triangle(f.nodes_a), b, &mut seen, &mut out);
+            points_of_face(contact, &interface.law, &corners, space.triangle(f.nodes_a), b, &mut seen, &mut out);
         }
     }
-    for ground in &model.ground {
+    for (contact, ground) in (model.interfaces.len()..).zip(&model.ground) {
         let mut seen = BTreeSet::new();
         for f in &ground.faces {
             let corners = face_corners(&model.mesh, f);
             let a = space.triangle(face_nodes(&model.mesh, f));
-            points_of_face(&ground.law, &corners, a, None, &mut seen, &mut out);
+            points_of_face(contact, &ground.law, &corners, a, None, &mut seen, &mut out);
         }
     }
     out
@@ -171,6 +173,7 @@ pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlP
 type Key = (usize, usize, [i64; 3]);
 
 fn points_of_face(
+    contact: usize,
     law: &ContactLaw,
     corners: &[V3; 3],
     a: [usize; 6],
@@ -196,7 +199,7 @@ fn points_of_face(
             ([i, p, q], 2.0 * law.gap.at(mid) - ends)
         };
         let pick = |n: [usize; 6]| picked.map(|k| n[k]);
-        out.push(ControlPoint { normal, mu: law.mu, gap, a: pick(a), b: b.map(pick), edge: i >= 3 });
+        out.push(ControlPoint { contact, normal, mu: law.mu, gap, a: pick(a), b: b.map(pick), edge: i >= 3 });
     }
 }
 

@@ -116,6 +116,8 @@ impl FacePoints for Points<'_> {
 /// A vertex of a contact face: where one traction cone sits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactVertex {
+    /// Which contact it belongs to: interfaces first, then contacts with the ground.
+    pub contact: usize,
     /// Unit normal out of side A.
     pub normal: V3,
     /// Friction coefficient.
@@ -155,7 +157,7 @@ pub struct Static<'a> {
 fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
     let model = elements.model;
     let mut out = Vec::new();
-    let mut face = |law: &ContactLaw, corners: &[V3; 3], a: [usize; 3], b: Option<[usize; 3]>| {
+    let mut face = |contact: usize, law: &ContactLaw, corners: &[V3; 3], a: [usize; 3], b: Option<[usize; 3]>| {
         let vector = vec3::area_vector(corners);
         let area = vec3::norm(vector);
         for index in 0..3 {
@@ -166,20 +168,21 @@ fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
                     w * area * l[index] * law.gap.at(x)
                 })
                 .sum();
-            out.push(ContactVertex { normal: vec3::scale(1.0 / area, vector), mu: law.mu, a, b, index, area, gap });
+            let normal = vec3::scale(1.0 / area, vector);
+            out.push(ContactVertex { contact, normal, mu: law.mu, a, b, index, area, gap });
         }
     };
-    for interface in &model.interfaces {
+    for (contact, interface) in model.interfaces.iter().enumerate() {
         for f in &interface.faces {
             let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
             let b = elements.vertex_dofs(&f.b, f.nodes_b);
-            face(&interface.law, &corners, elements.vertex_dofs(&f.a, f.nodes_a), Some(b));
+            face(contact, &interface.law, &corners, elements.vertex_dofs(&f.a, f.nodes_a), Some(b));
         }
     }
-    for ground in &model.ground {
+    for (contact, ground) in (model.interfaces.len()..).zip(&model.ground) {
         for f in &ground.faces {
             let nodes = super::loads::face_nodes(&model.mesh, f);
-            face(&ground.law, &face_corners(&model.mesh, f), elements.vertex_dofs(f, nodes), None);
+            face(contact, &ground.law, &face_corners(&model.mesh, f), elements.vertex_dofs(f, nodes), None);
         }
     }
     out

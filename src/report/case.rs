@@ -1,7 +1,9 @@
 //! From a pass to the entry of its load case in `result.json`.
 
-use super::data::{CaseResult, Certificate, HistoryRow, PeakPressure, Problem, ProgramRun, Quantity, Upper};
-use crate::adapt::pass::{self, Pass, peak_memory_mib};
+use super::data::{self, CaseResult, Certificate, HistoryRow, PeakPressure, Problem, Quantity, TraceRow, Upper};
+use super::progress::refusal_words;
+use crate::adapt::memory::peak_memory_mib;
+use crate::adapt::pass::{Pass, ProgramRun};
 use crate::bounds::certificate::TOLERANCE;
 use crate::bounds::faces::contact_faces;
 use crate::math::vec3;
@@ -9,15 +11,31 @@ use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
 use crate::model::file::Friction;
 use crate::model::loads::face_corners;
+use crate::solve::{Iteration, SolveStatus};
 
-fn program_run(run: &pass::ProgramRun) -> ProgramRun {
-    ProgramRun {
+fn program_run(run: &ProgramRun) -> data::ProgramRun {
+    data::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
         status: run.status.words().into(),
         assembly_seconds: Some(run.assembly_seconds),
         solve_seconds: Some(run.solve_seconds),
         peak_memory_mib: None,
+        factor_entries: run.forecast.map(|f| f.factor_entries),
+        forecast_memory_mib: run.forecast.map(|f| f.bytes.div_ceil(1 << 20)),
+        forecast_seconds: run.forecast.map(|f| f.seconds),
+        trace: run.trace.iter().map(trace_row).collect(),
+    }
+}
+
+fn trace_row(i: &Iteration) -> TraceRow {
+    let number = |x: f64| x.is_finite().then_some(x);
+    TraceRow {
+        number: i.number,
+        gap: number(i.gap),
+        residual: number(i.residual),
+        step: number(i.step).unwrap_or(0.0),
+        seconds: i.seconds,
     }
 }
 
@@ -81,6 +99,46 @@ fn only_load(model: &AnalysisModel) -> Option<f64> {
     }
 }
 
+/// What the user must know of the programs: why one of them gave no bound.
+fn program_warnings(pass: &Pass) -> Vec<String> {
+    // an admissible motion proves it; what the static program says beside adds nothing
+    if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
+        return vec![format!("no equilibrium exists under these loads: {m}")];
+    }
+    let mut warnings = Vec::new();
+    // a program that runs away leaves the other without a solution: that is one fault, told once
+    let runs_away = pass.statics.as_ref().is_some_and(|r| r.mechanism.is_some());
+    for (program, run) in pass.runs() {
+        let (name, bound) = (program.name(), program.bound());
+        warnings.push(match (run.status, run) {
+            // the static program's motion may only show that the stresses of this mesh cannot reach equilibrium
+            (_, ProgramRun { mechanism: Some(m), .. }) => {
+                format!("no stress of this mesh is in equilibrium with the loads: {m}")
+            }
+            (_, ProgramRun { trouble: Some(t), .. }) => format!("the {name} solution could not be certified: {t}"),
+            (SolveStatus::Optimal, _) => continue,
+            (SolveStatus::Interrupted, ProgramRun { iterations: 0, .. }) => {
+                format!("the {name} program was interrupted before its first iteration: no {bound} bound")
+            }
+            (SolveStatus::Interrupted, run) => {
+                let n = run.iterations;
+                let s = if n == 1 { "" } else { "s" };
+                format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
+            }
+            (SolveStatus::TooLarge, ProgramRun { refusal: Some(r), .. }) => {
+                format!("the {name} program was not started, so there is no {bound} bound: it {}", refusal_words(r))
+            }
+            (SolveStatus::Infeasible, ProgramRun { conflict: Some(c), .. }) => format!(
+                "the {name} program has no solution, so there is no {bound} bound: {c}; check initial gaps and what holds the \
+                 parts there, or refine the mesh there"
+            ),
+            _ if runs_away => continue,
+            (status, _) => format!("the {name} program ended with status `{}`: no bound", status.words()),
+        });
+    }
+    warnings
+}
+
 /// The entry of a load case after one pass.
 pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());
@@ -96,29 +154,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         kinematic: pass.upper.as_ref().and_then(|b| b.certificate().peak_pressure),
         static_: pass.lower.as_ref().and_then(|b| b.certificate().peak_pressure),
     };
-    let mut warnings = Vec::new();
-    // one program that runs away leaves the other without a solution: that is one fault, told once
-    let runs_away = [&pass.kinematic, &pass.statics].into_iter().flatten().any(|r| r.mechanism.is_some());
-    for (program, run) in [("kinematic", &pass.kinematic), ("static", &pass.statics)] {
-        let Some(run) = run else { continue };
-        if let Some(m) = &run.mechanism {
-            // the kinematic program's motion is admissible, so it proves that there is no equilibrium; the static one's
-            // may only show that the stresses of this mesh cannot reach it
-            if program == "kinematic" {
-                warnings.push(format!("no equilibrium exists under these loads: {m}"));
-            } else if pass.kinematic.as_ref().is_none_or(|k| k.mechanism.is_none()) {
-                warnings.push(format!("no stress of this mesh is in equilibrium with the loads: {m}"));
-            }
-        } else if let Some(t) = &run.trouble {
-            warnings.push(format!("the {program} solution could not be certified: {t}"));
-        } else if run.status != crate::solve::SolveStatus::Optimal && !runs_away {
-            warnings.push(format!("the {program} program ended with status `{}`: no bound", run.status.words()));
-        }
-    }
-    // an admissible motion proves it; what the static program says beside adds nothing
-    if pass.kinematic.as_ref().is_some_and(|r| r.mechanism.is_some()) {
-        warnings.truncate(1);
-    }
+    let mut warnings = program_warnings(pass);
     if let Some(c) = certificate(pass).filter(|c| !c.strict) {
         let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((residual, value)) = worst {

@@ -286,6 +286,35 @@ pub struct ProgramRun {
     /// Peak resident memory of the process at the end of this program \[MiB\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_memory_mib: Option<u64>,
+    /// Nonzeros of the sparse factor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor_entries: Option<usize>,
+    /// Memory the solve was expected to need \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forecast_memory_mib: Option<u64>,
+    /// Time the solve was expected to take \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forecast_seconds: Option<f64>,
+    /// Every iteration of the solver.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub trace: Vec<TraceRow>,
+}
+
+/// One iteration of a solver. Numbers that begin again belong to another solver that took over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TraceRow {
+    /// Its number; 0 is the starting point.
+    pub number: u32,
+    /// Relative duality gap; absent where it is no number yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Largest relative residual; absent where it is no number yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual: Option<f64>,
+    /// Length of the step that led here, 0 to 1.
+    pub step: f64,
+    /// Wall time since the solve began \[s\].
+    pub seconds: f64,
 }
 
 /// Why a `result.json` cannot be written or read.

@@ -8,6 +8,7 @@ use crate::diag::Diagnostic;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Marks a `.part` folder as ours and is locked while a run writes into it.
 const MARKER: &str = ".bracket-run";
@@ -122,7 +123,8 @@ pub struct ResultFolder {
     parents: Vec<PathBuf>,
     /// Holds the lock on the marker.
     _lock: File,
-    finished: bool,
+    /// Locked while the folder moves into place, true once it is there.
+    finished: Arc<Mutex<bool>>,
 }
 
 impl ResultFolder {
@@ -140,7 +142,7 @@ impl ResultFolder {
             .try_for_each(|p| fs::create_dir(p).map_err(io_error("create the folder", p)))
             .and_then(|()| claim(&part, &target));
         match result {
-            Ok(lock) => Ok(Self { target, part, parents, _lock: lock, finished: false }),
+            Ok(lock) => Ok(Self { target, part, parents, _lock: lock, finished: Arc::default() }),
             Err(e) => {
                 remove_empty(&parents);
                 Err(e)
@@ -178,12 +180,30 @@ impl ResultFolder {
         file.sync_all().map_err(io_error("write", &shown))
     }
 
+    /// For a program that ends right after, from whatever thread: removes what is written so far. A folder that is finished is
+    /// left alone, one that is being moved into place is waited for.
+    pub fn give_up(&self) -> impl Fn() + Send + 'static {
+        let (finished, part, parents) = (self.finished.clone(), self.part.clone(), self.parents.clone());
+        move || {
+            let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
+            if !*finished {
+                // what is written meanwhile stays in the part; the next run to the same target removes it
+                let _ = fs::remove_dir_all(&part);
+                remove_empty(&parents);
+            }
+            // nothing may begin to move from now on
+            std::mem::forget(finished);
+        }
+    }
+
     /// Moves the folder into place, replacing an earlier result of ours.
-    pub fn finish(mut self) -> Result<PathBuf, FolderError> {
+    pub fn finish(self) -> Result<PathBuf, FolderError> {
         let result = self.part.join(RESULT_FILE);
         let incomplete = |why: String| FolderError::Incomplete { why };
         let text = fs::read_to_string(&result).map_err(|e| incomplete(e.to_string()))?;
         ResultFile::from_json(&text).map_err(|e| incomplete(e.to_string()))?;
+        // held to the end: nobody may remove the part while it is moved
+        let mut finished = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
         // the target may have changed while the run was busy
         check_replaceable(&self.target)?;
         let marker = self.part.join(MARKER);
@@ -203,18 +223,19 @@ impl ResultFolder {
             }
             return Err(FolderError::Io { action: "finish", path: self.target.clone(), source });
         }
-        self.finished = true;
+        *finished = true;
         if replaces {
             // the new result is in place: failing to remove the old one must not undo that
             let _ = fs::remove_dir_all(&old);
         }
+        drop(finished);
         Ok(self.target.clone())
     }
 }
 
 impl Drop for ResultFolder {
     fn drop(&mut self) {
-        if !self.finished {
+        if !*self.finished.lock().unwrap_or_else(PoisonError::into_inner) {
             let _ = fs::remove_dir_all(&self.part);
             remove_empty(&self.parents);
         }

@@ -1,9 +1,23 @@
-//! What a run says while it works: lines on the terminal, a spinner where there is one to look at, and `log.txt`.
+//! What a run says while it works: lines on standard error, bars where a terminal shows them, and `log.txt`.
 
-use indicatif::{ProgressBar, ProgressDrawTarget};
-use std::io::IsTerminal;
-use std::sync::{Mutex, PoisonError};
+use super::pace::{Pace, about};
+use crate::adapt::problem::Program;
+use crate::solve::Iteration;
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::io::{IsTerminal, Write};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+
+/// Length of a program's bar.
+const WHOLE: u64 = 1000;
+
+/// Program, bar, time left, iteration.
+const TEMPLATE: &str = "{prefix:9} [{bar:8}] {left:>17}  {wide_msg}";
+
+/// How often a bar is drawn again.
+const TICK: Duration = Duration::from_millis(250);
 
 /// Collects the log of a run and shows it on standard error.
 #[derive(Debug)]
@@ -11,27 +25,52 @@ pub struct Log {
     start: Instant,
     quiet: bool,
     lines: Mutex<String>,
+    bars: MultiProgress,
+    /// What is being done now.
+    stage: ProgressBar,
+    programs: Mutex<BTreeMap<Program, Bar>>,
+    /// Whether there is a terminal to draw on.
+    drawn: bool,
+}
+
+/// A program's bar and what it counts down.
+#[derive(Debug)]
+struct Bar {
     bar: ProgressBar,
+    pace: Arc<Mutex<Timed>>,
+}
+
+/// A pace and when it was told last.
+#[derive(Debug)]
+struct Timed {
+    pace: Pace,
+    told: Instant,
+}
+
+fn held<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Log {
-    /// A log that shows its lines on standard error unless `quiet`, with a spinner only on a terminal.
+    /// A log that shows its lines on standard error unless `quiet`, with bars only on a terminal.
     pub fn new(quiet: bool) -> Self {
-        let bar = if quiet || !std::io::stderr().is_terminal() {
-            ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
-        } else {
-            let bar = ProgressBar::new_spinner();
-            bar.enable_steady_tick(Duration::from_millis(120));
-            bar
-        };
-        Self { start: Instant::now(), quiet, lines: Mutex::default(), bar }
+        let drawn = !quiet && std::io::stderr().is_terminal();
+        let target = if drawn { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let bars = MultiProgress::with_draw_target(target);
+        let stage = bars.add(ProgressBar::new_spinner());
+        if drawn {
+            stage.enable_steady_tick(TICK);
+        }
+        let programs = Mutex::default();
+        Self { start: Instant::now(), quiet, lines: Mutex::default(), bars, stage, programs, drawn }
     }
 
     /// Notes a line that is done with: it is kept, and shown unless quiet.
     pub fn line(&self, text: impl AsRef<str>) {
         self.keep(text.as_ref());
         if !self.quiet {
-            self.bar.suspend(|| eprintln!("{}", text.as_ref()));
+            // a terminal that has gone is no reason to end the run
+            self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));
         }
     }
 
@@ -44,7 +83,43 @@ impl Log {
     pub fn stage(&self, text: impl Into<String>) {
         let text = text.into();
         self.keep(&text);
-        self.bar.set_message(text);
+        self.stage.set_message(text);
+    }
+
+    /// A program's solve begins: on a terminal it gets a bar.
+    pub fn begin(&self, program: Program, pace: Pace) {
+        if !self.drawn {
+            return;
+        }
+        let pace = Arc::new(Mutex::new(Timed { pace, told: Instant::now() }));
+        let bar = self.bars.add(ProgressBar::new(WHOLE));
+        bar.set_style(style(pace.clone()));
+        bar.set_prefix(program.name());
+        bar.enable_steady_tick(TICK);
+        if let Some(old) = held(&self.programs).insert(program, Bar { bar, pace }) {
+            old.bar.finish_and_clear();
+        }
+    }
+
+    /// The next iteration of a program, with the words that stand beside its bar.
+    pub fn iteration(&self, program: Program, i: &Iteration, words: &str) {
+        let programs = held(&self.programs);
+        let Some(Bar { bar, pace }) = programs.get(&program) else { return };
+        let mut timed = held(pace);
+        timed.pace.tell(i);
+        timed.told = Instant::now();
+        let share = timed.pace.share();
+        // drawing asks for the pace again
+        drop(timed);
+        bar.set_position((share * WHOLE as f64) as u64);
+        bar.set_message(words.to_string());
+    }
+
+    /// A program's solve has ended: its bar goes.
+    pub fn end(&self, program: Program) {
+        if let Some(Bar { bar, .. }) = held(&self.programs).remove(&program) {
+            bar.finish_and_clear();
+        }
     }
 
     /// Seconds since the run began.
@@ -54,21 +129,32 @@ impl Log {
 
     /// The text of `log.txt`: seconds since the start before each line.
     pub fn text(&self) -> String {
-        self.lines.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        held(&self.lines).clone()
     }
 
     fn keep(&self, text: &str) {
         let seconds = self.start.elapsed().as_secs_f64();
-        let mut lines = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut lines = held(&self.lines);
         for line in text.lines() {
             lines.push_str(&format!("[{seconds:9.3} s] {line}\n"));
         }
     }
 }
 
+/// The bar of a program; the time left runs on between iterations.
+fn style(pace: Arc<Mutex<Timed>>) -> ProgressStyle {
+    let left = move |_: &ProgressState, out: &mut dyn fmt::Write| {
+        let timed = held(&pace);
+        let left = timed.pace.left().map(|left| (left - timed.told.elapsed().as_secs_f64()).max(1.0));
+        let _ = out.write_str(&left.map_or(String::new(), |left| format!("{} left", about(left))));
+    };
+    ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("left", left)
+}
+
 impl Drop for Log {
     fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        held(&self.programs).values().for_each(|b| b.bar.finish_and_clear());
+        self.stage.finish_and_clear();
     }
 }
 
@@ -86,5 +172,10 @@ mod tests {
         let said: Vec<_> = text.lines().filter_map(|l| l.split_once(" s] ")).map(|(_, t)| t).collect();
         assert_eq!(said, ["mesh", "9 000 tets", "second line", "done"]);
         assert!(text.starts_with('['));
+    }
+
+    #[test]
+    fn the_bar_s_template_is_sound() {
+        assert!(ProgressStyle::with_template(TEMPLATE).is_ok());
     }
 }

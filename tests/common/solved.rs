@@ -1,14 +1,13 @@
 //! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
 
 use super::points;
-use bracket::adapt::pass::{self, Pass};
+use bracket::adapt::pass::{self, Pass, PassOptions};
 use bracket::diag::{Diagnostics, Place};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::file::ModelFile;
 use bracket::solve::{SolveOptions, SolveStatus};
 use std::path::Path;
-use std::sync::Arc;
 
 /// A model and its pass.
 pub struct Solved {
@@ -34,8 +33,8 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
         Ok(model) => model,
         Err(e) => panic!("{e:?}"),
     };
-    let quiet: pass::Progress = Arc::new(|_, _, _, _| {});
-    let pass = pass::run(&model, options, &quiet).unwrap();
+    let pass =
+        pass::run(&model, &PassOptions { solve: options.clone(), ..PassOptions::default() }, &pass::silent()).unwrap();
     Solved { model, pass }
 }
 

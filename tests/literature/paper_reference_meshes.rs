@@ -21,7 +21,6 @@ use bracket::model::{AnalysisModel, Kinematic};
 use bracket::solve::{self, SolveStatus};
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::Arc;
 
 fn model(folder: &str) -> AnalysisModel {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder).join("model.yaml");
@@ -33,9 +32,8 @@ fn close(a: f64, b: f64) {
 }
 
 fn check(folder: &str, upper: f64, lower: f64) {
-    let quiet: pass::Progress = Arc::new(|_, _, _, _| {});
     let model = model(folder);
-    let result = pass::run(&model, &Default::default(), &quiet).unwrap();
+    let result = pass::run(&model, &Default::default(), &pass::silent()).unwrap();
     println!("{:?}\n{:?}", result.kinematic, result.statics);
     let bracket = result.bracket.as_ref().expect("both programs end optimal");
     println!("{:?}\n{:?} gap {}", bracket.lower(), bracket.upper(), bracket.gap());

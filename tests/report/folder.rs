@@ -186,3 +186,34 @@ fn a_place_that_cannot_be_written_is_an_environment_fault() {
     assert!(names(dir.path()).is_empty());
     fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o755)).expect("changes");
 }
+
+/// What is given up goes, with the parents made for it; an earlier result and one that is finished stay.
+#[test]
+fn what_is_given_up_leaves_nothing_and_touches_no_result() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let target = dir.path().join("deep/er/joint");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write("fields/TOP_static.vtu", b"field").expect("writes");
+    folder.give_up()();
+    assert!(names(dir.path()).is_empty(), "{:?}", names(dir.path()));
+    // nobody may move or drop what is given up: the program ends here
+    std::mem::forget(folder);
+
+    let target = dir.path().join("joint");
+    write_whole(&target, "first");
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write(RESULT_FILE, result().as_bytes()).expect("writes");
+    let give_up = folder.give_up();
+    give_up();
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "first");
+    assert_eq!(names(dir.path()), ["joint"]);
+    std::mem::forget(folder);
+
+    let folder = ResultFolder::begin(&target).expect("begins");
+    folder.write("report.md", b"second").expect("writes");
+    folder.write(RESULT_FILE, result().as_bytes()).expect("writes");
+    let give_up = folder.give_up();
+    folder.finish().expect("finishes");
+    give_up();
+    assert_eq!(fs::read_to_string(target.join("report.md")).expect("reads"), "second");
+}

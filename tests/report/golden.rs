@@ -31,6 +31,7 @@ fn run(iterations: u32) -> ProgramRun {
         assembly_seconds: Some(0.5),
         solve_seconds: Some(11.25),
         peak_memory_mib: Some(512),
+        ..ProgramRun::default()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Fill-reducing ordering: METIS nested dissection of the graph of blocks (nodes or faces).
 
 use crate::model::program::SymmetricCsc;
+use std::sync::{Mutex, PoisonError};
 
 /// A block with more neighbours than this many times the mean is kept out of the dissection and eliminated last.
 ///
@@ -113,6 +114,10 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
     if n < 8 || adjncy.is_empty() {
         return None;
     }
+    // METIS draws from the C library's one random sequence and swaps signal handlers: one ordering at a time, or two disturb
+    // each other's order from run to run
+    static ONE: Mutex<()> = Mutex::new(());
+    let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let mut nvtxs = n as i32;
     let mut options = [0i32; 40];
     let mut perm = vec![0i32; n];

@@ -1,0 +1,139 @@
+//! The two programs of a pass behind one face: what a pass asks of either.
+
+use crate::bounds::bracket::{LowerBound, UpperBound};
+use crate::bounds::certificate::{certify_displacement, certify_stress};
+use crate::bounds::fields::{DisplacementField, StressField};
+use crate::bounds::recover::{self, RecoverError};
+use crate::math::vec3::V3;
+use crate::model::dofs::DofMap;
+use crate::model::holds::ModelError;
+use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
+use crate::solve::Solution;
+
+/// Which of the two programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Program {
+    /// Displacements: the upper bound.
+    Kinematic,
+    /// Stresses: the lower bound.
+    Static,
+}
+
+impl Program {
+    /// In the words of a report.
+    pub fn name(self) -> &'static str {
+        match self {
+            Program::Kinematic => "kinematic",
+            Program::Static => "static",
+        }
+    }
+
+    /// The bound it gives of the potential energy.
+    pub fn bound(self) -> &'static str {
+        match self {
+            Program::Kinematic => "upper",
+            Program::Static => "lower",
+        }
+    }
+}
+
+/// What a pass asks of a program.
+pub(super) trait Problem<'a>: Sized + Send + Sync {
+    /// The field its solution stands for, and the bound that follows.
+    type Answer: Send;
+    /// Which it is.
+    const PROGRAM: Program;
+
+    /// Builds it.
+    fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError>;
+    /// Its conic program.
+    fn program(&self) -> &ConicProgram;
+    /// Its unknowns.
+    fn map(&self) -> &DofMap;
+    /// The rigid motions that only contact resists, in its unknowns.
+    fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>>;
+    /// Field and certified bound of an optimal solution.
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError>;
+    /// Displacements of points along a direction of its unknowns, each with its part.
+    fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)>;
+    /// The contact each cone belongs to: interfaces first, then contacts with the ground.
+    fn contacts(&self) -> Vec<usize>;
+}
+
+impl<'a> Problem<'a> for Kinematic {
+    type Answer = (DisplacementField, UpperBound);
+    const PROGRAM: Program = Program::Kinematic;
+
+    fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Kinematic::new(model)
+    }
+
+    fn program(&self) -> &ConicProgram {
+        &self.program
+    }
+
+    fn map(&self) -> &DofMap {
+        &self.map
+    }
+
+    fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>> {
+        self.contact_modes(model).into_iter().map(|m| m.unknowns).collect()
+    }
+
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+        let field = recover::displacement(self, solution)?;
+        let bound = UpperBound::new(certify_displacement(model, &field), model.symmetry);
+        Ok((field, bound))
+    }
+
+    fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
+        let u = self.map.expand(x);
+        model.node_parts().into_iter().enumerate().map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]])).collect()
+    }
+
+    fn contacts(&self) -> Vec<usize> {
+        self.points.iter().map(|p| p.contact).collect()
+    }
+}
+
+impl<'a> Problem<'a> for Static<'a> {
+    type Answer = (StressField, LowerBound);
+    const PROGRAM: Program = Program::Static;
+
+    fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Static::new(model)
+    }
+
+    fn program(&self) -> &ConicProgram {
+        &self.program
+    }
+
+    fn map(&self) -> &DofMap {
+        &self.map
+    }
+
+    fn contact_modes(&self, _: &AnalysisModel) -> Vec<Vec<f64>> {
+        self.contact_modes().into_iter().map(|m| m.unknowns).collect()
+    }
+
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+        let field = recover::stress(self, solution)?;
+        let bound = LowerBound::new(certify_stress(model, &field), model.symmetry);
+        Ok((field, bound))
+    }
+
+    fn motion(&self, _: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
+        let v = self.map.expand(x);
+        (0..v.len() / 9)
+            .flat_map(|f| {
+                let part = self.elements.part(f) as u32;
+                let at = |p: usize| [v[9 * f + 3 * p], v[9 * f + 3 * p + 1], v[9 * f + 3 * p + 2]];
+                [(part, at(0)), (part, at(1)), (part, at(2))]
+            })
+            .collect()
+    }
+
+    fn contacts(&self) -> Vec<usize> {
+        self.vertices.iter().map(|v| v.contact).collect()
+    }
+}

@@ -1,0 +1,229 @@
+//! Ctrl-C and the polite signals of batch systems, sent to the real program.
+
+use crate::bench::{Bench, JOINT};
+use crate::{expect, mesh, mesh_of, opening};
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, ChildStderr, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+/// A joint that opens, whose solve takes seconds: 10 800 tets.
+fn slow() -> Bench {
+    Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([10, 10, 18], 60.0))
+}
+
+/// The program under way.
+struct Running {
+    child: Child,
+    err: BufReader<ChildStderr>,
+    /// What it has said on standard error.
+    said: String,
+}
+
+impl Running {
+    fn start(command: &mut Command) -> Self {
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+        let err = BufReader::new(child.stderr.take().expect("piped"));
+        Self { child, err, said: String::new() }
+    }
+
+    /// Reads standard error up to a line that holds the words.
+    fn until(&mut self, words: &str) {
+        let seen = self.said.len();
+        while !self.said[seen..].contains(words) {
+            let read = self.err.read_line(&mut self.said).expect("UTF-8");
+            assert!(read > 0, "{words:?} was never said: {}", self.said);
+        }
+    }
+
+    fn send(&self, signal: Signal) {
+        kill(Pid::from_raw(self.child.id().cast_signed()), signal).expect("it runs");
+    }
+
+    /// Waits for the end; the time it took and everything on standard error.
+    fn end(mut self) -> (ExitStatus, Duration, String) {
+        let start = Instant::now();
+        self.err.read_to_string(&mut self.said).expect("UTF-8");
+        let status = self.child.wait().expect("it ends");
+        (status, start.elapsed(), self.said)
+    }
+}
+
+/// The solve under way: the lines on both costs stand right before it.
+fn solving(bench: &Bench, extra: &[&str]) -> Running {
+    let mut running = Running::start(bench.command(&["analyse", "block.yaml"]).args(extra));
+    running.until("static program: ");
+    running
+}
+
+#[test]
+fn an_interrupted_solve_ends_in_order() {
+    for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP] {
+        let bench = slow();
+        let running = solving(&bench, &["--format", "json"]);
+        running.send(signal);
+        let (status, _, err) = running.end();
+        assert_eq!(status.code(), Some(3), "{signal}: {err}");
+        for words in [
+            "interrupted: the mesher ends now, solves at their next iteration, and what is certified is written",
+            "the static program was interrupted",
+            "result: block/report.md",
+        ] {
+            assert!(err.contains(words), "{words:?} in {err}");
+        }
+        let result: Value = serde_json::from_str(&bench.read("block/result.json")).expect("JSON");
+        let case = &result["cases"][0];
+        let history = &case["history"][0];
+        assert_eq!(history["static"]["status"], "interrupted", "{history:#}");
+        assert!(case.get("lower").is_none() && case.get("gap").is_none(), "no bound of an unfinished solve: {case:#}");
+        if history["kinematic"]["status"] == "interrupted" {
+            assert!(case.get("upper").is_none() && case.get("certificate").is_none(), "{case:#}");
+        }
+        let report = bench.read("block/report.md");
+        assert!(report.contains("the static program was interrupted") && report.contains("no lower bound"), "{report}");
+        assert!(bench.read("block/log.txt").contains("interrupted: the mesher ends now"));
+        assert!(!bench.path().join("block.part").exists());
+        expect(&bench, &["verify", "block"], 0);
+    }
+}
+
+/// What `timeout` does: the process and its group get the signal. That is one wish.
+#[test]
+fn a_signal_that_comes_twice_at_once_is_one() {
+    let bench = slow();
+    let running = solving(&bench, &[]);
+    running.send(Signal::SIGTERM);
+    std::thread::sleep(Duration::from_millis(20));
+    running.send(Signal::SIGTERM);
+    let (status, _, err) = running.end();
+    assert_eq!(status.code(), Some(3), "{err}");
+    assert!(bench.path().join("block/result.json").is_file(), "{err}");
+}
+
+/// Where the first interrupt falls right before the end of an iteration the run is over in order before the second: another
+/// delay is tried then.
+#[test]
+fn a_second_interrupt_ends_at_once_and_leaves_what_was_there() {
+    for delay in [500, 1000, 250, 1500, 100, 700] {
+        let bench = slow();
+        let before = bench.everything();
+        let mut running = solving(&bench, &[]);
+        std::thread::sleep(Duration::from_millis(delay));
+        running.send(Signal::SIGINT);
+        running.until("interrupt again");
+        // longer than an echo
+        std::thread::sleep(Duration::from_millis(320));
+        running.send(Signal::SIGINT);
+        let (status, took, err) = running.end();
+        assert_eq!(status.code(), Some(3), "{err}");
+        assert!(took < Duration::from_secs(5), "{took:?}");
+        if err.contains("result: ") {
+            continue;
+        }
+        assert!(bench.everything() == before, "something is left: {:?}", bench.everything().keys());
+        return;
+    }
+    panic!("every run was over before its second interrupt");
+}
+
+/// An earlier result is worth more than a folder without any bound.
+#[test]
+fn an_earlier_result_outlives_an_interrupt() {
+    let bench = Bench::new().file("block.yaml", opening()).file("m.msh", mesh(60.0));
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    let bench = bench.file("m.msh", mesh_of([10, 10, 18], 60.0));
+    let before = bench.everything();
+    let running = solving(&bench, &[]);
+    running.send(Signal::SIGINT);
+    let (status, _, err) = running.end();
+    assert_eq!(status.code(), Some(3), "{err}");
+    assert!(err.contains("interrupted before anything was certified: block stays as it was"), "{err}");
+    assert!(bench.everything() == before, "{err}");
+}
+
+/// Before there is anything to lose, the first signal is enough.
+#[test]
+fn early_signals_end_at_once() {
+    let bench = Bench::new().file("joint.yaml", JOINT);
+    std::fs::write(bench.path().join("mesher.sh"), "echo $$ > asked; exec sleep 600").expect("written");
+    let mesher = serde_json::json!(["sh", bench.path().join("mesher.sh")]).to_string();
+    let running = Running::start(bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", mesher));
+    let mesher = appears(&bench, "asked");
+    running.send(Signal::SIGINT);
+    // the mesher keeps standard error open: only the exit counts here
+    let mut child = running.child;
+    let start = Instant::now();
+    let status = child.wait().expect("it ends");
+    assert!(start.elapsed() < Duration::from_secs(5));
+    assert_eq!(status.code(), Some(3));
+    // on a terminal Ctrl-C reaches it too
+    kill(Pid::from_raw(mesher.trim().parse().expect("a number")), Signal::SIGTERM)
+        .expect("what is blocked is no heirloom");
+    assert!(!bench.path().join("joint").exists() && !bench.path().join("joint.part").exists());
+}
+
+/// Waits until a file of the bench is there and holds a line.
+fn appears(bench: &Bench, name: &str) -> String {
+    let start = Instant::now();
+    loop {
+        match std::fs::read_to_string(bench.path().join(name)) {
+            Ok(text) if text.ends_with('\n') => return text,
+            _ => assert!(start.elapsed() < Duration::from_secs(60), "{name} never appeared"),
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// The mesher dies with all it has started, whether a wrapper or the wrapped.
+#[test]
+fn an_interrupted_mesher_dies_with_its_children() {
+    for (command, signal) in [("run", Signal::SIGINT), ("mesh", Signal::SIGINT), ("run", Signal::SIGTERM)] {
+        let bench = Bench::new().file("joint.yaml", JOINT);
+        let pids = bench.path().join("pids");
+        let mesher = bench.mesher(&format!("sleep 600 &\necho $$ $! > '{}'\nwait", pids.display()));
+        let before: Vec<_> = bench.everything().into_keys().collect();
+        let running = Running::start(bench.command(&[command, "joint.yaml"]).env("BRACKET_GMSH", mesher));
+        let text = appears(&bench, "pids");
+        running.send(signal);
+        let (status, took, err) = running.end();
+        assert_eq!(status.code(), Some(3), "{command}: {err}");
+        assert!(took < Duration::from_secs(5), "{command}: {took:?}");
+        assert!(err.contains("error[mesher/interrupted]: interrupted while meshing"), "{err}");
+        for pid in text.split_whitespace() {
+            let pid = Pid::from_raw(pid.parse().expect("a number"));
+            let start = Instant::now();
+            // init reaps the grandchild in its own time
+            while alive(pid) {
+                assert!(start.elapsed() < Duration::from_secs(10), "{command}: process {pid} lives on");
+                std::thread::sleep(Duration::from_millis(5));
+            }
+        }
+        std::fs::remove_file(pids).expect("it is there");
+        assert_eq!(bench.everything().into_keys().collect::<Vec<_>>(), before, "{command} left something");
+    }
+}
+
+/// Whether a process runs; one that has ended and waits to be reaped does not.
+fn alive(pid: Pid) -> bool {
+    let stat = std::fs::read_to_string(format!("/proc/{pid}/stat"));
+    match stat {
+        Ok(text) => !text.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with(['Z', 'X'])),
+        Err(_) => kill(pid, None).is_ok() && !std::path::Path::new("/proc/self/stat").exists(),
+    }
+}
+
+/// Under nohup the end of the terminal means nothing.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_under_nohup_outlives_its_terminal() {
+    let bench = Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([6, 6, 6], 60.0));
+    let script = format!("trap '' HUP; exec '{}' analyse block.yaml", env!("CARGO_BIN_EXE_bracket"));
+    let mut running = Running::start(Command::new("sh").current_dir(bench.path()).args(["-c", &script]));
+    running.until("static program: ");
+    running.send(Signal::SIGHUP);
+    let (status, _, err) = running.end();
+    assert_eq!(status.code(), Some(0), "{err}");
+    assert!(!err.contains("interrupted"), "{err}");
+}
