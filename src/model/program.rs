@@ -7,6 +7,8 @@
 //! touches. They stand in the same vector, and P is then the matrix of a saddle, `[P Eᵀ; E −F]` with q = (q, −b): P and F
 //! positive semidefinite, every stationarity row as before.
 
+use std::ops::Range;
+
 /// Symmetric sparse matrix, upper triangle by columns, row indices increasing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SymmetricCsc {
@@ -83,9 +85,22 @@ impl SymmetricCsc {
     }
 
     /// `A X` for a few vectors, the matrix read once.
+    ///
+    /// Two halves side by side, whatever the number of threads: the digits do not depend on it.
     pub fn mul_all<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        let mut y: [Vec<f64>; SIDES] = std::array::from_fn(|_| vec![0.0; self.n]);
-        for c in 0..self.n {
+        let half = self.col_ptr.partition_point(|&k| 2 * k < self.values.len()).min(self.n);
+        let (mut y, rest) = rayon::join(|| self.mul_columns(0..half, x), || self.mul_columns(half..self.n, x));
+        for (y, rest) in y.iter_mut().zip(rest) {
+            y.resize(self.n, 0.0);
+            y.iter_mut().zip(rest).for_each(|(a, b)| *a += b);
+        }
+        y
+    }
+
+    /// What the given columns and their mirror images add to `A X`; as long as the last of them needs.
+    fn mul_columns<const SIDES: usize>(&self, columns: Range<usize>, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let mut y: [Vec<f64>; SIDES] = std::array::from_fn(|_| vec![0.0; columns.end]);
+        for c in columns {
             let xc: [f64; SIDES] = std::array::from_fn(|k| x[k][c]);
             let mut yc = [0.0; SIDES];
             let range = self.col_ptr[c]..self.col_ptr[c + 1];

@@ -1,5 +1,6 @@
 //! What a solve will cost, told before it starts.
 
+use super::sparse::SparseCholesky;
 use std::time::Instant;
 
 /// Iterations a forecast reckons with.
@@ -26,11 +27,29 @@ impl Forecast {
         self.bytes as f64 / f64::from(1u32 << 30)
     }
 
-    /// Seconds for `flops` per factorisation and `entries` of the factor at this machine's measured rates.
-    pub(crate) fn seconds(flops: f64, entries: usize) -> f64 {
-        // two thirds of the dense rate is what sparse factorisations reach; solves read the factor twice each
-        let solves = 6.0 * entries as f64 * 8.0 / 8e9;
-        TYPICAL_ITERATIONS * (flops / (0.67 * dense_rate()) + solves)
+    /// Cost of factoring and solving once.
+    pub(crate) fn of_factor(factor: &SparseCholesky) -> Self {
+        let (entries, flops) = (factor.nonzeros(), factor.flops());
+        Self {
+            unknowns: factor.unknowns(),
+            factor_entries: entries,
+            factor_flops: flops,
+            bytes: (factor.bytes() + 8 * 6 * factor.unknowns()) as u64,
+            seconds: Self::iteration(flops, entries),
+        }
+    }
+
+    /// Seconds of all iterations, for `flops` per factorisation and `entries` of the factor.
+    pub(crate) fn all_iterations(flops: f64, entries: usize) -> f64 {
+        TYPICAL_ITERATIONS * Self::iteration(flops, entries)
+    }
+
+    /// One factor and some four solves at this machine's measured rate.
+    fn iteration(flops: f64, entries: usize) -> f64 {
+        // part of the dense rate that sparse factorisations reach, and bytes per second at which solves read the factor
+        // twice each: both measured, see benches/README.md
+        let (efficiency, reading) = (0.75, 1e10);
+        flops / (efficiency * dense_rate()) + 4.0 * 2.0 * 8.0 * entries as f64 / reading
     }
 }
 

@@ -9,16 +9,19 @@ pub mod sparse;
 pub mod status;
 
 pub use forecast::Forecast;
+use forecast::available_memory;
 pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
 
 use crate::model::program::{ConicProgram, cone_margin};
 use sparse::{SparseCholesky, solve_refined};
 use std::time::Instant;
 
+/// Clarabel's memory, in that of the condensed method, on the same program.
+const CLARABEL_MEMORY: u64 = 3;
+
 /// A program with its ordering and symbolic factor, ready to be solved; its cost is known.
 pub struct Prepared<'a> {
     program: &'a ConicProgram,
-    block: &'a [u32],
     way: Way,
     start: Instant,
 }
@@ -34,8 +37,10 @@ pub struct Yardstick {
 
 /// How a prepared program is solved.
 enum Way {
-    /// No cones: a linear system.
-    Linear,
+    /// No cones: a linear system, ordered and laid out.
+    Linear(Box<SparseCholesky>),
+    /// A linear system that cannot be laid out.
+    Singular,
     /// Nothing loads it: zero.
     Rest,
     /// By the condensed method.
@@ -45,10 +50,10 @@ enum Way {
 }
 
 /// Prepares a program; `block` gives the block (node or face) of each unknown, for orderings.
-pub fn prepare<'a>(program: &'a ConicProgram, block: &'a [u32], options: &SolveOptions) -> Prepared<'a> {
+pub fn prepare<'a>(program: &'a ConicProgram, block: &[u32], options: &SolveOptions) -> Prepared<'a> {
     let start = Instant::now();
     let way = if program.cones.is_empty() {
-        Way::Linear
+        SparseCholesky::symbolic(&program.p, block).map_or(Way::Singular, |f| Way::Linear(Box::new(f)))
     } else if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
         Way::Rest
     } else if options.solver == Solver::Condensed {
@@ -56,7 +61,7 @@ pub fn prepare<'a>(program: &'a ConicProgram, block: &'a [u32], options: &SolveO
     } else {
         Way::Clarabel
     };
-    Prepared { program, block, way, start }
+    Prepared { program, way, start }
 }
 
 impl Prepared<'_> {
@@ -64,6 +69,7 @@ impl Prepared<'_> {
     pub fn forecast(&self) -> Option<Forecast> {
         match &self.way {
             Way::Condensed(p) => Some(p.forecast()),
+            Way::Linear(factor) => Some(Forecast::of_factor(factor)),
             _ => None,
         }
     }
@@ -83,7 +89,11 @@ impl Prepared<'_> {
     pub fn solve(self, options: &SolveOptions) -> Solution {
         let start = self.start;
         let solution = match self.way {
-            Way::Linear => linear_solution(self.program, self.block, start),
+            Way::Linear(mut factor) => match factor.refactor(&self.program.p) {
+                Ok(()) => linear_solution(self.program, &factor),
+                Err(_) => failed(self.program),
+            },
+            Way::Singular => failed(self.program),
             Way::Rest => Solution {
                 status: SolveStatus::Optimal,
                 x: vec![0.0; self.program.p.n],
@@ -93,12 +103,12 @@ impl Prepared<'_> {
             },
             Way::Condensed(prepared) => {
                 use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
+                let bytes = prepared.forecast().bytes;
                 let solution = prepared.solve(options);
-                if matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted) {
-                    solution
-                } else {
-                    clarabel::solve(self.program, options)
-                }
+                let answered = matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
+                // Clarabel takes about twice as much memory
+                let fits = available_memory().is_none_or(|there| there / CLARABEL_MEMORY > bytes);
+                if answered || !fits { solution } else { clarabel::solve(self.program, options) }
             }
             Way::Clarabel => clarabel::solve(self.program, options),
         };
@@ -118,11 +128,13 @@ fn at_rest(program: &ConicProgram) -> bool {
     starts.zip(&program.cones).all(|(s, c)| cone_margin(&program.h[s..s + c.dim()]) >= 0.0)
 }
 
-fn linear_solution(program: &ConicProgram, block: &[u32], start: Instant) -> Solution {
+fn linear_solution(program: &ConicProgram, factor: &SparseCholesky) -> Solution {
     let minus_q: Vec<f64> = program.q.iter().map(|x| -x).collect();
-    let (status, x) = match SparseCholesky::new(&program.p, block) {
-        Ok(factor) => (SolveStatus::Optimal, solve_refined(&program.p, &factor, &minus_q).0),
-        Err(_) => (SolveStatus::NumericalError, vec![0.0; program.p.n]),
-    };
-    Solution { status, x, z: Vec::new(), iterations: 1, seconds: start.elapsed().as_secs_f64() }
+    let x = solve_refined(&program.p, factor, &minus_q).0;
+    Solution { status: SolveStatus::Optimal, x, z: Vec::new(), iterations: 1, seconds: 0.0 }
+}
+
+fn failed(program: &ConicProgram) -> Solution {
+    let (x, z) = (vec![0.0; program.p.n], vec![0.0; program.h.len()]);
+    Solution { status: SolveStatus::NumericalError, x, z, iterations: 0, seconds: 0.0 }
 }

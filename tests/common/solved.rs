@@ -1,11 +1,12 @@
 //! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
 
-use super::points;
+use super::{oracle, points};
 use bracket::adapt::pass::{self, Pass, PassOptions};
 use bracket::diag::{Diagnostics, Place};
 use bracket::mesh::TetMesh;
-use bracket::model::AnalysisModel;
 use bracket::model::file::ModelFile;
+use bracket::model::program::ConicProgram;
+use bracket::model::{AnalysisModel, Kinematic, Static};
 use bracket::solve::{SolveOptions, SolveStatus};
 use std::path::Path;
 
@@ -47,7 +48,9 @@ impl Solved {
         for r in runs {
             assert_eq!(r.status, SolveStatus::Optimal, "{name}: {r:?}");
             assert_eq!(r.trouble, None, "{name}");
+            assert!(r.iterations <= oracle::MOST_ITERATIONS, "{name}: {r:?}");
         }
+        self.agree_with_clarabel(name);
         let b = p.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         let [lower, upper] = [b.lower().value(), b.upper().value()];
         println!(
@@ -74,6 +77,19 @@ impl Solved {
         [lower, upper]
     }
 
+    /// Condensed method and Clarabel, program by program; only where Clarabel takes little time.
+    fn agree_with_clarabel(&self, name: &str) {
+        let kinematic = Kinematic::new(&self.model).unwrap();
+        let statics = Static::new(&self.model).unwrap();
+        let loaded = |p: &ConicProgram| !p.cones.is_empty() && p.p.n < 3000 && p.q.iter().any(|q| *q != 0.0);
+        if loaded(&kinematic.program) {
+            oracle::agree(&format!("{name} kinematic"), &kinematic.program, &kinematic.map.block);
+        }
+        if loaded(&statics.program) {
+            oracle::agree(&format!("{name} static"), &statics.program, &statics.map.block);
+        }
+    }
+
     /// A strict bracket with both ends at `exact` within `tolerance` (relative).
     pub fn exact(&self, name: &str, exact: f64, tolerance: f64) {
         let [lower, upper] = self.strict(name);
@@ -98,6 +114,7 @@ impl Solved {
             let r = r.as_ref().unwrap();
             println!("{name}: {which} {:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
             assert_eq!(r.status, SolveStatus::Unbounded, "{name}: {which}");
+            assert!(r.iterations <= 15, "{name}: {which} took {} iterations to its certificate", r.iterations);
             let mechanism = r.mechanism.as_deref().unwrap_or_default();
             assert!(mechanism.contains(part), "{name}: {which} {mechanism}");
         }

@@ -1,20 +1,16 @@
 //! The kinematic programs bound the energy from above, the static one from below; far below yield all are elastic.
 
-use crate::common::Block;
 use crate::common::yielding::{Built, FORMS, Form, block, model};
+use crate::common::{Block, oracle};
 use bracket::model::program::{ConicProgram, SymmetricCsc, cone_margin};
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{Solution, SolveOptions, SolveStatus, Solver, solve};
+use bracket::solve::{Solution, SolveOptions, solve};
 
-fn options() -> SolveOptions {
-    SolveOptions { solver: Solver::Clarabel, ..SolveOptions::default() }
-}
-
-/// The program of a model and its solution, after all that holds for every optimal one.
+/// The program of a model and its solution by the condensed method, after all that holds for every optimal one; Clarabel
+/// finds the same objective.
 pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solution) {
     let built = form.build(model);
-    let s = solve(&built.program, &built.block, &options());
-    assert_eq!(s.status, SolveStatus::Optimal, "{name} {form:?}");
+    let s = oracle::agree(&format!("{name} {form:?}"), &built.program, &built.block);
     stationary(&format!("{name} {form:?}"), &built.program, &s);
     (built, s)
 }
@@ -82,7 +78,7 @@ fn without_flow(program: &ConicProgram, moves: impl Fn(usize) -> bool) -> f64 {
     let q = kept.iter().map(|&i| program.q[i]).collect();
     let part = ConicProgram { p, q, c: program.c, ..ConicProgram::default() };
     let block: Vec<u32> = (0..kept.len() as u32).collect();
-    part.objective(&solve(&part, &block, &options()).x)
+    part.objective(&solve(&part, &block, &SolveOptions::default()).x)
 }
 
 /// Far below yield: the elastic programs, 1e-8.
@@ -119,7 +115,7 @@ fn elastic_stress_is_stationary() {
     let mut model = block(2, 0.1);
     model.body_loads.push(bracket::model::analysis::BodyLoad { body: 0, dead: false, force: [0.02, -0.01, 0.03] });
     let elastic = Static::new(&model).unwrap();
-    let v = solve(&elastic.program, &elastic.map.block, &options()).x;
+    let v = solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x;
     let yielding = Static::with_plasticity(&model).unwrap();
     let program = &yielding.program;
     let mut x = vec![0.0; program.p.n];
@@ -158,7 +154,7 @@ fn elastic_stress_is_stationary() {
 fn elastic_displacements_are_stationary() {
     let model = block(2, 0.1);
     let elastic = Kinematic::new(&model).unwrap();
-    let u = solve(&elastic.program, &elastic.map.block, &options()).x;
+    let u = solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x;
     let yielding = Kinematic::with_plasticity(&model, Flow::Plain).unwrap();
     let program = &yielding.program;
     let mut x = vec![0.0; program.p.n];
@@ -217,7 +213,7 @@ fn contact_and_yield_in_one_program() {
     let kinematic = Kinematic::new(&model).unwrap();
     let statics = Static::new(&model).unwrap();
     let elastic = [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)]
-        .map(|(p, b)| p.objective(&solve(p, b, &options()).x));
+        .map(|(p, b)| p.objective(&solve(p, b, &SolveOptions::default()).x));
     let [plain, split, lower] = bracket("contact, elastic", &model);
     println!("contact: elastic {elastic:?}");
     assert!((plain - elastic[0]).abs() < 1e-7 * plain.abs() && (lower - elastic[1]).abs() < 1e-7 * lower.abs());
@@ -226,7 +222,7 @@ fn contact_and_yield_in_one_program() {
     let model = blocks_in_contact(225.0);
     let [plain, split, lower] = bracket("contact, yielding", &model);
     let elastic = Kinematic::new(&model).unwrap();
-    let stiff = elastic.program.objective(&solve(&elastic.program, &elastic.map.block, &options()).x);
+    let stiff = elastic.program.objective(&solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x);
     assert!(plain < 1.001 * stiff && split < plain && lower < split, "{stiff} {plain} {split} {lower}");
     let built = Form::Split.build(&model);
     assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 3).count(), 25);

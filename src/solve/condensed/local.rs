@@ -5,18 +5,15 @@
 //! the stages from the highest down; what a group leaves, `−B H⁻¹ Bᵀ`, goes to panels of lower stages or to the sparse
 //! factor. Maximised groups have H negative definite and leave `+`.
 
+use super::panel::{self, LANES, Lane};
 use crate::model::program::SymmetricCsc;
 use crate::solve::sparse::{LinearError, Locator, SparseCholesky};
 use rayon::prelude::*;
 
-/// Groups side by side in a batch.
-const LANES: usize = 8;
 /// Batches whose products are made in parallel before they are added one after the other.
 const ROUND: usize = 32;
 /// No unknown, no place.
 const NONE: u32 = u32::MAX;
-
-type Lane = [f64; LANES];
 
 /// Groups of one stage and one shape, side by side.
 struct Batch {
@@ -266,7 +263,7 @@ impl Local {
                 }
                 let products: Option<Vec<Vec<Lane>>> = parts
                     .into_par_iter()
-                    .map(|(batch, panel)| kernels::eliminate(panel, batch.m, batch.height(), batch.sign))
+                    .map(|(batch, panel)| panel::eliminate(panel, batch.m, batch.height(), batch.sign))
                     .collect();
                 let products = products.ok_or(LinearError::Singular)?;
                 let mut store = Store { factor: &mut *factor, panels: &mut *panels };
@@ -291,7 +288,7 @@ impl Local {
             for side in &mut full {
                 batch.gather(side, &mut work, batch.m);
                 work.resize(batch.height(), [0.0; LANES]);
-                kernels::forward(panel, batch.m, batch.height(), &mut work);
+                panel::forward(panel, batch.m, batch.height(), &mut work);
                 for (i, lanes) in work.iter().enumerate() {
                     for (l, &v) in lanes.iter().enumerate() {
                         let unknown = batch.members[i * LANES + l];
@@ -319,7 +316,7 @@ impl Local {
             let panel = &self.panels[batch.start..batch.start + batch.len()];
             for full in &mut kept {
                 batch.gather(full, &mut work, batch.height());
-                kernels::backward(panel, batch.m, batch.height(), &mut work);
+                panel::backward(panel, batch.m, batch.height(), &mut work);
                 for (i, lanes) in work[..batch.m].iter().enumerate() {
                     for (l, &v) in lanes.iter().enumerate() {
                         let unknown = batch.members[i * LANES + l];
@@ -393,141 +390,79 @@ fn groups_of(t: u8, stage: &[u8], maximised: &[bool], near: &mut [Vec<u32>]) -> 
     Ok(groups)
 }
 
-/// Dense operations on panels of eight groups at once.
-mod kernels {
-    use super::{LANES, Lane};
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::program::Csr;
+    use crate::solve::condensed::cones::Cones;
+    use crate::solve::condensed::system::CondensedSystem;
 
-    /// Column `c` of the panel, from row `from` on.
-    fn column(panel: &[Lane], height: usize, c: usize) -> &[Lane] {
-        &panel[c * height..(c + 1) * height]
-    }
-
-    /// Cholesky of the leading m columns (of −H for sign −1), rows below solved; returns the products `X Xᵀ`, lower
-    /// triangle by columns. `None` where a pivot is not positive.
-    pub fn eliminate(panel: &mut [Lane], m: usize, height: usize, sign: f64) -> Option<Vec<Lane>> {
-        if sign < 0.0 {
-            for c in 0..m {
-                panel[c * height..c * height + m].as_flattened_mut().iter_mut().for_each(|v| *v = -*v);
-            }
+    /// A chain of shared unknowns; between two of them hangs a group of stage 1, and on it one of stage 2.
+    fn chain(links: usize, maximised: bool) -> (SymmetricCsc, Vec<u8>, Vec<bool>) {
+        let shared = links + 1;
+        let n = shared + 5 * links;
+        let mut dense = vec![vec![0.0; n]; n];
+        let mut stage = vec![0u8; n];
+        let mut negative = vec![false; n];
+        for i in 0..shared {
+            dense[i][i] = 4.0 + i as f64 / 10.0;
         }
-        let k = height - m;
-        let mut products = vec![[0.0; LANES]; k * (k + 1) / 2];
-        let positive = pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || {
-                for c in 0..m {
-                    let (done, own) = panel.split_at_mut(c * height);
-                    let own = &mut own[..height];
-                    // four rows at a time stay in registers while the columns before are subtracted
-                    let mut r = c;
-                    while r < height {
-                        let rows = (height - r).min(4);
-                        if rows == 4 {
-                            let mut sums = [own[r], own[r + 1], own[r + 2], own[r + 3]];
-                            for j in 0..c {
-                                let before = column(done, height, j);
-                                let factor = before[c];
-                                for (q, sum) in sums.iter_mut().enumerate() {
-                                    for l in 0..LANES {
-                                        sum[l] -= before[r + q][l] * factor[l];
-                                    }
-                                }
-                            }
-                            own[r..r + 4].copy_from_slice(&sums);
-                        } else {
-                            for q in r..height {
-                                let mut sum = own[q];
-                                for j in 0..c {
-                                    let before = column(done, height, j);
-                                    for l in 0..LANES {
-                                        sum[l] -= before[q][l] * before[c][l];
-                                    }
-                                }
-                                own[q] = sum;
-                            }
-                        }
-                        r += rows;
-                    }
-                    let mut inverse = [0.0; LANES];
-                    for l in 0..LANES {
-                        if !(own[c][l] > 0.0) {
-                            return false;
-                        }
-                        inverse[l] = own[c][l].sqrt().recip();
-                    }
-                    for row in &mut own[c..] {
-                        for l in 0..LANES {
-                            row[l] *= inverse[l];
-                        }
-                    }
-                }
-                let mut at = 0;
-                for b in m..height {
-                    let mut a = b;
-                    while a < height {
-                        let rows = (height - a).min(4);
-                        let mut sums = [[0.0; LANES]; 4];
-                        for j in 0..m {
-                            let x = column(panel, height, j);
-                            let factor = x[b];
-                            for (q, sum) in sums.iter_mut().enumerate().take(rows) {
-                                for l in 0..LANES {
-                                    sum[l] += x[a + q][l] * factor[l];
-                                }
-                            }
-                        }
-                        products[at..at + rows].copy_from_slice(&sums[..rows]);
-                        at += rows;
-                        a += rows;
-                    }
-                }
-                true
-            },
-        );
-        positive.then_some(products)
+        for l in 0..links {
+            let first = shared + 5 * l;
+            for i in 0..5 {
+                let at = first + i;
+                stage[at] = if i < 3 { 1 } else { 2 };
+                negative[at] = maximised && i < 3;
+                dense[at][at] = if negative[at] { -3.0 - l as f64 / 7.0 } else { 3.0 + l as f64 / 5.0 };
+            }
+            let mut join = |a: usize, b: usize, v: f64| {
+                dense[a.min(b)][a.max(b)] = v;
+            };
+            join(first, first + 1, 0.5);
+            join(first + 1, first + 2, -0.4);
+            join(first + 3, first + 4, 0.7);
+            join(first + 3, first + 1, 0.3);
+            join(first + 4, first + 2, 0.6);
+            join(first, l, 0.8);
+            join(first + 2, l + 1, -0.9);
+            join(first + 4, l, 0.2);
+        }
+        let mut p = SymmetricCsc { n, col_ptr: vec![0], ..SymmetricCsc::default() };
+        for c in 0..n {
+            for r in (0..=c).filter(|&r| dense[r][c] != 0.0) {
+                p.row_idx.push(r as u32);
+                p.values.push(dense[r][c]);
+            }
+            p.col_ptr.push(p.row_idx.len());
+        }
+        (p, stage, negative)
     }
 
-    /// `x ← L⁻¹ x` on top, `x ← −X (L⁻¹ x)` below.
-    pub fn forward(panel: &[Lane], m: usize, height: usize, x: &mut [Lane]) {
-        pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || {
-                for c in 0..m {
-                    let own = column(panel, height, c);
-                    let mut y = x[c];
-                    for l in 0..LANES {
-                        y[l] /= own[c][l];
-                    }
-                    x[c] = y;
-                    for r in c + 1..height {
-                        for l in 0..LANES {
-                            x[r][l] -= own[r][l] * y[l];
-                        }
-                    }
-                }
-            },
-        );
+    #[test]
+    fn local_and_sparse_elimination_together_solve_the_whole() {
+        for maximised in [false, true] {
+            // one batch full, one with unused lanes
+            let (p, stage, negative) = chain(11, maximised);
+            let g = Csr { ncols: p.n, ..Csr::default() };
+            let cones = Cones::new(&[]);
+            let block: Vec<u32> = (0..p.n as u32).collect();
+            let mut system =
+                CondensedSystem::new(p.clone(), &g, &cones, &stage, &negative, &block).expect("the groups are small");
+            assert_eq!(system.forecast().unknowns, 12);
+            system.factor_start(&cones).expect("definite once the groups are gone");
+            let b: Vec<f64> = (0..p.n).map(|i| ((3 * i) % 7) as f64 - 3.0).collect();
+            let [x] = system.solve([&b]);
+            let error = p.mul(&x).iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(error < 1e-13, "maximised {maximised}: {error:e}");
+        }
     }
 
-    /// `x ← L⁻ᵀ (x − Xᵀ x_below)` on top.
-    pub fn backward(panel: &[Lane], m: usize, height: usize, x: &mut [Lane]) {
-        pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || {
-                for c in (0..m).rev() {
-                    let own = column(panel, height, c);
-                    let mut y = x[c];
-                    for r in c + 1..height {
-                        for l in 0..LANES {
-                            y[l] -= own[r][l] * x[r][l];
-                        }
-                    }
-                    for l in 0..LANES {
-                        y[l] /= own[c][l];
-                    }
-                    x[c] = y;
-                }
-            },
-        );
+    #[test]
+    fn a_group_of_both_kinds_is_refused() {
+        let (p, stage, mut negative) = chain(3, true);
+        negative[4] = !negative[4];
+        let g = Csr { ncols: p.n, ..Csr::default() };
+        let block: Vec<u32> = (0..p.n as u32).collect();
+        assert!(CondensedSystem::new(p, &g, &Cones::new(&[]), &stage, &negative, &block).is_err());
     }
 }

@@ -95,7 +95,7 @@ impl CondensedSystem {
             factor_entries: entries,
             factor_flops: flops,
             bytes: bytes as u64,
-            seconds: Forecast::seconds(flops, entries),
+            seconds: Forecast::all_iterations(flops, entries),
         }
     }
 

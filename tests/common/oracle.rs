@@ -1,0 +1,23 @@
+//! Clarabel as the oracle of the condensed method, on one and the same program.
+
+use bracket::model::program::ConicProgram;
+use bracket::solve::{Solution, SolveOptions, SolveStatus, clarabel, condensed};
+
+/// Iterations an elastic or elastoplastic program may take, hard cases included.
+pub const MOST_ITERATIONS: u32 = 40;
+
+/// Solves by both, without any fallback between them: both optimal, objectives within 1e-6. Returns the condensed one.
+pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
+    let options = SolveOptions::default();
+    let prepared = condensed::Prepared::new(program, block).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let ours = prepared.solve(&options);
+    assert_eq!(ours.status, SolveStatus::Optimal, "{name}");
+    assert!(ours.iterations <= MOST_ITERATIONS, "{name}: {} iterations", ours.iterations);
+    let theirs = clarabel::solve(program, &options);
+    assert_eq!(theirs.status, SolveStatus::Optimal, "{name}: Clarabel");
+    let [a, b] = [&ours, &theirs].map(|s| program.objective(&s.x) - program.c);
+    println!("{name}: {a:.9e} in {} iterations, Clarabel {b:.9e} in {}", ours.iterations, theirs.iterations);
+    // without loads or gaps to close both are zero to rounding
+    assert!((a - b).abs() <= 1e-6 * b.abs() + 1e-14, "{name}: {a:.9e} against {b:.9e}");
+    ours
+}
