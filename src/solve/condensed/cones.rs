@@ -83,6 +83,25 @@ impl Cones {
         c
     }
 
+    /// By how much the eigenvalues of `v` lie outside `[low, high]`; above it by at most `high`.
+    pub fn outside(&self, v: &[f64], low: f64, high: f64) -> Vec<f64> {
+        let excess = |e: f64| (e - e.clamp(low, high)).min(high);
+        let mut out = vec![0.0; self.rows];
+        for &(s, d) in &self.blocks {
+            if d == 1 {
+                out[s] = excess(v[s]);
+                continue;
+            }
+            let n = norm(&v[s + 1..s + d]);
+            let (more, less) = (excess(v[s] + n), excess(v[s] - n));
+            out[s] = 0.5 * (more + less);
+            if n > 0.0 {
+                (1..d).for_each(|i| out[s + i] = 0.5 * (more - less) * v[s + i] / n);
+            }
+        }
+        out
+    }
+
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
         self.blocks.iter().fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))

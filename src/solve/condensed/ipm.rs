@@ -20,6 +20,18 @@ const TO_THE_SURFACE: f64 = 0.99;
 const REFINEMENTS: usize = 3;
 /// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs no refinement.
 const DIRECTION_ERROR: f64 = 0.01;
+/// Centrality correctors at most in an iteration.
+const CORRECTORS: usize = 2;
+/// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a solve, with what goes with it,
+/// then costs less than a tenth of a factor.
+const DENSE_FACTOR: f64 = 1500.0;
+/// Steps as long as this need no corrector.
+const LONG_STEP: f64 = 0.97;
+/// How much longer a step a corrector aims at, and the part of that it must gain.
+const LONGER: f64 = 0.3;
+const WORTH: f64 = 0.1;
+/// Complementarity products within these multiples of the target are well centred.
+const CENTRE: (f64, f64) = (0.1, 10.0);
 /// An iterate that stalls within this many times the tolerances is taken.
 const NEARLY: f64 = 100.0;
 /// A certificate is accepted with residuals this many times larger once κ is so many times τ: the embedding has decided.
@@ -263,7 +275,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let identity = cones.identity();
         let ds: Vec<f64> = (0..ll.len()).map(|i| ll[i] + cross[i] - sigma * mu * identity[i]).collect();
         let dk = p.kappa * p.tau + affine.kappa * affine.tau - sigma * mu;
-        let d = newton.solve(&ds, dk, sigma);
+        let d = newton.centred(newton.solve(&ds, dk, sigma), ds, dk, sigma, mu);
         let a = (TO_THE_SURFACE * newton.step(&d)).min(1.0);
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
@@ -420,6 +432,35 @@ impl<'a> Newton<'a> {
         let (r1, r2) = self.right_hand_side(ds, sigma);
         let [(x1, z1)] = self.kkt([(&r1, &r2)]);
         self.direction(x1, z1, dk, sigma)
+    }
+
+    /// The direction with complementarity products brought back towards the target `σ μ` where a longer step would leave
+    /// them far behind or ahead (Gondzio's centrality correctors); each costs one solve and is kept only if the step grows.
+    fn centred(&self, mut d: Direction, mut ds: Vec<f64>, mut dk: f64, sigma: f64, mu: f64) -> Direction {
+        let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
+        let target = sigma * mu;
+        let mut step = self.step(&d).min(1.0);
+        let correctors = if self.system.flops_per_entry() < DENSE_FACTOR { 0 } else { CORRECTORS };
+        for _ in 0..correctors {
+            if step > LONG_STEP {
+                break;
+            }
+            let longer = (step + LONGER).min(1.0);
+            let (s, z) = (self.scaling.apply_inverse(cones, &d.s), self.scaling.apply(cones, &d.z));
+            let ahead = |v: &[f64]| lambda.iter().zip(v).map(|(l, v)| l + longer * v).collect::<Vec<f64>>();
+            let excess = cones.outside(&cones.product(&ahead(&s), &ahead(&z)), CENTRE.0 * target, CENTRE.1 * target);
+            let tk = (p.tau + longer * d.tau) * (p.kappa + longer * d.kappa);
+            let scalar = tk - tk.clamp(CENTRE.0 * target, CENTRE.1 * target);
+            let next_ds: Vec<f64> = ds.iter().zip(&excess).map(|(a, b)| a + b).collect();
+            let next_dk = dk + scalar.min(CENTRE.1 * target);
+            let next = self.solve(&next_ds, next_dk, sigma);
+            let reached = self.step(&next).min(1.0);
+            if reached < step + WORTH * LONGER {
+                break;
+            }
+            (d, ds, dk, step) = (next, next_ds, next_dk, reached);
+        }
+        d
     }
 
     /// The direction from the solution for its right-hand side, the scalar rows taken in.

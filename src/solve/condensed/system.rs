@@ -99,6 +99,11 @@ impl CondensedSystem {
         }
     }
 
+    /// Operations of a factorisation for each nonzero of the factor.
+    pub fn flops_per_entry(&self) -> f64 {
+        self.factor.flops() / self.factor.nonzeros().max(1) as f64
+    }
+
     /// `P X` for a few vectors.
     pub fn multiply<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
         self.p.mul_all(x)
