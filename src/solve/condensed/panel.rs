@@ -59,7 +59,8 @@ pub fn eliminate(panel: &mut [Lane], m: usize, height: usize, sign: f64) -> Opti
                 }
                 let mut inverse = [0.0; LANES];
                 for l in 0..LANES {
-                    if !(own[c][l] > 0.0) {
+                    // not a number is not positive either
+                    if own[c][l].is_nan() || own[c][l] <= 0.0 {
                         return false;
                     }
                     inverse[l] = own[c][l].sqrt().recip();
