@@ -21,7 +21,7 @@ fn norm(a: &[f64]) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
@@ -253,6 +253,21 @@ mod tests {
         // λ ∘ (λ \ b) = b
         let back = cones.product(&w.lambda, &cones.divide(&w.lambda, &s));
         back.iter().zip(&s).for_each(|(x, y)| assert!((x - y).abs() < 1e-12));
+    }
+
+    #[test]
+    fn what_lies_outside_taken_off_leaves_the_range() {
+        let cones = Cones::new(&[Cone::NonNegative, Cone::SecondOrder(3), Cone::SecondOrder(3)]);
+        // eigenvalues 0.05; −4 and 6; 0.5 and 1.5
+        let v = [0.05, 1.0, 3.0, -4.0, 1.0, 0.3, 0.4];
+        let out = cones.outside(&v, 0.1, 10.0);
+        let kept: Vec<f64> = v.iter().zip(&out).map(|(a, b)| a - b).collect();
+        assert!((kept[0] - 0.1).abs() < 1e-15);
+        let n = norm(&kept[2..4]);
+        assert!((kept[1] - n - 0.1).abs() < 1e-14 && (kept[1] + n - 6.0).abs() < 1e-14, "{kept:?}");
+        assert_eq!(out[4..], [0.0; 3]);
+        // far above the range only as much as the range is high
+        assert_eq!(cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0.1, 10.0)[0], 10.0);
     }
 
     #[test]

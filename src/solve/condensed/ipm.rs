@@ -8,7 +8,7 @@
 //! # Source
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
 
-use super::cones::{Cones, Scaling};
+use super::cones::{Cones, Scaling, dot};
 use super::system::CondensedSystem;
 use crate::model::program::Csr;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
@@ -126,10 +126,6 @@ pub struct Outcome {
     pub z: Vec<f64>,
     /// Iterations.
     pub iterations: u32,
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 fn largest(a: &[f64]) -> f64 {

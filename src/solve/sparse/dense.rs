@@ -5,7 +5,6 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltParams, cholesky_in_place, cholesky_in_place_scratch};
-use faer::linalg::matmul::triangular::BlockStructure;
 use faer::linalg::{matmul, triangular_solve};
 use faer::{Accum, MatMut, MatRef, Par, Spec};
 
@@ -30,20 +29,4 @@ pub fn subtract_product(c: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f6
 /// `C ← A Bᵀ`.
 pub fn product(c: MatMut<'_, f64>, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
     matmul::matmul(c, Accum::Replace, a, b.transpose(), 1.0, Par::Seq);
-}
-
-/// Lower triangle of `C ← A Aᵀ`.
-pub fn square(c: MatMut<'_, f64>, a: MatRef<'_, f64>) {
-    use BlockStructure::{Rectangular, TriangularLower};
-    matmul::triangular::matmul(
-        c,
-        TriangularLower,
-        Accum::Replace,
-        a,
-        Rectangular,
-        a.transpose(),
-        Rectangular,
-        1.0,
-        Par::Seq,
-    );
 }

@@ -55,6 +55,30 @@ impl Plan {
         plan.top.reverse();
         plan
     }
+
+    /// Cuts data laid out supernode by supernode, where supernode s begins at `start(s)`.
+    pub fn cut<'a>(&self, data: &'a mut [f64], start: impl Fn(usize) -> usize) -> Cut<'a> {
+        let mut cut = Cut { subtrees: Vec::with_capacity(self.subtrees.len()), between: Vec::new() };
+        let (mut rest, mut at) = (data, 0);
+        for &(first, last) in &self.subtrees {
+            let (from, to) = (start(first), start(last + 1));
+            let (gap, after) = rest.split_at_mut(from - at);
+            let (piece, after) = after.split_at_mut(to - from);
+            cut.between.push((at, gap));
+            cut.subtrees.push((first, last, piece));
+            (rest, at) = (after, to);
+        }
+        cut.between.push((at, rest));
+        cut
+    }
+}
+
+/// Data of the subtrees, and of the supernodes above them.
+pub struct Cut<'a> {
+    /// First and last supernode of each subtree, and its data.
+    pub subtrees: Vec<(usize, usize, &'a mut [f64])>,
+    /// What lies between them, with where it begins.
+    pub between: Vec<(usize, &'a mut [f64])>,
 }
 
 /// Work space of one thread.
@@ -101,14 +125,7 @@ struct Target<'a> {
 
 /// Factors in place; `values` holds the matrix in the layout of `symbolic`.
 pub fn factor(symbolic: &Symbolic, plan: &Plan, values: &mut [f64], pool: &Pool) -> Result<(), NotPositive> {
-    let mut pieces = Vec::with_capacity(plan.subtrees.len());
-    let (mut rest, mut at) = (&mut *values, 0);
-    for &(first, last) in &plan.subtrees {
-        let (from, to) = (symbolic.value_start[first], symbolic.value_start[last + 1]);
-        let (piece, after) = std::mem::take(&mut rest).split_at_mut(from - at).1.split_at_mut(to - from);
-        pieces.push((first, last, piece));
-        (rest, at) = (after, to);
-    }
+    let mut pieces = plan.cut(values, |s| symbolic.value_start[s]).subtrees;
     // the costliest first: less waiting at the end
     pieces.sort_by_key(|(first, last, _)| {
         std::cmp::Reverse(symbolic.value_start[*last + 1] - symbolic.value_start[*first])

@@ -9,8 +9,7 @@ use rayon::prelude::*;
 
 /// Solves `L Lᵀ X = X` in place, in the factor's order; `x` is interleaved, `n × SIDES`.
 pub fn solve<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64], x: &mut [f64]) {
-    let first_of_top = TopRows::new(symbolic, plan);
-    forward::<SIDES>(symbolic, plan, values, x, &first_of_top);
+    forward::<SIDES>(symbolic, plan, values, x, &TopRows::new(symbolic, plan));
     backward::<SIDES>(symbolic, plan, values, x);
 }
 
@@ -50,16 +49,9 @@ struct Share<'a> {
 }
 
 fn forward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64], x: &mut [f64], top: &TopRows) {
-    let mut pieces = Vec::with_capacity(plan.subtrees.len());
-    let (mut rest, mut at) = (&mut *x, 0);
-    for &(first, last) in &plan.subtrees {
-        let (from, to) = (symbolic.begin[first] as usize, symbolic.begin[last + 1] as usize);
-        let (piece, after) =
-            std::mem::take(&mut rest).split_at_mut(SIDES * (from - at)).1.split_at_mut(SIDES * (to - from));
-        pieces.push((first, last, piece));
-        (rest, at) = (after, to);
-    }
-    let shares: Vec<Vec<f64>> = pieces
+    let cut = plan.cut(x, |s| SIDES * symbolic.begin[s] as usize);
+    let shares: Vec<Vec<f64>> = cut
+        .subtrees
         .into_par_iter()
         .with_max_len(1)
         .map(|(first, last, own)| {
@@ -136,24 +128,14 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
         interleave::<SIDES>(&buffer, height, &mut x[from..from + SIDES * columns]);
     }
     // subtrees read the top and write their own columns
-    let mut pieces = Vec::with_capacity(plan.subtrees.len());
-    let mut gaps = Vec::with_capacity(plan.top.len());
-    let (mut rest, mut at) = (&mut *x, 0usize);
-    for &(first, last) in &plan.subtrees {
-        let (from, to) = (symbolic.begin[first] as usize, symbolic.begin[last + 1] as usize);
-        let (gap, after) = std::mem::take(&mut rest).split_at_mut(SIDES * (from - at));
-        let (piece, after) = after.split_at_mut(SIDES * (to - from));
-        gaps.push((at as u32, &*gap));
-        pieces.push((first, last, piece));
-        (rest, at) = (after, to);
-    }
-    gaps.push((at as u32, &*rest));
+    let cut = plan.cut(x, |s| SIDES * symbolic.begin[s] as usize);
+    let between = cut.between;
     let above = |row: u32| {
-        let k = gaps.partition_point(|g| g.0 <= row) - 1;
-        let at = SIDES * (row - gaps[k].0) as usize;
-        &gaps[k].1[at..at + SIDES]
+        let at = SIDES * row as usize;
+        let (start, part) = &between[between.partition_point(|b| b.0 <= at) - 1];
+        &part[at - start..at - start + SIDES]
     };
-    pieces.into_par_iter().with_max_len(1).for_each(|(first, last, own)| {
+    cut.subtrees.into_par_iter().with_max_len(1).for_each(|(first, last, own)| {
         let (begin, end) = (symbolic.begin[first], symbolic.begin[last + 1]);
         let mut buffer = Vec::new();
         for s in (first..=last).rev() {
