@@ -3,7 +3,7 @@
 //! `cargo bench --bench yielding -- [block|plate] [plain|split|static] [clarabel|condensed|build] [CELLS] [FACTOR]`
 //!
 //! CELLS: cells along a side of the block or plate; FACTOR of the load. `build` only builds the programs. One row each: tets,
-//! shared and own unknowns, entries of P, cones, seconds to build, status, iterations, seconds to solve, objective
+//! shared and own unknowns, cones, seconds to build, status, iterations, seconds to solve, objective
 //! \[N mm\], part of the elements that yield.
 #![allow(missing_docs, clippy::unwrap_used)]
 
@@ -21,7 +21,7 @@ fn main() {
     let numbers: Vec<f64> = words.iter().filter_map(|w| w.parse().ok()).collect();
     let factor = numbers.get(1).copied().unwrap_or(1.0);
     let solver = if has("condensed") { Solver::Condensed } else { Solver::Clarabel };
-    println!("case form tets shared own entries cones build_s | status iterations solve_s objective yielding");
+    println!("case form tets shared own cones build_s | status iterations solve_s objective yielding");
     for case in ["block", "plate"].into_iter().filter(|c| has(c) || !any(&["block", "plate"])) {
         let cells = numbers.first().map(|n| *n as usize);
         let model = match case {
@@ -41,15 +41,15 @@ fn main() {
             let built = form.build(&model);
             let build = start.elapsed().as_secs_f64();
             let shared = built.block.len();
-            print!("{case} {name} {} {shared} {} ", model.mesh.tets.len(), built.program.p.n - shared);
-            print!("{} {} {build:.2} | ", built.program.p.values.len(), built.program.cones.len());
+            print!("{case} {name} {} {shared} {} ", model.mesh.tets.len(), built.program.unknowns() - shared);
+            print!("{} {build:.2} | ", built.program.cones.len());
             if has("build") {
                 println!("not solved");
                 continue;
             }
             let options = SolveOptions { solver, ..SolveOptions::default() };
             let s = solve(&built.program, &built.block, &options);
-            let objective = built.program.objective(&s.x);
+            let objective = built.program.objective(&s.x, &s.z);
             let yielding = built.flowing(&model, &s);
             println!("{} {} {:.2} {objective:.9e} {yielding:.3}", s.status.words(), s.iterations, s.seconds);
         }

@@ -110,7 +110,7 @@ pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, Reco
     let z = balanced_tractions(statics, solution, &modes)?;
     let mut p = statics.program.p.clone();
     // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
-    hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned));
+    hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned), &[]);
     let factor = SparseCholesky::new(&p, &statics.map.block)?;
     let mut rhs = statics.loads.clone();
     if !z.is_empty() {

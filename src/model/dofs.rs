@@ -60,6 +60,15 @@ impl DofMap {
         r
     }
 
+    /// Diagonal of the stiffness on the program's unknowns from one that is diagonal on the full ones.
+    pub fn reduce_diagonal(&self, d: &[f64]) -> Vec<f64> {
+        let mut r = vec![0.0; self.n];
+        for (i, &di) in d.iter().enumerate() {
+            self.terms(i).iter().for_each(|&(k, c)| r[k as usize] += c * c * di);
+        }
+        r
+    }
+
     /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
     pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
         let mut row: Vec<(u32, f64)> =

@@ -7,14 +7,15 @@
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
+use super::batch::Rule;
 use super::dofs::DofMap;
-use super::element_unknowns::append;
+use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::loads::{face_corners, face_nodes};
 use super::program::{Cone, ConicProgram};
-use super::split_tet10::{self, YieldingSplit};
+use super::split_tet10;
 use super::tet10;
-use super::yielding_tet10;
+use super::yielding_elements::{Columns, append};
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
@@ -257,23 +258,48 @@ impl Kinematic {
             Some(_) => model.yield_radii(),
             None => vec![None; model.mesh.bodies.len()],
         };
+        let yields = radii.iter().any(Option::is_some);
         let split: Vec<bool> = radii.iter().map(|r| r.is_some() && flow == Some(Flow::Split)).collect();
+        let forces = model.body_forces();
         let dofs = |e: usize| {
             let nodes = space.tet(&model.mesh, e);
             std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
         };
+        // the element of a body that yields
+        let flowing = |e: usize| {
+            let body = model.mesh.tet_body[e] as usize;
+            radii[body].map(|radius| FlowingTet10 {
+                corners: model.mesh.corners(e),
+                volume: model.mesh.volume(e),
+                material: materials[body],
+                radius,
+                body_force: forces[body],
+                split: split[body],
+                rule: Rule::Hencky,
+            })
+        };
         let mut p = assemble::<30, ModelError>(model.mesh.tets.len(), &map, dofs, |e| {
             let body = model.mesh.tet_body[e] as usize;
-            let (corners, volume, material) = (model.mesh.corners(e), model.mesh.volume(e), &materials[body]);
-            Ok(match split[body] {
-                true => split_tet10::outer_stiffness(&split_tet10::stiffness(&corners, volume, material)),
-                false => tet10::stiffness(&corners, volume, material),
+            Ok(match flowing(e) {
+                Some(element) => element.outer_stiffness(),
+                None => tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]),
             })
         })?;
         let mut f = map.reduce(&nodal_forces(model, &space, &split));
         holds::add_rigid_actions(model, &rigid, &mut f);
-        pin_free_modes(model, &space, &map, &mut p);
-        let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), c: 0.0, ..ConicProgram::default() };
+        let mut stiffness = Vec::new();
+        if yields {
+            stiffness = p.diagonal();
+            let mut beside = vec![0.0; map.full()];
+            for e in 0..model.mesh.tets.len() {
+                let Some(element) = flowing(e) else { continue };
+                let (elastic, kept) = (element.elastic_diagonal(), element.outer_stiffness());
+                dofs(e).into_iter().enumerate().for_each(|(i, d)| beside[d] += elastic[i] - kept[i][i]);
+            }
+            map.reduce_diagonal(&beside).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
+        }
+        hold(&mut p, &free_mode_pins(model, &space, &map), &stiffness);
+        let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut points = Vec::new();
         for point in control_points(model, &space) {
@@ -282,17 +308,10 @@ impl Kinematic {
             }
         }
         let mut own = Vec::new();
-        if radii.iter().any(Option::is_some) {
-            let forces = model.body_forces();
-            own = append(&mut program, &map, model.mesh.tets.len(), |e| {
-                let body = model.mesh.tet_body[e] as usize;
-                let Some(radius) = radii[body] else { return Ok(None) };
-                let (corners, volume, material) = (model.mesh.corners(e), model.mesh.volume(e), materials[body]);
-                let (dofs, body_force) = (dofs(e), forces[body]);
-                Ok::<_, ModelError>(Some(match split[body] {
-                    true => YieldingSplit { corners, volume, material, radius, body_force, dofs }.unknowns(),
-                    false => yielding_tet10::plain(&corners, volume, material.two_mu, radius, dofs),
-                }))
+        if yields {
+            own = append(&mut program, model.mesh.tets.len(), |e| {
+                let columns = || Columns::new(&map, &dofs(e));
+                Ok::<_, ModelError>(flowing(e).map(|element| element.element(&columns())))
             })?;
         }
         Ok(Self { program, space, map, rigid, points, own })
@@ -354,9 +373,9 @@ pub fn push_rows(program: &mut ConicProgram, rows: &[&Vec<(u32, f64)>; 3], mu: f
 }
 
 /// Holds one vertex displacement per free rigid motion.
-fn pin_free_modes(model: &AnalysisModel, space: &Tet10Space, map: &DofMap, p: &mut super::program::SymmetricCsc) {
+fn free_mode_pins(model: &AnalysisModel, space: &Tet10Space, map: &DofMap) -> Vec<usize> {
     if model.free_modes.is_empty() {
-        return;
+        return Vec::new();
     }
     let part = model.node_parts();
     let motions = model
@@ -375,12 +394,13 @@ fn pin_free_modes(model: &AnalysisModel, space: &Tet10Space, map: &DofMap, p: &m
             x
         })
         .collect();
-    hold(p, &holds::pins(motions, &[]));
+    holds::pins(motions, &[])
 }
 
-/// Stiffens the given unknowns by the mean diagonal; their force is zero, so their value becomes zero.
-pub fn hold(p: &mut super::program::SymmetricCsc, unknowns: &[usize]) {
-    let diagonal = p.diagonal();
+/// Stiffens the given unknowns by the mean of `stiffness` (empty: P's diagonal); their force is zero, so their value
+/// becomes zero.
+pub fn hold(p: &mut super::program::SymmetricCsc, unknowns: &[usize], stiffness: &[f64]) {
+    let diagonal = if stiffness.is_empty() { p.diagonal() } else { stiffness.to_vec() };
     let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
     unknowns.iter().for_each(|&k| p.add_diagonal(k, mean));
 }

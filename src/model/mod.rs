@@ -2,23 +2,26 @@
 
 pub mod analysis;
 pub mod assemble;
+pub mod batch;
 pub mod contact_modes;
 pub mod dofs;
-pub mod element_unknowns;
+pub mod explicit;
 pub mod file;
+pub mod flowing_tet10;
 pub mod from_joint;
 pub mod holds;
 pub mod kinematic;
 pub mod loads;
 pub mod program;
 pub mod resolve;
+pub mod split_flow;
 pub mod split_tet10;
 pub mod static_form;
 pub mod stress_basis;
 pub mod super_element;
 pub mod tet10;
+pub mod yielding_elements;
 pub mod yielding_super_element;
-pub mod yielding_tet10;
 
 pub use analysis::AnalysisModel;
 pub use kinematic::{Flow, Kinematic};

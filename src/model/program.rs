@@ -3,11 +3,15 @@
 //! `min ½ xᵀPx + qᵀx + c` subject to `s = G x + h`, `s ∈ K`, with K a product of small cones. The multipliers `z ∈ K*`
 //! satisfy `P x + q = Gᵀ z`.
 //!
-//! Some unknowns may be maximised over instead: multipliers `y` of equations `E x − F y = b` among the others, which no cone
-//! touches. They stand in the same vector, and P is then the matrix of a saddle, `[P Eᵀ; E −F]` with q = (q, −b): P and F
-//! positive semidefinite, every stationarity row as before.
+//! Elements that yield and the load factor of limit analysis make it a saddle. Their parameters y are maximised over; they
+//! stand in the same vector behind the unknowns that elements share, and the matrix of the quadratic term is then
+//! `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or maximised ones, never both. Rows keep their natural sign: the
+//! gradient is `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
 
+use super::batch::{Batch, LANES, Lane, NONE, YIELD_ROWS};
+use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Symmetric sparse matrix, upper triangle by columns, row indices increasing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,12 +73,23 @@ pub struct ConicProgram {
     pub h: Vec<f64>,
     /// The cones.
     pub cones: Vec<Cone>,
-    /// When an unknown is eliminated: 0 by the sparse factor, above it element by element, the highest stage first.
-    ///
-    /// Empty: all 0. Unknowns of one stage that P or a cone joins are eliminated together, so they must form small groups.
-    pub stage: Vec<u8>,
-    /// True for an unknown that is maximised over. Empty: none.
-    pub maximised: Vec<bool>,
+    /// Elements that yield. Their own unknowns stand behind the shared ones, the rows of their yield points behind those of
+    /// `g`; `h` and `cones` hold both.
+    pub elements: Elements,
+    /// Loads multiplied by the load factor, on the shared unknowns \[N\]; empty: there is no load factor. It is the last
+    /// unknown, maximised over.
+    pub live: Vec<f64>,
+    /// Stiffness that measures each unknown; empty: the diagonal of P.
+    pub stiffness: Vec<f64>,
+}
+
+/// All elements that yield.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Elements {
+    /// Eight of one shape each.
+    pub batches: Arc<Vec<Batch>>,
+    /// What multiplies the shared and inner displacements that the elements see; empty: 1.
+    pub scale: Vec<f64>,
 }
 
 impl SymmetricCsc {
@@ -181,26 +196,115 @@ impl Csr {
 }
 
 impl ConicProgram {
-    /// `½ xᵀPx + qᵀx + c`; with unknowns `y` maximised over, the objective `½ xᵀPx + ½ yᵀFy + qᵀx + c` of the minimiser.
-    pub fn objective(&self, x: &[f64]) -> f64 {
-        let px = self.p.mul(x);
-        let term = |i: usize| if self.is_maximised(i) { -0.5 * x[i] * px[i] } else { x[i] * (0.5 * px[i] + self.q[i]) };
-        crate::math::Sum::of((0..x.len()).map(term)) + self.c
+    /// Unknowns that elements share, those of P.
+    pub fn shared(&self) -> usize {
+        self.p.n
     }
 
-    /// True when unknown `i` is maximised over.
-    pub fn is_maximised(&self, i: usize) -> bool {
-        self.maximised.get(i).copied().unwrap_or(false)
+    /// All unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.q.len()
     }
 
-    /// Stage at which unknown `i` is eliminated.
-    pub fn stage_of(&self, i: usize) -> u8 {
-        self.stage.get(i).copied().unwrap_or(0)
+    /// The unknowns that are maximised over: parameters of elements, and the load factor.
+    pub fn maximised(&self) -> Vec<bool> {
+        let mut out = vec![false; self.unknowns()];
+        for batch in self.elements.batches.iter() {
+            for own in batch.own.iter().filter(|o| **o != NONE) {
+                out[*own as usize..][..batch.shape.parameters()].fill(true);
+            }
+        }
+        if let (false, Some(last)) = (self.live.is_empty(), out.last_mut()) {
+            *last = true;
+        }
+        out
+    }
+
+    /// Value of the minimiser's objective, `½ xᵀPx + ½ yᵀFy + qᵀx + hᵀz + c`: z the multipliers of the yield points alone.
+    pub fn objective(&self, x: &[f64], z: &[f64]) -> f64 {
+        let [px] = self.quadratic([x]);
+        let maximised = self.maximised();
+        let term = |i: usize| if maximised[i] { -0.5 * x[i] * px[i] } else { x[i] * (0.5 * px[i] + self.q[i]) };
+        let points = (self.g.nrows()..self.h.len()).map(|r| self.h[r] * z[r]);
+        crate::math::Sum::of((0..x.len()).map(term).chain(points)) + self.c
+    }
+
+    /// The matrix of the quadratic term times a few vectors.
+    pub fn quadratic<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let n = self.shared();
+        let mut y = self.p.mul_all(x.map(|x| &x[..n]));
+        let (batches, scale) = (&self.elements.batches, &self.elements.scale);
+        y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
+        let parts: Vec<[(Vec<Lane>, Vec<Lane>); SIDES]> = batches
+            .par_iter()
+            .map(|batch| {
+                x.map(|x| {
+                    let (v, sigma) = (batch.gather_displacements(x, scale), batch.gather_parameters(x));
+                    let mut strain = batch.strain(&v);
+                    batch.subtract_flexibility(&sigma, &mut strain);
+                    let mut force = vec![[0.0; LANES]; v.len()];
+                    batch.add_force(&sigma, &mut force);
+                    batch.add_inner(&v, &mut force);
+                    (force, strain)
+                })
+            })
+            .collect();
+        for (batch, part) in batches.iter().zip(&parts) {
+            for (y, (force, strain)) in y.iter_mut().zip(part) {
+                batch.scatter_displacements(force, scale, y);
+                Batch::scatter(&batch.own, strain, y);
+            }
+        }
+        if let (false, Some(last)) = (self.live.is_empty(), self.unknowns().checked_sub(1)) {
+            for (y, x) in y.iter_mut().zip(x) {
+                let factor = x[last];
+                y.iter_mut().zip(&self.live).for_each(|(y, f)| *y -= factor * f);
+                y[last] -= self.live.iter().zip(x).map(|(f, x)| f * x).sum::<f64>();
+            }
+        }
+        y
+    }
+
+    /// `G x`, rows of the yield points included.
+    pub fn rows(&self, x: &[f64]) -> Vec<f64> {
+        let mut s = self.g.mul(x);
+        s.resize(self.h.len(), 0.0);
+        let batches = &self.elements.batches;
+        let parts: Vec<Vec<Lane>> = batches.par_iter().map(|b| b.deviators(&b.gather_parameters(x))).collect();
+        for (batch, d) in batches.iter().zip(&parts) {
+            for l in (0..LANES).filter(|&l| batch.own[l] != NONE) {
+                let at = batch.rows[l] as usize;
+                for (cone, d) in s[at..].chunks_exact_mut(YIELD_ROWS).zip(d.chunks_exact(YIELD_ROWS - 1)) {
+                    cone[1..].iter_mut().zip(d).for_each(|(s, d)| *s = d[l]);
+                }
+            }
+        }
+        s
+    }
+
+    /// `Gᵀ z`, its entries of maximised unknowns with the opposite sign.
+    pub fn rows_transposed(&self, z: &[f64]) -> Vec<f64> {
+        let mut y = self.g.mul_transpose(&z[..self.g.nrows()]);
+        y.resize(self.unknowns(), 0.0);
+        let batches = &self.elements.batches;
+        let parts: Vec<Vec<Lane>> = batches
+            .par_iter()
+            .map(|batch| {
+                let rows = Batch::gather(&batch.rows, YIELD_ROWS * batch.shape.points(), z);
+                let minus: Vec<Lane> =
+                    rows.chunks_exact(YIELD_ROWS).flat_map(|c| c[1..].iter().map(|d| d.map(|x| -x))).collect();
+                let mut out = vec![[0.0; LANES]; batch.shape.parameters()];
+                batch.add_deviators(&minus, &mut out);
+                out
+            })
+            .collect();
+        batches.iter().zip(&parts).for_each(|(batch, d)| Batch::scatter(&batch.own, d, &mut y));
+        y
     }
 
     /// `G x + h`.
     pub fn slack(&self, x: &[f64]) -> Vec<f64> {
-        self.g.mul(x).iter().zip(&self.h).map(|(a, b)| a + b).collect()
+        self.rows(x).iter().zip(&self.h).map(|(a, b)| a + b).collect()
     }
 
     /// First row of each cone.

@@ -5,10 +5,8 @@
 //! Nodes 0–3 are the vertices, 4–9 the mid-sides of [`EDGES`], 10 the centroid, 11–14 the middles between the centroid
 //! and vertex 0–3. Subtet k holds the face opposite vertex k, its corners [`FACES`] then the centroid.
 
-use super::element_unknowns::{ElementUnknown, ElementUnknowns, YIELD_ROWS};
 use super::super_element::centroid;
 use super::tet10;
-use super::yielding_tet10::{FLOW_UNKNOWNS, FlowingTet, Standing};
 use crate::math::mandel::Isotropic;
 use crate::math::vec3::V3;
 use crate::mesh::tet::{EDGES, FACES};
@@ -76,60 +74,6 @@ pub fn shape_integrals() -> [f64; NODES] {
         }
     }
     w
-}
-
-/// What one yielding split element consists of.
-pub struct YieldingSplit {
-    /// Its corners \[mm\].
-    pub corners: [V3; 4],
-    /// Its volume \[mm³\].
-    pub volume: f64,
-    /// Its material.
-    pub material: Isotropic,
-    /// Radius √(2/3) f_y of the yield surface \[MPa\].
-    pub radius: f64,
-    /// Force per volume \[N/mm³\].
-    pub body_force: V3,
-    /// Full unknowns of the outer nodes.
-    pub dofs: [usize; 30],
-}
-
-impl YieldingSplit {
-    /// The element's own unknowns: 15 displacements of its inner nodes (stage 1), then the plastic unknowns of its four
-    /// subtets (stage 2).
-    pub fn unknowns(&self) -> ElementUnknowns {
-        let k = stiffness(&self.corners, self.volume, &self.material);
-        let weights = shape_integrals();
-        let mut out = ElementUnknowns::default();
-        for i in 0..INNER_UNKNOWNS {
-            let row = &k[3 * OUTER + i];
-            out.unknowns.push(ElementUnknown {
-                stage: 1,
-                q: -weights[OUTER + i / 3] * self.volume * self.body_force[i % 3],
-                shared: self.dofs.iter().copied().zip(row.iter().copied()).collect(),
-                own: (0..=i).map(|j| (j, row[3 * OUTER + j])).collect(),
-                ..ElementUnknown::default()
-            });
-        }
-        for subtet in 0..4 {
-            let nodes = subtet_nodes(subtet);
-            let standing = |c: usize| {
-                let dof = 3 * nodes[c / 3] + c % 3;
-                if dof < 3 * OUTER { Standing::Shared(self.dofs[dof]) } else { Standing::Own(dof - 3 * OUTER) }
-            };
-            let tet = FlowingTet {
-                corners: &subtet_corners(&self.corners, subtet),
-                volume: 0.25 * self.volume,
-                two_mu: self.material.two_mu,
-                radius: self.radius,
-                displacements: std::array::from_fn(standing),
-            };
-            let first = out.unknowns.len();
-            out.unknowns.extend(tet.unknowns(first, 2));
-            out.cones.extend((0..FLOW_UNKNOWNS / YIELD_ROWS).map(|i| first + YIELD_ROWS * i));
-        }
-        out
-    }
 }
 
 #[cfg(test)]

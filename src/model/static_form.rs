@@ -8,12 +8,12 @@ use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
-use super::element_unknowns::append;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::kinematic::{hold, push_rows};
 use super::loads::face_corners;
 use super::program::ConicProgram;
 use super::super_element::{self, SuperElement, TRACTIONS};
+use super::yielding_elements::{Columns, append};
 use super::yielding_super_element;
 use crate::math::mandel::Isotropic;
 use crate::math::quadrature::{TRIANGLE_4, triangle_mass};
@@ -257,13 +257,10 @@ impl<'a> Static<'a> {
             map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
         }
         let pinned = pinned(&elements, &map);
-        if elastic.len() < model.mesh.tets.len() && !pinned.is_empty() {
-            let mean = mean_stiffness(&elements, &map)?;
-            pinned.iter().for_each(|&k| p.add_diagonal(k, mean));
-        } else {
-            hold(&mut p, &pinned);
-        }
-        let mut program = ConicProgram { p, q, c, ..ConicProgram::default() };
+        let yields = elastic.len() < model.mesh.tets.len();
+        let stiffness = if yields { elastic_diagonal(&elements, &map)? } else { Vec::new() };
+        hold(&mut p, &pinned, &stiffness);
+        let mut program = ConicProgram { p, q, c, stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
         for v in contact_vertices(&elements) {
@@ -272,11 +269,11 @@ impl<'a> Static<'a> {
             }
         }
         let mut own = Vec::new();
-        if elastic.len() < model.mesh.tets.len() {
-            own = append(&mut program, &map, model.mesh.tets.len(), |e| {
+        if yields {
+            own = append(&mut program, model.mesh.tets.len(), |e| {
                 let Some(radius) = radius(e) else { return Ok(None) };
-                let element = elements.element(e)?;
-                Ok::<_, ModelError>(Some(yielding_super_element::unknowns(&element, &elements.dofs(e), radius)))
+                let columns = Columns::new(&map, &elements.dofs(e));
+                Ok::<_, ModelError>(Some(yielding_super_element::element(&elements.element(e)?, &columns, radius, true)))
             })?;
         }
         Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own })
@@ -328,16 +325,20 @@ fn pinned(elements: &SuperElements, map: &DofMap) -> Vec<usize> {
     holds::pins(modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect(), &[])
 }
 
-/// Mean diagonal entry of the elastic stiffness: yielding elements have none in P.
-fn mean_stiffness(elements: &SuperElements, map: &DofMap) -> Result<f64, ModelError> {
-    let traces: Vec<f64> = (0..elements.model.mesh.tets.len())
+/// Diagonal of the stiffness of all elements, elastic: yielding ones have none in P.
+fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, ModelError> {
+    let diagonals: Vec<[f64; TRACTIONS]> = (0..elements.model.mesh.tets.len())
         .into_par_iter()
         .map(|e| {
             let k = elements.element(e)?.stiffness();
-            Ok((0..TRACTIONS).map(|i| k[i][i]).sum())
+            Ok(std::array::from_fn(|i| k[i][i]))
         })
         .collect::<Result<_, ModelError>>()?;
-    Ok(traces.iter().sum::<f64>() / map.n.max(1) as f64)
+    let mut full = vec![0.0; map.full()];
+    for (e, diagonal) in diagonals.iter().enumerate() {
+        elements.dofs(e).into_iter().zip(diagonal).for_each(|(d, k)| full[d] += k);
+    }
+    Ok(map.reduce_diagonal(&full))
 }
 
 impl Static<'_> {

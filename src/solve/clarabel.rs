@@ -7,6 +7,7 @@
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
+use crate::model::explicit::Explicit;
 use crate::model::program::{Cone, ConicProgram};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -14,10 +15,20 @@ use std::time::Instant;
 
 /// Solves a program with at least one cone.
 pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
-    let start = Instant::now();
     let scales = Scales::new(program);
-    let scaled = scales.apply(program);
-    let Minimum { p, q, a, b, equations } = Minimum::new(&scaled);
+    let explicit = Explicit::new(&scales.apply(program));
+    let Solution { mut x, mut z, status, iterations, seconds } = solve_explicit(&explicit, options);
+    // behind the program's own unknowns stand the multipliers of its yield points
+    let points = x.split_off(explicit.unknowns);
+    z.truncate(explicit.rows);
+    z.extend(points);
+    Solution { status, x: scales.unscale_x(&x), z: scales.unscale_z(&z), iterations, seconds }
+}
+
+/// Solves a program that is written out.
+fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
+    let start = Instant::now();
+    let Minimum { p, q, a, b, equations } = Minimum::new(program);
     let equality = (equations > 0).then_some(SupportedConeT::ZeroConeT(equations));
     let cones: Vec<SupportedConeT<f64>> = equality
         .into_iter()
@@ -85,13 +96,8 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
         let maximised = (0..x.len()).filter(|&i| program.is_maximised(i));
         maximised.zip(&sol.z[..equations]).for_each(|(i, w)| x[i] = *w);
     }
-    Solution {
-        status,
-        x: scales.unscale_x(&x),
-        z: scales.unscale_z(&sol.z[equations..]),
-        iterations: sol.iterations,
-        seconds: start.elapsed().as_secs_f64(),
-    }
+    let seconds = start.elapsed().as_secs_f64();
+    Solution { status, x, z: sol.z[equations..].to_vec(), iterations: sol.iterations, seconds }
 }
 
 /// `min ½ uᵀPu + qᵀu`, `b − A u ∈ {0}ᵐ × K`: what Clarabel solves.
@@ -106,7 +112,7 @@ struct Minimum {
 
 impl Minimum {
     /// The minimum that has the saddle point of a program.
-    fn new(program: &ConicProgram) -> Self {
+    fn new(program: &Explicit) -> Self {
         let n = program.p.n;
         let mut row_of = vec![usize::MAX; n];
         let mut equations = 0;
@@ -191,17 +197,17 @@ mod tests {
                 upper(&[&[-f, 1.0, 1.0, 0.0], &[1.0, 1.0, 0.0, 1.0], &[1.0, 0.0, 1.0, -1.0], &[0.0, 1.0, -1.0, 0.0]]);
             let mut g = Csr { ncols: 4, ..Csr::default() };
             g.push_row(&[(2, 1.0)]);
-            let program = ConicProgram {
+            let program = Explicit {
                 p,
                 q: vec![-1.0, -1.0, 0.0, -4.0],
                 g,
                 h: vec![-floor],
                 cones: vec![Cone::NonNegative],
                 maximised: vec![true, false, false, true],
-                stage: vec![1, 0, 0, 1],
-                ..ConicProgram::default()
+                unknowns: 4,
+                rows: 1,
             };
-            let s = solve(&program, &SolveOptions::default());
+            let s = solve_explicit(&program, &SolveOptions::default());
             assert_eq!(s.status, SolveStatus::Optimal);
             let [y0, x, x1, y1] = s.x[..] else { panic!("four unknowns") };
             assert!((x - x0).abs() < 1e-6 && (x1 - (x0 - 4.0)).abs() < 1e-6, "{:?}", s.x);

@@ -97,15 +97,16 @@ impl Built {
     /// a hundredth of the strain at yield.
     pub fn flowing(&self, model: &AnalysisModel, solution: &Solution) -> f64 {
         let least = 0.01 * FY / E;
-        let starts = self.program.cone_starts();
-        let mut yields = vec![false; model.mesh.tets.len()];
-        for (start, _) in starts.into_iter().zip(&self.program.cones).filter(|(_, c)| c.dim() == 6) {
-            let (unknown, _) = self.program.g.row(start).next().unwrap();
-            let e = self.own.partition_point(|first| *first <= unknown) - 1;
-            let per = if self.program.maximised[self.own[e + 1] - 1] { 16.0 / model.mesh.volume(e) } else { 1.0 };
-            yields[e] |= solution.x[unknown] * per > least;
-        }
-        let elements = self.own.windows(2).filter(|w| w[1] > w[0]).count();
-        yields.iter().filter(|y| **y).count() as f64 / elements as f64
+        let radius = bracket::math::mandel::yield_radius(FY);
+        let elements: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| self.own[e + 1] > self.own[e]).collect();
+        let points = &solution.z[self.program.g.nrows()..];
+        let per_element = points.len() / elements.len();
+        let flows = |e: usize, z: &[f64]| {
+            // multipliers are plastic strain times yield radius times volume (static: at a point its share of it)
+            let largest = z.chunks_exact(6).fold(0.0f64, |m, z| m.max(z[0]));
+            largest * (per_element / 6) as f64 / (radius * model.mesh.volume(e)) > least
+        };
+        let count = elements.iter().zip(points.chunks_exact(per_element)).filter(|(e, z)| flows(**e, z)).count();
+        count as f64 / elements.len() as f64
     }
 }

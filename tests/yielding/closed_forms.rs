@@ -28,7 +28,7 @@ fn cuboid(cells: [usize; 3], min: [f64; 3], max: [f64; 3], seed: u64, body: &str
 fn exact(name: &str, model: &AnalysisModel, want: f64) {
     for form in FORMS {
         let (built, s) = optimal(name, form, model);
-        let got = built.program.objective(&s.x);
+        let got = built.program.objective(&s.x, &s.z);
         println!("{name} {form:?}: {got:.12e} against {want:.12e}, {:.1e}", got / want - 1.0);
         assert!((got - want).abs() < 1e-7 * want.abs(), "{name} {form:?}");
     }
@@ -73,9 +73,11 @@ fn multipliers_are_the_plastic_strain() {
     let flow = (STRAIN - FY / E) * 1.5f64.sqrt() * 96.0 * 30.0;
     let direction = bracket::math::mandel::deviator(&[1.0, -0.5, -0.5, 0.0, 0.0, 0.0]).map(|x| x / 1.5f64.sqrt());
     let radius = bracket::math::mandel::yield_radius(FY);
-    let mut sum = 0.0;
+    let (mut sum, slack) = (0.0, built.program.slack(&s.x));
     for (start, _) in built.program.cone_starts().into_iter().zip(&built.program.cones) {
-        let (lambda, z) = (&built.program.slack(&s.x)[start..start + 6], &s.z[start..start + 6]);
+        // both are measured by the yield radius
+        let lambda: Vec<f64> = s.z[start..start + 6].iter().map(|z| z / radius).collect();
+        let z: Vec<f64> = slack[start..start + 6].iter().map(|s| s * radius).collect();
         sum += lambda[0];
         assert!((lambda[0] - length(&lambda[1..])).abs() < 1e-6 * flow, "{lambda:?}");
         for i in 0..5 {

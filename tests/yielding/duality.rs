@@ -1,8 +1,9 @@
 //! The kinematic programs bound the energy from above, the static one from below; far below yield all are elastic.
 
-use crate::common::yielding::{Built, FORMS, Form, block, model};
+use crate::common::yielding::{Built, FORMS, FY, Form, block, model};
 use crate::common::{Block, oracle};
-use bracket::model::program::{ConicProgram, SymmetricCsc, cone_margin};
+use bracket::model::program::{ConicProgram, cone_margin};
+use bracket::model::yielding_super_element::parameter_unit;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
 use bracket::solve::{Solution, SolveOptions, solve};
 
@@ -15,12 +16,12 @@ pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solutio
     (built, s)
 }
 
-/// `P x + q = Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones, and complementary.
+/// `P x + q = ± Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones, and complementary.
 fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
-    let (px, gz, slack) = (program.p.mul(&s.x), program.g.mul_transpose(&s.z), program.slack(&s.x));
+    let ([px], gz, slack) = (program.quadratic([&s.x]), program.rows_transposed(&s.z), program.slack(&s.x));
     // each row against the largest of its terms, in the work of the unknown's own size
-    let energy = program.objective(&s.x).abs();
-    for i in 0..program.p.n {
+    let energy = program.objective(&s.x, &s.z).abs();
+    for i in 0..program.unknowns() {
         let residual = px[i] + program.q[i] - gz[i];
         assert!((residual * s.x[i]).abs() <= 1e-6 * energy, "{name}: row {i} {residual:e} × {:e}", s.x[i]);
     }
@@ -39,7 +40,7 @@ fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
 fn bracket(name: &str, model: &AnalysisModel) -> [f64; 3] {
     let [plain, split, lower] = FORMS.map(|form| {
         let (built, s) = optimal(name, form, model);
-        built.program.objective(&s.x)
+        built.program.objective(&s.x, &s.z)
     });
     println!(
         "{name}: static {lower:.9e}, split {split:.9e}, plain {plain:.9e}, gap {:.4}",
@@ -62,42 +63,31 @@ fn the_gap_shrinks() {
     assert!(gaps.windows(2).all(|w| w[1] < 0.8 * w[0]), "{gaps:?}");
 }
 
-/// The linear system among the displacements alone, all plastic unknowns held at zero.
-fn without_flow(program: &ConicProgram, moves: impl Fn(usize) -> bool) -> f64 {
-    let kept: Vec<usize> = (0..program.p.n).filter(|&i| moves(i)).collect();
-    let mut p = SymmetricCsc { n: kept.len(), col_ptr: vec![0], ..SymmetricCsc::default() };
-    for &c in &kept {
-        for k in program.p.col_ptr[c]..program.p.col_ptr[c + 1] {
-            if let Ok(r) = kept.binary_search(&(program.p.row_idx[k] as usize)) {
-                p.row_idx.push(r as u32);
-                p.values.push(program.p.values[k]);
-            }
-        }
-        p.col_ptr.push(p.row_idx.len());
-    }
-    let q = kept.iter().map(|&i| program.q[i]).collect();
-    let part = ConicProgram { p, q, c: program.c, ..ConicProgram::default() };
-    let block: Vec<u32> = (0..kept.len() as u32).collect();
-    part.objective(&solve(&part, &block, &SolveOptions::default()).x)
+/// Objective of an elastic program.
+fn linear(program: &ConicProgram, block: &[u32]) -> f64 {
+    program.objective(&solve(program, block, &SolveOptions::default()).x, &[])
 }
 
-/// Far below yield: the elastic programs, 1e-8.
+/// Far below yield: the elastic programs, 1e-8. The split element is softer than the plain one, and only its yield
+/// strength, not its stiffness, tells it from one that never yields.
 #[test]
 fn far_below_yield_everything_is_elastic() {
     let model = block(2, 0.1);
+    let mut stronger = model.clone();
+    stronger.materials.iter_mut().for_each(|m| m.fy = Some(3.0 * FY));
     let kinematic = Kinematic::new(&model).unwrap();
-    let elastic = without_flow(&kinematic.program, |_| true);
+    let elastic = linear(&kinematic.program, &kinematic.map.block);
     let statics = Static::new(&model).unwrap();
-    let lower = without_flow(&statics.program, |_| true);
+    let lower = linear(&statics.program, &statics.map.block);
     for form in FORMS {
         let (built, s) = optimal("far below", form, &model);
         assert_eq!(built.flowing(&model, &s), 0.0);
-        let got = built.program.objective(&s.x);
+        let got = built.program.objective(&s.x, &s.z);
         let want = match form {
             Form::Plain => elastic,
             Form::Split => {
-                let inner = |i: usize| built.program.stage[i] < 2;
-                let split = without_flow(&built.program, inner);
+                let (built, s) = optimal("stronger", form, &stronger);
+                let split = built.program.objective(&s.x, &s.z);
                 assert!(split < elastic && split > lower);
                 split
             }
@@ -118,38 +108,45 @@ fn elastic_stress_is_stationary() {
     let v = solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x;
     let yielding = Static::with_plasticity(&model).unwrap();
     let program = &yielding.program;
-    let mut x = vec![0.0; program.p.n];
+    let mut x = vec![0.0; program.unknowns()];
     x[..v.len()].copy_from_slice(&v);
     let full = elastic.map.expand(&v);
+    let radius = bracket::math::mandel::yield_radius(FY);
     let mut stresses = Vec::new();
     for e in 0..model.mesh.tets.len() {
         let element = elastic.elements.element(e).unwrap();
         let a = element.parameters(&elastic.elements.dofs(e).map(|d| full[d]), true);
-        x[yielding.own[e + 1] - 30..yielding.own[e + 1]].copy_from_slice(&a);
+        let unit = parameter_unit(&element, radius);
+        x[yielding.own[e]..yielding.own[e + 1]].copy_from_slice(&a.map(|a| a / unit));
         stresses.push(element.stress(&a));
     }
-    let rows: Vec<f64> = program.p.mul(&x).iter().zip(&program.q).map(|(a, b)| a + b).collect();
+    let [px] = program.quadratic([&x]);
+    let rows: Vec<f64> = px.iter().zip(&program.q).map(|(a, b)| a + b).collect();
     let force = program.q[..v.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
     assert!(rows[..v.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
+    // a row of compatibility is one energy less another: the element's stress against its displacements
+    let mut flexed = x.clone();
+    flexed[v.len()..].fill(0.0);
+    let [strain] = program.quadratic([&flexed]);
+    let slack = program.slack(&x);
     for e in 0..model.mesh.tets.len() {
-        let (first, radius) = (yielding.own[e], bracket::math::mandel::yield_radius(235.0));
-        let rows = &rows[first..yielding.own[e + 1]];
-        let size = x[first + 96..first + 126].iter().fold(0.0f64, |m, a| m.max(a.abs()));
-        let strain = (0..30).map(|i| program.p.diagonal()[first + 96 + i].abs()).fold(0.0, f64::max) * size;
-        assert!(rows[96..].iter().all(|r| r.abs() < 1e-9 * strain), "compatibility of tet {e}");
+        let own = yielding.own[e]..yielding.own[e + 1];
+        let size = strain[own.clone()].iter().fold(0.0f64, |m, s| m.max(s.abs()));
+        assert!(size > 0.0 && rows[own].iter().all(|r| r.abs() < 1e-9 * size), "compatibility of tet {e}");
         for point in 0..16 {
             let s = bracket::math::mandel::deviator(&stresses[e][point / 4][point % 4]);
-            assert!((rows[6 * point] - radius).abs() < 1e-9 * radius);
-            assert!((0..5).all(|i| (rows[6 * point + 1 + i] - s[i]).abs() < 1e-9 * radius), "yield condition");
-            assert!(cone_margin(&rows[6 * point..6 * point + 6]) > 0.5 * radius);
+            let slack = &slack[6 * (16 * e + point)..][..6];
+            assert!((slack[0] - 1.0).abs() < 1e-9);
+            assert!((0..5).all(|i| (slack[1 + i] * radius - s[i]).abs() < 1e-9 * radius), "yield condition");
+            assert!(cone_margin(slack) > 0.5);
         }
     }
-    let (a, b) = (program.objective(&x), elastic.program.objective(&v));
+    let (a, b) = (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&v, &[]));
     assert!((a - b).abs() < 1e-10 * b.abs(), "{a} {b}");
 }
 
-/// The same on the kinematic side, element by element: without flow the multipliers of a vertex are its share of the yield
-/// radius and minus its share of the deviatoric stress, inside the cone.
+/// The same on the kinematic side, element by element: with each vertex's share of the deviatoric stress as parameters,
+/// measured by its share of the yield radius, every row of the saddle is zero.
 #[test]
 fn elastic_displacements_are_stationary() {
     let model = block(2, 0.1);
@@ -157,11 +154,8 @@ fn elastic_displacements_are_stationary() {
     let u = solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x;
     let yielding = Kinematic::with_plasticity(&model, Flow::Plain).unwrap();
     let program = &yielding.program;
-    let mut x = vec![0.0; program.p.n];
+    let mut x = vec![0.0; program.unknowns()];
     x[..u.len()].copy_from_slice(&u);
-    let rows: Vec<f64> = program.p.mul(&x).iter().zip(&program.q).map(|(a, b)| a + b).collect();
-    let force = program.q[..u.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
-    assert!(rows[..u.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
     let full = elastic.map.expand(&u);
     let material = model.stiffnesses()[0];
     for e in 0..model.mesh.tets.len() {
@@ -169,19 +163,29 @@ fn elastic_displacements_are_stationary() {
         let at = nodes.map(|n| [full[3 * n], full[3 * n + 1], full[3 * n + 2]]);
         let strains = bracket::model::tet10::vertex_strains(&model.mesh.corners(e), &at);
         let stress = strains.map(|s| bracket::math::mandel::deviator(&material.stress(&s)));
-        let radius = bracket::math::mandel::yield_radius(235.0) * model.mesh.volume(e) / 4.0;
+        let radius = bracket::math::mandel::yield_radius(FY) * model.mesh.volume(e) / 4.0;
         for i in 0..4 {
-            let z = &rows[yielding.own[e] + 6 * i..][..6];
-            assert!((z[0] - radius).abs() < 1e-12 * radius);
             for a in 0..5 {
                 // ∫ λ_i of a linear field: (its value at i + the sum of all four) V/20
                 let share = (stress[i][a] + (0..4).map(|j| stress[j][a]).sum::<f64>()) * model.mesh.volume(e) / 20.0;
-                assert!((z[1 + a] + share).abs() < 1e-9 * radius, "tet {e} vertex {i}: {z:?}");
+                x[yielding.own[e] + 5 * i + a] = share / radius;
             }
-            assert!(cone_margin(z) > 0.5 * radius);
         }
     }
-    let (a, b) = (program.objective(&x), elastic.program.objective(&u));
+    let [px] = program.quadratic([&x]);
+    let rows: Vec<f64> = px.iter().zip(&program.q).map(|(a, b)| a + b).collect();
+    let force = program.q[..u.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
+    assert!(rows[..u.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
+    let mut flexed = x.clone();
+    flexed[u.len()..].fill(0.0);
+    let [strain] = program.quadratic([&flexed]);
+    for e in 0..model.mesh.tets.len() {
+        let own = yielding.own[e]..yielding.own[e + 1];
+        let size = strain[own.clone()].iter().fold(0.0f64, |m, s| m.max(s.abs()));
+        assert!(size > 0.0 && rows[own].iter().all(|r| r.abs() < 1e-9 * size), "strain of tet {e}");
+    }
+    assert!(program.slack(&x).chunks_exact(6).all(|s| s[0] == 1.0 && cone_margin(s) > 0.5));
+    let (a, b) = (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&u, &[]));
     assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
 }
 
@@ -213,7 +217,7 @@ fn contact_and_yield_in_one_program() {
     let kinematic = Kinematic::new(&model).unwrap();
     let statics = Static::new(&model).unwrap();
     let elastic = [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)]
-        .map(|(p, b)| p.objective(&solve(p, b, &SolveOptions::default()).x));
+        .map(|(p, b)| linear(p, b));
     let [plain, split, lower] = bracket("contact, elastic", &model);
     println!("contact: elastic {elastic:?}");
     assert!((plain - elastic[0]).abs() < 1e-7 * plain.abs() && (lower - elastic[1]).abs() < 1e-7 * lower.abs());
@@ -222,7 +226,7 @@ fn contact_and_yield_in_one_program() {
     let model = blocks_in_contact(225.0);
     let [plain, split, lower] = bracket("contact, yielding", &model);
     let elastic = Kinematic::new(&model).unwrap();
-    let stiff = elastic.program.objective(&solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x);
+    let stiff = linear(&elastic.program, &elastic.map.block);
     assert!(plain < 1.001 * stiff && split < plain && lower < split, "{stiff} {plain} {split} {lower}");
     let built = Form::Split.build(&model);
     assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 3).count(), 25);

@@ -1,81 +1,43 @@
-//! What a solver may rely on: small groups in every stage, definite blocks, elastic programs untouched.
+//! What a solver may rely on: every unknown in its place, definite blocks, elastic programs untouched.
 
 use crate::common::Block;
 use crate::common::yielding::{FORMS, Form, block, model};
-use bracket::model::program::{ConicProgram, SymmetricCsc};
+use bracket::model::batch::NONE;
+use bracket::model::explicit::Explicit;
+use bracket::model::program::SymmetricCsc;
 use bracket::model::{Flow, Kinematic, Static};
 use faer::Mat;
 
-/// The groups of unknowns of each stage above 0: unknowns of one stage that P or a cone joins.
-fn groups(program: &ConicProgram, stage: u8) -> Vec<Vec<usize>> {
-    let mut leader: Vec<usize> = (0..program.p.n).collect();
-    fn find(leader: &mut [usize], mut i: usize) -> usize {
-        while leader[i] != i {
-            leader[i] = leader[leader[i]];
-            i = leader[i];
-        }
-        i
-    }
-    let mut join = |a: usize, b: usize| {
-        if program.stage[a] == stage && program.stage[b] == stage {
-            let (a, b) = (find(&mut leader, a), find(&mut leader, b));
-            leader[a.max(b)] = a.min(b);
-        }
-    };
-    let p = &program.p;
-    for c in 0..p.n {
-        (p.col_ptr[c]..p.col_ptr[c + 1]).filter(|&k| p.values[k] != 0.0).for_each(|k| join(p.row_idx[k] as usize, c));
-    }
-    for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
-        let columns: Vec<usize> = (start..start + cone.dim()).flat_map(|r| program.g.row(r).map(|t| t.0)).collect();
-        columns.iter().for_each(|&c| join(columns[0], c));
-    }
-    let mut members = std::collections::BTreeMap::<usize, Vec<usize>>::new();
-    for i in (0..p.n).filter(|&i| program.stage[i] == stage) {
-        members.entry(find(&mut leader, i)).or_default().push(i);
-    }
-    members.into_values().collect()
-}
-
-/// Every group lies in one element, has the size its element promises, and no unknown is missed.
+/// Every element has its own unknowns and yield points, none twice and none missed, and what is written out is a sound
+/// program.
 #[test]
-fn groups_are_small() {
+fn every_unknown_has_its_place() {
     let model = block(2, 1.0);
-    let tets = model.mesh.tets.len();
     for form in FORMS {
-        // (stage, groups per element, size)
-        let stages: &[(u8, usize, usize)] = match form {
-            Form::Plain => &[(1, 1, 24)],
-            Form::Split => &[(2, 4, 24), (1, 1, 15)],
-            Form::Static => &[(2, 16, 6), (1, 1, 30)],
+        let (own, points) = match form {
+            Form::Plain => (20, 4),
+            Form::Split => (80 + 15, 16),
+            Form::Static => (30, 16),
         };
         let built = form.build(&model);
         let program = &built.program;
-        let shared = built.block.len();
-        assert!(program.stage[..shared].iter().all(|s| *s == 0) && program.stage[shared..].iter().all(|s| *s > 0));
-        let mut counted = shared;
-        for &(stage, count, size) in stages {
-            let groups = groups(program, stage);
-            assert_eq!(groups.len(), count * tets, "{form:?} stage {stage}");
-            for g in &groups {
-                assert_eq!(g.len(), size, "{form:?} stage {stage}");
-                let e = built.own.partition_point(|first| *first <= g[0]) - 1;
-                assert!(g.iter().all(|i| (built.own[e]..built.own[e + 1]).contains(i)), "{form:?}: {g:?}");
-                counted += g.len();
+        let mut seen = vec![false; program.unknowns()];
+        let mut rows = vec![false; program.h.len()];
+        for batch in program.elements.batches.iter() {
+            for (o, r) in batch.own.iter().zip(&batch.rows).filter(|(o, _)| **o != NONE) {
+                let e = built.own.binary_search(&(*o as usize)).unwrap();
+                assert_eq!(built.own[e + 1] - built.own[e], own, "{form:?}");
+                seen[*o as usize..][..own].iter_mut().for_each(|s| assert!(!std::mem::replace(s, true)));
+                rows[*r as usize..][..6 * points].iter_mut().for_each(|s| assert!(!std::mem::replace(s, true)));
             }
         }
-        assert_eq!(counted, program.p.n);
-        // no cone touches an unknown that is maximised over, and each keeps to one stage
-        for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
-            let columns: Vec<usize> = (start..start + cone.dim()).flat_map(|r| program.g.row(r).map(|t| t.0)).collect();
-            assert!(columns.iter().all(|&c| !program.is_maximised(c) && program.stage[c] == program.stage[columns[0]]));
-        }
-        well_formed(program);
+        assert!(seen[program.shared()..].iter().all(|s| *s) && rows[program.g.nrows()..].iter().all(|s| *s), "{form:?}");
+        well_formed(&Explicit::new(program));
     }
 }
 
-/// Columns sorted, upper triangle, every diagonal entry stored, sizes that agree.
-fn well_formed(program: &ConicProgram) {
+/// Columns sorted, upper triangle, every diagonal entry stored, sizes that agree; no cone holds a maximised unknown.
+fn well_formed(program: &Explicit) {
     let p = &program.p;
     assert_eq!(p.col_ptr.len(), p.n + 1);
     for c in 0..p.n {
@@ -83,10 +45,39 @@ fn well_formed(program: &ConicProgram) {
         assert!(rows.windows(2).all(|w| w[0] < w[1]), "column {c}");
         assert_eq!(rows.last(), Some(&(c as u32)));
     }
-    assert_eq!((program.q.len(), program.stage.len(), program.maximised.len()), (p.n, p.n, p.n));
+    assert_eq!((program.q.len(), program.maximised.len()), (p.n, p.n));
     assert_eq!(program.g.ncols, p.n);
     assert_eq!(program.g.nrows(), program.h.len());
     assert_eq!(program.h.len(), program.cones.iter().map(|c| c.dim()).sum::<usize>());
+    assert!((0..program.g.nrows()).all(|r| program.g.row(r).all(|(c, _)| !program.is_maximised(c))));
+}
+
+/// Products with the elements as they are and written out agree, scaled or not; so do rows and their transposes.
+#[test]
+fn written_out_is_the_same() {
+    let model = block(1, 1.0);
+    for form in FORMS {
+        let mut program = form.build(&model).program;
+        for scaled in [false, true] {
+            if scaled {
+                program.elements.scale = (0..program.unknowns()).map(|i| 1.0 + 0.3 * (i as f64).sin()).collect();
+            }
+            let explicit = Explicit::new(&program);
+            let n = program.unknowns();
+            let x: Vec<f64> = (0..explicit.p.n).map(|i| (1.7 * i as f64).cos()).collect();
+            let (own, multipliers) = x.split_at(n);
+            let z: Vec<f64> = vec![0.0; program.g.nrows()].into_iter().chain(multipliers.iter().copied()).collect();
+            let [mut rows] = program.quadratic([own]);
+            // maximised rows carry the multipliers of their points
+            rows.iter_mut().zip(program.rows_transposed(&z)).for_each(|(r, g)| *r -= g);
+            let written = explicit.p.mul(&x);
+            let largest = rows.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+            assert!(rows.iter().zip(&written).all(|(a, b)| (a - b).abs() < 1e-12 * largest), "{form:?} {scaled}");
+            let points = program.rows(own);
+            let behind = &written[n..];
+            assert!(points[program.g.nrows()..].iter().zip(behind).all(|(a, b)| (a - b).abs() < 1e-12), "{form:?}");
+        }
+    }
 }
 
 /// Eigenvalues of P among the unknowns that `pick` selects, increasing, each unknown measured by its diagonal.
@@ -109,29 +100,18 @@ fn eigenvalues(p: &SymmetricCsc, pick: impl Fn(usize) -> bool) -> Vec<f64> {
     (0..picked.len()).map(|i| e.S().column_vector()[i]).collect()
 }
 
-/// The minimised block is semidefinite, the maximised one negative definite; displacements alone are definite, and so
-/// is the plastic block of the kinematic programs.
+/// The minimised block is semidefinite, the maximised one negative definite.
 #[test]
 fn blocks_are_definite() {
     let model = block(1, 1.0);
     for form in FORMS {
         let built = form.build(&model);
-        let program = &built.program;
-        let lowest = |pick: &dyn Fn(usize) -> bool| eigenvalues(&program.p, pick)[0];
-        let minimised = lowest(&|i| !program.is_maximised(i));
-        println!("{form:?}: lowest eigenvalue of the minimised block {minimised:e}");
+        let program = Explicit::new(&built.program);
+        let minimised = eigenvalues(&program.p, |i| !program.is_maximised(i))[0];
+        let maximised = eigenvalues(&program.p, |i| program.is_maximised(i));
+        println!("{form:?}: {minimised:e}, maximised {:e} to {:e}", maximised[0], maximised[maximised.len() - 1]);
         assert!(minimised > -1e-12, "{form:?}: {minimised:e}");
-        if form == Form::Static {
-            let maximised = eigenvalues(&program.p, |i| program.is_maximised(i));
-            println!("{form:?}: maximised block from {:e} to {:e}", maximised[0], maximised[maximised.len() - 1]);
-            assert!(maximised[maximised.len() - 1] < -1e-4, "{form:?}");
-            continue;
-        }
-        let own_stage = program.stage.iter().copied().max().unwrap();
-        let moved = lowest(&|i| program.stage[i] < own_stage);
-        let strained = lowest(&|i| program.stage[i] == own_stage && program.p.diagonal()[i] != 0.0);
-        println!("{form:?}: displacements {moved:e}, plastic strains {strained:e}");
-        assert!(moved > 1e-4 && strained > 0.1, "{form:?}");
+        assert!(maximised[maximised.len() - 1] < -1e-4, "{form:?}");
     }
 }
 
@@ -142,13 +122,13 @@ fn elastic_programs_stay_as_they_are() {
     let mut never = yields.clone();
     never.materials.iter_mut().for_each(|m| m.fy = None);
     let kinematic = Kinematic::new(&yields).unwrap();
-    assert!(kinematic.program.stage.is_empty() && kinematic.program.maximised.is_empty() && kinematic.own.is_empty());
+    assert!(kinematic.program.elements.batches.is_empty() && kinematic.own.is_empty());
     for flow in [Flow::Plain, Flow::Split] {
         assert_eq!(Kinematic::with_plasticity(&never, flow).unwrap().program, kinematic.program);
     }
     let statics = Static::new(&yields).unwrap();
     assert_eq!(Static::with_plasticity(&never).unwrap().program, statics.program);
-    assert!(statics.program.stage.is_empty() && statics.own.is_empty());
+    assert!(statics.program.elements.batches.is_empty() && statics.own.is_empty());
 }
 
 /// Only the elements of bodies with a yield strength have unknowns of their own.
@@ -159,11 +139,11 @@ fn elastic_bodies_stay_elastic() {
         "bodies: {A: r, B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
         mesh,
     );
-    for (form, size) in [(Form::Plain, 24), (Form::Split, 111), (Form::Static, 126)] {
+    for (form, size) in [(Form::Plain, 20), (Form::Split, 95), (Form::Static, 30)] {
         let built = form.build(&model);
         for (e, body) in model.mesh.tet_body.iter().enumerate() {
             assert_eq!(built.own[e + 1] - built.own[e], if *body == 1 { size } else { 0 }, "{form:?} tet {e}");
         }
-        well_formed(&built.program);
+        well_formed(&Explicit::new(&built.program));
     }
 }

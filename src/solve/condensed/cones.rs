@@ -204,6 +204,13 @@ impl Scaling {
         self.map(cones, x, true)
     }
 
+    /// The block of `W⁻²` of cone `k`, dimension 6, on the vector part, `α (I + 2 w wᵀ)`: α, then w.
+    pub fn vector_block(&self, cones: &Cones, k: usize) -> [f64; 6] {
+        let s = cones.blocks[k].0;
+        let w = &self.w[s..s + 6];
+        [1.0 / (self.eta[k] * self.eta[k]), w[1], w[2], w[3], w[4], w[5]]
+    }
+
     /// `W⁻²` of cone `k`, row by row.
     pub fn inverse_square(&self, cones: &Cones, k: usize, out: &mut [[f64; 6]; 6]) {
         let (s, d) = cones.blocks[k];

@@ -10,7 +10,7 @@
 
 use super::cones::{Cones, Scaling, dot};
 use super::system::CondensedSystem;
-use crate::model::program::Csr;
+use crate::model::program::ConicProgram;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
@@ -39,29 +39,31 @@ const DECIDED: (f64, f64) = (100.0, 1e3);
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
 
-/// The scaled program beside its quadratic term, which the system holds.
+/// A scaled program, ready for the iteration.
 pub struct Problem {
-    /// Linear term; `−b` for maximised unknowns.
-    pub q: Vec<f64>,
-    /// Rows of the cones.
-    pub g: Csr,
-    /// Offsets of the rows.
-    pub h: Vec<f64>,
-    /// The cones.
+    /// The program.
+    pub program: ConicProgram,
+    /// Its cones.
     pub cones: Cones,
-    /// True for unknowns maximised over; empty when there are none.
+    /// True for unknowns maximised over.
     pub maximised: Vec<bool>,
+    /// Some are.
+    saddle: bool,
+    /// First row of the yield points, whose cones hold maximised unknowns.
+    points: usize,
 }
 
 impl Problem {
-    /// `G x + h`.
-    fn slack(&self, x: &[f64]) -> Vec<f64> {
-        self.g.mul(x).iter().zip(&self.h).map(|(a, b)| a + b).collect()
+    /// From a scaled program.
+    pub fn new(program: ConicProgram) -> Self {
+        let (cones, maximised) = (Cones::new(&program.cones), program.maximised());
+        let (saddle, points) = (maximised.contains(&true), program.g.nrows());
+        Self { program, cones, maximised, saddle, points }
     }
 
     /// Scalar product in which maximised unknowns count negative.
     fn signed_dot(&self, a: &[f64], b: &[f64]) -> f64 {
-        if self.maximised.is_empty() {
+        if !self.saddle {
             return dot(a, b);
         }
         (0..a.len()).map(|i| if self.maximised[i] { -a[i] * b[i] } else { a[i] * b[i] }).sum()
@@ -69,16 +71,23 @@ impl Problem {
 
     /// Maximised entries with the opposite sign.
     fn signed(&self, mut a: Vec<f64>) -> Vec<f64> {
-        a.iter_mut().zip(&self.maximised).filter(|(_, m)| **m).for_each(|(v, _)| *v = -*v);
+        if self.saddle {
+            a.iter_mut().zip(&self.maximised).filter(|(_, m)| **m).for_each(|(v, _)| *v = -*v);
+        }
         a
     }
 
     /// The vector with the maximised (or the other) entries zero.
     fn part(&self, a: &[f64], maximised: bool) -> Vec<f64> {
-        if self.maximised.is_empty() {
+        if !self.saddle {
             return if maximised { vec![0.0; a.len()] } else { a.to_vec() };
         }
         a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
+    }
+
+    /// Multipliers of yield points (or of the other cones) alone.
+    fn rows_part(&self, z: &[f64], points: bool) -> Vec<f64> {
+        z.iter().enumerate().map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 }).collect()
     }
 }
 
@@ -132,22 +141,25 @@ fn largest(a: &[f64]) -> f64 {
     a.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-fn residuals(problem: &Problem, system: &CondensedSystem, p: &Point) -> Residuals {
-    let [px] = system.multiply([&p.x]);
-    let gz = problem.g.mul_transpose(&p.z);
-    let gx = problem.g.mul(&p.x);
+fn residuals(problem: &Problem, p: &Point) -> Residuals {
+    let (q, h) = (&problem.program.q, &problem.program.h);
+    let [px] = problem.program.quadratic([&p.x]);
+    let gz = problem.program.rows_transposed(&p.z);
+    let gx = problem.program.rows(&p.x);
     let n = p.x.len();
-    let f1: Vec<f64> = (0..n).map(|i| px[i] - gz[i] + problem.q[i] * p.tau).collect();
-    let f2: Vec<f64> = (0..p.s.len()).map(|r| p.s[r] - gx[r] - problem.h[r] * p.tau).collect();
-    let (xpx, cx, hz) = (problem.signed_dot(&p.x, &px), problem.signed_dot(&problem.q, &p.x), dot(&problem.h, &p.z));
+    let f1: Vec<f64> = (0..n).map(|i| px[i] - gz[i] + q[i] * p.tau).collect();
+    let f2: Vec<f64> = (0..p.s.len()).map(|r| p.s[r] - gx[r] - h[r] * p.tau).collect();
+    let (xpx, cx, hz) = (problem.signed_dot(&p.x, &px), problem.signed_dot(q, &p.x), dot(h, &p.z));
     let t = p.tau;
-    let by = -dot(&problem.part(&problem.q, true), &p.x);
-    let po = 0.5 * xpx / (t * t) + (cx - by) / t;
-    let dual_objective = -0.5 * xpx / (t * t) - (hz + by) / t;
+    // what belongs to the maximiser: its linear terms, and the yield points
+    let by = if problem.saddle { -dot(&problem.part(q, true), &p.x) } else { 0.0 };
+    let yielding = dot(&h[problem.points..], &p.z[problem.points..]);
+    let po = 0.5 * xpx / (t * t) + (cx - by + yielding) / t;
+    let dual_objective = -0.5 * xpx / (t * t) - (hz - yielding + by) / t;
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
-    let dual_scale = largest(&problem.q).max(largest(&px) / t).max(largest(&gz) / t);
+    let dual_scale = largest(&problem.program.q).max(largest(&px) / t).max(largest(&gz) / t);
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
-    let primal_scale = largest(&problem.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
+    let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
         dual: largest(&f1) / (t * dual_scale.max(1e-300)),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
@@ -163,39 +175,40 @@ fn residuals(problem: &Problem, system: &CondensedSystem, p: &Point) -> Residual
 }
 
 /// A certificate in the point, if there is one.
-fn certificate(
-    problem: &Problem,
-    system: &CondensedSystem,
-    p: &Point,
-    r: &Residuals,
-    tolerance: f64,
-) -> Option<SolveStatus> {
+fn certificate(problem: &Problem, p: &Point, r: &Residuals, tolerance: f64) -> Option<SolveStatus> {
     if r.cx + r.hz + r.xpx / p.tau >= 0.0 {
         return None;
     }
     let tolerance = if p.kappa > DECIDED.1 * p.tau { DECIDED.0 * tolerance } else { tolerance };
-    let saddle = problem.maximised.contains(&true);
-    let x = problem.part(&p.x, false);
-    let qx = dot(&problem.q, &x);
-    if qx < 0.0 {
-        // P x, E x and G x − s without the τ term
-        let off: Vec<f64> = r.f2.iter().zip(&problem.h).map(|(f, h)| f + h * p.tau).collect();
-        let unit = -qx / largest(&problem.q).max(1e-300);
-        let px = if saddle { largest(&system.multiply([&x])[0]) } else { largest(&r.px) };
-        if px <= tolerance * -qx && largest(&off) <= tolerance * unit.max(largest(&p.s)) {
+    let (q, h) = (&problem.program.q, &problem.program.h);
+    // G x − s without the τ term, of the cones of one side
+    let off = |points: bool| {
+        let rows = if points { problem.points..h.len() } else { 0..problem.points };
+        rows.fold(0.0, |m: f64, i| m.max((r.f2[i] + h[i] * p.tau).abs()))
+    };
+    // stationarity rows of one side's unknowns and of the other side's multipliers, without the τ term
+    let stationarity = |maximised: bool| {
+        if !problem.saddle && !maximised {
+            return largest(&r.px);
+        }
+        let mut rows = problem.program.rows_transposed(&problem.rows_part(&p.z, !maximised));
+        if problem.saddle {
+            let [px] = problem.program.quadratic([&problem.part(&p.x, maximised)]);
+            rows.iter_mut().zip(&px).for_each(|(o, v)| *o -= v);
+        }
+        largest(&rows)
+    };
+    let falls = dot(q, &problem.part(&p.x, false)) + dot(&h[problem.points..], &p.z[problem.points..]);
+    if falls < 0.0 {
+        let unit = -falls / largest(q).max(1e-300);
+        if stationarity(false) <= tolerance * -falls && off(false) <= tolerance * unit.max(largest(&p.s)) {
             return Some(SolveStatus::Unbounded);
         }
     }
-    // Eᵀ y − Gᵀ z and F y without the τ term
-    let y = problem.part(&p.x, true);
-    let work = r.hz - dot(&problem.q, &y);
-    if work < 0.0 {
-        let mut off = problem.g.mul_transpose(&p.z);
-        if saddle {
-            let [py] = system.multiply([&y]);
-            off.iter_mut().zip(&py).for_each(|(o, v)| *o -= v);
-        }
-        if largest(&off) <= tolerance * -work {
+    let works = dot(&h[..problem.points], &p.z[..problem.points]) - dot(q, &problem.part(&p.x, true));
+    if works < 0.0 && stationarity(true) <= tolerance * -works {
+        let unit = -works / largest(q).max(1e-300);
+        if off(true) <= tolerance * unit.max(largest(&p.s)) {
             return Some(SolveStatus::Infeasible);
         }
     }
@@ -205,8 +218,8 @@ fn certificate(
 /// Iterates on a scaled problem.
 pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveOptions, start: Instant) -> Outcome {
     let cones = &problem.cones;
-    if system.factor_start(cones).is_err() {
-        let (x, z) = (vec![0.0; problem.q.len()], vec![0.0; cones.rows]);
+    if system.factor_start(problem).is_err() {
+        let (x, z) = (vec![0.0; problem.program.unknowns()], vec![0.0; cones.rows]);
         return Outcome { status: SolveStatus::NumericalError, x, z, iterations: 0 };
     }
     let mut p = starting_point(problem, system);
@@ -224,7 +237,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
-        let r = residuals(problem, system, &p);
+        let r = residuals(problem, &p);
         // 1 is what was asked for
         let merit = (r.gap / options.gap).max(r.dual.max(r.primal) / options.residual);
         if let Some(tell) = &options.progress {
@@ -235,7 +248,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         if merit <= 1.0 {
             return end(SolveStatus::Optimal, p, iteration);
         }
-        if let Some(status) = certificate(problem, system, &p, &r, options.residual) {
+        if let Some(status) = certificate(problem, &p, &r, options.residual) {
             return end(status, p, iteration);
         }
         if merit < best_merit {
@@ -259,7 +272,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let Some(scaling) = Scaling::new(cones, &p.s, &p.z) else {
             return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         };
-        if system.factor(cones, &scaling, 0.0).is_err() && system.factor(cones, &scaling, 1e-10).is_err() {
+        if system.factor(problem, &scaling, 0.0).is_err() && system.factor(problem, &scaling, 1e-10).is_err() {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         let mu = (dot(&p.s, &p.z) + p.tau * p.kappa) / degree;
@@ -300,10 +313,10 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside.
 fn starting_point(problem: &Problem, system: &CondensedSystem) -> Point {
     let cones = &problem.cones;
-    let gh = problem.g.mul_transpose(&problem.h);
-    let rhs: Vec<f64> = problem.q.iter().zip(&gh).map(|(q, g)| -q - g).collect();
-    let [x] = system.solve([&rhs]);
-    let s = problem.slack(&x);
+    let gh = problem.program.rows_transposed(&problem.program.h);
+    let rhs: Vec<f64> = problem.program.q.iter().zip(&gh).map(|(q, g)| -q - g).collect();
+    let [x] = system.solve(problem, [&rhs]);
+    let s = problem.program.slack(&x);
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
         let margins: Vec<f64> =
@@ -347,21 +360,22 @@ impl<'a> Newton<'a> {
         ll: &[f64],
     ) -> (Self, Direction) {
         let t = point.tau;
-        let mut slope: Vec<f64> = problem.signed(r.px.iter().zip(&problem.q).map(|(p, q)| 2.0 * p / t + q).collect());
-        if problem.maximised.contains(&true) {
+        let (q, h) = (&problem.program.q, &problem.program.h);
+        let mut slope: Vec<f64> = problem.signed(r.px.iter().zip(q).map(|(p, q)| 2.0 * p / t + q).collect());
+        if problem.saddle {
             // (M + Mᵀ) w = S P w + P S w for M = S P: the coupling cancels
-            let [other] = system.multiply([&problem.signed(point.x.clone())]);
+            let [other] = problem.program.quadratic([&problem.signed(point.x.clone())]);
             let own = problem.signed(r.px.clone());
             slope.iter_mut().zip(own.iter().zip(&other)).for_each(|(s, (a, b))| *s += (b - a) / t);
         }
-        let allowed = (DIRECTION_ERROR * largest(&r.f1)).max(1e-13 * largest(&problem.q));
+        let allowed = (DIRECTION_ERROR * largest(&r.f1)).max(1e-13 * largest(&problem.program.q));
         let mut n =
             Self { problem, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0, allowed };
-        let minus_q: Vec<f64> = problem.q.iter().map(|q| -q).collect();
+        let minus_q: Vec<f64> = q.iter().map(|q| -q).collect();
         let (r1, r2) = n.right_hand_side(ll, 0.0);
-        let [(x2, z2), (x1, z1)] = n.kkt([(&minus_q, &problem.h), (&r1, &r2)]);
+        let [(x2, z2), (x1, z1)] = n.kkt([(&minus_q, h), (&r1, &r2)]);
         (n.x2, n.z2) = (x2, z2);
-        n.denominator = dot(&n.slope, &n.x2) + dot(&problem.h, &n.z2) - r.xpx / (t * t) - point.kappa / t;
+        n.denominator = dot(&n.slope, &n.x2) + dot(h, &n.z2) - r.xpx / (t * t) - point.kappa / t;
         let affine = n.direction(x1, z1, point.kappa * point.tau, 0.0);
         (n, affine)
     }
@@ -370,14 +384,14 @@ impl<'a> Newton<'a> {
     /// matrix alone loses the small multipliers in the rounding of the large `W⁻²`.
     fn kkt<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
         let cones = &self.problem.cones;
-        let g = &self.problem.g;
+        let program = &self.problem.program;
         let mut solution = self.condensed(rhs);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let px = self.system.multiply(std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
+            let px = self.system.multiply(self.problem, std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
             let errors: [(Vec<f64>, Vec<f64>); SIDES] = std::array::from_fn(|k| {
                 let ((dx, dz), (r1, r2)) = (&solution[k], rhs[k]);
-                let (gz, gx) = (g.mul_transpose(dz), g.mul(dx));
+                let (gz, gx) = (program.rows_transposed(dz), program.rows(dx));
                 let e1: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[k][i] + gz[i]).collect();
                 let w2 = self.scaling.apply(cones, &self.scaling.apply(cones, dz));
                 let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
@@ -400,15 +414,15 @@ impl<'a> Newton<'a> {
 
     /// The same through the condensed factor, without refinement.
     fn condensed<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
-        let (cones, g) = (&self.problem.cones, &self.problem.g);
+        let (cones, program) = (&self.problem.cones, &self.problem.program);
         let inverse_square = |v: &[f64]| self.scaling.apply_inverse(cones, &self.scaling.apply_inverse(cones, v));
         let sides = rhs.map(|(r1, r2)| {
-            let g = g.mul_transpose(&inverse_square(r2));
+            let g = program.rows_transposed(&inverse_square(r2));
             r1.iter().zip(&g).map(|(a, b)| a - b).collect::<Vec<f64>>()
         });
-        let mut dx = self.system.solve(std::array::from_fn::<_, SIDES, _>(|k| sides[k].as_slice()));
+        let mut dx = self.system.solve(self.problem, std::array::from_fn::<_, SIDES, _>(|k| sides[k].as_slice()));
         std::array::from_fn(|k| {
-            let v: Vec<f64> = g.mul(&dx[k]).iter().zip(rhs[k].1).map(|(g, r)| -g - r).collect();
+            let v: Vec<f64> = program.rows(&dx[k]).iter().zip(rhs[k].1).map(|(g, r)| -g - r).collect();
             (std::mem::take(&mut dx[k]), inverse_square(&v))
         })
     }
@@ -462,12 +476,12 @@ impl<'a> Newton<'a> {
     /// The direction from the solution for its right-hand side, the scalar rows taken in.
     fn direction(&self, x1: Vec<f64>, z1: Vec<f64>, dk: f64, sigma: f64) -> Direction {
         let (p, r) = (self.point, self.r);
-        let (keep, h) = (1.0 - sigma, &self.problem.h);
+        let (keep, h) = (1.0 - sigma, &self.problem.program.h);
         let tau = (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(h, &z1)) / self.denominator;
         let x: Vec<f64> = x1.iter().zip(&self.x2).map(|(a, b)| a + tau * b).collect();
         let z: Vec<f64> = z1.iter().zip(&self.z2).map(|(a, b)| a + tau * b).collect();
         // the slack row holds exactly: s = G x + h τ with the residual shrunk
-        let gx = self.problem.g.mul(&x);
+        let gx = self.problem.program.rows(&x);
         let s = (0..h.len()).map(|i| gx[i] + h[i] * tau - keep * r.f2[i]).collect();
         let kappa = -(dk + p.kappa * tau) / p.tau;
         Direction { x, s, z, tau, kappa }

@@ -1,11 +1,11 @@
 //! The condensed interior-point method: only unknowns that elements share reach the sparse factor.
 //!
-//! Slacks and multipliers of the cones are eliminated cone by cone, unknowns of a stage above 0 element by element; every
+//! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one; every
 //! iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one nested-dissection ordering.
 
 pub mod cones;
+pub mod elements;
 pub mod ipm;
-pub mod local;
 pub mod panel;
 pub mod system;
 
@@ -15,7 +15,6 @@ use super::scales::Scales;
 use super::sparse::LinearError;
 use super::status::{Solution, SolveOptions};
 use crate::model::program::ConicProgram;
-use cones::Cones;
 use ipm::Problem;
 use std::time::Instant;
 use system::CondensedSystem;
@@ -28,18 +27,17 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each unknown.
+    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each shared unknown.
     pub fn new(program: &ConicProgram, block: &[u32]) -> Result<Self, LinearError> {
         let scales = Scales::new(program);
-        let ConicProgram { p, q, g, h, cones, stage, maximised, .. } = scales.apply(program);
-        let cones = Cones::new(&cones);
-        let system = CondensedSystem::new(p, &g, &cones, &stage, &maximised, block)?;
-        Ok(Self { scales, problem: Problem { q, g, h, cones, maximised }, system })
+        let problem = Problem::new(scales.apply(program));
+        let system = CondensedSystem::new(&problem.program, &problem.cones, block)?;
+        Ok(Self { scales, problem, system })
     }
 
     /// What the solve will cost.
     pub fn forecast(&self) -> Forecast {
-        self.system.forecast()
+        self.system.forecast(&self.problem.program)
     }
 
     /// Times the second of two factorisations of the starting matrix, and the second of two solves with it.
@@ -50,8 +48,8 @@ impl Prepared {
             run();
             start.elapsed().as_secs_f64()
         };
-        let factor = timed(&mut || drop(self.system.factor_start(&self.problem.cones)));
-        let solve = timed(&mut || drop(self.system.solve([&self.problem.q])));
+        let factor = timed(&mut || drop(self.system.factor_start(&self.problem)));
+        let solve = timed(&mut || drop(self.system.solve(&self.problem, [&self.problem.program.q])));
         Some(Yardstick { factor, solve })
     }
 

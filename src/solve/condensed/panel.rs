@@ -1,24 +1,18 @@
-//! Dense operations on panels of eight groups at once: entry by entry, the eight side by side.
+//! Dense operations on panels of eight elements at once: entry by entry, the eight side by side.
 
-/// Groups side by side.
-pub const LANES: usize = 8;
-
-/// One entry of eight groups.
-pub type Lane = [f64; LANES];
+use crate::model::batch::{LANES, Lane};
 
 /// Column `c` of the panel, from row `from` on.
 fn column(panel: &[Lane], height: usize, c: usize) -> &[Lane] {
     &panel[c * height..(c + 1) * height]
 }
 
-/// Cholesky of the leading m columns (of −H for sign −1), rows below solved; returns the products `X Xᵀ`, lower
-/// triangle by columns. `None` where a pivot is not positive.
-pub fn eliminate(panel: &mut [Lane], m: usize, height: usize, sign: f64) -> Option<Vec<Lane>> {
-    if sign < 0.0 {
-        for c in 0..m {
-            panel[c * height..c * height + m].as_flattened_mut().iter_mut().for_each(|v| *v = -*v);
-        }
-    }
+/// Part of a diagonal entry that its pivot is raised by: what rounding may have taken from it.
+const ROUNDING: f64 = 1e-14;
+
+/// Cholesky of the leading m columns, rows below solved; returns the products `X Xᵀ`, lower triangle by columns. `None`
+/// where a pivot is not positive.
+pub fn eliminate(panel: &mut [Lane], m: usize, height: usize) -> Option<Vec<Lane>> {
     let k = height - m;
     let mut products = vec![[0.0; LANES]; k * (k + 1) / 2];
     let positive = pulp::Arch::new().dispatch(
@@ -27,6 +21,9 @@ pub fn eliminate(panel: &mut [Lane], m: usize, height: usize, sign: f64) -> Opti
             for c in 0..m {
                 let (done, own) = panel.split_at_mut(c * height);
                 let own = &mut own[..height];
+                for l in 0..LANES {
+                    own[c][l] *= 1.0 + ROUNDING;
+                }
                 // four rows at a time stay in registers while the columns before are subtracted
                 let mut r = c;
                 while r < height {

@@ -1,13 +1,18 @@
 //! The condensed matrix `P + Gᵀ W⁻² G` of every iteration: one fixed pattern, one ordering, one symbolic factor.
 //!
-//! Unknowns of a stage above 0 are eliminated element by element ([`super::local`]); the others reach the sparse factor.
+//! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach the sparse factor.
 //! Every entry has its place in the factor's own storage, so no matrix is assembled beside it.
 
-use super::cones::{Cones, Scaling};
-use super::local::Local;
-use crate::model::program::{Csr, SymmetricCsc};
+use super::cones::{Cones, Scaling, dot};
+use super::elements::{ElementSystem, union};
+use super::ipm::Problem;
+use crate::model::batch::YIELD_ROWS;
+use crate::model::program::ConicProgram;
 use crate::solve::forecast::Forecast;
 use crate::solve::sparse::{LinearError, SparseCholesky};
+
+/// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness.
+const PROXIMAL: (f64, f64) = (1e-4, 1e-8);
 
 /// Columns of one cone's rows and where its products go.
 struct ConeMap {
@@ -21,29 +26,30 @@ struct ConeMap {
 
 /// The matrix, its factor and its fixed data.
 pub struct CondensedSystem {
-    /// P in its own pattern.
-    p: SymmetricCsc,
     /// Place of each entry of P.
     place: Vec<u32>,
     cones: Vec<ConeMap>,
-    local: Local,
+    elements: ElementSystem,
     factor: SparseCholesky,
+    border: Option<Border>,
+}
+
+/// The load factor: a dense row, kept out of the sparse factor by its Schur complement.
+struct Border {
+    /// `K⁻¹ f` of the live loads f.
+    solution: Vec<f64>,
+    /// `fᵀ K⁻¹ f`.
+    compliance: f64,
 }
 
 impl CondensedSystem {
-    /// Lays out the pattern, the elimination and the symbolic factor.
+    /// Lays out the pattern, the elimination and the symbolic factor of a scaled program.
     ///
-    /// `stage` as in [`crate::model::ConicProgram::stage`], `maximised` likewise; `block` gives the block of each unknown.
-    pub fn new(
-        p: SymmetricCsc,
-        g: &Csr,
-        cones: &Cones,
-        stage: &[u8],
-        maximised: &[bool],
-        block: &[u32],
-    ) -> Result<Self, LinearError> {
-        let columns: Vec<Vec<u32>> = cones
-            .blocks
+    /// `block` gives the block of each shared unknown.
+    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32]) -> Result<Self, LinearError> {
+        let (p, g) = (&program.p, &program.g);
+        let contacts = &cones.blocks[..cones.blocks.partition_point(|b| b.0 < g.nrows())];
+        let columns: Vec<Vec<u32>> = contacts
             .iter()
             .map(|&(s, d)| {
                 let mut c: Vec<u32> = (s..s + d).flat_map(|r| g.row(r).map(|(c, _)| c as u32)).collect();
@@ -52,19 +58,17 @@ impl CondensedSystem {
                 c
             })
             .collect();
-        let pattern = union(&p, &columns);
-        let (local, reduced, reduced_block) = Local::new(pattern, stage, maximised, block)?;
-        let factor = SparseCholesky::symbolic(&reduced, &reduced_block)?;
-        let mut system = Self { place: Vec::new(), cones: Vec::new(), local, factor, p };
-        system.local.locate(&system.factor);
+        let elements = ElementSystem::new(program);
+        let factor = SparseCholesky::symbolic(&union(p, &columns, &elements), block)?;
+        let mut system = Self { place: Vec::new(), cones: Vec::new(), elements, factor, border: None };
         let mut locator = system.factor.locator();
-        let mut place = |r: u32, c: u32| system.local.place(&mut locator, r, c);
-        let mut places = Vec::with_capacity(system.p.row_idx.len());
-        for c in 0..system.p.n {
-            let rows = &system.p.row_idx[system.p.col_ptr[c]..system.p.col_ptr[c + 1]];
-            places.extend(rows.iter().map(|&r| place(r, c as u32)));
+        system.elements.locate(&mut locator);
+        let mut place = |i: u32, j: u32| locator.place(i, j);
+        let mut places = Vec::with_capacity(p.values.len());
+        for c in 0..p.n {
+            places.extend(p.row_idx[p.col_ptr[c]..p.col_ptr[c + 1]].iter().map(|&r| place(r, c as u32)));
         }
-        let cones = columns.into_iter().zip(&cones.blocks).map(|(columns, &(s, d))| {
+        let cones = columns.into_iter().zip(contacts).map(|(columns, &(s, d))| {
             let m = columns.len();
             let mut rows = vec![0.0; d * m];
             for r in 0..d {
@@ -83,13 +87,13 @@ impl CondensedSystem {
         Ok(system)
     }
 
-    /// What a solve with this system costs.
-    pub fn forecast(&self) -> Forecast {
-        let (entries, flops) = (self.factor.nonzeros(), self.factor.flops() + self.local.flops());
+    /// What a solve of the program with this system costs.
+    pub fn forecast(&self, program: &ConicProgram) -> Forecast {
+        let (entries, flops) = (self.factor.nonzeros(), self.factor.flops() + self.elements.flops());
         let cones: usize = self.cones.iter().map(|c| 4 * c.columns.len() + 8 * c.rows.len() + 4 * c.places.len()).sum();
         // the iterates, directions and right-hand sides of the method
-        let vectors = 8 * 30 * self.p.n;
-        let bytes = self.factor.bytes() + self.local.bytes() + 16 * self.place.len() + cones + vectors;
+        let vectors = 8 * (30 * program.shared() + 15 * (program.unknowns() - program.shared()) + 20 * program.h.len());
+        let bytes = self.factor.bytes() + self.elements.bytes() + 16 * self.place.len() + cones + vectors;
         Forecast {
             unknowns: self.factor.unknowns(),
             factor_entries: entries,
@@ -104,33 +108,56 @@ impl CondensedSystem {
         self.factor.flops() / self.factor.nonzeros().max(1) as f64
     }
 
-    /// `P X` for a few vectors.
-    pub fn multiply<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        self.p.mul_all(x)
-    }
-
-    /// Factors `P + GᵀG` for the starting point.
-    pub fn factor_start(&mut self, cones: &Cones) -> Result<(), LinearError> {
-        let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
-        self.refactor(unit, 0.0)
-    }
-
-    /// Factors `P + Gᵀ W⁻² G`, the diagonal of P raised by the fraction `regularisation`.
-    pub fn factor(&mut self, cones: &Cones, scaling: &Scaling, regularisation: f64) -> Result<(), LinearError> {
-        self.refactor(|k, w| scaling.inverse_square(cones, k, w), regularisation)
-    }
-
-    fn refactor(&mut self, inverse_square: impl Fn(usize, &mut [[f64; 6]; 6]), raise: f64) -> Result<(), LinearError> {
-        let Self { p, place, cones, local, factor } = self;
-        let values = factor.clear()?;
-        let mut store = local.store(values);
-        place.iter().zip(&p.values).for_each(|(&at, &v)| store.add(at, v));
-        if raise > 0.0 {
-            for c in 0..p.n {
-                let last = p.col_ptr[c + 1] - 1;
-                store.add(place[last], raise * p.values[last]);
+    /// The quadratic term and the proximal terms the factor holds times a few vectors.
+    pub fn multiply<const SIDES: usize>(&self, problem: &Problem, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let mut y = problem.program.quadratic(x);
+        if self.elements.proximal > 0.0 {
+            let factor = problem.program.unknowns() - usize::from(!problem.program.live.is_empty());
+            for (y, x) in y.iter_mut().zip(x) {
+                for i in (problem.program.shared()..factor).filter(|&i| problem.maximised[i]) {
+                    y[i] -= self.elements.proximal * x[i];
+                }
             }
         }
+        y
+    }
+
+    /// Factors the matrix with unit scaling, for the starting point.
+    pub fn factor_start(&mut self, problem: &Problem) -> Result<(), LinearError> {
+        let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..problem.cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
+        let points = |_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        self.choose_proximal(problem, &points);
+        self.refactor(problem, unit, points, 0.0)
+    }
+
+    /// Factors `P + Gᵀ W⁻² G`, its diagonal raised by the fraction `raise`.
+    pub fn factor(&mut self, problem: &Problem, scaling: &Scaling, raise: f64) -> Result<(), LinearError> {
+        let cones = &problem.cones;
+        let first = self.cones.len();
+        let start = problem.program.g.nrows();
+        let points = |row: usize| scaling.vector_block(cones, first + (row - start) / YIELD_ROWS);
+        self.refactor(problem, |k, w| scaling.inverse_square(cones, k, w), points, raise)
+    }
+
+    /// Rigid-plastic elements: the proximal term is chosen once.
+    fn choose_proximal(&mut self, problem: &Problem, points: &(impl Fn(usize) -> [f64; YIELD_ROWS] + Sync)) {
+        if !problem.program.live.is_empty() && self.elements.proximal == 0.0 {
+            let (median, mean) = self.elements.own_stiffness(points);
+            self.elements.proximal = (PROXIMAL.0 * median).max(PROXIMAL.1 * mean);
+        }
+    }
+
+    fn refactor(
+        &mut self,
+        problem: &Problem,
+        inverse_square: impl Fn(usize, &mut [[f64; 6]; 6]),
+        points: impl Fn(usize) -> [f64; YIELD_ROWS] + Sync,
+        raise: f64,
+    ) -> Result<(), LinearError> {
+        let Self { place, cones, elements, factor, .. } = self;
+        let p = &problem.program.p;
+        let values = factor.clear()?;
+        place.iter().zip(&p.values).for_each(|(&at, &v)| values[at as usize] += v);
         for (k, cone) in cones.iter().enumerate() {
             let mut w = [[0.0; 6]; 6];
             inverse_square(k, &mut w);
@@ -143,42 +170,45 @@ impl CondensedSystem {
                     wj[r] = (0..d).map(|q| w[r][q] * cone.rows[q * m + j]).sum();
                 }
                 for i in 0..=j {
-                    store.add(cone.places[at], (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>());
+                    values[cone.places[at] as usize] += (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>();
                     at += 1;
                 }
             }
         }
-        local.eliminate(factor.values_mut())?;
-        factor.factor()
+        elements.eliminate(points, values)?;
+        if raise > 0.0 {
+            (0..p.n).for_each(|c| values[place[p.col_ptr[c + 1] - 1] as usize] *= 1.0 + raise);
+        }
+        factor.factor()?;
+        let live = &problem.program.live;
+        self.border = (!live.is_empty()).then(|| {
+            let [solution] = self.factor.solve_all([live]);
+            let compliance = dot(live, &solution);
+            Border { solution, compliance }
+        });
+        Ok(())
     }
 
     /// Solves for a few right-hand sides, without refinement.
-    pub fn solve<const SIDES: usize>(&self, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        if self.local.is_empty() {
-            return self.factor.solve_all(b);
+    pub fn solve<const SIDES: usize>(&self, problem: &Problem, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+        let mut full = b.map(<[f64]>::to_vec);
+        if !self.elements.is_empty() {
+            self.elements.condense(&mut full);
         }
-        let (condensed, kept) = self.local.condense(b);
-        let sides: [&[f64]; SIDES] = std::array::from_fn(|k| condensed[k].as_slice());
-        self.local.expand(self.factor.solve_all(sides), kept)
-    }
-}
-
-/// The union of the pattern of P and of all cones' products.
-fn union(p: &SymmetricCsc, cones: &[Vec<u32>]) -> SymmetricCsc {
-    let mut extra: Vec<Vec<u32>> = vec![Vec::new(); p.n];
-    for columns in cones {
-        for (j, &c) in columns.iter().enumerate() {
-            extra[c as usize].extend_from_slice(&columns[..=j]);
+        let n = problem.program.shared();
+        let mut shared = self.factor.solve_all(std::array::from_fn::<_, SIDES, _>(|k| &full[k][..n]));
+        for (x, full) in shared.iter_mut().zip(&mut full) {
+            if let (Some(border), Some(last)) = (&self.border, full.last_mut()) {
+                // K v − f λ = r and −fᵀ v = r_λ
+                let factor = -(*last + dot(&problem.program.live, x)) / border.compliance;
+                x.iter_mut().zip(&border.solution).for_each(|(x, y)| *x += factor * y);
+                *last = factor;
+            }
+            full[..n].copy_from_slice(x);
         }
+        if !self.elements.is_empty() {
+            self.elements.expand(&mut full);
+        }
+        full
     }
-    let mut out = SymmetricCsc { n: p.n, col_ptr: vec![0], ..SymmetricCsc::default() };
-    for c in 0..p.n {
-        let mut rows = std::mem::take(&mut extra[c]);
-        rows.extend_from_slice(&p.row_idx[p.col_ptr[c]..p.col_ptr[c + 1]]);
-        rows.sort_unstable();
-        rows.dedup();
-        out.row_idx.extend_from_slice(&rows);
-        out.col_ptr.push(out.row_idx.len());
-    }
-    out
 }
