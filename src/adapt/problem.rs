@@ -7,6 +7,7 @@ use crate::bounds::recover::{self, RecoverError};
 use crate::math::vec3::V3;
 use crate::model::dofs::DofMap;
 use crate::model::holds::ModelError;
+use crate::model::loads::Loads;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
 use crate::solve::Solution;
 
@@ -118,7 +119,7 @@ impl<'a> Problem<'a> for Static<'a> {
 
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
         let field = recover::stress(self, solution)?;
-        let bound = LowerBound::new(certify_stress(model, &field), model.symmetry);
+        let bound = LowerBound::new(certify_stress(model, &field, Loads::ALL), model.symmetry);
         Ok((field, bound))
     }
 

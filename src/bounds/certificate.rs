@@ -15,6 +15,7 @@ use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::holds::rigid_displacement;
 use crate::model::kinematic::{FACE_EDGES, Tet10Space};
+use crate::model::loads::Loads;
 use crate::model::super_element::{SuperElement, gradients, integrate};
 use crate::model::tet10;
 
@@ -56,12 +57,12 @@ pub struct KinematicCertificate {
     pub peak_pressure: Option<f64>,
 }
 
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
 /// `a / b`, 0 for 0 / 0.
-fn ratio(a: f64, b: f64) -> f64 {
+pub(super) fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { a / b.max(f64::MIN_POSITIVE) }
 }
 
@@ -95,11 +96,11 @@ pub fn contact_tractions(
     })
 }
 
-/// Certifies a stress field.
-pub fn certify_stress(model: &AnalysisModel, field: &StressField) -> StaticCertificate {
+/// Certifies a stress field under the given loads.
+pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) -> StaticCertificate {
     let mesh = &model.mesh;
     let materials = model.stiffnesses();
-    let body = model.body_forces();
+    let body = model.body_forces(loads);
     let max_stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
     let mut energy = Sum::default();
     let mut imbalance = 0.0f64;
@@ -122,7 +123,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField) -> StaticCerti
             }
         }
     }
-    let roles = roles(model);
+    let roles = roles(model, loads);
     let faces = FaceNumbering::new(mesh);
     let mut max_traction = 0.0f64;
     for e in 0..mesh.tets.len() {
@@ -161,7 +162,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField) -> StaticCerti
         }
     }
     for rigid in &model.rigid {
-        jump = jump.max(rigid_resultant_error(model, field, rigid, &roles));
+        jump = jump.max(rigid_resultant_error(model, field, rigid, &roles, loads));
     }
     let (mut cone, mut max_r, mut peak) = (0.0f64, 0.0f64, 0.0f64);
     let contacts = contact_faces(model);
@@ -200,7 +201,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField) -> StaticCerti
     }
 }
 
-fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
+pub(super) fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
     std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
 }
 
@@ -221,7 +222,9 @@ fn rigid_resultant_error(
     field: &StressField,
     rigid: &crate::model::analysis::RigidFace,
     roles: &std::collections::BTreeMap<super::faces::FaceKey, FaceRole>,
+    loads: Loads,
 ) -> f64 {
+    let action = loads.action(rigid);
     let mut got = [Sum::default(); 6];
     let (mut total, mut reach) = (0.0, 0.0f64);
     for f in &rigid.faces {
@@ -249,7 +252,7 @@ fn rigid_resultant_error(
     }
     largest((0..6).filter(|&i| rigid.free[i]).map(|i| {
         let per = if i < 3 { total } else { total * reach };
-        (got[i].value() - rigid.action[i] - rigid.dead_action[i]).abs() / per
+        (got[i].value() - action[i]).abs() / per
     }))
 }
 
@@ -258,7 +261,7 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
     let mesh = &model.mesh;
     let space = Tet10Space::new(mesh);
     let materials = model.stiffnesses();
-    let body = model.body_forces();
+    let body = model.body_forces(Loads::ALL);
     let u = &field.u;
     let max_u = largest(u.iter().map(|x| vec3::norm(*x)));
     let (mut strain_energy, mut work) = (Sum::default(), Sum::default());
@@ -301,7 +304,8 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);
-        (0..6).for_each(|i| work.add(motion[i] * (r.action[i] + r.dead_action[i])));
+        let action = Loads::ALL.action(r);
+        (0..6).for_each(|i| work.add(motion[i] * action[i]));
     }
     let (mut margin, mut max_g, mut max_gap) = (f64::INFINITY, 0.0f64, 0.0f64);
     let contacts = contact_faces(model);
@@ -345,7 +349,7 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
 
 /// The rigid motion nearest to the displacement of a rigid face, among its free motions, and the largest deviation in
 /// its components \[mm\].
-fn fit_rigid(
+pub(super) fn fit_rigid(
     model: &AnalysisModel,
     space: &Tet10Space,
     u: &[V3],

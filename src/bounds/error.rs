@@ -14,6 +14,7 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
+use crate::model::loads::Loads;
 use crate::model::super_element::{PointStress, integrate};
 use crate::model::tet10;
 
@@ -52,7 +53,7 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
             0.5 * integrate(model.mesh.volume(e), material, &difference, &difference)
         })
         .collect();
-    let roles = roles(model);
+    let roles = roles(model, Loads::ALL);
     let contacts = contact_faces(model)
         .iter()
         .map(|f| {

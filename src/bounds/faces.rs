@@ -4,6 +4,7 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad};
+use crate::model::loads::Loads;
 
 /// Key of a boundary face: tet and local face.
 pub type FaceKey = (u32, u8);
@@ -13,8 +14,8 @@ pub type FaceKey = (u32, u8);
 pub struct FaceRole<'a> {
     /// Components held at zero or moving rigidly: their traction is a reaction.
     pub reaction: [bool; 3],
-    /// Loads on the face.
-    pub loads: Vec<&'a SurfaceLoad>,
+    /// Loads on the face, and how much each counts.
+    pub loads: Vec<(f64, &'a SurfaceLoad)>,
     /// In contact: its traction is a contact traction.
     pub contact: bool,
 }
@@ -22,7 +23,7 @@ pub struct FaceRole<'a> {
 impl FaceRole<'_> {
     /// Prescribed traction at a point \[MPa\].
     pub fn load(&self, x: V3, n: V3) -> V3 {
-        self.loads.iter().fold([0.0; 3], |t, l| vec3::add(t, l.at(x, n)))
+        self.loads.iter().fold([0.0; 3], |t, (share, l)| vec3::add(t, vec3::scale(*share, l.at(x, n))))
     }
 }
 
@@ -30,8 +31,8 @@ fn key(f: &BoundaryFace) -> FaceKey {
     (f.tet, f.local)
 }
 
-/// The roles of all outer faces that have one; faces without an entry are free.
-pub fn roles(model: &AnalysisModel) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
+/// The roles of all outer faces that have one under the given loads; faces without an entry are free.
+pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
     let mut roles: std::collections::BTreeMap<FaceKey, FaceRole<'_>> = Default::default();
     for s in &model.supports {
         for f in &s.faces {
@@ -47,7 +48,7 @@ pub fn roles(model: &AnalysisModel) -> std::collections::BTreeMap<FaceKey, FaceR
     }
     for l in &model.surface_loads {
         for f in &l.faces {
-            roles.entry(key(f)).or_default().loads.push(l);
+            roles.entry(key(f)).or_default().loads.push((loads.share(l.dead), l));
         }
     }
     for i in &model.interfaces {

@@ -6,10 +6,11 @@
 
 use super::fields::{DisplacementField, StressField};
 use crate::math::dense::null_space;
+use crate::model::dofs::DofMap;
 use crate::model::holds::{self, ModelError};
 use crate::model::kinematic::{Kinematic, hold};
-use crate::model::program::{ConicProgram, SymmetricCsc, cone_margin};
-use crate::model::static_form::Static;
+use crate::model::program::{ConicProgram, Csr, SymmetricCsc, cone_margin};
+use crate::model::static_form::{Static, SuperElements};
 use crate::model::super_element::PARAMETERS;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, SparseCholesky};
@@ -63,18 +64,19 @@ fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
 fn opening_field(program: &ConicProgram, block: &[u32]) -> Result<Vec<f64>, RecoverError> {
     let diagonal = program.p.diagonal();
     let weight = 1e4 * diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
-    let system = plus_rows(&program.p, program, weight);
+    let system = plus_rows(&program.p, &program.g, |_| weight);
     let mut target = vec![0.0; program.h.len()];
     program.cone_starts().into_iter().for_each(|r| target[r] = weight);
     let factor = SparseCholesky::new(&system, block)?;
     Ok(factor.solve(&program.g.mul_transpose(&target)))
 }
 
-/// `P + w GᵀG`.
-fn plus_rows(p: &SymmetricCsc, program: &ConicProgram, w: f64) -> SymmetricCsc {
+/// `P + GᵀWG` with a weight for each row.
+pub(super) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64) -> SymmetricCsc {
     let mut extra: Vec<(usize, u32, f64)> = Vec::new();
-    for r in 0..program.h.len() {
-        let row: Vec<(usize, f64)> = program.g.row(r).collect();
+    for r in 0..g.nrows() {
+        let row: Vec<(usize, f64)> = g.row(r).collect();
+        let w = weight(r);
         for &(i, a) in &row {
             extra.extend(row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i as u32, w * a * b)));
         }
@@ -116,57 +118,79 @@ pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, Reco
     if !z.is_empty() {
         statics.program.g.mul_transpose(&z).iter().zip(&mut rhs).for_each(|(a, b)| *b += a);
     }
-    let elements = statics.elements.model().mesh.tets.len();
-    let mut parameters = vec![[0.0; PARAMETERS]; elements];
-    add_parameters(statics, &solution.x, true, &mut parameters)?;
+    let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
+    add_parameters(&statics.elements, &statics.map, &solution.x, true, &mut parameters)?;
+    balance_elements(&statics.elements, &statics.map, &factor, &rhs, &mut parameters)?;
+    Ok(stress_field(&statics.elements, &parameters)?)
+}
+
+/// Corrects the stress parameters by elastic solutions for the forces that `rhs` and the elements' tractions leave
+/// unbalanced, until these stop falling.
+pub(super) fn balance_elements(
+    elements: &SuperElements,
+    map: &DofMap,
+    factor: &SparseCholesky,
+    rhs: &[f64],
+    parameters: &mut [[f64; PARAMETERS]],
+) -> Result<(), ModelError> {
     let mut last = f64::INFINITY;
     for _ in 0..8 {
-        let t = tractions(statics, &parameters)?;
+        let t = tractions(elements, map, parameters)?;
         let residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
         let size = residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         if size == 0.0 || size > 0.3 * last {
             break;
         }
         last = size;
-        add_parameters(statics, &factor.solve(&residual), false, &mut parameters)?;
+        add_parameters(elements, map, &factor.solve(&residual), false, parameters)?;
     }
-    let points = (0..elements)
-        .into_par_iter()
-        .map(|e| Ok(statics.elements.element(e)?.stress(&parameters[e])))
+    Ok(())
+}
+
+/// The stress of the elements' parameters.
+pub(super) fn stress_field(
+    elements: &SuperElements,
+    parameters: &[[f64; PARAMETERS]],
+) -> Result<StressField, ModelError> {
+    let points = parameters
+        .par_iter()
+        .enumerate()
+        .map(|(e, a)| Ok(elements.element(e)?.stress(a)))
         .collect::<Result<_, ModelError>>()?;
     Ok(StressField { points })
 }
 
 /// Adds the stress parameters of face displacements.
 fn add_parameters(
-    statics: &Static,
+    elements: &SuperElements,
+    map: &DofMap,
     x: &[f64],
     particular: bool,
     parameters: &mut [[f64; PARAMETERS]],
 ) -> Result<(), ModelError> {
-    let v = statics.map.expand(x);
+    let v = map.expand(x);
     parameters.par_iter_mut().enumerate().try_for_each(|(e, a)| {
-        let local = statics.elements.dofs(e).map(|d| v[d]);
-        let more = statics.elements.element(e)?.parameters(&local, particular);
+        let local = elements.dofs(e).map(|d| v[d]);
+        let more = elements.element(e)?.parameters(&local, particular);
         a.iter_mut().zip(more).for_each(|(a, b)| *a += b);
         Ok(())
     })
 }
 
 /// Mass-weighted tractions of all elements on the program's unknowns.
-fn tractions(statics: &Static, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f64>, ModelError> {
+fn tractions(elements: &SuperElements, map: &DofMap, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f64>, ModelError> {
     let local: Vec<[f64; 36]> = parameters
         .par_iter()
         .enumerate()
-        .map(|(e, a)| Ok(statics.elements.element(e)?.tractions(a)))
+        .map(|(e, a)| Ok(elements.element(e)?.tractions(a)))
         .collect::<Result<_, ModelError>>()?;
-    let mut full = vec![0.0; statics.map.full()];
+    let mut full = vec![0.0; map.full()];
     for (e, t) in local.iter().enumerate() {
-        for (d, x) in statics.elements.dofs(e).into_iter().zip(t) {
+        for (d, x) in elements.dofs(e).into_iter().zip(t) {
             full[d] += x;
         }
     }
-    Ok(statics.map.reduce(&full))
+    Ok(map.reduce(&full))
 }
 
 /// The contact tractions, corrected so that they balance the loads on every rigid motion only contact resists.
@@ -193,11 +217,16 @@ fn balanced_tractions(
                 force.fill(0.0);
             }
         }
-        if balance(program, &rows, &needed, &mut z) {
+        if balance(&cone_ranges(program), &rows, &needed, &mut z) {
             return Ok(z);
         }
     }
     Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
+}
+
+/// First row and number of rows of each cone.
+pub(super) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
+    program.cone_starts().into_iter().zip(&program.cones).map(|(s, c)| (s, c.dim())).collect()
 }
 
 /// Corrects `z` by the smallest change, measured in each cone's own (Dikin) metric, that makes `rows · z = needed`; true
@@ -205,16 +234,14 @@ fn balanced_tractions(
 ///
 /// The inverse Hessian of a cone's barrier, `z zᵀ − ½ det(z) J` (z² on the half-line), lets a force near the cone's
 /// surface grow or shrink freely along itself but hardly leave; a change of length below 1 stays inside.
-fn balance(program: &ConicProgram, rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
-    let cones: Vec<(usize, usize)> =
-        program.cone_starts().into_iter().zip(&program.cones).map(|(s, c)| (s, c.dim())).collect();
+pub(super) fn balance(cones: &[(usize, usize)], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
     let n = rows.len();
     for _ in 0..3 {
         let weighted: Vec<Vec<f64>> = rows
             .iter()
             .map(|row| {
                 let mut w = vec![0.0; z.len()];
-                for &(s, d) in &cones {
+                for &(s, d) in cones {
                     let (z, r) = (&z[s..s + d], &row[s..s + d]);
                     let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
                     let half_det =

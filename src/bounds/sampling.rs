@@ -10,6 +10,7 @@ use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
+use crate::model::loads::Loads;
 
 /// Largest relative violations found at random points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +64,7 @@ pub fn sample(
     if let Some(s) = stress {
         let stress = s.points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max);
         out.traction_jump = relative(jumps(model, s, points, &mut random), stress);
-        let roles = roles(model);
+        let roles = roles(model, Loads::ALL);
         let mut worst = 0.0f64;
         for _ in 0..points * usize::from(!contacts.is_empty()) {
             let f = &contacts[random.index(contacts.len())];

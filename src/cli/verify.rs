@@ -7,6 +7,7 @@ use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
 use crate::bounds::sampling::sample;
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::model::loads::Loads;
 use crate::model::resolve::load_model;
 use crate::report::case::case_result;
 use crate::report::data::{CaseResult, RESULT_FILE, ResultFile};
@@ -109,7 +110,7 @@ fn verify_case(folder: &Path, case: &CaseResult, symmetry: u32) -> Result<(Vec<F
     if let Some(claimed) = case.lower {
         let stress = read_stress(&model, &read(&field("static"))?).map_err(Diagnostic::from)?;
         let sampled = sample(&model, None, Some(&stress), POINTS);
-        let bound = LowerBound::new(certify_stress(&model, &stress), model.symmetry);
+        let bound = LowerBound::new(certify_stress(&model, &stress, Loads::ALL), model.symmetry);
         let c = bound.certificate();
         let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
         let random = sampled.traction_jump.max(sampled.traction_cone);

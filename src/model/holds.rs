@@ -2,6 +2,7 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, RigidFace};
 use super::dofs::DofMap;
+use super::loads::Loads;
 use crate::math::dense::null_space;
 use crate::math::vec3::{self, V3};
 use faer::Mat;
@@ -25,12 +26,24 @@ pub enum ModelError {
         /// Centroid \[mm\].
         z: f64,
     },
+    /// A body that limit analysis cannot let flow.
+    #[error("body `{0}` has no yield strength: in limit analysis every body must be able to yield")]
+    NeverYields(String),
+    /// A force per volume that the load factor multiplies.
+    #[error("a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only")]
+    LiveBodyForce(String),
+    /// Nothing is multiplied by the load factor.
+    #[error("no load carries the load factor: there is nothing for limit analysis to increase")]
+    NoLiveLoad,
 }
 
 impl From<ModelError> for crate::diag::Diagnostic {
     fn from(e: ModelError) -> Self {
         let help = match &e {
             ModelError::RigidFacesTouch(..) => "join the two faces into one physical surface, or move only one of them",
+            ModelError::NeverYields(_) => "give its material an `fy`",
+            ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
+            ModelError::NoLiveLoad => "write the load to be increased under `loads`",
             ModelError::FlatTet { .. } => "improve the mesh there (a coarser size, an optimised mesh), then try again",
         };
         crate::diag::Diagnostic::input("model/program", e.to_string()).help(help)
@@ -157,10 +170,11 @@ fn motions(rigid: &RigidFace, points: &impl FacePoints, mine: &[(usize, usize)],
 }
 
 /// Forces of rigid faces on the program's unknowns: the work of their actions on unit motions.
-pub fn add_rigid_actions(model: &AnalysisModel, motions: &[RigidMotions], f: &mut [f64]) {
+pub fn add_rigid_actions(model: &AnalysisModel, motions: &[RigidMotions], loads: Loads, f: &mut [f64]) {
     for (rigid, m) in model.rigid.iter().zip(motions) {
+        let action = loads.action(rigid);
         for (k, motion) in m.basis.iter().enumerate() {
-            f[m.first + k] += (0..6).map(|i| motion[i] * (rigid.action[i] + rigid.dead_action[i])).sum::<f64>();
+            f[m.first + k] += (0..6).map(|i| motion[i] * action[i]).sum::<f64>();
         }
     }
 }

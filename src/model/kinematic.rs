@@ -11,8 +11,9 @@ use super::batch::Rule;
 use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
-use super::loads::{face_corners, face_nodes};
+use super::loads::{Loads, face_corners, face_nodes};
 use super::program::{Cone, ConicProgram};
+use super::split_flow;
 use super::split_tet10;
 use super::tet10;
 use super::yielding_elements::{Columns, append};
@@ -148,6 +149,14 @@ pub enum Flow {
     Split,
 }
 
+/// Which program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Elastic,
+    Hencky(Flow),
+    Limit(Flow),
+}
+
 /// Every distinct control point of the model's contacts.
 pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
     let mut out = Vec::new();
@@ -204,22 +213,38 @@ fn points_of_face(
     }
 }
 
-/// Nodal forces of all loads, load factor 1 \[N\]; `split` tells which bodies are made of split elements.
-fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, split: &[bool]) -> Vec<f64> {
+/// What a body force does to the nodes of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Inside {
+    /// A plain element.
+    Plain,
+    /// A split element whose inner nodes bear their own part.
+    Split,
+    /// A split element whose inner nodes follow the outer ones at constant divergence.
+    Flow,
+}
+
+/// Nodal forces of the loads \[N\]; `inside` tells what the elements of each body are.
+fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: &[Inside], loads: Loads) -> Vec<f64> {
     let mut f = vec![0.0; 3 * space.nodes.len()];
-    let body = model.body_forces();
+    let body = model.body_forces(loads);
     if body.iter().any(|b| *b != [0.0; 3]) {
-        let weights = [&tet10::shape_integrals()[..], &split_tet10::shape_integrals()[..]];
+        let (plain, split) = (tet10::shape_integrals(), split_tet10::shape_integrals());
         for e in 0..model.mesh.tets.len() {
             let of = model.mesh.tet_body[e] as usize;
-            let (b, weights) = (body[of], weights[usize::from(split[of])]);
-            let v = model.mesh.volume(e);
-            for (i, n) in space.tet(&model.mesh, e).into_iter().enumerate() {
-                (0..3).for_each(|d| f[3 * n + d] += weights[i] * v * b[d]);
+            let (b, v) = (body[of], model.mesh.volume(e));
+            let forces: [f64; 30] = match inside[of] {
+                Inside::Plain => std::array::from_fn(|i| plain[i / 3] * v * b[i % 3]),
+                Inside::Split => std::array::from_fn(|i| split[i / 3] * v * b[i % 3]),
+                Inside::Flow => split_flow::body_forces(&model.mesh.corners(e), v, b),
+            };
+            for (n, force) in space.tet(&model.mesh, e).into_iter().zip(forces.chunks_exact(3)) {
+                (0..3).for_each(|d| f[3 * n + d] += force[d]);
             }
         }
     }
-    for load in &model.surface_loads {
+    for load in model.surface_loads.iter().filter(|l| loads.share(l.dead) != 0.0) {
+        let share = loads.share(load.dead);
         for face in &load.faces {
             let corners = face_corners(&model.mesh, face);
             let nodes = space.triangle(face_nodes(&model.mesh, face));
@@ -228,7 +253,7 @@ fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, split: &[bool]) -> Ve
             let normal = vec3::scale(1.0 / size, area);
             for (l, w) in TRIANGLE_4 {
                 let x = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
-                let t = load.at(x, normal);
+                let t = vec3::scale(share, load.at(x, normal));
                 for (n, s) in nodes.iter().zip(triangle_p2(l)) {
                     (0..3).for_each(|d| f[3 * n + d] += w * size * s * t[d]);
                 }
@@ -241,26 +266,34 @@ fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, split: &[bool]) -> Ve
 impl Kinematic {
     /// Builds the elastic program: no body yields.
     pub fn new(model: &AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, None)
+        Self::build(model, Kind::Elastic)
     }
 
     /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are made of elements that
     /// yield, the others stay elastic.
     pub fn with_plasticity(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
-        Self::build(model, Some(flow))
+        Self::build(model, Kind::Hencky(flow))
     }
 
-    fn build(model: &AnalysisModel, flow: Option<Flow>) -> Result<Self, ModelError> {
+    /// Builds the program of limit analysis: the least dissipation at unit power of the live loads, less the power of the
+    /// dead ones. All bodies yield; initial gaps count as closed.
+    pub fn limit(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
+        model.check_limit_analysis()?;
+        Self::build(model, Kind::Limit(flow))
+    }
+
+    fn build(model: &AnalysisModel, kind: Kind) -> Result<Self, ModelError> {
         let space = Tet10Space::new(&model.mesh);
         let (map, rigid) = holds::number_unknowns(model, &Points { model, space: &space })?;
         let materials = model.stiffnesses();
-        let radii: Vec<Option<f64>> = match flow {
-            Some(_) => model.yield_radii(),
-            None => vec![None; model.mesh.bodies.len()],
+        let (radii, flow) = match kind {
+            Kind::Hencky(flow) | Kind::Limit(flow) => (model.yield_radii(), flow),
+            Kind::Elastic => (vec![None; model.mesh.bodies.len()], Flow::Plain),
         };
+        let limit = matches!(kind, Kind::Limit(_));
         let yields = radii.iter().any(Option::is_some);
-        let split: Vec<bool> = radii.iter().map(|r| r.is_some() && flow == Some(Flow::Split)).collect();
-        let forces = model.body_forces();
+        let split: Vec<bool> = radii.iter().map(|r| r.is_some() && flow == Flow::Split).collect();
+        let forces = model.body_forces(Loads::ALL);
         let dofs = |e: usize| {
             let nodes = space.tet(&model.mesh, e);
             std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
@@ -275,18 +308,30 @@ impl Kinematic {
                 radius,
                 body_force: forces[body],
                 split: split[body],
-                rule: Rule::Hencky,
+                rule: if limit { Rule::TenPoints } else { Rule::Hencky },
             })
         };
-        let mut p = assemble::<30, ModelError>(model.mesh.tets.len(), &map, dofs, |e| {
+        // rigid-plastic elements leave nothing in P
+        let assembled = if limit { 0 } else { model.mesh.tets.len() };
+        let mut p = assemble::<30, ModelError>(assembled, &map, dofs, |e| {
             let body = model.mesh.tet_body[e] as usize;
             Ok(match flowing(e) {
                 Some(element) => element.outer_stiffness(),
                 None => tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]),
             })
         })?;
-        let mut f = map.reduce(&nodal_forces(model, &space, &split));
-        holds::add_rigid_actions(model, &rigid, &mut f);
+        let inside = |split: &bool| match (split, limit) {
+            (false, _) => Inside::Plain,
+            (true, false) => Inside::Split,
+            (true, true) => Inside::Flow,
+        };
+        let inside: Vec<Inside> = split.iter().map(inside).collect();
+        let forces_of = |loads| {
+            let mut f = map.reduce(&nodal_forces(model, &space, &inside, loads));
+            holds::add_rigid_actions(model, &rigid, loads, &mut f);
+            f
+        };
+        let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         let mut stiffness = Vec::new();
         if yields {
             stiffness = p.diagonal();
@@ -302,7 +347,10 @@ impl Kinematic {
         let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut points = Vec::new();
-        for point in control_points(model, &space) {
+        for mut point in control_points(model, &space) {
+            if limit {
+                point.gap = 0.0;
+            }
             if push_cone(&mut program, &map, &point) {
                 points.push(point);
             }
@@ -314,11 +362,28 @@ impl Kinematic {
                 Ok::<_, ModelError>(flowing(e).map(|element| element.element(&columns())))
             })?;
         }
+        if limit {
+            program.add_load_factor(forces_of(Loads::LIVE));
+        }
         Ok(Self { program, space, map, rigid, points, own })
     }
 }
 
 impl Kinematic {
+    /// Loads on the unknowns that elements share, in limit analysis: their product with velocities is the power \[N\].
+    ///
+    /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones as in [`split_flow`].
+    pub fn limit_forces(&self, model: &AnalysisModel, flow: Flow, loads: Loads) -> Vec<f64> {
+        let kind = |radius: &Option<f64>| match (radius, flow) {
+            (Some(_), Flow::Split) => Inside::Flow,
+            _ => Inside::Plain,
+        };
+        let inside: Vec<Inside> = model.yield_radii().iter().map(kind).collect();
+        let mut f = self.map.reduce(&nodal_forces(model, &self.space, &inside, loads));
+        holds::add_rigid_actions(model, &self.rigid, loads, &mut f);
+        f
+    }
+
     /// The rigid motions that only contact resists.
     pub fn contact_modes(&self, model: &AnalysisModel) -> Vec<ContactMode> {
         let part = model.node_parts();

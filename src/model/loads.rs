@@ -1,9 +1,45 @@
-//! Loads as nodal forces: tractions on faces, forces in bodies; exact for the polynomials they are.
+//! Loads: which of them count and how much, tractions on faces, forces in bodies.
 
-use super::analysis::{AnalysisModel, BoundaryFace, SurfaceLoad, Traction};
+use super::analysis::{AnalysisModel, BoundaryFace, RigidFace, SurfaceLoad, Traction};
+use super::holds::ModelError;
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
+
+/// How much of the live and of the dead loads counts.
+///
+/// In limit analysis the load factor multiplies the live loads alone: `factor · live + dead`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Loads {
+    /// Multiplies the loads that carry the load factor.
+    pub live: f64,
+    /// Multiplies the loads that do not.
+    pub dead: f64,
+}
+
+impl Loads {
+    /// Every load as it stands: the elastic analyses.
+    pub const ALL: Self = Self { live: 1.0, dead: 1.0 };
+    /// What the load factor multiplies, alone.
+    pub const LIVE: Self = Self { live: 1.0, dead: 0.0 };
+    /// What it does not, alone.
+    pub const DEAD: Self = Self { live: 0.0, dead: 1.0 };
+
+    /// `factor · live + dead`.
+    pub fn at(factor: f64) -> Self {
+        Self { live: factor, dead: 1.0 }
+    }
+
+    /// How much a load counts.
+    pub fn share(self, dead: bool) -> f64 {
+        if dead { self.dead } else { self.live }
+    }
+
+    /// What acts on a rigid face: force and moment \[N, N mm\].
+    pub fn action(self, rigid: &RigidFace) -> [f64; 6] {
+        std::array::from_fn(|i| self.live * rigid.action[i] + self.dead * rigid.dead_action[i])
+    }
+}
 
 /// Corner nodes of a boundary face, outward order.
 pub fn face_nodes(mesh: &TetMesh, f: &BoundaryFace) -> [u32; 3] {
@@ -26,13 +62,37 @@ impl SurfaceLoad {
 }
 
 impl AnalysisModel {
-    /// Force per volume of each body, all loads together \[N/mm³\].
-    pub fn body_forces(&self) -> Vec<V3> {
+    /// Force per volume of each body \[N/mm³\].
+    pub fn body_forces(&self, loads: Loads) -> Vec<V3> {
         let mut f = vec![[0.0; 3]; self.mesh.bodies.len()];
         for load in &self.body_loads {
-            f[load.body as usize] = vec3::add(f[load.body as usize], load.force);
+            let more = vec3::scale(loads.share(load.dead), load.force);
+            f[load.body as usize] = vec3::add(f[load.body as usize], more);
         }
         f
+    }
+
+    /// True when some load does not carry the load factor.
+    pub fn has_dead_loads(&self) -> bool {
+        self.surface_loads.iter().any(|l| l.dead)
+            || self.body_loads.iter().any(|l| l.dead)
+            || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
+    }
+
+    /// What limit analysis asks of a model: bodies that yield, a live load, and no live force per volume.
+    pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
+        let name = |body: usize| self.mesh.bodies[body].clone();
+        if let Some(body) = self.yield_radii().iter().position(Option::is_none) {
+            return Err(ModelError::NeverYields(name(body)));
+        }
+        if let Some(load) = self.body_loads.iter().find(|l| !l.dead) {
+            return Err(ModelError::LiveBodyForce(name(load.body as usize)));
+        }
+        let live = self.surface_loads.iter().any(|l| !l.dead);
+        if !live && self.rigid.iter().all(|r| r.action.iter().all(|a| *a == 0.0)) {
+            return Err(ModelError::NoLiveLoad);
+        }
+        Ok(())
     }
 
     /// Stiffness of the material of each body.

@@ -206,6 +206,13 @@ impl ConicProgram {
         self.q.len()
     }
 
+    /// Appends the load factor of limit analysis, which multiplies the given loads on the shared unknowns \[N\] and is to be
+    /// as large as can be.
+    pub fn add_load_factor(&mut self, live: Vec<f64>) {
+        self.live = live;
+        self.q.push(1.0);
+    }
+
     /// The unknowns that are maximised over: parameters of elements, and the load factor.
     pub fn maximised(&self) -> Vec<bool> {
         let mut out = vec![false; self.unknowns()];

@@ -11,7 +11,7 @@
 //! # Shape
 //! Nodes as in [`super::split_tet10`]; velocity `3 i + d` is component d at node i.
 
-use super::split_tet10::{INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes};
+use super::split_tet10::{self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes};
 use super::super_element::{gradients, jacobian};
 use super::tet10;
 use crate::math::vec3::{self, V3};
@@ -89,6 +89,24 @@ pub fn inner_rows(corners: &[V3; 4]) -> Box<[[f64; OUTER_UNKNOWNS]; INNER_UNKNOW
         rows.iter_mut().zip(&all[OUTER_UNKNOWNS..]).for_each(|(row, u)| row[c] = *u);
     }
     rows
+}
+
+/// `∫ b·u` over the element of volume `volume` \[mm³\] as a linear form of the outer velocities, for a constant force b per
+/// volume \[N/mm³\]: the inner nodes bear their part too.
+pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWNS] {
+    let (j, inverse, _) = jacobian(corners);
+    let weights = split_tet10::shape_integrals();
+    let local = vec3::mul_t(&j, b);
+    let mut hat: [f64; OUTER_UNKNOWNS] = std::array::from_fn(|i| weights[i / 3] * local[i % 3]);
+    for (i, row) in inner_map().iter().enumerate() {
+        let w = weights[OUTER + i / 3] * local[i % 3];
+        hat.iter_mut().zip(row).for_each(|(h, m)| *h += w * m);
+    }
+    let mut f = [0.0; OUTER_UNKNOWNS];
+    for (f, h) in f.chunks_exact_mut(3).zip(hat.chunks_exact(3)) {
+        f.copy_from_slice(&vec3::scale(volume, vec3::mul_t(&inverse, [h[0], h[1], h[2]])));
+    }
+    f
 }
 
 /// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces, on which a quadratic
@@ -174,6 +192,29 @@ mod tests {
                 s.iter().filter(|s| **s > 1e-9 / height).count()
             };
             assert_eq!((rank(30, 15), rank(0, 45)), (15, 16));
+        }
+    }
+
+    /// The power of a body force on the outer velocities is its integral over the subtets.
+    #[test]
+    fn body_force_works_inside() {
+        let mut seed = 11;
+        for _ in 0..20 {
+            let x = random_tet(&mut seed);
+            let volume = jacobian(&x).2 / 6.0;
+            let b: V3 = std::array::from_fn(|_| random(&mut seed));
+            let outer: [f64; 30] = std::array::from_fn(|_| random(&mut seed));
+            let all = velocities(&x, &outer);
+            let mut power = 0.0;
+            for k in 0..4 {
+                for (l, w) in crate::math::quadrature::TETRAHEDRON_2 {
+                    for (n, s) in subtet_nodes(k).into_iter().zip(tet10::shape(l)) {
+                        power += 0.25 * volume * w * s * vec3::dot(b, [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
+                    }
+                }
+            }
+            let row: f64 = body_forces(&x, volume, b).iter().zip(&outer).map(|(f, u)| f * u).sum();
+            assert!((row - power).abs() < 1e-12 * volume, "{row} {power}");
         }
     }
 

@@ -10,7 +10,7 @@ use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::kinematic::{hold, push_rows};
-use super::loads::face_corners;
+use super::loads::{Loads, face_corners};
 use super::program::ConicProgram;
 use super::super_element::{self, SuperElement, TRACTIONS};
 use super::yielding_elements::{Columns, append};
@@ -41,9 +41,19 @@ impl<'a> SuperElements<'a> {
             model,
             faces: FaceNumbering::new(&model.mesh),
             materials: model.stiffnesses(),
-            body: model.body_forces(),
+            body: model.body_forces(Loads::ALL),
             origin,
         }
+    }
+
+    /// The same elements under other loads: their particular stress is that of the body forces among `loads`.
+    pub fn under(self, loads: Loads) -> Self {
+        Self { body: self.model.body_forces(loads), ..self }
+    }
+
+    /// True when some body bears a force.
+    fn has_body_forces(&self) -> bool {
+        self.body.iter().any(|b| *b != [0.0; 3])
     }
 
     /// The element of tet `e`.
@@ -189,17 +199,18 @@ fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
 }
 
 /// Mass-weighted surface loads on the full unknowns \[N\].
-fn face_forces(elements: &SuperElements) -> Vec<f64> {
+fn face_forces(elements: &SuperElements, loads: Loads) -> Vec<f64> {
     let model = elements.model;
     let mut f = vec![0.0; 9 * elements.faces.nodes.len()];
-    for load in &model.surface_loads {
+    for load in model.surface_loads.iter().filter(|l| loads.share(l.dead) != 0.0) {
+        let share = loads.share(load.dead);
         for face in &load.faces {
             let corners = face_corners(&model.mesh, face);
             let dofs = elements.vertex_dofs(face, super::loads::face_nodes(&model.mesh, face));
             let vector = vec3::area_vector(&corners);
             let area = vec3::norm(vector);
             let normal = vec3::scale(1.0 / area, vector);
-            let t = corners.map(|x| load.at(x, normal));
+            let t = corners.map(|x| vec3::scale(share, load.at(x, normal)));
             for a in 0..3 {
                 for b in 0..3 {
                     (0..3).for_each(|d| f[dofs[a] + d] += triangle_mass(a, b) * area * t[b][d]);
@@ -210,22 +221,37 @@ fn face_forces(elements: &SuperElements) -> Vec<f64> {
     f
 }
 
+/// Surface loads and actions of rigid faces on the program's unknowns \[N\].
+fn forces(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], loads: Loads) -> Vec<f64> {
+    let mut f = map.reduce(&face_forces(elements, loads));
+    holds::add_rigid_actions(elements.model, rigid, loads, &mut f);
+    f
+}
+
 impl<'a> Static<'a> {
     /// Builds the elastic program: no body yields.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, vec![None; model.mesh.bodies.len()])
+        Self::build(model, vec![None; model.mesh.bodies.len()], false)
     }
 
     /// Builds the elastic, perfectly plastic program (Hencky): in bodies with a yield strength the stress parameters stay
     /// unknowns (maximised over) and every point of their linear stress satisfies von Mises; the others are condensed as in
     /// the elastic program.
     pub fn with_plasticity(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, model.yield_radii())
+        Self::build(model, model.yield_radii(), false)
     }
 
-    /// `radii`: radius of the yield surface of each body.
-    fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>) -> Result<Self, ModelError> {
-        let elements = SuperElements::new(model);
+    /// Builds the program of limit analysis: the largest load factor whose loads, with the dead ones, some stress within
+    /// the yield strength balances. All bodies yield; initial gaps count as closed.
+    pub fn limit(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        model.check_limit_analysis()?;
+        Self::build(model, model.yield_radii(), true)
+    }
+
+    /// `radii`: radius of the yield surface of each body; `limit`: nothing is elastic.
+    fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>, limit: bool) -> Result<Self, ModelError> {
+        let counted = if limit { Loads::DEAD } else { Loads::ALL };
+        let elements = SuperElements::new(model).under(counted);
         let (map, rigid) = holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
         let radius = |e: usize| radii[model.mesh.tet_body[e] as usize];
         let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| radius(e).is_none()).collect();
@@ -235,11 +261,10 @@ impl<'a> Static<'a> {
             |i| elements.dofs(elastic[i]),
             |i| Ok(elements.element(elastic[i])?.stiffness()),
         )?;
-        let mut loads = map.reduce(&face_forces(&elements));
-        holds::add_rigid_actions(model, &rigid, &mut loads);
+        let loads = forces(&elements, &map, &rigid, counted);
         let mut q: Vec<f64> = loads.iter().map(|x| -x).collect();
         let mut c = 0.0;
-        if model.body_forces().iter().any(|b| *b != [0.0; 3]) {
+        if elements.has_body_forces() {
             let terms: Vec<([f64; TRACTIONS], f64)> = (0..model.mesh.tets.len())
                 .into_par_iter()
                 .map(|e| {
@@ -263,7 +288,10 @@ impl<'a> Static<'a> {
         let mut program = ConicProgram { p, q, c, stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut vertices = Vec::new();
-        for v in contact_vertices(&elements) {
+        for mut v in contact_vertices(&elements) {
+            if limit {
+                v.gap = 0.0;
+            }
             if push_cone(&mut program, &map, &v) {
                 vertices.push(v);
             }
@@ -273,8 +301,13 @@ impl<'a> Static<'a> {
             own = append(&mut program, model.mesh.tets.len(), |e| {
                 let Some(radius) = radius(e) else { return Ok(None) };
                 let columns = Columns::new(&map, &elements.dofs(e));
-                Ok::<_, ModelError>(Some(yielding_super_element::element(&elements.element(e)?, &columns, radius, true)))
+                Ok::<_, ModelError>(Some(yielding_super_element::element(&elements.element(e)?, &columns, radius, !limit)))
             })?;
+        }
+        if limit {
+            // the constant belongs to the elastic energy of body forces
+            program.c = 0.0;
+            program.add_load_factor(forces(&elements, &map, &rigid, Loads::LIVE));
         }
         Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own })
     }
@@ -342,6 +375,25 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
+    /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]: what the elements' tractions, those of
+    /// particular stresses included, must balance.
+    pub fn forces(&self, loads: Loads) -> Vec<f64> {
+        forces(&self.elements, &self.map, &self.rigid, loads)
+    }
+
+    /// Mass-weighted tractions of the particular stresses of body forces on the unknowns of the faces \[N\].
+    pub fn particular_forces(&self, loads: Loads) -> Result<Vec<f64>, ModelError> {
+        let elements = SuperElements::new(self.elements.model).under(loads);
+        let mut full = vec![0.0; self.map.full()];
+        if elements.has_body_forces() {
+            for e in 0..elements.model.mesh.tets.len() {
+                let (tractions, _) = elements.element(e)?.particular_terms();
+                elements.dofs(e).into_iter().zip(tractions).for_each(|(d, x)| full[d] += x);
+            }
+        }
+        Ok(self.map.reduce(&full))
+    }
+
     /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the
     /// loads.
     pub fn contact_modes(&self) -> Vec<ContactMode> {

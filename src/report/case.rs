@@ -72,11 +72,8 @@ fn problem(model: &AnalysisModel) -> Problem {
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
 /// dead load, no initial gap. A force \[N\] on a plane face, or one force or moment on a rigid face.
 fn only_load(model: &AnalysisModel) -> Option<f64> {
-    let dead = model.surface_loads.iter().any(|l| l.dead)
-        || model.body_loads.iter().any(|l| l.dead)
-        || model.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0));
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
-    if dead || gaps || !model.body_loads.is_empty() {
+    if model.has_dead_loads() || gaps || !model.body_loads.is_empty() {
         return None;
     }
     let actions: Vec<f64> = model.rigid.iter().flat_map(|r| r.action).filter(|a| *a != 0.0).collect();
