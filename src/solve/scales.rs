@@ -20,9 +20,6 @@ pub struct Scales {
     points: usize,
 }
 
-/// Load factor's scaled linear term: the scaled power of the live loads at the solution.
-const POWER: f64 = 1.0;
-
 impl Scales {
     /// Chooses the scales.
     pub fn new(program: &ConicProgram) -> Self {
@@ -57,9 +54,11 @@ impl Scales {
         };
         let (mut motion, mut force) = (size, size);
         if live > 0.0 {
-            // rigid-plastic: stresses are measured by the yield strength already
+            // rigid-plastic: stresses are measured by the yield strength already, and the dissipation of a point is then of
+            // the order of the load factor; a factor of ten either way changes an iteration or two
             columns.push(live.recip());
-            (motion, force) = (live.recip() / POWER, 1.0);
+            let points = program.cones.len() as f64;
+            (motion, force) = (live.recip() / points, 1.0);
         }
         Self { columns, rows, motion, force, maximised: program.maximised(), points }
     }
