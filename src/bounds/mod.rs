@@ -1,12 +1,20 @@
-//! Fields, their certificates, and the bracket they prove.
+//! Fields, their certificates, and the brackets they prove.
 
 pub mod bracket;
 pub mod certificate;
+pub mod dissipation;
 pub mod error;
 pub mod faces;
+pub mod factor;
 pub mod fields;
+pub mod flow;
+pub mod limit_certificate;
+pub mod limit_lower;
+pub mod limit_upper;
 pub mod recover;
 pub mod sampling;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
+pub use factor::{FactorBracket, LowerFactor, UpperFactor};
 pub use fields::{DisplacementField, StressField};
+pub use flow::VelocityField;

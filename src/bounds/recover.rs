@@ -229,6 +229,19 @@ pub(super) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
     program.cone_starts().into_iter().zip(&program.cones).map(|(s, c)| (s, c.dim())).collect()
 }
 
+/// Moves `s` to the nearest point of the cone `‖s₁…‖ ≤ slope s₀`.
+pub(super) fn into_cone(s: &mut [f64], slope: f64) {
+    let (n, t) = (s[0], s[1..].iter().map(|x| x * x).sum::<f64>().sqrt());
+    if n <= -slope * t {
+        s.fill(0.0);
+    } else if t > slope * n {
+        s[0] = (n + slope * t) / (1.0 + slope * slope);
+        // a hair less than the slope: the root above is rounded
+        let shorter = slope * (1.0 - 1e-15) * s[0] / t;
+        s[1..].iter_mut().for_each(|x| *x *= shorter);
+    }
+}
+
 /// Corrects `z` by the smallest change, measured in each cone's own (Dikin) metric, that makes `rows · z = needed`; true
 /// when every force is still in its cone.
 ///
@@ -267,7 +280,7 @@ pub(super) fn balance(cones: &[(usize, usize)], rows: &[Vec<f64>], needed: &[f64
 }
 
 /// Minimum-norm solution of a small symmetric positive semidefinite system.
-fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+pub(super) fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     // scale to unit diagonal, then drop directions below rounding
     let n = a.nrows();
     let d: Vec<f64> = (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();

@@ -3,7 +3,8 @@
 use super::certificate::contact_tractions;
 use super::faces::{contact_faces, roles};
 use super::fields::{DisplacementField, StressField};
-use crate::math::mandel;
+use super::flow::{VelocityField, pieces};
+use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::triangle_p2;
 use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
@@ -11,6 +12,8 @@ use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
 use crate::model::loads::Loads;
+use crate::model::super_element::gradients;
+use crate::model::tet10;
 
 /// Largest relative violations found at random points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,6 +44,12 @@ impl Random {
         let (a, b) = (self.next().sqrt(), self.next());
         [1.0 - a, a * (1.0 - b), a * b]
     }
+    /// Uniform barycentric coordinates of a tetrahedron.
+    fn tetrahedron(&mut self) -> [f64; 4] {
+        let a = self.next().cbrt();
+        let [x, y, z] = self.barycentric();
+        [1.0 - a, a * x, a * y, a * z]
+    }
 }
 
 fn relative(a: f64, scale: f64) -> f64 {
@@ -51,6 +60,28 @@ fn at(v: &[V3; 3], l: [f64; 3]) -> V3 {
     std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
 }
 
+/// Largest violations of a stress field of limit analysis at random points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SampledLower {
+    /// Traction jump across faces of the mesh / largest stress of the field.
+    pub traction_jump: f64,
+    /// Violation of a friction cone by the stress / largest stress of the field.
+    pub traction_cone: f64,
+    /// Largest ‖dev σ‖ / (√(2/3) f_y).
+    pub utilisation: f64,
+}
+
+/// Largest relative violations of velocities of limit analysis at random points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SampledUpper {
+    /// |tr ε| h in bodies that yield, ‖ε‖ h in the others / largest velocity of the field.
+    pub strain: f64,
+    /// Violation of the contact law, gaps closed / largest velocity of the field.
+    pub gap_cone: f64,
+}
+
+const SEED: u64 = 0x9e37_79b9_7f4a_7c15;
+
 /// Tries `points` random points of each kind.
 pub fn sample(
     model: &AnalysisModel,
@@ -58,44 +89,103 @@ pub fn sample(
     stress: Option<&StressField>,
     points: usize,
 ) -> Sampled {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random(SEED);
     let mut out = Sampled::default();
-    let contacts = contact_faces(model);
     if let Some(s) = stress {
-        let stress = s.points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max);
+        let stress = largest_stress(s);
         out.traction_jump = relative(jumps(model, s, points, &mut random), stress);
-        let roles = roles(model, Loads::ALL);
-        let mut worst = 0.0f64;
-        for _ in 0..points * usize::from(!contacts.is_empty()) {
-            let f = &contacts[random.index(contacts.len())];
-            let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
-            let (n, _) = f.normal(model);
-            let r = at(&r, random.barycentric());
-            let rn = vec3::dot(r, n);
-            let rt = vec3::norm(vec3::sub(r, vec3::scale(rn, n)));
-            worst = worst.max(rt - f.law.mu * rn).max(-rn);
-        }
-        out.traction_cone = relative(worst, stress);
+        out.traction_cone = relative(traction_cones(model, s, Loads::ALL, points, &mut random), stress);
     }
     if let Some(u) = displacement {
-        let space = Tet10Space::new(&model.mesh);
-        let mut worst = 0.0f64;
-        let largest = u.u.iter().map(|x| vec3::norm(*x)).fold(0.0, f64::max);
-        for _ in 0..points * usize::from(!contacts.is_empty()) {
-            let f = &contacts[random.index(contacts.len())];
-            let l = random.barycentric();
-            let shape = triangle_p2(l);
-            let a = space.triangle(f.nodes_a).map(|n| u.u[n]);
-            let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
-            let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
-            let (n, _) = f.normal(model);
-            let gn = vec3::dot(g, n);
-            let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
-            worst = worst.max(f.law.mu * gt - gn - f.law.gap.at(at(&f.corners(model), l)));
-        }
-        out.gap_cone = relative(worst, largest);
+        out.gap_cone = relative(gap_cones(model, u, true, points, &mut random), largest_length(u));
     }
     out
+}
+
+/// Tries `points` random points of each kind on a stress field in equilibrium with `factor · live + dead`.
+pub fn sample_lower(model: &AnalysisModel, s: &StressField, factor: f64, points: usize) -> SampledLower {
+    let mut random = Random(SEED);
+    let stress = largest_stress(s);
+    let traction_jump = relative(jumps(model, s, points, &mut random), stress);
+    let traction_cone = relative(traction_cones(model, s, Loads::at(factor), points, &mut random), stress);
+    let radii = model.yield_radii();
+    let mut utilisation = 0.0f64;
+    for _ in 0..points {
+        let e = random.index(s.points.len());
+        let at = &s.points[e][random.index(4)];
+        let l = random.tetrahedron();
+        let Some(radius) = radii[model.mesh.tet_body[e] as usize] else { continue };
+        let stress: Mandel = std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum());
+        let norm = mandel::deviator(&stress).iter().map(|x| x * x).sum::<f64>().sqrt();
+        utilisation = utilisation.max(norm / radius);
+    }
+    SampledLower { traction_jump, traction_cone, utilisation }
+}
+
+/// Tries `points` random points of each kind on velocities.
+pub fn sample_upper(model: &AnalysisModel, field: &VelocityField, points: usize) -> SampledUpper {
+    let mut random = Random(SEED);
+    let scale = largest_length(&field.nodes);
+    let gap_cone = relative(gap_cones(model, &field.nodes, false, points, &mut random), scale);
+    let space = Tet10Space::new(&model.mesh);
+    let radii = model.yield_radii();
+    let mut strain = 0.0f64;
+    for _ in 0..points {
+        let e = random.index(model.mesh.tets.len());
+        let yields = radii[model.mesh.tet_body[e] as usize].is_some();
+        let all = pieces(model, &space, field, yields, e);
+        let p = &all[random.index(all.len())];
+        let eps = tet10::strain(&gradients(&p.corners), random.tetrahedron(), &p.velocities);
+        let size = if yields { (eps[0] + eps[1] + eps[2]).abs() } else { mandel::norm(&eps) };
+        strain = strain.max(size * model.mesh.volume(e).cbrt());
+    }
+    SampledUpper { strain: relative(strain, scale), gap_cone }
+}
+
+fn largest_stress(s: &StressField) -> f64 {
+    s.points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max)
+}
+
+fn largest_length(u: &DisplacementField) -> f64 {
+    u.u.iter().map(|x| vec3::norm(*x)).fold(0.0, f64::max)
+}
+
+/// Largest violation of a friction cone \[MPa\].
+fn traction_cones(model: &AnalysisModel, s: &StressField, loads: Loads, points: usize, random: &mut Random) -> f64 {
+    let contacts = contact_faces(model);
+    let roles = roles(model, loads);
+    let mut worst = 0.0f64;
+    for _ in 0..points * usize::from(!contacts.is_empty()) {
+        let f = &contacts[random.index(contacts.len())];
+        let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+        let (n, _) = f.normal(model);
+        let r = at(&r, random.barycentric());
+        let rn = vec3::dot(r, n);
+        let rt = vec3::norm(vec3::sub(r, vec3::scale(rn, n)));
+        worst = worst.max(rt - f.law.mu * rn).max(-rn);
+    }
+    worst
+}
+
+/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps, else they count as closed.
+fn gap_cones(model: &AnalysisModel, u: &DisplacementField, initial: bool, points: usize, random: &mut Random) -> f64 {
+    let contacts = contact_faces(model);
+    let space = Tet10Space::new(&model.mesh);
+    let mut worst = 0.0f64;
+    for _ in 0..points * usize::from(!contacts.is_empty()) {
+        let f = &contacts[random.index(contacts.len())];
+        let l = random.barycentric();
+        let shape = triangle_p2(l);
+        let a = space.triangle(f.nodes_a).map(|n| u.u[n]);
+        let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
+        let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
+        let (n, _) = f.normal(model);
+        let gn = vec3::dot(g, n);
+        let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
+        let gap = if initial { f.law.gap.at(at(&f.corners(model), l)) } else { 0.0 };
+        worst = worst.max(f.law.mu * gt - gn - gap);
+    }
+    worst
 }
 
 fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Random) -> f64 {
