@@ -1,4 +1,4 @@
-//! What a solve costs: `cargo bench --bench solve -- [OPTIONS] MODEL.yaml…`, or `--size-factor F SPEC.yaml` for a spec.
+//! What a solve costs: `cargo bench --bench solve -- [--limit] [OPTIONS] MODEL.yaml…`, or `--size-factor F SPEC.yaml` for a spec.
 //!
 //! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two solves of the same matrix
 //! in the same run, and the yardstick Y = solve ÷ (iterations × (one factor + two solves)).
@@ -9,7 +9,8 @@ use bracket::model::file::AnalysisKind;
 use bracket::model::from_joint;
 use bracket::model::program::ConicProgram;
 use bracket::model::resolve::resolve;
-use bracket::model::{AnalysisModel, Kinematic, Static};
+use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::solve::status::LIMIT_GAP;
 use bracket::solve::{self, SolveOptions, Solver};
 use std::path::Path;
 use std::time::Instant;
@@ -19,11 +20,12 @@ struct Options {
     solver: Solver,
     trace: bool,
     factor_only: bool,
+    limit: bool,
 }
 
 fn main() {
     let mut options =
-        Options { programs: vec!["kinematic", "static"], solver: Solver::Condensed, trace: false, factor_only: false };
+        Options { programs: vec!["kinematic", "static"], solver: Solver::Condensed, trace: false, factor_only: false, limit: false };
     let mut models = Vec::new();
     let mut threads = 1;
     let mut size_factor = None;
@@ -34,6 +36,7 @@ fn main() {
             "--static" => options.programs = vec!["static"],
             "--clarabel" => options.solver = Solver::Clarabel,
             "--trace" => options.trace = true,
+            "--limit" => options.limit = true,
             "--factor" => options.factor_only = true,
             "--threads" => threads = args.next().and_then(|n| n.parse().ok()).unwrap_or(1),
             "--size-factor" => size_factor = args.next().and_then(|n| n.parse().ok()),
@@ -75,13 +78,13 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
 
 fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let start = Instant::now();
-    let (program, block): (ConicProgram, Vec<u32>) = if name == "kinematic" {
-        let k = Kinematic::new(model).expect("the model is sound");
-        (k.program, k.map.block)
-    } else {
-        let s = Static::new(model).expect("the model is sound");
-        (s.program, s.map.block)
+    let built = match (name, options.limit) {
+        ("kinematic", false) => Kinematic::new(model).map(|k| (k.program, k.map.block)),
+        ("kinematic", true) => Kinematic::limit(model, Flow::Split).map(|k| (k.program, k.map.block)),
+        (_, false) => Static::new(model).map(|s| (s.program, s.map.block)),
+        (_, true) => Static::limit(model).map(|s| (s.program, s.map.block)),
     };
+    let (program, block): (ConicProgram, Vec<u32>) = built.expect("the model is sound");
     let assembly = start.elapsed().as_secs_f64();
     println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
     measure(&program, &block, options);
@@ -90,6 +93,9 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
 
 fn measure(program: &ConicProgram, block: &[u32], options: &Options) {
     let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
+    if options.limit {
+        settings.gap = LIMIT_GAP;
+    }
     if options.trace {
         settings.progress = Some(std::sync::Arc::new(|i: &solve::Iteration| {
             println!(
@@ -130,7 +136,7 @@ fn measure(program: &ConicProgram, block: &[u32], options: &Options) {
         "  {}: {} iterations, {seconds:.2} s, objective {:.9e}",
         solution.status.words(),
         solution.iterations,
-        program.objective(&solution.x)
+        program.objective(&solution.x, &solution.z)
     );
     if let Some(y) = yardstick {
         let unit = f64::from(solution.iterations.max(1)) * (y.factor + 2.0 * y.solve);

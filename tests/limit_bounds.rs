@@ -7,7 +7,10 @@ mod cases;
 mod common;
 #[path = "limit_bounds/loads.rs"]
 mod loads;
+
 #[path = "limit_bounds/lower.rs"]
 mod lower;
+#[path = "limit_bounds/solved.rs"]
+mod solved;
 #[path = "limit_bounds/upper.rs"]
 mod upper;

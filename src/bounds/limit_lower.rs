@@ -10,11 +10,11 @@
 //! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every point is inside: `c σ +
 //!    (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead loads σ_d is zero.
 
+use super::certificate::{TOLERANCE, contact_tractions, largest};
+use super::faces::{contact_faces, roles};
 use super::fields::StressField;
 use super::limit_certificate::{LowerCertificate, certify_lower, utilisation};
 use super::recover::{RecoverError, balance, balance_elements, cone_ranges, into_cone, stress_field};
-use crate::bounds::certificate::{TOLERANCE, contact_tractions, largest};
-use crate::bounds::faces::{contact_faces, roles};
 use crate::math::mandel::{Mandel, deviator};
 use crate::math::vec3::{self, V3};
 use crate::model::holds;
@@ -104,19 +104,18 @@ pub fn dead_field(model: &AnalysisModel, approximate: &ApproximateStress) -> Res
 
 fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(), LowerError> {
     let c = certify_lower(model, field, 0.0);
-    let fail = |what: String| Err(LowerError::DeadField { what });
     let residual = c.equilibrium.max(c.traction_jump);
-    if !(residual <= TOLERANCE) {
-        return fail(format!("equilibrium is missed by {residual:.1e}"));
-    }
-    if !(c.utilisation + c.cover < 1.0) {
-        let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
-        return fail(format!("{:.4} times the yield strength in part {part}", c.utilisation));
-    }
-    match c.contact {
-        Some(violation) if violation > ROUNDING => fail(format!("a friction cone is violated by {violation:.1e}")),
-        _ => Ok(()),
-    }
+    let (balanced, below_yield) = (residual <= TOLERANCE, c.utilisation + c.cover < 1.0);
+    let what = match c.contact {
+        _ if !balanced => format!("equilibrium is missed by {residual:.1e}"),
+        _ if !below_yield => {
+            let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
+            format!("{:.4} times the yield strength in part {part}", c.utilisation)
+        }
+        Some(violation) if violation > ROUNDING => format!("a friction cone is violated by {violation:.1e}"),
+        _ => return Ok(()),
+    };
+    Err(LowerError::DeadField { what })
 }
 
 /// The model with bodies that never yield made stiff: they carry, without help, whatever acts on them.
@@ -251,7 +250,8 @@ pub fn draw_inside(
     }
     let before = certify_lower(model, &field, factor);
     let residual = before.equilibrium.max(before.traction_jump);
-    if !(residual <= TOLERANCE) {
+    let balanced = residual <= TOLERANCE;
+    if !balanced {
         return Err(LowerError::Unbalanced { residual });
     }
     let mut room = 1.0 - 2.0 * before.cover - 1e-12;

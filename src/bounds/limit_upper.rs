@@ -75,31 +75,23 @@ pub fn project(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) 
     let mut x = restrict(&kinematic, &field.nodes);
     let before = power_on(&x);
     projector.keep_volume(&mut x);
-    let certified = |x: &[f64]| {
+    let power = power_on(&x);
+    let opened = projector.opened(x);
+    let certified = opened.iter().filter(|x| power_on(x) > LEAST_POWER * before.abs()).map(|x| {
         let u = kinematic.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
         let field = VelocityField { nodes: DisplacementField { u }, flow: field.flow };
         let certificate = certify_upper(model, &field, subdivisions);
         Upper { field, certificate }
+    });
+    let rank = |u: &Upper| {
+        let bound = UpperFactor::new(u.certificate.clone());
+        (!bound.is_strict(), bound.value())
     };
-    let mut best: Option<Upper> = None;
-    for x in projector.opened(x) {
-        let power = power_on(&x);
-        if !(power > LEAST_POWER * before.abs()) {
-            match best {
-                Some(_) => continue,
-                None => return Err(UpperError::NoPower { power, before }),
-            }
-        }
-        let next = certified(&x);
-        let rank = |u: &Upper| {
-            let bound = UpperFactor::new(u.certificate.clone());
-            (!bound.is_strict(), bound.value())
-        };
-        if best.as_ref().is_none_or(|best| rank(&next) < rank(best)) {
-            best = Some(next);
-        }
-    }
-    best.ok_or(UpperError::NoPower { power: 0.0, before })
+    let best = certified.min_by(|a, b| {
+        let ((a_loose, a), (b_loose, b)) = (rank(a), rank(b));
+        a_loose.cmp(&b_loose).then(a.total_cmp(&b))
+    });
+    best.ok_or(UpperError::NoPower { power, before })
 }
 
 /// The program's unknowns nearest to nodal velocities: held components are dropped, rigid faces get the motion that fits best.
@@ -230,10 +222,10 @@ impl<'a> Projector<'a> {
                 let t = self.factor.solve(&self.transposed(&p));
                 let (q, _) = self.values(&t);
                 let curvature = Sum::of(p.iter().zip(&q).map(|(a, b)| a * b));
-                if !(curvature > 0.0) {
+                let step = rr / curvature;
+                if curvature <= 0.0 || !step.is_finite() {
                     break;
                 }
-                let step = rr / curvature;
                 new.iter_mut().zip(&t).for_each(|(x, t)| *x -= step * t);
                 r.iter_mut().zip(&q).for_each(|(r, q)| *r -= step * q);
                 let next = square(&r);
@@ -293,10 +285,10 @@ impl<'a> Projector<'a> {
         cones.iter().for_each(|c| target[c.0] = 1.0);
         let w = self.opening(&target);
         let gain = margin(&g.mul(&w));
-        if !(gain > 0.0) {
+        let step = 1.1 * (wanted - first) / gain;
+        if gain <= 0.0 || !step.is_finite() {
             return vec![one_by_one];
         }
-        let step = 1.1 * (wanted - first) / gain;
         let alike = x.iter().zip(&w).map(|(x, w)| x + step * w).collect();
         vec![one_by_one, alike]
     }

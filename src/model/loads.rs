@@ -95,6 +95,15 @@ impl AnalysisModel {
         Ok(())
     }
 
+    /// The model under its dead loads alone.
+    pub fn without_live_loads(&self) -> Self {
+        let mut dead = self.clone();
+        dead.surface_loads.retain(|l| l.dead);
+        dead.body_loads.retain(|l| l.dead);
+        dead.rigid.iter_mut().for_each(|r| r.action = [0.0; 6]);
+        dead
+    }
+
     /// Stiffness of the material of each body.
     pub fn stiffnesses(&self) -> Vec<crate::math::mandel::Isotropic> {
         self.body_material

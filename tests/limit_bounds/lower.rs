@@ -1,12 +1,18 @@
 //! Lower bounds.
 
 use crate::cases::{self, Case, NOISE, SEEDS};
-use crate::common::Random;
+use crate::common::yielding::FY;
+use crate::common::{Random, points};
 use bracket::bounds::LowerFactor;
-use bracket::bounds::fields::StressField;
+use bracket::bounds::fields::{DisplacementField, StressField};
 use bracket::bounds::limit_certificate::certify_lower;
 use bracket::bounds::limit_lower::{self, ApproximateStress, Lower, LowerError};
+use bracket::bounds::recover;
 use bracket::bounds::sampling::sample_lower;
+use bracket::model::Static;
+use bracket::model::analysis::Traction;
+use bracket::model::kinematic::Tet10Space;
+use bracket::solve::SolveOptions;
 
 fn dead_field(case: &Case, noise: f64, random: &mut Random) -> Option<StressField> {
     let stress = case.dead?;
@@ -58,5 +64,143 @@ fn exact_fields_with_noise() {
                 assert!(s.utilisation <= 1.0 && s.traction_jump < 1e-12 && s.traction_cone < 1e-12, "{name}: {s:?}");
             }
         }
+    }
+}
+
+/// The same lower bounds by code that shares nothing with the library: points inside elements and on faces under the loads at
+/// the factor, and von Mises from the full tensor.
+#[test]
+fn admissible_by_other_code() {
+    for seed in SEEDS {
+        for case in cases::all(seed) {
+            let mut random = Random::new(seed);
+            let lower = project(&case, case.factor, NOISE, true, &mut random).unwrap();
+            let zero = DisplacementField { u: vec![[0.0; 3]; Tet10Space::new(&case.model.mesh).nodes.len()] };
+            points::check(case.name, &case.loaded(lower.certificate.factor), &lower.field, &zero);
+            let fy: Vec<Option<f64>> =
+                case.model.body_material.iter().map(|m| case.model.materials[*m as usize].fy).collect();
+            let mut worst = 0.0f64;
+            for (e, s) in lower.field.points.iter().enumerate() {
+                let Some(fy) = fy[case.model.mesh.tet_body[e] as usize] else { continue };
+                for _ in 0..20 {
+                    let (at, l) = (&s[random.below(4)], random.simplex::<4>());
+                    let x: [f64; 6] = std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum());
+                    let normal = (x[0] - x[1]).powi(2) + (x[1] - x[2]).powi(2) + (x[2] - x[0]).powi(2);
+                    // √2 in each shear: 3 τ² is 1.5 times its square
+                    let mises = (0.5 * normal + 1.5 * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5])).sqrt();
+                    worst = worst.max(mises / fy);
+                }
+            }
+            assert!(worst <= 1.0, "{}: {worst}", case.name);
+            // where yield is the limit the points come near to it
+            assert!(worst > 0.98 || case.dead.is_some(), "{}: {worst}", case.name);
+        }
+    }
+}
+
+fn given<'a>(a: &'a cases::Approximate) -> ApproximateStress<'a> {
+    ApproximateStress { parameters: &a.parameters, contact: &a.contact, factor: a.factor }
+}
+
+/// A field at twice the limit is no bound as it stands, and is drawn back to the limit.
+#[test]
+fn beyond_yield() {
+    for (make, stress) in [
+        (
+            cases::bar as fn(u64) -> Case,
+            (|_, _| [2.0 * FY, 0.0, 0.0, 0.0, 0.0, 0.0]) as fn(usize, [f64; 3]) -> [f64; 6],
+        ),
+        (cases::bar_under_dead_load, |_, _| [2.0 * FY, 0.0, 0.0, 0.0, 0.0, 0.0]),
+    ] {
+        let case = make(1);
+        let mut random = Random::new(1);
+        let dead = dead_field(&case, 0.0, &mut random);
+        let factor = 2.0 * FY / 100.0 - f64::from(u8::from(dead.is_some()));
+        let a = case.static_field_of(stress, factor, 0.0, false, &mut random);
+        let raw = StressField { points: vec![[[stress(0, [0.0; 3]); 4]; 4]; case.model.mesh.tets.len()] };
+        let c = certify_lower(&case.model, &raw, factor);
+        assert!((c.utilisation - 2.0).abs() < 1e-12 && c.equilibrium < 1e-12, "{c:?}");
+        assert!(!LowerFactor::new(c).is_strict());
+        let lower = limit_lower::project(&case.model, &given(&a), dead.as_ref()).unwrap();
+        let bound = LowerFactor::new(lower.certificate);
+        println!("{}: {:e}", case.name, bound.value() / case.factor - 1.0);
+        assert!(bound.is_strict() && bound.value() <= case.factor && bound.value() > case.factor * (1.0 - 1e-9));
+    }
+}
+
+/// Dead loads need a field of their own, in equilibrium and below yield.
+#[test]
+fn dead_loads_without_a_sound_field() {
+    let case = cases::bar_under_dead_load(1);
+    let mut random = Random::new(1);
+    let a = case.static_field(case.factor, 0.0, false, &mut random);
+    assert!(matches!(limit_lower::project(&case.model, &given(&a), None), Err(LowerError::NoDeadField)));
+    // the field of twice the dead loads does not balance them
+    let wrong = StressField { points: vec![[[[200.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 4]; 4]; case.model.mesh.tets.len()] };
+    let refused = limit_lower::project(&case.model, &given(&a), Some(&wrong));
+    assert!(matches!(&refused, Err(LowerError::DeadField { what }) if what.contains("equilibrium")), "{refused:?}");
+    // dead loads beyond yield
+    let mut heavy = cases::bar_under_dead_load(1);
+    heavy.model.surface_loads[1].traction = Traction::Linear { traction0: [236.0, 0.0, 0.0], gradient: [[0.0; 3]; 3] };
+    let b = heavy.static_field_of(|_, _| [236.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0, 0.0, false, &mut random);
+    let refused = limit_lower::dead_field(&heavy.model, &given(&b));
+    assert!(matches!(&refused, Err(LowerError::DeadField { what }) if what.contains("yield")), "{refused:?}");
+}
+
+/// Contact forces that pull, and fields of nothing but noise, prove no more than the limit.
+#[test]
+fn wrong_fields() {
+    for case in cases::all(7) {
+        let mut random = Random::new(7);
+        let dead = dead_field(&case, 0.0, &mut random);
+        let mut pulls = case.static_field(case.factor, 0.0, false, &mut random);
+        pulls.contact.iter_mut().for_each(|z| *z = -*z);
+        let mut noise = case.static_field(case.factor, 1.0, false, &mut random);
+        noise.parameters.iter_mut().flatten().for_each(|a| *a *= random.unit() - 0.5);
+        let mut high = case.static_field(case.factor, 0.0, false, &mut random);
+        high.factor *= 3.0;
+        for (what, a) in [("pulls", pulls), ("noise", noise), ("high", high)] {
+            match limit_lower::project(&case.model, &given(&a), dead.as_ref()) {
+                Err(e) => println!("{} {what}: {e}", case.name),
+                Ok(lower) => {
+                    let bound = LowerFactor::new(lower.certificate);
+                    println!(
+                        "{} {what}: {} of {}, strict {}",
+                        case.name,
+                        bound.value(),
+                        case.factor,
+                        bound.is_strict()
+                    );
+                    assert!(!bound.is_strict() || bound.value() <= case.factor, "{} {what}", case.name);
+                }
+            }
+        }
+        let mut nan = case.static_field(case.factor, 0.0, false, &mut random);
+        nan.parameters[0][3] = f64::NAN;
+        let lower = limit_lower::project(&case.model, &given(&nan), dead.as_ref());
+        assert!(lower.is_err() || lower.is_ok_and(|l| !LowerFactor::new(l.certificate).is_strict()), "{}", case.name);
+    }
+}
+
+/// The elastic stress of the dead loads alone, from the elastic programs, serves as the field of theirs.
+#[test]
+fn elastic_field_of_the_dead_loads() {
+    let mut stronger = cases::own_weight(7);
+    // friction keeps the elastic block from swelling: its stress is above that of the limit state
+    stronger.model.materials[0].fy = Some(12.0);
+    for case in [cases::bar_under_dead_load(7), cases::sliding(7), stronger] {
+        let alone = case.model.without_live_loads();
+        let statics = Static::new(&alone).unwrap();
+        let solution = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
+        let dead = recover::stress(&statics, &solution).unwrap();
+        let a = case.static_field(case.factor, NOISE, true, &mut Random::new(7));
+        let lower = limit_lower::project(&case.model, &given(&a), Some(&dead)).unwrap();
+        let bound = LowerFactor::new(lower.certificate);
+        println!("{}: {:e}", case.name, bound.value() / case.factor - 1.0);
+        assert!(
+            bound.is_strict() && bound.value() <= case.factor && bound.value() > 0.999 * case.factor,
+            "{}",
+            case.name
+        );
     }
 }
