@@ -150,7 +150,7 @@ fn equilibrium(
     let (z, factor) = balanced(&statics, approximate, &motions, lenient)?;
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
-    hold(&mut p, &holds::pins(motions, &statics.pinned));
+    hold(&mut p, &holds::pins(motions, &statics.pinned), &[]);
     let cholesky = SparseCholesky::new(&p, &statics.map.block).map_err(RecoverError::from)?;
     let mut rhs = statics.forces(loads);
     if !z.is_empty() {

@@ -90,6 +90,9 @@ pub enum Solver {
     Clarabel,
 }
 
+/// Relative gap at which limit analysis stops: its bounds are certified whatever the solver leaves.
+pub const LIMIT_GAP: f64 = 1e-6;
+
 /// Limits and reporting of a solve.
 #[derive(Clone)]
 pub struct SolveOptions {
