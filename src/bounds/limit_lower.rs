@@ -221,7 +221,7 @@ fn inside(program: &ConicProgram, z: &[f64], shrink: f64, least: f64) -> Vec<f64
     let mut z = z.to_vec();
     for (start, dim) in cone_ranges(program) {
         let force = &mut z[start..start + dim];
-        if force[0] < least {
+        if least > 0.0 && force[0] < least {
             force.fill(0.0);
         }
         into_cone(force, 1.0 - shrink);
