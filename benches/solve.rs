@@ -24,8 +24,13 @@ struct Options {
 }
 
 fn main() {
-    let mut options =
-        Options { programs: vec!["kinematic", "static"], solver: Solver::Condensed, trace: false, factor_only: false, limit: false };
+    let mut options = Options {
+        programs: vec!["kinematic", "static"],
+        solver: Solver::Condensed,
+        trace: false,
+        factor_only: false,
+        limit: false,
+    };
     let mut models = Vec::new();
     let mut threads = 1;
     let mut size_factor = None;

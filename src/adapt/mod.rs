@@ -1,5 +1,6 @@
 //! Passes of dual analysis over meshes.
 
+pub mod limit;
 pub mod memory;
 pub mod pass;
 pub mod problem;

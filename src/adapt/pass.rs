@@ -180,9 +180,9 @@ struct Job<'p, P> {
 }
 
 /// A program after its solve: field and bound where both could be certified.
-struct Done<A> {
-    run: ProgramRun,
-    answer: Option<A>,
+pub(super) struct Done<A> {
+    pub(super) run: ProgramRun,
+    pub(super) answer: Option<A>,
 }
 
 /// What the plan says to a program.
@@ -204,12 +204,48 @@ struct Turns {
 
 /// Runs both programs: side by side where the memory allows it, else in turn; one that does not fit is not started.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+    let (kinematic, statics) = both::<Kinematic, Static>(model, options, progress)?;
+    let mut pass = Pass::default();
+    if let Some(k) = kinematic {
+        pass.kinematic = Some(k.run);
+        if let Some((field, bound)) = k.answer {
+            pass.displacement = Some(field);
+            pass.upper = Some(bound);
+        }
+    }
+    if let Some(s) = statics {
+        pass.statics = Some(s.run);
+        if let Some((field, bound)) = s.answer {
+            pass.stress = Some(field);
+            pass.lower = Some(bound);
+        }
+    }
+    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
+        pass.bracket = Some(Bracket::new(l.clone(), u.clone())?);
+    }
+    if let (Some(u), Some(s)) = (&pass.displacement, &pass.stress) {
+        let c = contributions(model, u, s);
+        check_identity(model, pass.bracket.as_ref(), c.total())?;
+        pass.contributions = Some(c);
+    }
+    Ok(pass)
+}
+
+/// How both programs went; `None`: not asked for.
+pub(super) type Both<K, S> = (Option<Done<K>>, Option<Done<S>>);
+
+/// Assembles, orders, solves and certifies both programs, as far as the memory allows.
+pub(super) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
+    model: &'a AnalysisModel,
+    options: &'a PassOptions,
+    progress: &'a Progress,
+) -> Result<Both<K::Answer, S::Answer>, PassError> {
     // faer's parallel dense kernels would make the last digits depend on the number of threads
     faer::set_global_parallelism(faer::Par::Seq);
     let context = Context { model, options, progress, start: Instant::now() };
     let (kinematic, statics) = rayon::join(
-        || (model.bounds != Bounds::Static).then(|| context.assemble::<Kinematic>()).transpose(),
-        || (model.bounds != Bounds::Kinematic).then(|| context.assemble::<Static>()).transpose(),
+        || (model.bounds != Bounds::Static).then(|| context.assemble::<K>()).transpose(),
+        || (model.bounds != Bounds::Kinematic).then(|| context.assemble::<S>()).transpose(),
     );
     let (kinematic, statics) = (kinematic?, statics?);
     let (k, s) = rayon::join(
@@ -227,30 +263,7 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             (kinematic(), s)
         }
     };
-    let mut pass = Pass::default();
-    if let Some(k) = kinematic? {
-        pass.kinematic = Some(k.run);
-        if let Some((field, bound)) = k.answer {
-            pass.displacement = Some(field);
-            pass.upper = Some(bound);
-        }
-    }
-    if let Some(s) = statics? {
-        pass.statics = Some(s.run);
-        if let Some((field, bound)) = s.answer {
-            pass.stress = Some(field);
-            pass.lower = Some(bound);
-        }
-    }
-    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
-        pass.bracket = Some(Bracket::new(l.clone(), u.clone())?);
-    }
-    if let (Some(u), Some(s)) = (&pass.displacement, &pass.stress) {
-        let c = contributions(model, u, s);
-        check_identity(model, pass.bracket.as_ref(), c.total())?;
-        pass.contributions = Some(c);
-    }
-    Ok(pass)
+    Ok((kinematic?, statics?))
 }
 
 impl Pass {
@@ -378,11 +391,13 @@ impl<'a> Context<'a> {
         });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let options = SolveOptions { progress: Some(tell), time_limit: left, ..given.clone() };
+        let gap = given.gap.max(P::GAP);
+        let options = SolveOptions { progress: Some(tell), time_limit: left, gap, ..given.clone() };
         let mut solution = prepared.solve(&options);
         if stalled(solution.status) {
             let modes = problem.contact_modes(self.model);
-            if let Some(x) = collapse::direction(problem.program(), &modes, &options) {
+            let direction = || collapse::direction(problem.program(), &modes, &options);
+            if let Some(x) = (!modes.is_empty()).then(direction).flatten() {
                 solution.status = SolveStatus::Unbounded;
                 solution.x = x;
             }
@@ -414,7 +429,7 @@ impl<'a> Context<'a> {
                 run.mechanism = Some(words::mechanism(self.model, problem.motion(self.model, &solution.x)));
             }
             SolveStatus::Infeasible => {
-                run.conflict = words::conflict(self.model, problem.program(), &problem.contacts(), &solution.z);
+                run.conflict = problem.conflict(self.model, &solution.z);
             }
             _ => {}
         }

@@ -1,5 +1,6 @@
 //! The two programs of a pass behind one face: what a pass asks of either.
 
+use super::words;
 use crate::bounds::bracket::{LowerBound, UpperBound};
 use crate::bounds::certificate::{certify_displacement, certify_stress};
 use crate::bounds::fields::{DisplacementField, StressField};
@@ -44,6 +45,8 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     type Answer: Send;
     /// Which it is.
     const PROGRAM: Program;
+    /// Relative gap below which its solve need not go.
+    const GAP: f64 = 0.0;
 
     /// Builds it.
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError>;
@@ -59,6 +62,10 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)>;
     /// The contact each cone belongs to: interfaces first, then contacts with the ground.
     fn contacts(&self) -> Vec<usize>;
+    /// Why an infeasible program has no solution, in words.
+    fn conflict(&self, model: &AnalysisModel, z: &[f64]) -> Option<String> {
+        words::conflict(model, self.program(), &self.contacts(), z)
+    }
 }
 
 impl<'a> Problem<'a> for Kinematic {

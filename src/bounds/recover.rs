@@ -30,6 +30,9 @@ pub enum RecoverError {
     /// Contact forces could not be balanced inside their cones.
     #[error("the contact forces of part(s) {0} cannot be balanced inside their friction cones")]
     Unbalanced(String),
+    /// A field that proves no load factor, in words.
+    #[error("{0}")]
+    Factor(String),
 }
 
 /// The displacement field of a kinematic solution, contacts opened where the solver left them violated.

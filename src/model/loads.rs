@@ -95,6 +95,19 @@ impl AnalysisModel {
         Ok(())
     }
 
+    /// True when some contact has friction.
+    pub fn has_friction(&self) -> bool {
+        self.interfaces.iter().any(|i| i.law.mu > 0.0) || self.ground.iter().any(|g| g.law.mu > 0.0)
+    }
+
+    /// The model with every contact smooth.
+    pub fn without_friction(&self) -> Self {
+        let mut smooth = self.clone();
+        smooth.interfaces.iter_mut().for_each(|i| i.law.mu = 0.0);
+        smooth.ground.iter_mut().for_each(|g| g.law.mu = 0.0);
+        smooth
+    }
+
     /// The model under its dead loads alone.
     pub fn without_live_loads(&self) -> Self {
         let mut dead = self.clone();

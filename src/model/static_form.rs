@@ -12,7 +12,7 @@ use super::holds::{self, FacePoints, ModelError, RigidMotions};
 use super::kinematic::{hold, push_rows};
 use super::loads::{Loads, face_corners};
 use super::program::ConicProgram;
-use super::super_element::{self, SuperElement, TRACTIONS};
+use super::super_element::{self, PARAMETERS, SuperElement, TRACTIONS};
 use super::yielding_elements::{Columns, append};
 use super::yielding_super_element;
 use crate::math::mandel::Isotropic;
@@ -301,7 +301,12 @@ impl<'a> Static<'a> {
             own = append(&mut program, model.mesh.tets.len(), |e| {
                 let Some(radius) = radius(e) else { return Ok(None) };
                 let columns = Columns::new(&map, &elements.dofs(e));
-                Ok::<_, ModelError>(Some(yielding_super_element::element(&elements.element(e)?, &columns, radius, !limit)))
+                Ok::<_, ModelError>(Some(yielding_super_element::element(
+                    &elements.element(e)?,
+                    &columns,
+                    radius,
+                    !limit,
+                )))
             })?;
         }
         if limit {
@@ -375,6 +380,22 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
+    /// Stress parameters of every element from the unknowns of a program in which all bodies yield, as
+    /// [`SuperElement::stress`] takes them.
+    pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
+        let radii = self.elements.model.yield_radii();
+        (0..self.own.len().saturating_sub(1))
+            .into_par_iter()
+            .map(|e| {
+                let own = &x[self.own[e]..self.own[e + 1]];
+                let radius = radii[self.elements.model.mesh.tet_body[e] as usize];
+                let (Some(radius), false) = (radius, own.is_empty()) else { return Ok([0.0; PARAMETERS]) };
+                let unit = yielding_super_element::parameter_unit(&self.elements.element(e)?, radius);
+                Ok(std::array::from_fn(|a| unit * own[a]))
+            })
+            .collect()
+    }
+
     /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]: what the elements' tractions, those of
     /// particular stresses included, must balance.
     pub fn forces(&self, loads: Loads) -> Vec<f64> {

@@ -91,7 +91,7 @@ pub enum Solver {
 }
 
 /// Relative gap at which limit analysis stops: its bounds are certified whatever the solver leaves.
-pub const LIMIT_GAP: f64 = 1e-6;
+pub const LIMIT_GAP: f64 = 1e-4;
 
 /// Limits and reporting of a solve.
 #[derive(Clone)]

@@ -8,7 +8,6 @@ use bracket::bounds::flow::VelocityField;
 use bracket::bounds::limit_lower::{self, ApproximateStress};
 use bracket::bounds::limit_upper;
 use bracket::bounds::{FactorBracket, LowerFactor, UpperFactor};
-use bracket::model::super_element::PARAMETERS;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
 use bracket::solve::{SolveOptions, SolveStatus, condensed};
 
@@ -17,13 +16,7 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
     let statics = Static::with_plasticity(at).unwrap();
     let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&SolveOptions::default());
     assert_eq!(s.status, SolveStatus::Optimal, "{name}");
-    let parameters: Vec<[f64; PARAMETERS]> = (0..at.mesh.tets.len())
-        .map(|e| {
-            // the stress stands last among the element's own unknowns
-            let last = statics.own[e + 1];
-            std::array::from_fn(|a| s.x[last - PARAMETERS + a])
-        })
-        .collect();
+    let parameters = statics.parameters(&s.x).unwrap();
     let contact = &s.z[..Static::new(at).unwrap().program.g.nrows()];
     let approximate = ApproximateStress { parameters: &parameters, contact, factor: 1.0 };
     let lower = limit_lower::project(at, &approximate, None).unwrap();

@@ -1,0 +1,212 @@
+//! One pass of limit analysis: both programs on one mesh, their strict bounds of the load factor.
+
+use super::pass::{Both, PassError, PassOptions, ProgramRun, Progress, both};
+use super::problem::{Problem, Program};
+use crate::bounds::fields::{DisplacementField, StressField};
+use crate::bounds::flow::VelocityField;
+use crate::bounds::limit_lower::{self, ApproximateStress, LowerError};
+use crate::bounds::limit_upper::{self, UpperError};
+use crate::bounds::recover::RecoverError;
+use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
+use crate::math::vec3::V3;
+use crate::model::dofs::DofMap;
+use crate::model::holds::ModelError;
+use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
+use crate::solve::status::LIMIT_GAP;
+use crate::solve::{self, Solution, SolveOptions, SolveStatus};
+
+/// Halvings of the tets on which the dissipation of the final velocities is evaluated.
+const SUBDIVISIONS: u32 = 1;
+
+/// The kinematic program of limit analysis.
+struct Collapse(Kinematic);
+
+/// The static program of limit analysis.
+struct Resistance<'a>(Static<'a>);
+
+/// What a pass of limit analysis leaves.
+#[derive(Clone, Debug, Default)]
+pub struct LimitPass {
+    /// The kinematic program.
+    pub kinematic: Option<ProgramRun>,
+    /// The static program.
+    pub statics: Option<ProgramRun>,
+    /// Velocities of the mechanism.
+    pub velocity: Option<VelocityField>,
+    /// Stresses at the lower bound.
+    pub stress: Option<StressField>,
+    /// The upper bound of the load factor.
+    pub upper: Option<UpperFactor>,
+    /// The lower bound.
+    pub lower: Option<LowerFactor>,
+    /// Both.
+    pub bracket: Option<FactorBracket>,
+    /// The lower bound without any friction, where there is friction: it bounds the load factor of a structure under
+    /// Coulomb's law, which the bound with associated friction does not.
+    pub frictionless: Option<LowerFactor>,
+}
+
+impl LimitPass {
+    /// The programs that ran or were to run.
+    pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
+        let kinematic = self.kinematic.iter().map(|r| (Program::Kinematic, r));
+        kinematic.chain(self.statics.iter().map(|r| (Program::Static, r)))
+    }
+}
+
+/// Runs both programs of limit analysis, and the static one without friction where there is friction.
+pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<LimitPass, PassError> {
+    let (kinematic, statics): Both<_, _> = both::<Collapse, Resistance>(model, options, progress)?;
+    let mut pass = LimitPass::default();
+    if let Some(k) = kinematic {
+        pass.kinematic = Some(k.run);
+        if let Some((field, bound)) = k.answer {
+            pass.velocity = Some(field);
+            pass.upper = Some(bound);
+        }
+    }
+    let wants_frictionless = model.has_friction() && statics.as_ref().is_some_and(|s| s.answer.is_some());
+    if let Some(s) = statics {
+        pass.statics = Some(s.run);
+        if let Some((field, bound)) = s.answer {
+            pass.stress = Some(field);
+            pass.lower = Some(bound);
+        }
+    }
+    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
+        pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
+    }
+    if wants_frictionless && !options.solve.interrupted() {
+        pass.frictionless = lower_without_friction(model, &options.solve);
+    }
+    Ok(pass)
+}
+
+/// The lower bound with every friction coefficient zero; `None` where it cannot be certified.
+fn lower_without_friction(model: &AnalysisModel, options: &SolveOptions) -> Option<LowerFactor> {
+    let smooth = model.without_friction();
+    let statics = Static::limit(&smooth).ok()?;
+    let options = SolveOptions { gap: options.gap.max(LIMIT_GAP), progress: None, ..options.clone() };
+    let solution = solve::solve(&statics.program, &statics.map.block, &options);
+    if solution.status != SolveStatus::Optimal {
+        return None;
+    }
+    Resistance(statics).recover(&smooth, &solution).ok().map(|(_, bound)| bound)
+}
+
+impl<'a> Problem<'a> for Collapse {
+    type Answer = (VelocityField, UpperFactor);
+    const PROGRAM: Program = Program::Kinematic;
+    const GAP: f64 = LIMIT_GAP;
+
+    fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Kinematic::limit(model, Flow::Split).map(Self)
+    }
+
+    fn program(&self) -> &ConicProgram {
+        &self.0.program
+    }
+
+    fn map(&self) -> &DofMap {
+        &self.0.map
+    }
+
+    /// None: a mechanism is an answer here, not a fault.
+    fn contact_modes(&self, _: &AnalysisModel) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+        let u = self.0.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+        let upper = limit_upper::project(model, &field, SUBDIVISIONS).map_err(|e| match e {
+            UpperError::Recover(e) => e,
+            e => RecoverError::Factor(e.to_string()),
+        })?;
+        Ok((upper.field, UpperFactor::new(upper.certificate)))
+    }
+
+    fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
+        self.0.motion(model, x)
+    }
+
+    fn contacts(&self) -> Vec<usize> {
+        self.0.contacts()
+    }
+
+    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<String> {
+        Some(NO_LIMIT.into())
+    }
+}
+
+impl<'a> Problem<'a> for Resistance<'a> {
+    type Answer = (StressField, LowerFactor);
+    const PROGRAM: Program = Program::Static;
+    const GAP: f64 = LIMIT_GAP;
+
+    fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
+        Static::limit(model).map(Self)
+    }
+
+    fn program(&self) -> &ConicProgram {
+        &self.0.program
+    }
+
+    fn map(&self) -> &DofMap {
+        &self.0.map
+    }
+
+    fn contact_modes(&self, _: &AnalysisModel) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+        let statics = &self.0;
+        let parameters = statics.parameters(&solution.x)?;
+        let contact = &solution.z[..statics.program.g.nrows()];
+        let factor = solution.x.last().copied().unwrap_or(0.0);
+        let approximate = ApproximateStress { parameters: &parameters, contact, factor };
+        let dead = dead_stress(model).transpose()?;
+        let lower = limit_lower::project(model, &approximate, dead.as_ref()).map_err(in_words)?;
+        Ok((lower.field, LowerFactor::new(lower.certificate)))
+    }
+
+    fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
+        self.0.motion(model, x)
+    }
+
+    fn contacts(&self) -> Vec<usize> {
+        self.0.contacts()
+    }
+
+    fn conflict(&self, _: &AnalysisModel, _: &[f64]) -> Option<String> {
+        Some(NO_LIMIT.into())
+    }
+}
+
+/// What an infeasible program of limit analysis says.
+const NO_LIMIT: &str = "no mechanism works against the live loads: the load factor has no limit";
+
+fn in_words(e: LowerError) -> RecoverError {
+    match e {
+        LowerError::Recover(e) => e,
+        e => RecoverError::Factor(e.to_string()),
+    }
+}
+
+/// A stress field of the dead loads alone, from the elastic, perfectly plastic program under them; `None` without any.
+fn dead_stress(model: &AnalysisModel) -> Option<Result<StressField, RecoverError>> {
+    model.has_dead_loads().then(|| {
+        let dead = model.without_live_loads();
+        let statics = Static::with_plasticity(&dead)?;
+        let solution = solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
+        if solution.status != SolveStatus::Optimal {
+            let status = solution.status.words();
+            return Err(RecoverError::Factor(format!("the dead loads alone have no certified equilibrium ({status})")));
+        }
+        let parameters = statics.parameters(&solution.x)?;
+        let contact = &solution.z[..statics.program.g.nrows()];
+        let approximate = ApproximateStress { parameters: &parameters, contact, factor: 0.0 };
+        limit_lower::dead_field(model, &approximate).map_err(in_words)
+    })
+}
