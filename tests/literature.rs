@@ -6,6 +6,8 @@ mod common;
 mod coulomb_block_on_ground;
 #[path = "literature/hertz_sphere_on_flat.rs"]
 mod hertz_sphere_on_flat;
+#[path = "literature/kirchhoff_thin_plates.rs"]
+mod kirchhoff_thin_plates;
 #[path = "literature/kirsch_plate_with_hole.rs"]
 mod kirsch_plate_with_hole;
 #[path = "literature/lame_cylinder_and_sphere.rs"]
