@@ -18,6 +18,8 @@ mod paper_reference_meshes;
 mod saint_venant_triangle;
 #[path = "literature/signorini_hard_contacts.rs"]
 mod signorini_hard_contacts;
+#[path = "literature/slivers_in_contact.rs"]
+mod slivers_in_contact;
 #[path = "literature/timoshenko_exact_bars.rs"]
 mod timoshenko_exact_bars;
 #[path = "literature/vdi2230_bolt_in_sleeve.rs"]

@@ -13,6 +13,7 @@ pub mod limit_lower;
 pub mod limit_upper;
 pub mod recover;
 pub mod sampling;
+mod settle;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
 pub use factor::{FactorBracket, LowerFactor, UpperFactor};

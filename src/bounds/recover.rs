@@ -5,6 +5,7 @@
 //! brought into balance with the loads part by part, then the bodies are solved for exact equilibrium with them.
 
 use super::fields::{DisplacementField, StressField};
+use super::settle::settle;
 use crate::math::dense::null_space;
 use crate::model::dofs::DofMap;
 use crate::model::holds::{self, ModelError};
@@ -155,11 +156,12 @@ pub(super) fn stress_field(
     elements: &SuperElements,
     parameters: &[[f64; PARAMETERS]],
 ) -> Result<StressField, ModelError> {
-    let points = parameters
+    let mut points = parameters
         .par_iter()
         .enumerate()
         .map(|(e, a)| Ok(elements.element(e)?.stress(a)))
-        .collect::<Result<_, ModelError>>()?;
+        .collect::<Result<Vec<_>, ModelError>>()?;
+    settle(elements.model(), &mut points);
     Ok(StressField { points })
 }
 
