@@ -207,6 +207,71 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
     }
 }
 
+/// A plate with a square hole and, filling it on the mesh, a pin; faces PULL on the plate's side and PIN0, PIN1 on the pin's ends.
+fn pin_in_plate(with_pin: bool) -> TetMesh {
+    let block = Block { cells: [4, 4, 2], min: [-10.0, -10.0, 0.0], max: [10.0, 10.0, 6.0], jitter: 0.2, seed: 5 };
+    let pin = |x: [f64; 3]| x[0].abs() < 5.0 && x[1].abs() < 5.0;
+    let mut mesh = block.mesh(&["PLATE", "PIN"], |x| usize::from(pin(x)), |d, x| d < 2 && x.abs() == 5.0);
+    let ends = |z: f64| {
+        let on = |x: [f64; 3]| x[2] == z && x[0].abs() <= 5.0 && x[1].abs() <= 5.0;
+        crate::common::triangles_where(&mesh, on)
+    };
+    let (low, high) = (ends(0.0), ends(6.0));
+    mesh.faces.retain(|f| !f.name.starts_with('Z'));
+    if with_pin {
+        mesh.faces.push(bracket::mesh::NamedFaces { name: "PIN0".into(), triangles: low });
+        mesh.faces.push(bracket::mesh::NamedFaces { name: "PIN1".into(), triangles: high });
+        return mesh;
+    }
+    // without the pin and the nodes inside it
+    let kept: Vec<[u32; 4]> = mesh.tets.iter().zip(&mesh.tet_body).filter(|(_, b)| **b == 0).map(|(t, _)| *t).collect();
+    let mut index = vec![None; mesh.nodes.len()];
+    let mut nodes = Vec::new();
+    for n in kept.iter().flatten().map(|n| *n as usize) {
+        index[n].get_or_insert_with(|| {
+            nodes.push(mesh.nodes[n]);
+            nodes.len() as u32 - 1
+        });
+    }
+    let new = |n: u32| index[n as usize].unwrap();
+    mesh.tets = kept.into_iter().map(|t| t.map(new)).collect();
+    mesh.tet_body = vec![0; mesh.tets.len()];
+    mesh.bodies.truncate(1);
+    mesh.nodes = nodes;
+    mesh.faces.iter_mut().for_each(|f| f.triangles.iter_mut().for_each(|t| *t = t.map(new)));
+    mesh
+}
+
+#[test]
+fn a_bolt_loose_in_its_hole() {
+    let pulled = "loads:\n- {face: X1, traction: [50, 10, 0]}\n";
+    let plate = format!(
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\n{pulled}"
+    );
+    let alone = solve(&plate, pin_in_plate(false)).strict("plate without bolt");
+    for mu in ["0", "0.3, friction: associated"] {
+        let bolted = |gap: f64, supports: &str| {
+            format!(
+                "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s, PIN: s}}\ninterfaces:\n\
+                 - {{between: [PLATE, PIN], law: contact, mu: {mu}, gap: {gap:?}}}\nsupports:\n{supports}{pulled}"
+            )
+        };
+        // the hole changes its shape by less than the clearance: the bolt feels nothing and may lie anywhere
+        let loose = bolted(0.5, "- {face: X0, fix: [x, y, z]}\n");
+        let loose = solve(&loose, pin_in_plate(true)).strict(&format!("loose bolt, μ {mu}"));
+        for (a, b) in alone.iter().zip(loose) {
+            assert!((a - b).abs() <= 1e-6 * a.abs(), "{alone:?} against {loose:?}");
+        }
+        // the plate hangs on the bolt: it comes to bear after the clearance, which the pull works on
+        let work = 50.0 * 20.0 * 6.0 * 0.5;
+        let bears =
+            bolted(0.5, "- {face: PIN0, fix: [x, y, z]}\n- {face: PIN1, fix: [x, y, z]}\n- {face: Y0, fix: [y]}\n");
+        let bears = bears.replace("50, 10, 0", "50, 0, 0");
+        let [lower, upper] = solve(&bears, pin_in_plate(true)).strict(&format!("bearing bolt, μ {mu}"));
+        assert!(upper < -work && lower > -1.1 * work, "[{lower}, {upper}] against {work}");
+    }
+}
+
 #[test]
 fn the_random_points_find_faulty_fields() {
     let s = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0);
