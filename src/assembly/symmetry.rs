@@ -59,7 +59,7 @@ fn signature(solid: &Solid, mirror: Option<usize>) -> Signature {
             Signature::Points(ends(*base, *axis, *length, mirror), Vec::new(), scalar(*radius))
         }
         Solid::Prism { origin, u, v, start, edges, length } => {
-            let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            let n = crate::math::vec3::cross(*u, *v);
             let at = |q: [f64; 2], h: f64| {
                 round([0, 1, 2].map(|k| origin[k] + q[0] * u[k] + q[1] * v[k] + h * n[k]), mirror)
             };

@@ -38,7 +38,7 @@ fn extent(s: &Solid) -> ([f64; 3], [f64; 3]) {
     match s {
         Solid::Box { min, max } => points.extend([*min, *max]),
         Solid::Prism { origin, u, v, start, edges, length } => {
-            let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            let n = crate::math::vec3::cross(*u, *v);
             let ends = edges.iter().map(|e| match e {
                 OutlineEdge::Line { to } | OutlineEdge::Arc { to, .. } => *to,
             });

@@ -4,10 +4,11 @@
 //! so two Gauss points per strip integrate it exactly. Only strips in which edges of different prisms cross are
 //! approximate, and those are halved. Independent of the CAD kernel and of the mesh: both are checked against it.
 
-use super::flat::{FlatPrism, FlatSolid, Vec3, along, cross, dot, sub};
+use super::flat::{FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
 use super::scene::Body;
 use crate::assembly::joint::Surface;
+use crate::math::vec3::{V3, along, cross, dot, sub};
 
 /// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far above rounding.
 const BESIDE: f64 = 1e-5;
@@ -19,13 +20,13 @@ const SUBSTRIPS: usize = 2;
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
     /// A point of it \[mm\].
-    pub origin: Vec3,
+    pub origin: V3,
     /// Unit normal.
-    pub normal: Vec3,
+    pub normal: V3,
     /// Unit direction of the sweeping lines.
-    pub d: Vec3,
+    pub d: V3,
     /// Unit direction of the sweep.
-    pub e: Vec3,
+    pub e: V3,
 }
 
 impl Plane {
@@ -40,8 +41,8 @@ impl Plane {
     /// Positions along `e` of every corner of the prisms' sections with this plane.
     fn breakpoints(&self, solids: &[&FlatSolid], planes: &[usize]) -> Vec<f64> {
         let mut out = Vec::new();
-        let place = |p: Vec3| dot(sub(p, self.origin), self.e);
-        let mut edge = |a: Vec3, b: Vec3| {
+        let place = |p: V3| dot(sub(p, self.origin), self.e);
+        let mut edge = |a: V3, b: V3| {
             let (ha, hb) = (dot(sub(a, self.origin), self.normal), dot(sub(b, self.origin), self.normal));
             let near = 3.0 * BESIDE;
             if ha.abs() < near {
@@ -98,7 +99,7 @@ impl Plane {
 /// Volume of what is kept of a body \[mm³\].
 pub fn volume(body: &Body) -> f64 {
     // Sweep along the axis with the fewest distinct corners: fewest sections.
-    let corners: Vec<Vec3> = body.solid.prisms().iter().flat_map(|p| p.corners()).collect();
+    let corners: Vec<V3> = body.solid.prisms().iter().flat_map(|p| p.corners()).collect();
     let levels = |axis: usize| {
         let mut at: Vec<f64> = corners.iter().map(|c| c[axis]).collect();
         if body.planes.contains(&axis) {
@@ -151,7 +152,7 @@ pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
 }
 
 /// Area of a body's outer face on the rectangle of a coordinate plane: material on one side, nothing on the other \[mm²\].
-pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: Vec3, max: Vec3) -> f64 {
+pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, max: V3) -> f64 {
     let plane = Plane::coordinate(axis, at);
     let me = &bodies[body];
     let near: Vec<&Body> = bodies.iter().filter(|b| b.bounds.near(&me.bounds, 2.0 * BESIDE)).collect();

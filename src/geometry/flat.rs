@@ -5,44 +5,22 @@
 //! both bounds refer to one and the same structure on every remesh.
 
 use crate::assembly::joint::{OutlineEdge, Solid};
-
-/// A point or vector of space \[mm\].
-pub type Vec3 = [f64; 3];
+use crate::math::vec3::{V3, along, cross, dot, unit};
 
 /// Chords that replace a quarter circle of an outline (a root fillet).
 pub const CHORDS_PER_QUARTER: usize = 2;
-
-/// `a · b`.
-pub fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// `a × b`.
-pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// `a − b`.
-pub fn sub(a: Vec3, b: Vec3) -> Vec3 {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// `a + s b`.
-pub fn along(a: Vec3, s: f64, b: Vec3) -> Vec3 {
-    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
-}
 
 /// A simple polygon extruded along a unit vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatPrism {
     /// Origin of the polygon's plane \[mm\].
-    pub origin: Vec3,
+    pub origin: V3,
     /// Unit vector of the first coordinate.
-    pub u: Vec3,
+    pub u: V3,
     /// Unit vector of the second coordinate.
-    pub v: Vec3,
+    pub v: V3,
     /// Unit vector of the extrusion, `u × v`.
-    pub w: Vec3,
+    pub w: V3,
     /// Corners, counter-clockwise seen from the tip of `w` \[mm\].
     pub polygon: Vec<[f64; 2]>,
     /// Length of the extrusion \[mm\].
@@ -64,19 +42,19 @@ pub enum FlatSolid {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Lowest corner \[mm\].
-    pub min: Vec3,
+    pub min: V3,
     /// Highest corner \[mm\].
-    pub max: Vec3,
+    pub max: V3,
 }
 
 impl FlatPrism {
     /// Point of space of polygon coordinates `p` at height `h` \[mm\].
-    pub fn point(&self, p: [f64; 2], h: f64) -> Vec3 {
+    pub fn point(&self, p: [f64; 2], h: f64) -> V3 {
         along(along(along(self.origin, p[0], self.u), p[1], self.v), h, self.w)
     }
 
     /// All corners: the first end, then the second \[mm\].
-    pub fn corners(&self) -> Vec<Vec3> {
+    pub fn corners(&self) -> Vec<V3> {
         let end = |h: f64| self.polygon.iter().map(move |&p| self.point(p, h));
         end(0.0).chain(end(self.length)).collect()
     }
@@ -185,27 +163,25 @@ impl Bounds {
 /// shank and its hole get the same corners.
 pub struct AxisFrame {
     /// First vector of the polygon's plane.
-    pub u: Vec3,
+    pub u: V3,
     /// Second vector.
-    pub v: Vec3,
+    pub v: V3,
     /// Extrusion.
-    pub w: Vec3,
+    pub w: V3,
     /// `w = −axis`.
     pub flipped: bool,
 }
 
 impl AxisFrame {
     /// The frame of a unit axis.
-    pub fn new(axis: Vec3) -> Self {
+    pub fn new(axis: V3) -> Self {
         let largest = (0..3).fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
         let flipped = axis[largest] < 0.0;
         let w = if flipped { axis.map(|c| -c) } else { axis };
         // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that axis.
         let mut u = [0.0; 3];
         u[(largest + 1) % 3] = 1.0;
-        let u = along(u, -dot(u, w), w);
-        let norm = dot(u, u).sqrt();
-        let u = u.map(|c| c / norm);
+        let u = unit(along(u, -dot(u, w), w));
         AxisFrame { u, v: cross(w, u), w, flipped }
     }
 }
@@ -321,7 +297,7 @@ mod tests {
 
     #[test]
     fn shank_and_hole_agree_whatever_the_sense_of_the_axis() {
-        let make = |base: Vec3, axis: Vec3| {
+        let make = |base: V3, axis: V3| {
             FlatSolid::from_solid(&Solid::Cylinder { base, axis, radius: 9.0, length: 30.0, segments: 12 })
         };
         assert_eq!(make([85.0, 50.0, 110.0], [1.0, 0.0, 0.0]), make([115.0, 50.0, 110.0], [-1.0, 0.0, 0.0]));

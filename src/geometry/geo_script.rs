@@ -3,10 +3,11 @@
 //! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is written into it. The
 //! script stops at the first error; the caller still checks what came out (gmsh likes to exit with success).
 
-use super::flat::{FlatPrism, FlatSolid, Vec3, along};
+use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
 use crate::assembly::joint::{MidPlane, OutlineEdge, Solid};
+use crate::math::vec3::{V3, along};
 use std::fmt::Write;
 
 /// What the script is for.
@@ -144,13 +145,13 @@ impl Writer {
     }
 
     fn prism(&mut self, prism: &FlatPrism) -> String {
-        let corners: Vec<Vec3> = prism.polygon.iter().map(|&p| prism.point(p, 0.0)).collect();
+        let corners: Vec<V3> = prism.polygon.iter().map(|&p| prism.point(p, 0.0)).collect();
         self.polygon(&corners);
         self.extrude(prism.w, prism.length)
     }
 
     /// A plane surface `s` with straight edges.
-    fn polygon(&mut self, corners: &[Vec3]) {
+    fn polygon(&mut self, corners: &[V3]) {
         let n = corners.len();
         self.line("p = newp;");
         for (i, c) in corners.iter().enumerate() {
@@ -164,22 +165,14 @@ impl Writer {
         self.line("s = news; Plane Surface(s) = {k};");
     }
 
-    fn extrude(&mut self, w: Vec3, length: f64) -> String {
+    fn extrude(&mut self, w: V3, length: f64) -> String {
         let name = self.name();
         self.put(format_args!("e() = Extrude {{{}}} {{ Surface{{s}}; }};", triple(w.map(|c| c * length))));
         self.put(format_args!("{name} = {{e(1)}};"));
         name
     }
 
-    fn exact_prism(
-        &mut self,
-        origin: Vec3,
-        u: Vec3,
-        v: Vec3,
-        start: [f64; 2],
-        edges: &[OutlineEdge],
-        length: f64,
-    ) -> String {
+    fn exact_prism(&mut self, origin: V3, u: V3, v: V3, start: [f64; 2], edges: &[OutlineEdge], length: f64) -> String {
         let place = |p: [f64; 2]| along(along(origin, p[0], u), p[1], v);
         self.put(format_args!("p = newp; Point(p) = {{{}}}; first = p; l = newl; n = 0;", triple(place(start))));
         for (i, edge) in edges.iter().enumerate() {
@@ -203,7 +196,7 @@ impl Writer {
         }
         self.put(format_args!("k = newll; Curve Loop(k) = {{l:l + {}}};", edges.len() - 1));
         self.line("s = news; Plane Surface(s) = {k};");
-        self.extrude(super::flat::cross(u, v), length)
+        self.extrude(crate::math::vec3::cross(u, v), length)
     }
 
     /// Intersection with the half space `x[axis] ≥ 0`, as a box around the part.
@@ -269,12 +262,12 @@ impl Writer {
 }
 
 /// `x, y, z`, shortest digits that read back to the same numbers.
-fn triple(p: Vec3) -> String {
+fn triple(p: V3) -> String {
     let [x, y, z] = p.map(|c| c + 0.0);
     format!("{x}, {y}, {z}")
 }
 
-fn rectangle(axis: usize, at: f64, min: Vec3, max: Vec3) -> [Vec3; 4] {
+fn rectangle(axis: usize, at: f64, min: V3, max: V3) -> [V3; 4] {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     let corner = |p: f64, q: f64| {
         let mut c = [0.0; 3];

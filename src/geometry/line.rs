@@ -1,6 +1,7 @@
 //! A straight line through a solid: the stretches of it that lie inside.
 
-use super::flat::{FlatPrism, FlatSolid, Vec3, dot, sub};
+use super::flat::{FlatPrism, FlatSolid};
+use crate::math::vec3::{V3, dot, sub};
 
 /// Sorted, disjoint stretches of a line's parameter.
 pub type Stretches = Vec<[f64; 2]>;
@@ -9,9 +10,9 @@ pub type Stretches = Vec<[f64; 2]>;
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// Point of `t = 0` \[mm\].
-    pub start: Vec3,
+    pub start: V3,
     /// Unit direction.
-    pub direction: Vec3,
+    pub direction: V3,
 }
 
 /// Total length of the stretches.

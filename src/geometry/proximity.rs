@@ -5,11 +5,12 @@
 //! bolt in its hole is no clash.
 
 use super::error::GeometryError;
-use super::flat::{Bounds, FlatSolid, Vec3};
+use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, intersect};
 use crate::assembly::Assembly;
 use crate::assembly::joint::{Part, Solid};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3::V3;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query;
 use parry3d_f64::shape::ConvexPolyhedron;
@@ -105,7 +106,7 @@ fn prepare(part: &Part) -> Checked<'_> {
 fn piece(solid: &Solid) -> Option<Piece> {
     let flat = FlatSolid::from_solid(solid);
     let bounds = flat.bounds();
-    let centre: Vec3 = std::array::from_fn(|k| 0.5 * (bounds.min[k] + bounds.max[k]));
+    let centre: V3 = std::array::from_fn(|k| 0.5 * (bounds.min[k] + bounds.max[k]));
     let points: Vec<Vector> = flat
         .prisms()
         .iter()
@@ -118,8 +119,8 @@ fn piece(solid: &Solid) -> Option<Piece> {
 
 /// Overlap of two parts' material: its depth and a point in it. Depth: the longest stretch that a line along a
 /// coordinate axis spends in both, in the direction in which that is shortest.
-fn overlap(a: &Checked, b: &Checked) -> Option<(f64, Vec3)> {
-    let mut worst: Option<(f64, Vec3)> = None;
+fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
+    let mut worst: Option<(f64, V3)> = None;
     for p in &a.pieces {
         for q in &b.pieces {
             if !p.bounds.near(&q.bounds, 0.0) {
@@ -129,8 +130,8 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, Vec3)> {
             if contact.is_none_or(|c| c.dist >= -TOUCH) {
                 continue;
             }
-            let min: Vec3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]));
-            let max: Vec3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]));
+            let min: V3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]));
+            let max: V3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]));
             let found = common_material(&a.solid, &b.solid, min, max);
             if let Some((depth, at)) = found
                 && depth > TOUCH
@@ -145,7 +146,7 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, Vec3)> {
 
 /// Quasi-random lines along one axis through a box: the additive recurrence of the plastic number covers the
 /// rectangle evenly. Parameters count from the box's lower face.
-fn probes(axis: usize, min: Vec3, max: Vec3) -> impl Iterator<Item = Line> {
+fn probes(axis: usize, min: V3, max: V3) -> impl Iterator<Item = Line> {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut direction = [0.0; 3];
     direction[axis] = 1.0;
@@ -159,10 +160,10 @@ fn probes(axis: usize, min: Vec3, max: Vec3) -> impl Iterator<Item = Line> {
 }
 
 /// Longest common stretch along each axis inside a box; the smallest of the three with its middle.
-fn common_material(a: &FlatSolid, b: &FlatSolid, min: Vec3, max: Vec3) -> Option<(f64, Vec3)> {
-    let mut thinnest: Option<(f64, Vec3)> = None;
+fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f64, V3)> {
+    let mut thinnest: Option<(f64, V3)> = None;
     for axis in 0..3 {
-        let mut longest: Option<(f64, Vec3)> = None;
+        let mut longest: Option<(f64, V3)> = None;
         for line in probes(axis, min, max) {
             let inside = line.through(a);
             if inside.is_empty() {
@@ -199,8 +200,8 @@ fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
             if distance.is_none_or(|d| d <= TOUCH || d >= SMALLEST_GAP) {
                 continue;
             }
-            let min: Vec3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
-            let max: Vec3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
+            let min: V3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
+            let max: V3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
             for gap in (0..3).filter_map(|axis| thin_air(&a.solid, &b.solid, axis, min, max)) {
                 smallest = Some(smallest.map_or(gap, |s| s.min(gap)));
             }
@@ -210,7 +211,7 @@ fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
 }
 
 /// Shortest stretch of air in (`TOUCH`, `SMALLEST_GAP`) between the two solids on lines along an axis.
-fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: Vec3, max: Vec3) -> Option<f64> {
+fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
     let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
     let mut shortest: Option<f64> = None;
     for line in probes(axis, min, max) {

@@ -4,9 +4,10 @@
 //! the joint, growing along the span to a limit; at imprinted footprints of loads and supports, whose edges concentrate
 //! stress, a fraction of their width. Only box and formula fields: they work on gmsh 4.8 too.
 
-use super::flat::{Bounds, Vec3};
+use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
 use crate::assembly::joint::{PartRole, Surface};
+use crate::math::vec3::V3;
 use std::fmt::Write;
 
 /// How wanted sizes vary.
@@ -37,7 +38,7 @@ const FREE: f64 = 1e6;
 const REACH: f64 = 1000.0;
 
 /// The imprinted rectangles on the kept side: normal axis, coordinate, corners.
-pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, Vec3, Vec3)> {
+pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
     scene
         .assembly
@@ -52,7 +53,7 @@ pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, Vec3, Vec3)> {
 }
 
 /// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies on a symmetry plane.
-pub(super) fn clip(axis: usize, at: f64, min: Vec3, max: Vec3, planes: &[usize]) -> Option<(usize, f64, Vec3, Vec3)> {
+pub(super) fn clip(axis: usize, at: f64, min: V3, max: V3, planes: &[usize]) -> Option<(usize, f64, V3, V3)> {
     let mut min = min;
     for &k in planes {
         if k == axis {
@@ -127,7 +128,7 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     out
 }
 
-fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: Vec3, max: Vec3, reach: f64) {
+fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: V3, max: V3, reach: f64) {
     let _ = writeln!(out, "Field[{id}] = Box; Field[{id}].VIn = {inside}; Field[{id}].VOut = {outside};");
     for (k, axis) in ["X", "Y", "Z"].iter().enumerate() {
         let _ = writeln!(out, "Field[{id}].{axis}Min = {}; Field[{id}].{axis}Max = {};", min[k], max[k]);

@@ -35,6 +35,17 @@ pub fn norm(a: V3) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// `a / |a|`; zero for a vector of no length.
+pub fn unit(a: V3) -> V3 {
+    let length = norm(a).max(f64::MIN_POSITIVE);
+    a.map(|c| c / length)
+}
+
+/// `a + s b`.
+pub fn along(a: V3, s: f64, b: V3) -> V3 {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
 /// `M a`.
 pub fn mul(m: &M3, a: V3) -> V3 {
     [dot(m[0], a), dot(m[1], a), dot(m[2], a)]

@@ -3,6 +3,7 @@
 use super::TetMesh;
 use super::error::MeshError;
 use super::topology::{FaceTable, face_nodes};
+use crate::math::vec3::{cross, dot, sub, unit};
 use std::collections::{BTreeMap, HashMap};
 
 /// Nodes of different bodies closer than this times the size of the mesh (diagonal of its box) are one.
@@ -119,13 +120,13 @@ pub fn check_matching(mesh: &TetMesh, table: &FaceTable) -> Result<(), MeshError
 /// True when two outward triangles with a common edge lie in one plane, face each other and lie on one side of the edge.
 fn facing_overlap(mesh: &TetMesh, edge: [u32; 2], f: (u32, [u32; 3]), g: (u32, [u32; 3])) -> bool {
     let x = |n: u32| mesh.nodes[n as usize];
-    let normal = |t: [u32; 3]| unit(cross(minus(x(t[1]), x(t[0])), minus(x(t[2]), x(t[0]))));
+    let normal = |t: [u32; 3]| unit(cross(sub(x(t[1]), x(t[0])), sub(x(t[2]), x(t[0]))));
     if dot(normal(f.1), normal(g.1)) > -1.0 + 1e-9 {
         return false;
     }
-    let along = unit(minus(x(edge[1]), x(edge[0])));
+    let along = unit(sub(x(edge[1]), x(edge[0])));
     let across = |n: u32| {
-        let d = minus(x(n), x(edge[0]));
+        let d = sub(x(n), x(edge[0]));
         let s = dot(d, along);
         [0, 1, 2].map(|i| d[i] - s * along[i])
     };
@@ -141,20 +142,6 @@ pub fn diagonal(nodes: &[[f64; 3]]) -> f64 {
         sum += (hi - lo).powi(2);
     }
     sum.sqrt()
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-fn unit(a: [f64; 3]) -> [f64; 3] {
-    let n = dot(a, a).sqrt();
-    a.map(|c| c / n)
 }
 
 #[cfg(test)]

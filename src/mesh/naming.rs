@@ -5,8 +5,8 @@ use super::{NamedFaces, TetMesh};
 use crate::assembly::joint::{InterfaceRule, Surface};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::geometry::exact::{self, MANTLE_TOLERANCE};
-use crate::geometry::flat::{Vec3, cross, dot, sub};
 use crate::geometry::scene::Scene;
+use crate::math::vec3::{V3, cross, dot, sub};
 
 /// Nodes closer than this to a named plane are on it and are moved there exactly \[mm\].
 const SNAP: f64 = 1e-6;
@@ -143,7 +143,7 @@ fn volumes(mesh: &TetMesh, scene: &Scene, faults: &mut Vec<Diagnostic>) -> Vec<V
     out
 }
 
-fn corners(mesh: &TetMesh, nodes: [u32; 3]) -> [Vec3; 3] {
+fn corners(mesh: &TetMesh, nodes: [u32; 3]) -> [V3; 3] {
     nodes.map(|n| mesh.nodes[n as usize])
 }
 
@@ -263,7 +263,7 @@ fn interface(
 }
 
 /// True when a triangle lies on the surface.
-fn on_surface(surface: &Surface, t: &[Vec3; 3]) -> bool {
+fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
     match surface {
         Surface::Plane { axis, at, min, max } => t.iter().all(|x| {
             (x[*axis] - at).abs() < SNAP && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
@@ -328,7 +328,7 @@ fn outer_faces(
 }
 
 /// True when a box lies on the removed side of a symmetry plane.
-fn beyond(scene: &Scene, min: &Vec3, max: &Vec3) -> bool {
+fn beyond(scene: &Scene, min: &V3, max: &V3) -> bool {
     scene.symmetry.iter().any(|s| max[s.axis] <= SNAP && min[s.axis] < -SNAP)
 }
 

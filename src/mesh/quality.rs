@@ -2,6 +2,7 @@
 
 use super::TetMesh;
 use super::tet::FACES;
+use crate::math::vec3::{V3, area_vector, dot, norm, sub};
 use serde::Serialize;
 
 /// Quality of one body's tets.
@@ -89,20 +90,14 @@ fn surface_nodes(mesh: &TetMesh) -> Vec<Vec<u32>> {
     out
 }
 
-/// Area vector of the face opposite corner `i`, outward.
-fn area_vector(x: &[[f64; 3]; 4], i: usize) -> [f64; 3] {
-    let [a, b, c] = FACES[i].map(|v| x[v]);
-    let (p, q) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
-    [0.5 * (p[1] * q[2] - p[2] * q[1]), 0.5 * (p[2] * q[0] - p[0] * q[2]), 0.5 * (p[0] * q[1] - p[1] * q[0])]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// Area vectors of the faces opposite the corners, outward.
+fn area_vectors(x: &[V3; 4]) -> [V3; 4] {
+    FACES.map(|f| area_vector(&f.map(|v| x[v])))
 }
 
 /// Smallest of the six dihedral angles \[degrees\].
-pub fn smallest_dihedral(x: &[[f64; 3]; 4]) -> f64 {
-    let n: [[f64; 3]; 4] = std::array::from_fn(|i| area_vector(x, i));
+pub fn smallest_dihedral(x: &[V3; 4]) -> f64 {
+    let n = area_vectors(x);
     let mut smallest = 180.0f64;
     for i in 0..4 {
         for j in i + 1..4 {
@@ -114,14 +109,13 @@ pub fn smallest_dihedral(x: &[[f64; 3]; 4]) -> f64 {
 }
 
 /// Longest edge over smallest height, 1 for the regular tet.
-pub fn aspect(x: &[[f64; 3]; 4]) -> f64 {
+pub fn aspect(x: &[V3; 4]) -> f64 {
     let mut longest = 0.0f64;
     for [i, j] in super::tet::EDGES {
-        let d = [x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]];
-        longest = longest.max(dot(d, d).sqrt());
+        longest = longest.max(norm(sub(x[j], x[i])));
     }
     let volume = super::tet::signed_volume(x);
-    let largest = (0..4).map(|i| area_vector(x, i)).map(|n| dot(n, n).sqrt()).fold(0.0, f64::max);
+    let largest = area_vectors(x).map(norm).into_iter().fold(0.0, f64::max);
     let height = 3.0 * volume / largest;
     longest / height * (2.0f64 / 3.0).sqrt()
 }

@@ -5,7 +5,8 @@
 
 use super::canvas::{Canvas, Picture, Rgb, SAMPLES};
 use super::lettering::text_width;
-use super::surface::{EdgeKind, Surface, cross, dot, unit, unit_normal};
+use super::surface::{EdgeKind, Surface, unit_normal};
+use crate::math::vec3::{cross, dot, unit};
 use crate::mesh::TetMesh;
 
 /// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the facets of a bolt's

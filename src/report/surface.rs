@@ -1,5 +1,6 @@
 //! The outer surface of a mesh, as the pictures need it: triangles by body, mirrored copies, feature edges.
 
+use crate::math::vec3::{cross, dot, sub, unit};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
 
@@ -134,22 +135,8 @@ impl Surface {
     }
 }
 
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn unit(a: [f64; 3]) -> [f64; 3] {
-    let length = dot(a, a).sqrt().max(f64::MIN_POSITIVE);
-    a.map(|x| x / length)
-}
-
 pub(super) fn unit_normal(x: [[f64; 3]; 3]) -> [f64; 3] {
-    let d = |i: usize| [x[i][0] - x[0][0], x[i][1] - x[0][1], x[i][2] - x[0][2]];
-    unit(cross(d(1), d(2)))
+    unit(cross(sub(x[1], x[0]), sub(x[2], x[0])))
 }
 
 #[cfg(test)]

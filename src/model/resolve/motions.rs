@@ -6,6 +6,7 @@
 //! between the same two unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{AnalysisModel, BoundaryFace, FreeMode, Traction};
@@ -16,21 +17,6 @@ use std::collections::BTreeMap;
 const HOLDS: f64 = 1e-6;
 /// A load works on a motion when its work exceeds this times the sum of the loads' magnitudes.
 const WORKS: f64 = 1e-9;
-
-type V3 = [f64; 3];
-
-fn cross(a: V3, b: V3) -> V3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-fn dot(a: V3, b: V3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-fn sub(a: V3, b: V3) -> V3 {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-fn norm(a: V3) -> f64 {
-    dot(a, a).sqrt()
-}
 
 /// Displacement at `r` (from the reference point) of the motion `[U, θ]`.
 pub(super) fn displacement(motion: &[f64; 6], r: V3) -> V3 {
@@ -128,9 +114,7 @@ fn contact_directions(mu: f64, x: &[V3; 3]) -> Vec<V3> {
     if mu > 0.0 {
         return UNIT.to_vec();
     }
-    let n = area_normal(x);
-    let length = norm(n);
-    vec![n.map(|c| c / length)]
+    vec![unit(area_normal(x))]
 }
 
 fn constraint_groups(model: &AnalysisModel, frame: &Frame) -> Groups {
@@ -364,8 +348,7 @@ pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
 
 /// `x`, or the components of a skew direction.
 fn direction(d: V3) -> String {
-    let length = norm(d);
-    let d = d.map(|c| c / length);
+    let d = unit(d);
     match (0..3).find(|k| d[*k].abs() > 1.0 - 1e-6) {
         Some(k) => ["x", "y", "z"][k].to_string(),
         None => format!("({:.3}, {:.3}, {:.3})", d[0] + 0.0, d[1] + 0.0, d[2] + 0.0),
