@@ -72,7 +72,6 @@ pub struct Template {
     #[serde(default)]
     pub clearances: Vec<ClearanceEntry>,
     /// Load of the starter spec.
-    #[serde(default)]
     pub starter_load: Option<LoadSpec>,
 }
 
@@ -113,19 +112,14 @@ pub struct Parameter {
     /// What it holds.
     pub kind: ParameterKind,
     /// Smallest value allowed.
-    #[serde(default)]
     pub min: Option<Expr>,
     /// Largest value allowed.
-    #[serde(default)]
     pub max: Option<Expr>,
     /// Length of a list, if fixed.
-    #[serde(default)]
     pub count: Option<usize>,
     /// Value where the spec gives none; absent: the spec must give one.
-    #[serde(default)]
     pub default: Option<Default>,
     /// Value of the starter where there is no default, as the spec would say it.
-    #[serde(default)]
     pub example: Option<ParameterValue>,
     /// What it is.
     pub about: String,
@@ -199,7 +193,6 @@ pub struct Loop {
     #[serde(default)]
     pub values: Vec<Expr>,
     /// the list parameter it runs over.
-    #[serde(default)]
     pub list: Option<String>,
     /// Labels for names.
     #[serde(default)]
@@ -214,7 +207,6 @@ pub struct Check {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// What must hold.
     pub that: Expr,
@@ -250,7 +242,6 @@ pub struct PartEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// Whose steel: the first of these that the spec gives (`plate` or a member role).
     pub steel: Vec<String>,
@@ -270,16 +261,13 @@ pub struct SolidEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// A rolled section; or
-    #[serde(default)]
     pub profile: Option<ProfileEntry>,
     /// a box.
     #[serde(default, rename = "box")]
     pub cuboid: Option<BoxEntry>,
     /// How its plane at mid-thickness differs from the box's own extent.
-    #[serde(default)]
     pub mid: Option<MidEntry>,
 }
 
@@ -298,7 +286,6 @@ pub struct ProfileEntry {
     /// The other end.
     pub to: Expr,
     /// Position of the member's axis, x, y, z; the component along the axis is ignored.
-    #[serde(default)]
     pub centre: Option<[Expr; 3]>,
 }
 
@@ -321,13 +308,10 @@ pub struct MidEntry {
     /// Direction of the thickness.
     pub axis: Axis,
     /// Extent along x.
-    #[serde(default)]
     pub x: Option<[Expr; 2]>,
     /// Extent along y.
-    #[serde(default)]
     pub y: Option<[Expr; 2]>,
     /// Extent along z.
-    #[serde(default)]
     pub z: Option<[Expr; 2]>,
 }
 
@@ -343,7 +327,6 @@ pub struct BoltEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// Axis of the shank.
     pub axis: Axis,
@@ -384,13 +367,10 @@ pub struct RectangleEntry {
     /// Coordinate.
     pub at: Expr,
     /// Extent along x.
-    #[serde(default)]
     pub x: Option<[Expr; 2]>,
     /// Extent along y.
-    #[serde(default)]
     pub y: Option<[Expr; 2]>,
     /// Extent along z.
-    #[serde(default)]
     pub z: Option<[Expr; 2]>,
 }
 
@@ -404,14 +384,12 @@ pub struct ContactEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// The two parts; the normal points out of the first.
     pub between: [String; 2],
     /// Where.
     pub face: RectangleEntry,
     /// Initial gap.
-    #[serde(default)]
     pub gap: Option<Expr>,
 }
 
@@ -444,7 +422,6 @@ pub struct SupportEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// Its part.
     pub part: String,
@@ -465,7 +442,6 @@ pub struct ClearanceEntry {
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,
     /// Only where this holds.
-    #[serde(default)]
     pub when: Option<Expr>,
     /// The two parts.
     pub between: [String; 2],
