@@ -176,6 +176,14 @@ pub enum UnitError {
         /// What was expected.
         kind: Kind,
     },
+    /// A comma among digits.
+    #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands", kind.word())]
+    Comma {
+        /// What was written.
+        text: String,
+        /// What was expected.
+        kind: Kind,
+    },
     /// A unit is required.
     #[error("{} {number} needs a unit: write `{number} {}` ({})", kind.word(), kind.accepted().split(',').next().unwrap_or(""), kind.accepted())]
     NoUnit {
@@ -226,6 +234,7 @@ pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
     }
     match unit(suffix) {
         Some((factor, dim)) if dim == kind.dim() => finite(number * factor, kind),
+        _ if suffix.starts_with(',') => Err(UnitError::Comma { text: text.to_owned(), kind }),
         _ => Err(UnitError::WrongUnit { text: text.to_owned(), suffix: suffix.to_owned(), kind }),
     }
 }

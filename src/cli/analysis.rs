@@ -132,9 +132,9 @@ pub struct Echo {
     pub coarser: &'static str,
 }
 
-/// A file name made of a case's name.
+/// A file name made of a case's name, short enough for every file system.
 pub fn file_stem(case: &str) -> String {
-    case.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
+    case.chars().take(100).map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
 }
 
 /// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
@@ -271,11 +271,12 @@ fn too_large(case: &Case, pass: &pass::Pass, echo: &Echo) -> Diagnostic {
 
 fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
     log.line(format!(
-        "{}: {} tets, {} contact faces, {} part(s)",
+        "{}: {} tets, {} contact faces, {} part{}",
         case.name,
         case.model.mesh.tets.len(),
         contact_faces(&case.model).len(),
-        case.model.parts.len()
+        case.model.parts.len(),
+        if case.model.parts.len() == 1 { "" } else { "s" }
     ));
     let solver = match limits.solver {
         SolverChoice::Condensed => Solver::Condensed,
@@ -378,9 +379,10 @@ pub fn answer(c: &CaseResult) -> String {
         }
         (None, None) => format!("{}: no bound", c.name),
     };
-    if let (true, Some([l, u])) = (strict, c.load_displacement) {
+    if let (true, Some(load), Some([l, u])) = (strict, c.load, c.load_displacement) {
         let (l, u) = figures::bracket(l, u, 4);
-        text += &format!("; displacement of the load between {l} and {u} mm (rad for a moment)");
+        let (what, unit) = load.moves();
+        text += &format!("; {what} of the load ({}) between {l} and {u} {unit}", load.words());
     }
     for w in &c.warnings {
         text += &format!("\n{}: warning: {w}", c.name);

@@ -28,7 +28,7 @@ pub struct NewArgs {
 
 /// Runs `bracket new`.
 pub fn run(args: &NewArgs, common: &Common) -> Outcome {
-    let (template, _) = template::load(&args.template, Path::new("."))?;
+    let (template, _) = template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let text = starter(&template, &args.template, &catalog)?;
     let Some(path) = &args.output else {
@@ -40,6 +40,12 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
         eprintln!("wrote {0}; run it with `bracket run {0}`", path.display());
     }
     Ok(0)
+}
+
+/// A template named on the command line has no place in a file.
+pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
+    faults.0.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
+    faults
 }
 
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
@@ -168,7 +174,7 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     }
     out.push_str(
         "\nfriction:\n  mu: 0.3  # friction coefficient of all contact surfaces, 0 to 2; or `class: C` (A, B, C, D of EN 1090-2)\n  \
-         law: associated  # coulomb (default) or associated (slip dilates: both bounds are strict)\n\n",
+         law: associated  # slip dilates: both bounds are strict; coulomb (the default) is not available yet\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     let _ = writeln!(
@@ -184,14 +190,14 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     let a = &spec.analysis;
     let _ = write!(
         out,
-        "\nanalysis:\n  kind: elastic  # elastic, elastoplastic, limit, or a list of them\n  \
-         target_gap: {}  # stop when (upper - lower) is this fraction; between 0 and 1\n  \
-         # max_passes: {}  # meshes at most; 1 or more\n  # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
+        "\nanalysis:\n  kind: elastic  # elastoplastic and limit are not available yet\n  \
+         target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; a wider one is told, a finer mesh narrows it\n  \
+         # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
          # time_limit: 20 min  # s, min, h; no limit by default\n  mesh:\n    \
          size: auto  # auto, or a length from 0.5 mm to 1000 mm\n    \
          # layers: true  # a mesh plane at mid-thickness of every plate, flange, web and stiffener\n    \
          # segments: {}  # sides of the meshed bolt circles; even, 12 to 48\n",
-        a.target_gap, a.max_passes, a.max_macro_tets, a.mesh.segments
+        a.target_gap, a.max_macro_tets, a.mesh.segments
     );
     Ok(out)
 }

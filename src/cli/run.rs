@@ -17,6 +17,7 @@ use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ResolvedValue};
 use crate::spec::connection;
+use crate::spec::loads::LoadSpec;
 use crate::spec::yaml;
 use serde_json::json;
 use std::path::PathBuf;
@@ -52,6 +53,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let input = spec_file::read(&args.spec)?;
     let kind = analysis_kind(&input)?;
     check_names(&input)?;
+    check_sizes(&input)?;
     let mesher = Mesher::find()?;
     limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(common.quiet));
@@ -71,10 +73,10 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let cases = cases(&input, &meshed, kind, mesh_seconds)?;
     limits.interrupt.check("meshing")?;
     let project = &input.spec.value.project;
-    let title = project
-        .title
-        .clone()
-        .unwrap_or_else(|| args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned()));
+    let title =
+        project.title.clone().filter(|t| !t.trim().is_empty()).unwrap_or_else(|| {
+            args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned())
+        });
     let mut block = vec![("title".to_string(), title)];
     for (name, value) in [
         ("number", &project.number),
@@ -145,6 +147,43 @@ fn check_names(input: &SpecFile) -> Result<(), Diagnostics> {
         return Err(d.into());
     }
     Ok(())
+}
+
+/// A case without load has nothing to answer, one of 1e300 MPa no number that a computer holds: both are told before the
+/// mesher starts.
+fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
+    let refuse = |path: String, code, message: String, help: &str| {
+        let mut d = Diagnostic::input(code, message).help(help);
+        d.place = input.spec.index.place(&path);
+        Err(d.into())
+    };
+    let loads = &input.spec.value.loads;
+    for (i, load) in loads.iter().enumerate() {
+        for (key, stress) in stresses(load) {
+            let size = stress.abs();
+            if size != 0.0 && !STRESSES.contains(&size) {
+                let [least, most] = [STRESSES.start(), STRESSES.end()].map(|s| format!("{s:e} MPa"));
+                let message =
+                    format!("`loads[{i}].{key}` is {stress:e} MPa; allowed: zero, or a size from {least} to {most}");
+                return refuse(format!("loads[{i}].{key}"), "spec/range", message, "check the number and its unit");
+            }
+        }
+        let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(stresses);
+        if case.all(|(_, stress)| stress == 0.0) {
+            let message = format!("nothing acts in the load case `{}`: every load is zero", load.name);
+            return refuse(format!("loads[{i}]"), "model/no-load", message, "give a load that is not zero");
+        }
+    }
+    Ok(())
+}
+
+/// Sizes of a load that make sense \[MPa\]: energies go with their square, twice their exponent must be a number.
+const STRESSES: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
+/// The stresses of a load with their keys \[MPa\].
+fn stresses(load: &LoadSpec) -> impl Iterator<Item = (&'static str, f64)> {
+    let traction = load.traction.into_iter().flatten().map(|s| ("traction", s.0));
+    load.pressure.into_iter().map(|s| ("pressure", s.0)).chain(traction)
 }
 
 fn mesh(

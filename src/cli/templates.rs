@@ -1,5 +1,6 @@
 //! `bracket templates`.
 
+use super::new::named_on_the_command_line;
 use super::{Common, Format, Outcome};
 use crate::assembly::template::{self, SHIPPED, Template};
 use crate::diag::Diagnostics;
@@ -20,8 +21,9 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> Outcome {
         Some(n) => vec![n],
         None => SHIPPED.iter().map(|(n, _)| *n).collect(),
     };
-    let loaded: Vec<Template> =
-        names.into_iter().map(|n| Ok(template::load(n, Path::new("."))?.0)).collect::<Result<_, Diagnostics>>()?;
+    let loaded: Result<Vec<Template>, Diagnostics> =
+        names.into_iter().map(|n| Ok(template::load(n, Path::new("."))?.0)).collect();
+    let loaded = loaded.map_err(named_on_the_command_line)?;
     match (common.format, &args.name) {
         (Format::Json, None) => println!("{}", Value::from_iter(loaded.iter().map(data))),
         (Format::Json, Some(_)) => loaded.iter().for_each(|t| println!("{}", data(t))),

@@ -167,6 +167,13 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
     };
     let agree = [
         ("gap", near(claimed.gap, found.gap)),
+        // results of earlier versions do not tell it
+        (
+            "load",
+            claimed.load.is_none_or(|a| {
+                found.load.is_some_and(|b| a.unit() == b.unit() && near(Some(a.value()), Some(b.value())))
+            }),
+        ),
         ("load_displacement", (0..2).all(|i| near(end(claimed, i), end(found, i)))),
         ("problem", claimed.problem == found.problem),
         ("analysis", claimed.analysis == found.analysis),

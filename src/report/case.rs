@@ -1,6 +1,8 @@
 //! From a pass to the entry of its load case in `result.json`.
 
-use super::data::{self, CaseResult, Certificate, HistoryRow, PeakPressure, Problem, Quantity, TraceRow, Upper};
+use super::data::{
+    self, CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, Quantity, TraceRow, Upper,
+};
 use super::progress::refusal_words;
 use crate::adapt::memory::peak_memory_mib;
 use crate::adapt::pass::{Pass, ProgramRun};
@@ -71,26 +73,27 @@ fn problem(model: &AnalysisModel) -> Problem {
 
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
 /// dead load, no initial gap. A force \[N\] on a plane face, or one force or moment on a rigid face.
-fn only_load(model: &AnalysisModel) -> Option<f64> {
+fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
     if model.has_dead_loads() || gaps || !model.body_loads.is_empty() {
         return None;
     }
-    let actions: Vec<f64> = model.rigid.iter().flat_map(|r| r.action).filter(|a| *a != 0.0).collect();
-    match (&model.surface_loads[..], &actions[..]) {
-        ([], [action]) => Some(action.abs()),
+    let copies = f64::from(model.symmetry);
+    let actions = model.rigid.iter().flat_map(|r| r.action.into_iter().enumerate()).filter(|(_, a)| *a != 0.0);
+    match (&model.surface_loads[..], &actions.collect::<Vec<_>>()[..]) {
+        ([], [(0..3, force)]) => Some(LoadSize::Force(force.abs() * copies)),
+        ([], [(_, moment)]) => Some(LoadSize::Moment(moment.abs() * copies)),
         ([load], []) => {
             let areas: Vec<_> = load.faces.iter().map(|f| vec3::area_vector(&face_corners(&model.mesh, f))).collect();
             let total: f64 = areas.iter().map(|a| vec3::norm(*a)).sum();
             let resultant = areas.iter().fold([0.0; 3], |s, a| vec3::add(s, *a));
             let plane = vec3::norm(resultant) > (1.0 - 1e-9) * total;
-            match load.traction {
-                Traction::Pressure(p) if plane => Some(p.abs() * total),
-                Traction::Linear { traction0, gradient } if gradient == [[0.0; 3]; 3] => {
-                    Some(vec3::norm(traction0) * total)
-                }
-                _ => None,
-            }
+            let stress = match load.traction {
+                Traction::Pressure(p) if plane => p.abs(),
+                Traction::Linear { traction0, gradient } if gradient == [[0.0; 3]; 3] => vec3::norm(traction0),
+                _ => return None,
+            };
+            Some(LoadSize::Force(stress * total * copies))
         }
         _ => None,
     }
@@ -142,9 +145,9 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     let upper = pass.upper.as_ref().map(|b| b.value());
     let gap = pass.bracket.as_ref().map(|b| b.gap());
     let strict = pass.bracket.as_ref().is_some_and(|b| b.is_strict());
-    let force = only_load(model).filter(|f| *f > 0.0 && strict).map(|f| f * f64::from(model.symmetry));
-    let load_displacement = match (lower, upper, force) {
-        (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f, -2.0 * l / f]),
+    let load = only_load(model).filter(|f| f.value() > 0.0 && strict);
+    let load_displacement = match (lower, upper, load) {
+        (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
         _ => None,
     };
     let peak = PeakPressure {
@@ -172,6 +175,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        load,
         load_displacement,
         certificate: certificate(pass),
         history: vec![HistoryRow {

@@ -170,6 +170,9 @@ pub struct CaseResult {
     /// Value of the fixed point for Coulomb friction: an estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
+    /// The load whose displacement is bracketed, of the whole structure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<LoadSize>,
     /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\], lower first; only where
     /// it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -186,6 +189,16 @@ pub struct CaseResult {
     /// What the user must know about this case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
+}
+
+/// The size of a load, not negative, at load factor 1.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadSize {
+    /// A force \[N\].
+    Force(f64),
+    /// A moment \[N mm\].
+    Moment(f64),
 }
 
 /// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is claimed.
@@ -469,6 +482,7 @@ mod tests {
             frictionless: None,
             associated: None,
             coulomb_estimate: None,
+            load: None,
             load_displacement: None,
             certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),
             history: vec![],

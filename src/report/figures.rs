@@ -1,5 +1,7 @@
 //! Numbers for people: meaningful digits, rounded to the safe side where they are bounds.
 
+use super::data::LoadSize;
+
 /// Which way a number is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
@@ -96,6 +98,44 @@ pub fn percent_up(fraction: f64) -> String {
     format!("{} %", significant(100.0 * fraction, 3, Rounding::Up))
 }
 
+impl LoadSize {
+    /// Its value \[N\] or \[N mm\].
+    pub fn value(self) -> f64 {
+        match self {
+            LoadSize::Force(v) | LoadSize::Moment(v) => v,
+        }
+    }
+
+    /// The unit people read it in.
+    pub fn unit(self) -> &'static str {
+        match self {
+            LoadSize::Force(_) => "kN",
+            LoadSize::Moment(_) => "kN m",
+        }
+    }
+
+    /// From its own unit to the one people read.
+    pub fn scale(self) -> f64 {
+        match self {
+            LoadSize::Force(_) => 1e-3,
+            LoadSize::Moment(_) => 1e-6,
+        }
+    }
+
+    /// `351.4 kN`.
+    pub fn words(self) -> String {
+        format!("{} {}", significant(self.value() * self.scale(), 4, Rounding::Nearest), self.unit())
+    }
+
+    /// What it does work on, and the unit of that.
+    pub fn moves(self) -> (&'static str, &'static str) {
+        match self {
+            LoadSize::Force(_) => ("displacement", "mm"),
+            LoadSize::Moment(_) => ("rotation", "rad"),
+        }
+    }
+}
+
 /// A residual: two digits, rounded up.
 pub fn residual(x: f64) -> String {
     if x == 0.0 {
@@ -140,6 +180,14 @@ mod tests {
             assert!(back(&a) <= lower && back(&b) >= upper, "{lower} {upper}: {a} {b}");
             assert!(back(&b) - back(&a) <= 1.0021 * (upper - lower) + 1e-10 * size.abs(), "{lower} {upper}: {a} {b}");
         }
+    }
+
+    #[test]
+    fn loads_are_told_in_the_units_of_engineers() {
+        let told =
+            |l: LoadSize| format!("{}, {} in {}, {}/{}", l.words(), l.moves().0, l.moves().1, l.unit(), l.moves().1);
+        assert_eq!(told(LoadSize::Force(351_360.0)), "351.4 kN, displacement in mm, kN/mm");
+        assert_eq!(told(LoadSize::Moment(12.5e6)), "12.50 kN m, rotation in rad, kN m/rad");
     }
 
     #[test]

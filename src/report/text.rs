@@ -171,14 +171,20 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
 /// What the numbers mean to an engineer.
 fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
     let word = if is_strict(case) { "lies" } else { "is estimated" };
-    match (case.quantity, case.load_displacement) {
-        (Quantity::PotentialEnergy, Some([low, high])) => {
+    match (case.quantity, case.load.zip(case.load_displacement)) {
+        (Quantity::PotentialEnergy, Some((load, [low, high]))) => {
             let (a, b) = bracket(low, high, 3);
+            let (what, unit) = load.moves();
+            let mean = if what == "displacement" { " (along the load, the mean over its face)" } else { "" };
+            let [soft, stiff] = [high, low].map(|u| load.value() * load.scale() / u);
+            let (soft, stiff) = bracket(soft, stiff, 3);
             paragraph(
                 page,
                 &format!(
-                    "The displacement of the load (the one the load does work on, per unit of load; mm, rad for a moment) {word} \
-                     between {a} and {b}: the initial stiffness (load over this displacement) is known equally well."
+                    "The load of the whole structure is {}. Its {what}{mean} {word} between {a} and {b} {unit}, so the initial \
+                     stiffness between {soft} and {stiff} {}/{unit}.",
+                    load.words(),
+                    load.unit()
                 ),
             );
         }

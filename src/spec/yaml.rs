@@ -98,7 +98,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
     for marker in ["invalid type: ", "invalid value: ", "invalid length ", "data did not match"] {
         if let Some((path, rest)) = split_at_marker(text, marker) {
             let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
-            let d = Diagnostic::input("yaml/type", format!("{at}{marker}{rest}"));
+            let d = Diagnostic::input("yaml/type", format!("{at}{marker}{}", in_words(rest)));
             let d = d.help("write the kind of value that is expected here; `bracket schema` lists them");
             return named(d, path);
         }
@@ -149,6 +149,27 @@ fn without_position(text: &str) -> &str {
 fn split_at_marker<'a>(text: &'a str, marker: &str) -> Option<(&'a str, &'a str)> {
     let i = text.find(marker)?;
     Some((text[..i].trim_end().trim_end_matches(':'), &text[i + marker.len()..]))
+}
+
+/// The types of a serde message in words: `unit value, expected u32` is what a programmer reads.
+fn in_words(text: &str) -> String {
+    let Some((found, expected)) = text.rsplit_once(", expected ") else { return text.into() };
+    let found = match found {
+        "unit value" => "nothing",
+        "sequence" => "a list",
+        "map" => "keys with values",
+        other => other,
+    };
+    let expected = match expected {
+        "f64" => "a number without a unit",
+        "u32" | "u64" | "usize" => "a whole number that is not negative",
+        "a string" => "a text",
+        "a sequence" => "a list",
+        "a boolean" => "true or false",
+        e if e == "a map" || e.starts_with("struct ") => "keys with values",
+        other => other,
+    };
+    format!("{found}, expected {expected}")
 }
 
 /// The words in backticks of a serde message, in order.

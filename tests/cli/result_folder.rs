@@ -79,6 +79,7 @@ fn the_result_holds_what_the_contract_promises() {
     assert!(gap > 0.0 && gap < 0.15 && (gap - (upper - lower) / lower.abs().max(upper.abs())).abs() < 0.01, "{gap}");
     let [soft, stiff] = [1, 0].map(|i| number(&case["load_displacement"][i]));
     let force = 400.0 * 40.0f64.hypot(2.0);
+    assert!((number(&case["load"]["force"]) - force).abs() < 1e-9);
     assert!((soft + 2.0 * lower / force).abs() < 1e-12 && (stiff + 2.0 * upper / force).abs() < 1e-12);
     let certificate = &case["certificate"];
     assert_eq!(certificate["strict"], true);
@@ -100,6 +101,8 @@ fn the_result_holds_what_the_contract_promises() {
         "# block",
         "## Answer",
         "gap **",
+        "The load of the whole structure is 16.02 kN. Its displacement",
+        " kN/mm.",
         "Peak contact pressure",
         "## Input",
         MODEL,

@@ -63,6 +63,30 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
     ),
     ("traction: [-1, 0, 0]", "traction: [0, 0, 0]", "model/no-load", 0, "every load is zero", "not zero"),
     ("traction: [-1, 0, 0]", "traction: [-1 MPa, 0, 0]", "yaml/type", 10, "-1 MPa", ""),
+    ("traction: [-1, 0, 0]", "traction: -1", "yaml/type", 10, "expected an array of length 3", "schema"),
+    ("E: 210000", "E: 210 GPa", "yaml/type", 3, "expected a number without a unit", "schema"),
+    ("nu: 0.3}", "nu: -1.5}", "model/value", 3, "it must be > -1 and < 0.5", "steel: 0.3"),
+    ("analysis: elastic\n", "", "yaml/missing-key", 1, "lacks the key `analysis`", "add `analysis"),
+    (
+        "analysis: elastic",
+        "analysis: elastic\nbounds: upper",
+        "yaml/unknown-value",
+        3,
+        "`upper`",
+        "both, kinematic, static",
+    ),
+    ("mesh: m.msh", "mesh: .", "model/no-mesh", 1, "no mesh file `.`", "relative to the model file"),
+    ("face: X0", "face: 12", "model/unknown-face", 8, "no physical surface `12`", "X0"),
+    (
+        "supports:",
+        "  - {between: [B, A], law: contact, mu: 0}\nsupports:",
+        "model/face-twice",
+        7,
+        "already named by interfaces[0]",
+        "once",
+    ),
+    ("fix: [x, y, z]", "fix: []", "model/support", 8, "needs either `fix` or `law: contact`", "fix: [x, y, z]"),
+    ("supports:", "symmetry: 8\nsupports:", "model/value", 7, "`symmetry` is 8", "1, 2 or 4"),
 ];
 
 #[test]

@@ -4,8 +4,8 @@
 
 use bracket::model::file::AnalysisKind;
 use bracket::report::data::{
-    CaseResult, Certificate, HistoryRow, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile, Tool,
-    Upper, Verdict,
+    CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile,
+    Tool, Upper, Verdict,
 };
 use bracket::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use bracket::report::text::report_markdown;
@@ -48,6 +48,7 @@ fn case(name: &str) -> CaseResult {
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        load: Some(LoadSize::Force(3_513_363.0)),
         load_displacement: Some([0.181_53, 0.190_246]),
         certificate: Some(Certificate {
             strict: true,
@@ -86,6 +87,7 @@ fn result() -> ResultFile {
     limit.frictionless = Some(RawBracket { lower: Some(1.234_56), upper: Some(1.2512.into()) });
     limit.associated = Some(RawBracket { lower: Some(1.28), upper: Some(1.301_23.into()) });
     limit.coulomb_estimate = Some(1.2744);
+    limit.load = None;
     limit.load_displacement = None;
     limit.certificate = Some(Certificate { strict: false, yield_: Some(2.5e-7), ..Default::default() });
     limit.history = vec![HistoryRow { macro_tets: 120, upper: Some(Upper::UNBOUNDED), ..Default::default() }];
@@ -162,6 +164,8 @@ fn golden_result_has_the_keys_of_the_contract_in_its_order() {
         "lower",
         "upper",
         "gap",
+        "load",
+        "force",
         "load_displacement",
         "certificate",
         "strict",
