@@ -238,3 +238,14 @@ fn without_equilibrium_there_is_no_bound() {
         assert!(out.contains("claims no bound"), "{out}");
     }
 }
+
+#[test]
+fn a_name_longer_than_a_file_may_be_called_is_cut() {
+    // a file system takes 255 bytes, `fields/NAME_kinematic.vtu` asks for 14 more than the name
+    let name = "n".repeat(245);
+    let bench = bench(MODEL).file(&format!("{name}.yaml"), MODEL);
+    expect(&bench, &["analyse", &format!("{name}.yaml"), "--out", "result", "-q"], 0);
+    assert_eq!(json(&bench, "result/result.json")["cases"][0]["name"], name[..100]);
+    assert!(bench.path().join(format!("result/fields/{}_static.vtu", &name[..100])).is_file());
+    expect(&bench, &["verify", "result"], 0);
+}

@@ -66,17 +66,15 @@ fn a_changed_claim_is_refuted() {
 #[test]
 fn a_changed_load_is_refuted() {
     let force = |r: &Value| r["cases"][0]["load"]["force"].as_f64().expect("a force");
-    let edits: [(&dyn Fn(&mut Value), i32); 3] = [
-        (&|r| r["cases"][0]["load"]["force"] = (1.001 * force(r)).into(), 1),
-        (&|r| r["cases"][0]["load"] = serde_json::json!({"moment": force(r)}), 1),
-        // a result of an earlier version does not tell its load
-        (&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 0),
-    ];
-    for (edit, code) in edits {
+    let refuted = |edit: &dyn Fn(&mut Value), code: i32| {
         let (got, text) = after(|b| edit_result(b, edit));
         assert_eq!(got, Some(code), "{text}");
         assert_eq!(text.contains("load is not what the fields give"), code == 1, "{text}");
-    }
+    };
+    refuted(&|r| r["cases"][0]["load"]["force"] = (1.001 * force(r)).into(), 1);
+    refuted(&|r| r["cases"][0]["load"] = serde_json::json!({"moment": force(r)}), 1);
+    // a result of an earlier version does not tell its load
+    refuted(&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 0);
 }
 
 #[test]

@@ -90,7 +90,7 @@ const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
     ("title: a\nsizes: {x: -.inf}\n", "yaml/not-finite", 2, 12, "`sizes.x`", "finite"),
     ("title: a\nsizes: {x: NaN}\n", "yaml/type", 2, 12, "expected a number without a unit", "kind of value"),
     ("title: a\nkind: elastik\n", "yaml/unknown-value", 2, 7, "did you mean `elastic`?", "elastic, limit"),
-    ("title: a\nsizes:\n", "yaml/type", 2, 1, "nothing, expected", "kind of value"),
+    ("title: a\nsizes: {x: }\n", "yaml/type", 2, 10, "nothing, expected a number", "kind of value"),
     ("- a\n", "yaml/type", 1, 1, "a list, expected keys with values", "kind of value"),
     ("title: a\nbolts: 3\n", "yaml/type", 2, 8, "expected a list", "kind of value"),
     ("title: [a\nbolts: 3\n", "yaml/syntax", 2, 0, "not valid YAML", "brackets"),
