@@ -161,7 +161,7 @@ pub(super) fn stress_field(
         .enumerate()
         .map(|(e, a)| Ok(elements.element(e)?.stress(a)))
         .collect::<Result<Vec<_>, ModelError>>()?;
-    settle(elements.model(), &mut points);
+    settle(elements.model(), elements.body_forces(), &mut points);
     Ok(StressField { points })
 }
 

@@ -51,6 +51,11 @@ impl<'a> SuperElements<'a> {
         Self { body: self.model.body_forces(loads), ..self }
     }
 
+    /// Force per volume of each body \[N/mm³\].
+    pub fn body_forces(&self) -> &[V3] {
+        &self.body
+    }
+
     /// True when some body bears a force.
     fn has_body_forces(&self) -> bool {
         self.body.iter().any(|b| *b != [0.0; 3])
