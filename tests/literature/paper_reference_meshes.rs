@@ -75,8 +75,8 @@ fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     assert_eq!(full.program.cones.len() - program.cones.len(), lost);
     let solution = solve::solve(&program, &full.map.block, &Default::default());
     assert_eq!(solution.status, SolveStatus::Optimal);
-    println!("{} cones, {} lost: {}", program.cones.len(), lost, program.objective(&solution.x));
-    close(program.objective(&solution.x), upper);
+    println!("{} cones, {} lost: {}", program.cones.len(), lost, program.objective(&solution.x, &solution.z));
+    close(program.objective(&solution.x, &solution.z), upper);
 }
 
 #[test]
