@@ -37,12 +37,7 @@ impl ElementSystem {
     /// The elements of a program.
     pub fn new(program: &ConicProgram) -> Self {
         let batches = program.elements.batches.clone();
-        Self {
-            scale: program.elements.scale.clone(),
-            factors: vec![Vec::new(); batches.len()],
-            batches,
-            ..Self::default()
-        }
+        Self { scale: program.elements.scale.clone(), factors: vec![Vec::new(); batches.len()], batches, ..Self::default() }
     }
 
     /// True when nothing yields.
@@ -165,11 +160,7 @@ impl ElementSystem {
                         // what arrives at the inner displacements, in the element's own units
                         for (f, (i, _)) in force.iter_mut().zip(own.iter().enumerate()).take(inner) {
                             let s = self.inner_scale(batch, i);
-                            (0..LANES).for_each(|l| {
-                                if s[l] != 0.0 {
-                                    f[l] += own[i][l] / (s[l] * s[l])
-                                }
-                            });
+                            (0..LANES).for_each(|l| if s[l] != 0.0 { f[l] += own[i][l] / (s[l] * s[l]) });
                         }
                         // below the inner block the products come with their sign: what is there already stays apart
                         let mut work = force[..inner].to_vec();
@@ -230,11 +221,7 @@ impl ElementSystem {
                     v.truncate(inner);
                     for (i, v) in v.iter_mut().enumerate() {
                         let s = self.inner_scale(batch, i);
-                        (0..LANES).for_each(|l| {
-                            if s[l] != 0.0 {
-                                v[l] /= s[l]
-                            }
-                        });
+                        (0..LANES).for_each(|l| if s[l] != 0.0 { v[l] /= s[l] });
                     }
                     (v, sigma)
                 })
@@ -518,8 +505,10 @@ fn add_rigid_plastic(
                     for b in 0..5 {
                         let same = if a == b { 1.0 } else { 0.0 };
                         for l in 0..LANES {
-                            m[(5 * v + a) * M + 5 * w + b][l] +=
-                                cv * cw * inverse[l] * (same - fraction[l] * weight[1 + a][l] * weight[1 + b][l]);
+                            m[(5 * v + a) * M + 5 * w + b][l] += cv
+                                * cw
+                                * inverse[l]
+                                * (same - fraction[l] * weight[1 + a][l] * weight[1 + b][l]);
                         }
                     }
                 }
