@@ -1,11 +1,11 @@
 //! From approximate velocities to a strict upper bound of the load factor.
 //!
 //! Wanted is the least change d, in elastic energy, that makes velocities keep their volume wherever bodies flow and leaves
-//! rigid bodies without strain: `min ½ dᵀK̃ d` with `N (u + d) = 0`. K̃ is the elastic stiffness with the jumps across contacts
-//! held by springs, N the sum of the squares of all equations: one volume row per split element, four per plain one, the strain of
-//! rigid bodies. With forces `N w` as multipliers and `S = K̃ + γ N` (augmented Lagrangian) it is `S⁻¹N w = u` in the seminorm of
-//! N, which conjugate gradients solve in a few steps, `d = −S⁻¹N w`. The same system opens contacts that are left violated, by
-//! flows that keep their volume as well.
+//! rigid bodies without strain: `min ½ dᵀK̃ d` with `C (u + d) = 0`. K̃ is the elastic stiffness with the jumps across contacts
+//! held by springs; C are the equations, weighted: one volume row per split element, four per plain one, the strain of rigid
+//! bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve `C S⁻¹Cᵀ y = C u`, nearly a multiple of the
+//! identity, so that conjugate gradients need few steps, and `d = −S⁻¹Cᵀ y`. The same system opens contacts that are left
+//! violated, by flows that keep their volume as well.
 
 use super::factor::UpperFactor;
 use super::fields::DisplacementField;
@@ -171,7 +171,7 @@ impl<'a> Projector<'a> {
         Ok(Self { model, kinematic, split, yields, weight, factor, spring })
     }
 
-    /// `C x`, the square roots of weights included: `N = CᵀC`; and the rounding in it, `2ε |C| |x|`.
+    /// `C x`, and the rounding in it, `2ε |C| |x|`.
     fn values(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let u = self.kinematic.map.expand(x);
         let both: Vec<(f64, f64)> = (0..self.model.mesh.tets.len())
