@@ -10,7 +10,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use bracket::solve::{SolveOptions, Solver, solve};
+use bracket::solve::{SolveOptions, Solver, prepare};
 use common::yielding::{FORMS, Form, block, plate};
 use std::time::Instant;
 
@@ -48,10 +48,19 @@ fn main() {
                 continue;
             }
             let options = SolveOptions { solver, ..SolveOptions::default() };
-            let s = solve(&built.program, &built.block, &options);
+            let mut prepared = prepare(&built.program, &built.block, &options);
+            let unit = prepared.yardstick();
+            let start = Instant::now();
+            let s = prepared.solve(&options);
+            let seconds = start.elapsed().as_secs_f64();
             let objective = built.program.objective(&s.x, &s.z);
             let yielding = built.flowing(&model, &s);
-            println!("{} {} {:.2} {objective:.9e} {yielding:.3}", s.status.words(), s.iterations, s.seconds);
+            print!("{} {} {seconds:.2} {objective:.9e} {yielding:.3}", s.status.words(), s.iterations);
+            if let Some(u) = unit {
+                let y = seconds / (f64::from(s.iterations) * (u.factor + 2.0 * u.solve));
+                print!(" | factor {:.3} solve {:.3} Y {y:.2}", u.factor, u.solve);
+            }
+            println!(" | {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
         }
     }
 }

@@ -1,22 +1,37 @@
 //! Fields as solvers leave them: the elastic, perfectly plastic programs near the limit load. Their stress at a load they
 //! carry is a lower bound there; their displacements beyond it, made to keep the volume, an upper one.
 
+use crate::cases;
 use crate::common::Block;
-use crate::common::yielding::{block, model};
-use bracket::bounds::fields::DisplacementField;
+use crate::common::yielding::{FY, block, model};
+use bracket::bounds::fields::{DisplacementField, StressField};
 use bracket::bounds::flow::VelocityField;
 use bracket::bounds::limit_lower::{self, ApproximateStress};
-use bracket::bounds::limit_upper;
 use bracket::bounds::{FactorBracket, LowerFactor, UpperFactor};
+use bracket::bounds::{limit_upper, recover};
+use bracket::model::super_element::PARAMETERS;
+use bracket::model::yielding_super_element::parameter_unit;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
 use bracket::solve::{SolveOptions, SolveStatus, condensed};
+
+/// The stress parameters of every element, in MPa, from the program's own.
+fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<[f64; PARAMETERS]> {
+    let radii = model.yield_radii();
+    (0..model.mesh.tets.len())
+        .map(|e| {
+            let radius = radii[model.mesh.tet_body[e] as usize].unwrap();
+            let unit = parameter_unit(&statics.elements.element(e).unwrap(), radius);
+            std::array::from_fn(|a| unit * x[statics.own[e] + a])
+        })
+        .collect()
+}
 
 /// Both factors of `at`, whose load it carries; the velocities are those of a load further on.
 fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBracket {
     let statics = Static::with_plasticity(at).unwrap();
     let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&SolveOptions::default());
     assert_eq!(s.status, SolveStatus::Optimal, "{name}");
-    let parameters = statics.parameters(&s.x).unwrap();
+    let parameters = stress_parameters(at, &statics, &s.x);
     let contact = &s.z[..Static::new(at).unwrap().program.g.nrows()];
     let approximate = ApproximateStress { parameters: &parameters, contact, factor: 1.0 };
     let lower = limit_lower::project(at, &approximate, None).unwrap();
@@ -42,22 +57,72 @@ fn clamped_block() {
 }
 
 /// Two blocks with friction between them, the upper one held by nothing else, pressed and pushed.
+fn stacked(factor: f64) -> AnalysisModel {
+    let shape = Block { cells: [2, 2, 4], min: [0.0; 3], max: [50.0, 50.0, 100.0], jitter: 0.2, seed: 3 };
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 50.0), |d, x| d == 2 && x == 50.0);
+    let (t, p) = (10.0 * factor, 200.0 * factor);
+    model(
+        &format!(
+            "bodies: {{A: s, B: s}}\ninterfaces:\n\
+             - {{between: [A, B], law: contact, mu: 0.3, friction: associated}}\n\
+             supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
+            -p
+        ),
+        mesh,
+    )
+}
+
 #[test]
 fn block_on_block() {
-    let stacked = |factor: f64| {
-        let shape = Block { cells: [2, 2, 4], min: [0.0; 3], max: [50.0, 50.0, 100.0], jitter: 0.2, seed: 3 };
-        let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 50.0), |d, x| d == 2 && x == 50.0);
-        let (t, p) = (10.0 * factor, 200.0 * factor);
-        model(
-            &format!(
-                "bodies: {{A: s, B: s}}\ninterfaces:\n\
-                 - {{between: [A, B], law: contact, mu: 0.3, friction: associated}}\n\
-                 supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
-                -p
-            ),
-            mesh,
-        )
-    };
     let b = bracket("block on block", &stacked(0.8), &stacked(0.9));
     assert!(b.lower().value() > 1.0 - 1e-3 && b.upper().value() < 2.0);
+}
+
+/// The limit programs themselves, projected: what a pass of limit analysis will do.
+fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBracket {
+    let options = SolveOptions { gap: 1e-6, ..SolveOptions::default() };
+    let statics = Static::limit(m).unwrap();
+    let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&options);
+    let (parameters, factor) = (stress_parameters(m, &statics, &s.x), s.x[s.x.len() - 1]);
+    let contact = &s.z[..statics.program.g.nrows()];
+    let approximate = ApproximateStress { parameters: &parameters, contact, factor };
+    let lower = limit_lower::project(m, &approximate, dead).unwrap();
+    let kinematic = Kinematic::limit(m, Flow::Split).unwrap();
+    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block).unwrap().solve(&options);
+    let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+    let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+    let upper = limit_upper::project(m, &field, 0).unwrap();
+    println!("{name}: solver {} {factor:.9} and {} {:.9}", s.status.words(), k.status.words(), k.x[k.x.len() - 1]);
+    println!("{name}: {:?}\n{name}: {:?}", lower.certificate, upper.certificate);
+    let bracket = FactorBracket::new(LowerFactor::new(lower.certificate), UpperFactor::new(upper.certificate)).unwrap();
+    println!("{name}: [{}, {}], gap {:.4}", bracket.lower().value(), bracket.upper().value(), bracket.gap());
+    assert!(bracket.is_strict(), "{name}");
+    bracket
+}
+
+#[test]
+fn limit_programs() {
+    for seed in [1, 7] {
+        for case in [cases::bar(seed), cases::bar_with_rigid_end(seed), cases::cube(seed)] {
+            let b = limit(case.name, &case.model, None);
+            assert!(b.gap() < 1e-3 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
+        }
+    }
+    limit("block", &block(3, 1.0), None);
+    limit("block on block", &stacked(0.8), None);
+}
+
+/// B5 with a dead load: the block that slides yields as well.
+#[test]
+fn limit_programs_under_dead_load() {
+    for seed in [1, 7] {
+        let mut case = cases::sliding(seed);
+        case.model.materials.iter_mut().for_each(|m| m.fy = Some(FY));
+        let alone = case.model.without_live_loads();
+        let statics = Static::new(&alone).unwrap();
+        let elastic = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
+        let dead = recover::stress(&statics, &elastic).unwrap();
+        let b = limit("sliding", &case.model, Some(&dead));
+        assert!(b.gap() < 1e-2 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
+    }
 }

@@ -5,6 +5,7 @@
 
 pub mod cones;
 pub mod elements;
+pub mod elimination;
 pub mod ipm;
 pub mod panel;
 pub mod system;
