@@ -94,20 +94,47 @@ pub fn eliminate(batch: &Batch, weights: &Weights, proximal: f64, kept: &mut Vec
     Some(outer.iter().zip(&products).map(|(k, p)| std::array::from_fn(|l| k[l] - p[l])).collect())
 }
 
-/// `Y = V^½ B`: `V = α (I + 2 w wᵀ)` has the root `√α (I + γ w wᵀ)`.
-#[inline(always)]
-fn root(weight: &[Lane; YIELD_ROWS], b: [Lane; 5]) -> [Lane; 5] {
-    let mut y = b;
-    for l in 0..LANES {
-        let w: [f64; 5] = std::array::from_fn(|i| weight[1 + i][l]);
-        let n = w.iter().map(|w| w * w).sum::<f64>();
-        // (√(1 + 2n) − 1)/n without cancellation
-        let gamma = 2.0 / ((1.0 + 2.0 * n).sqrt() + 1.0);
-        let along = gamma * (0..5).map(|i| w[i] * b[i][l]).sum::<f64>();
-        let root = weight[0][l].sqrt();
-        (0..5).for_each(|i| y[i][l] = root * (b[i][l] + along * w[i]));
+/// The root `√α (I + γ w wᵀ)` of `V = α (I + 2 w wᵀ)`.
+struct Root {
+    /// √α.
+    size: Lane,
+    /// γ w.
+    along: [Lane; 5],
+    w: [Lane; 5],
+}
+
+impl Root {
+    #[inline(always)]
+    fn new(weight: &[Lane; YIELD_ROWS]) -> Self {
+        let [alpha, w @ ..] = *weight;
+        let (mut size, mut along) = ([0.0; LANES], w);
+        for l in 0..LANES {
+            let n = (0..5).map(|i| w[i][l] * w[i][l]).sum::<f64>();
+            // (√(1 + 2n) − 1)/n without cancellation
+            let gamma = 2.0 / ((1.0 + 2.0 * n).sqrt() + 1.0);
+            size[l] = alpha[l].sqrt();
+            (0..5).for_each(|i| along[i][l] *= gamma);
+        }
+        Self { size, along, w }
     }
-    y
+
+    /// The root times a vector.
+    #[inline(always)]
+    fn times(&self, b: [Lane; 5]) -> [Lane; 5] {
+        let mut y = b;
+        let mut part = [0.0; LANES];
+        for i in 0..5 {
+            for l in 0..LANES {
+                part[l] += self.along[i][l] * b[i][l];
+            }
+        }
+        for i in 0..5 {
+            for l in 0..LANES {
+                y[i][l] = self.size[l] * (b[i][l] + part[l] * self.w[i][l]);
+            }
+        }
+        y
+    }
 }
 
 /// The super-element: dense in its 30 parameters.
@@ -118,40 +145,24 @@ fn eliminate_stress(batch: &Batch, weights: &Weights, proximal: f64, kept: &mut 
     let height = M + k;
     let mut panel = vec![[0.0; LANES]; M * height];
     let mut y = vec![[0.0; LANES]; 80 * M];
+    let mut own = flexibility.to_vec();
     Arch::new().dispatch(
         #[inline(always)]
         || {
             for (point, weight) in weights.iter().enumerate() {
+                let root = Root::new(weight);
                 for c in 0..M {
                     let rows = std::array::from_fn(|i| b[(5 * point + i) * M + c]);
-                    for (i, v) in root(weight, rows).into_iter().enumerate() {
+                    for (i, v) in root.times(rows).into_iter().enumerate() {
                         y[(5 * point + i) * M + c] = v;
                     }
                 }
             }
-            let mut at = 0;
+            panel::add_products(&y, &y, M, 80, 0, &mut own);
             for c in 0..M {
                 let column = &mut panel[c * height..(c + 1) * height];
-                let mut r = c;
-                while r < M {
-                    let rows = (M - r).min(4);
-                    let mut sums = [[0.0; LANES]; 4];
-                    for row in y.chunks_exact(M) {
-                        let factor = row[c];
-                        for (q, sum) in sums.iter_mut().enumerate().take(rows) {
-                            for l in 0..LANES {
-                                sum[l] += row[r + q][l] * factor[l];
-                            }
-                        }
-                    }
-                    for (q, sum) in sums.iter().enumerate().take(rows) {
-                        for l in 0..LANES {
-                            column[r + q][l] = sum[l] + flexibility[at][l];
-                        }
-                        at += 1;
-                    }
-                    r += rows;
-                }
+                let start = panel::packed(M, c);
+                column[c..M].copy_from_slice(&own[start..start + M - c]);
                 for l in 0..LANES {
                     column[c][l] += proximal;
                 }
@@ -253,30 +264,7 @@ fn add_rigid_plastic(
                     }
                 }
             }
-            let mut at = 0;
-            for c in 0..all {
-                let mut r = c;
-                while r < all {
-                    let rows = (all - r).min(4);
-                    let mut sums = [[0.0; LANES]; 4];
-                    for s in 0..M {
-                        let factor = y[s * all + c];
-                        let row = &e[s * all + r..s * all + r + rows];
-                        for (sum, e) in sums.iter_mut().zip(row) {
-                            for l in 0..LANES {
-                                sum[l] += e[l] * factor[l];
-                            }
-                        }
-                    }
-                    for sum in &sums[..rows] {
-                        for l in 0..LANES {
-                            k[at][l] += sum[l];
-                        }
-                        at += 1;
-                    }
-                    r += rows;
-                }
-            }
+            panel::add_products(e, &y, all, M, 0, k);
         },
     );
 }

@@ -9,6 +9,71 @@ fn column(panel: &[Lane], height: usize, c: usize) -> &[Lane] {
 
 /// Part of a diagonal entry that its pivot is raised by: what rounding may have taken from it.
 const ROUNDING: f64 = 1e-14;
+/// Rows and columns of a tile, whose sums stay in registers.
+const TILE: usize = 4;
+
+/// `Σ_j a_j[r + q] b_j[c + p]` over the columns j of two panels of one height: entry (q, p) of a tile; rows and columns
+/// beyond the height are left zero.
+#[inline(always)]
+fn tile(a: &[Lane], b: &[Lane], height: usize, columns: usize, r: usize, c: usize) -> [[Lane; TILE]; TILE] {
+    let mut sums = [[[0.0; LANES]; TILE]; TILE];
+    if r + TILE <= height && c + TILE <= height {
+        for j in 0..columns {
+            let left: &[Lane; TILE] = a[j * height + r..].first_chunk().expect("the tile lies inside");
+            let right: &[Lane; TILE] = b[j * height + c..].first_chunk().expect("the tile lies inside");
+            for q in 0..TILE {
+                for p in 0..TILE {
+                    for l in 0..LANES {
+                        sums[q][p][l] += left[q][l] * right[p][l];
+                    }
+                }
+            }
+        }
+        return sums;
+    }
+    let (rows, cols) = ((height - r).min(TILE), (height - c).min(TILE));
+    for j in 0..columns {
+        for p in 0..cols {
+            let right = b[j * height + c + p];
+            for q in 0..rows {
+                let left = a[j * height + r + q];
+                for l in 0..LANES {
+                    sums[q][p][l] += left[l] * right[l];
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// Start of column `c` in a lower triangle of order `n` packed by columns.
+#[inline(always)]
+pub fn packed(n: usize, c: usize) -> usize {
+    c * n - c * c.saturating_sub(1) / 2
+}
+
+/// `out += Σ_j a_j b_jᵀ` over the rows from `from` on, of two panels of one height: lower triangle by columns. The sum must be
+/// symmetric.
+#[inline(always)]
+pub fn add_products(a: &[Lane], b: &[Lane], height: usize, columns: usize, from: usize, out: &mut [Lane]) {
+    let k = height - from;
+    for c in (from..height).step_by(TILE) {
+        for r in (c..height).step_by(TILE) {
+            let sums = tile(a, b, height, columns, r, c);
+            for (p, column) in (c..height.min(c + TILE)).enumerate() {
+                let start = packed(k, column - from);
+                for (q, row) in (r..height.min(r + TILE)).enumerate() {
+                    if row >= column {
+                        let entry = &mut out[start + row - column];
+                        for l in 0..LANES {
+                            entry[l] += sums[q][p][l];
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
 
 /// Cholesky of the leading m columns, rows below solved; returns the products `X Xᵀ`, lower triangle by columns. `None`
 /// where a pivot is not positive.
@@ -18,76 +83,54 @@ pub fn eliminate(panel: &mut [Lane], m: usize, height: usize) -> Option<Vec<Lane
     let positive = pulp::Arch::new().dispatch(
         #[inline(always)]
         || {
-            for c in 0..m {
+            for c in (0..m).step_by(TILE) {
+                let width = (m - c).min(TILE);
                 let (done, own) = panel.split_at_mut(c * height);
-                let own = &mut own[..height];
-                for l in 0..LANES {
-                    own[c][l] *= 1.0 + ROUNDING;
-                }
-                // four rows at a time stay in registers while the columns before are subtracted
-                let mut r = c;
-                while r < height {
-                    let rows = (height - r).min(4);
-                    if rows == 4 {
-                        let mut sums = [own[r], own[r + 1], own[r + 2], own[r + 3]];
-                        for j in 0..c {
-                            let before = column(done, height, j);
-                            let factor = before[c];
-                            for (q, sum) in sums.iter_mut().enumerate() {
-                                for l in 0..LANES {
-                                    sum[l] -= before[r + q][l] * factor[l];
-                                }
-                            }
-                        }
-                        own[r..r + 4].copy_from_slice(&sums);
-                    } else {
-                        for q in r..height {
-                            let mut sum = own[q];
-                            for j in 0..c {
-                                let before = column(done, height, j);
-                                for l in 0..LANES {
-                                    sum[l] -= before[q][l] * before[c][l];
-                                }
-                            }
-                            own[q] = sum;
-                        }
-                    }
-                    r += rows;
-                }
-                let mut inverse = [0.0; LANES];
-                for l in 0..LANES {
-                    // not a number is not positive either
-                    if own[c][l].is_nan() || own[c][l] <= 0.0 {
-                        return false;
-                    }
-                    inverse[l] = own[c][l].sqrt().recip();
-                }
-                for row in &mut own[c..] {
+                for p in 0..width {
+                    let pivot = &mut own[p * height + c + p];
                     for l in 0..LANES {
-                        row[l] *= inverse[l];
+                        pivot[l] *= 1.0 + ROUNDING;
                     }
                 }
-            }
-            let mut at = 0;
-            for b in m..height {
-                let mut a = b;
-                while a < height {
-                    let rows = (height - a).min(4);
-                    let mut sums = [[0.0; LANES]; 4];
-                    for j in 0..m {
-                        let x = column(panel, height, j);
-                        let factor = x[b];
-                        for (q, sum) in sums.iter_mut().enumerate().take(rows) {
+                // what the columns before take from this block of columns
+                for r in (c..height).step_by(TILE) {
+                    let sums = tile(done, done, height, c, r, c);
+                    for p in 0..width {
+                        for (q, row) in (r..height.min(r + TILE)).enumerate() {
                             for l in 0..LANES {
-                                sum[l] += x[a + q][l] * factor[l];
+                                own[p * height + row][l] -= sums[q][p][l];
                             }
                         }
                     }
-                    products[at..at + rows].copy_from_slice(&sums[..rows]);
-                    at += rows;
-                    a += rows;
+                }
+                for p in 0..width {
+                    let (before, column) = own.split_at_mut(p * height);
+                    let column = &mut column[..height];
+                    for j in 0..p {
+                        let earlier = &before[j * height..(j + 1) * height];
+                        let factor = earlier[c + p];
+                        for (x, y) in column[c + p..].iter_mut().zip(&earlier[c + p..]) {
+                            for l in 0..LANES {
+                                x[l] -= y[l] * factor[l];
+                            }
+                        }
+                    }
+                    let mut inverse = [0.0; LANES];
+                    for l in 0..LANES {
+                        // not a number is not positive either
+                        if column[c + p][l].is_nan() || column[c + p][l] <= 0.0 {
+                            return false;
+                        }
+                        inverse[l] = column[c + p][l].sqrt().recip();
+                    }
+                    for row in &mut column[c + p..] {
+                        for l in 0..LANES {
+                            row[l] *= inverse[l];
+                        }
+                    }
                 }
             }
+            add_products(panel, panel, height, m, m, &mut products);
             true
         },
     );
