@@ -1,6 +1,12 @@
-//! Limit analysis: both programs against load factors known exactly, and against each other.
+//! Limit analysis: strict brackets of load factors known exactly or bracketed in the literature, and of random assemblies.
 #![allow(clippy::unwrap_used)]
 
+#[path = "limit/bracketed.rs"]
+mod bracketed;
+#[path = "limit/certified.rs"]
+mod certified;
 mod common;
 #[path = "limit/exact.rs"]
 mod exact;
+#[path = "limit/random.rs"]
+mod random;

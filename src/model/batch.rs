@@ -417,7 +417,8 @@ impl Batch {
             i => x[i as usize] * scale[i as usize],
         };
         let first = self.shape.parameters() as u32;
-        let inner = (0..self.shape.inner() as u32).map(|i| self.own.map(|o| if o == NONE { NONE } else { o + first + i }));
+        let inner =
+            (0..self.shape.inner() as u32).map(|i| self.own.map(|o| if o == NONE { NONE } else { o + first + i }));
         inner.chain(self.columns.iter().copied()).map(|c| c.map(value)).collect()
     }
 

@@ -6,8 +6,8 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
-use super::contact_modes::{ContactMode, contact_modes};
 use super::batch::Rule;
+use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError, RigidMotions};

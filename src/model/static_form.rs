@@ -306,7 +306,12 @@ impl<'a> Static<'a> {
             own = append(&mut program, model.mesh.tets.len(), |e| {
                 let Some(radius) = radius(e) else { return Ok(None) };
                 let columns = Columns::new(&map, &elements.dofs(e));
-                Ok::<_, ModelError>(Some(yielding_super_element::element(&elements.element(e)?, &columns, radius, !limit)))
+                Ok::<_, ModelError>(Some(yielding_super_element::element(
+                    &elements.element(e)?,
+                    &columns,
+                    radius,
+                    !limit,
+                )))
             })?;
         }
         if limit {

@@ -216,8 +216,8 @@ fn contact_and_yield_in_one_program() {
     let model = blocks_in_contact(20.0);
     let kinematic = Kinematic::new(&model).unwrap();
     let statics = Static::new(&model).unwrap();
-    let elastic = [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)]
-        .map(|(p, b)| linear(p, b));
+    let elastic =
+        [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)].map(|(p, b)| linear(p, b));
     let [plain, split, lower] = bracket("contact, elastic", &model);
     println!("contact: elastic {elastic:?}");
     assert!((plain - elastic[0]).abs() < 1e-7 * plain.abs() && (lower - elastic[1]).abs() < 1e-7 * lower.abs());

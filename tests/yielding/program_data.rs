@@ -31,7 +31,10 @@ fn every_unknown_has_its_place() {
                 rows[*r as usize..][..6 * points].iter_mut().for_each(|s| assert!(!std::mem::replace(s, true)));
             }
         }
-        assert!(seen[program.shared()..].iter().all(|s| *s) && rows[program.g.nrows()..].iter().all(|s| *s), "{form:?}");
+        assert!(
+            seen[program.shared()..].iter().all(|s| *s) && rows[program.g.nrows()..].iter().all(|s| *s),
+            "{form:?}"
+        );
         well_formed(&Explicit::new(program));
     }
 }

@@ -34,7 +34,12 @@ impl ElementSystem {
     /// The elements of a program.
     pub fn new(program: &ConicProgram) -> Self {
         let batches = program.elements.batches.clone();
-        Self { scale: program.elements.scale.clone(), factors: vec![Vec::new(); batches.len()], batches, ..Self::default() }
+        Self {
+            scale: program.elements.scale.clone(),
+            factors: vec![Vec::new(); batches.len()],
+            batches,
+            ..Self::default()
+        }
     }
 
     /// True when nothing yields.
@@ -157,7 +162,11 @@ impl ElementSystem {
                         // what arrives at the inner displacements, in the element's own units
                         for (f, (i, _)) in force.iter_mut().zip(own.iter().enumerate()).take(inner) {
                             let s = self.inner_scale(batch, i);
-                            (0..LANES).for_each(|l| if s[l] != 0.0 { f[l] += own[i][l] / (s[l] * s[l]) });
+                            (0..LANES).for_each(|l| {
+                                if s[l] != 0.0 {
+                                    f[l] += own[i][l] / (s[l] * s[l])
+                                }
+                            });
                         }
                         // below the inner block the products come with their sign: what is there already stays apart
                         let mut work = force[..inner].to_vec();
@@ -218,7 +227,11 @@ impl ElementSystem {
                     v.truncate(inner);
                     for (i, v) in v.iter_mut().enumerate() {
                         let s = self.inner_scale(batch, i);
-                        (0..LANES).for_each(|l| if s[l] != 0.0 { v[l] /= s[l] });
+                        (0..LANES).for_each(|l| {
+                            if s[l] != 0.0 {
+                                v[l] /= s[l]
+                            }
+                        });
                     }
                     (v, sigma)
                 })

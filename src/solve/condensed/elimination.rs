@@ -241,10 +241,8 @@ fn add_rigid_plastic(
                     for b in 0..5 {
                         let same = if a == b { 1.0 } else { 0.0 };
                         for l in 0..LANES {
-                            m[(5 * v + a) * M + 5 * w + b][l] += cv
-                                * cw
-                                * inverse[l]
-                                * (same - fraction[l] * weight[1 + a][l] * weight[1 + b][l]);
+                            m[(5 * v + a) * M + 5 * w + b][l] +=
+                                cv * cw * inverse[l] * (same - fraction[l] * weight[1 + a][l] * weight[1 + b][l]);
                         }
                     }
                 }

@@ -388,7 +388,8 @@ impl<'a> Newton<'a> {
         let mut solution = self.condensed(rhs);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let px = self.system.multiply(self.problem, std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
+            let px =
+                self.system.multiply(self.problem, std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
             let errors: [(Vec<f64>, Vec<f64>); SIDES] = std::array::from_fn(|k| {
                 let ((dx, dz), (r1, r2)) = (&solution[k], rhs[k]);
                 let (gz, gx) = (program.rows_transposed(dz), program.rows(dx));

@@ -1,0 +1,47 @@
+//! A pass of limit analysis, and what every one must satisfy.
+
+use crate::common::yielding::FY;
+use bracket::adapt::limit::{self, LimitPass};
+use bracket::adapt::pass::{PassOptions, silent};
+use bracket::bounds::limit_certificate::{certify_lower, certify_upper};
+use bracket::model::AnalysisModel;
+use bracket::solve::{SolveOptions, SolveStatus};
+
+pub fn run(model: &AnalysisModel) -> LimitPass {
+    limit::run(model, &PassOptions::default(), &silent()).unwrap()
+}
+
+/// Iterations of a program of limit analysis, hard cases included.
+pub const MOST_ITERATIONS: u32 = 60;
+
+/// Both bounds over the yield strength: strict, in order, and what the stored fields alone prove.
+pub fn factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
+    factors_of(name, model, &run(model))
+}
+
+/// The same with the solver asked for a smaller gap than its default.
+pub fn sharp_factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
+    let solve = SolveOptions { gap: 1e-7, ..SolveOptions::default() };
+    let options = PassOptions { solve, ..PassOptions::default() };
+    factors_of(name, model, &limit::run(model, &options, &silent()).unwrap())
+}
+
+fn factors_of(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
+    for (program, r) in pass.runs() {
+        assert_eq!(r.status, SolveStatus::Optimal, "{name} {}: {:?}", program.name(), r.trouble);
+        assert_eq!(r.trouble, None, "{name}");
+        assert!(r.iterations <= MOST_ITERATIONS, "{name} {}: {} iterations", program.name(), r.iterations);
+    }
+    let bracket = pass.bracket.as_ref().unwrap();
+    assert!(bracket.is_strict(), "{name}: {bracket:?}");
+    let [low, up] = [bracket.lower().value(), bracket.upper().value()];
+    let iterations: Vec<u32> = pass.runs().map(|(_, r)| r.iterations).collect();
+    println!("{name}: [{:.8}, {:.8}], gap {:.2e}, iterations {iterations:?}", low / FY, up / FY, bracket.gap());
+    assert!(low <= up, "{name}");
+    // the certificates again, from the stored fields alone
+    let again = certify_lower(model, pass.stress.as_ref().unwrap(), bracket.lower().certificate().factor);
+    assert!(again.utilisation <= 1.0 && again.equilibrium < 1e-9 && again.traction_jump < 1e-9, "{name}: {again:?}");
+    let again = certify_upper(model, pass.velocity.as_ref().unwrap(), 1);
+    assert!((again.factor - bracket.upper().certificate().factor).abs() <= 1e-12 * up.abs(), "{name}: {again:?}");
+    [low / FY, up / FY]
+}
