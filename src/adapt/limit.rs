@@ -1,6 +1,6 @@
 //! One pass of limit analysis: both programs on one mesh, their strict bounds of the load factor.
 
-use super::pass::{Both, PassError, PassOptions, ProgramRun, Progress, both};
+use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both};
 use super::problem::{Problem, Program};
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::flow::VelocityField;
@@ -10,13 +10,15 @@ use crate::bounds::recover::RecoverError;
 use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::math::vec3::V3;
 use crate::model::dofs::DofMap;
+use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
 use crate::solve::status::LIMIT_GAP;
 use crate::solve::{self, Solution, SolveOptions, SolveStatus};
+use std::time::Instant;
 
-/// Halvings of the tets on which the dissipation of the final velocities is evaluated.
-const SUBDIVISIONS: u32 = 1;
+/// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who repeats the certificate.
+pub const SUBDIVISIONS: u32 = 1;
 
 /// The kinematic program of limit analysis.
 struct Collapse(Kinematic);
@@ -44,6 +46,13 @@ pub struct LimitPass {
     /// The lower bound without any friction, where there is friction: it bounds the load factor of a structure under
     /// Coulomb's law, which the bound with associated friction does not.
     pub frictionless: Option<LowerFactor>,
+    /// The program it comes from.
+    pub frictionless_run: Option<ProgramRun>,
+    /// The stresses it comes from.
+    pub frictionless_stress: Option<StressField>,
+    /// The lower bound without friction and the upper one with associated friction: the bracket of the structure under
+    /// Coulomb's law.
+    pub coulomb: Option<FactorBracket>,
 }
 
 impl LimitPass {
@@ -54,8 +63,14 @@ impl LimitPass {
     }
 }
 
+/// The velocities that a kinematic program's nodal values stand for.
+pub fn velocity(nodes: DisplacementField) -> VelocityField {
+    VelocityField { nodes, flow: Flow::Split }
+}
+
 /// Runs both programs of limit analysis, and the static one without friction where there is friction.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<LimitPass, PassError> {
+    let start = Instant::now();
     let (kinematic, statics): Both<_, _> = both::<Collapse, Resistance>(model, options, progress)?;
     let mut pass = LimitPass::default();
     if let Some(k) = kinematic {
@@ -65,7 +80,7 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             pass.upper = Some(bound);
         }
     }
-    let wants_frictionless = model.has_friction() && statics.as_ref().is_some_and(|s| s.answer.is_some());
+    let wants_frictionless = model.has_friction() && statics.as_ref().is_some_and(|s| s.run.refusal.is_none());
     if let Some(s) = statics {
         pass.statics = Some(s.run);
         if let Some((field, bound)) = s.answer {
@@ -77,21 +92,24 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
         pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
     }
     if wants_frictionless && !options.solve.interrupted() {
-        pass.frictionless = lower_without_friction(model, &options.solve);
+        progress(Program::Static, Event::Frictionless);
+        let smooth = AnalysisModel { bounds: Bounds::Static, ..model.without_friction() };
+        let mut options = options.clone();
+        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+        let (_, statics): Both<<Collapse as Problem>::Answer, _> =
+            both::<Collapse, Resistance>(&smooth, &options, progress)?;
+        if let Some(s) = statics {
+            pass.frictionless_run = Some(s.run);
+            if let Some((field, bound)) = s.answer {
+                pass.frictionless_stress = Some(field);
+                pass.frictionless = Some(bound);
+            }
+        }
+        if let (Some(l), Some(u)) = (&pass.frictionless, &pass.upper) {
+            pass.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
+        }
     }
     Ok(pass)
-}
-
-/// The lower bound with every friction coefficient zero; `None` where it cannot be certified.
-fn lower_without_friction(model: &AnalysisModel, options: &SolveOptions) -> Option<LowerFactor> {
-    let smooth = model.without_friction();
-    let statics = Static::limit(&smooth).ok()?;
-    let options = SolveOptions { gap: options.gap.max(LIMIT_GAP), progress: None, ..options.clone() };
-    let solution = solve::solve(&statics.program, &statics.map.block, &options);
-    if solution.status != SolveStatus::Optimal {
-        return None;
-    }
-    Resistance(statics).recover(&smooth, &solution).ok().map(|(_, bound)| bound)
 }
 
 impl<'a> Problem<'a> for Collapse {
@@ -118,7 +136,7 @@ impl<'a> Problem<'a> for Collapse {
 
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
         let u = self.0.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-        let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
+        let field = velocity(DisplacementField { u });
         let upper = limit_upper::project(model, &field, SUBDIVISIONS).map_err(|e| match e {
             UpperError::Recover(e) => e,
             e => RecoverError::Factor(e.to_string()),
@@ -185,7 +203,7 @@ impl<'a> Problem<'a> for Resistance<'a> {
 }
 
 /// What an infeasible program of limit analysis says.
-const NO_LIMIT: &str = "no mechanism works against the live loads: the load factor has no limit";
+pub const NO_LIMIT: &str = "no mechanism works against the live loads: the load factor has no limit";
 
 fn in_words(e: LowerError) -> RecoverError {
     match e {

@@ -151,6 +151,8 @@ pub enum Event<'a> {
     Iteration(&'a Iteration),
     /// Its field is being recovered and certified.
     Certify,
+    /// The static program of limit analysis is solved once more, every friction coefficient zero.
+    Frictionless,
     /// It is done with.
     Ended(&'a ProgramRun),
 }

@@ -154,6 +154,20 @@ fn share_of(pieces: &[Piece], radius: Option<f64>, [live, dead]: [V3; 2], subdiv
     share
 }
 
+/// Dissipation per volume in each tet, an upper bound \[N mm/mm³ per unit of time\].
+pub fn dissipation_densities(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> Vec<f64> {
+    let space = Tet10Space::new(&model.mesh);
+    let radii = model.yield_radii();
+    (0..model.mesh.tets.len())
+        .into_par_iter()
+        .map(|e| {
+            let radius = radii[model.mesh.tet_body[e] as usize];
+            let pieces = pieces(model, &space, field, radius.is_some(), e);
+            share_of(&pieces, radius, [[0.0; 3]; 2], subdivisions).dissipation / model.mesh.volume(e)
+        })
+        .collect()
+}
+
 /// Certifies velocities as an upper bound; each subdivision of the dissipation's rule brings it nearer to the field's own value.
 pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> UpperCertificate {
     let mesh = &model.mesh;

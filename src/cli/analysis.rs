@@ -1,25 +1,24 @@
 //! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
 
+use super::answer::answer;
 use super::interrupt::Interrupt;
+use super::outcome::Outcome;
 use super::{Common, Format, memory_limit, out};
 use crate::adapt::memory::{Limit, room};
 use crate::adapt::pass::{self, PassOptions, Refusal};
 use crate::adapt::problem::Program;
 use crate::bounds::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
-use crate::model::file::Friction;
-use crate::report::case::case_result;
+use crate::model::file::{AnalysisKind, Friction};
 use crate::report::data::{CaseResult, ResultFile, Verdict};
-use crate::report::field_files::{displacement_grid, stress_grid};
-use crate::report::figures::{self, Rounding};
+use crate::report::figures;
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::progress::{self, refusal_words};
-use crate::report::raster::{Deformed, Field, PictureOptions, draw};
+use crate::report::raster::{PictureOptions, draw};
 use crate::report::text::report_markdown;
 use crate::solve::{SolveOptions, Solver};
 use std::path::{Path, PathBuf};
@@ -132,6 +131,21 @@ pub struct Echo {
     pub coarser: &'static str,
 }
 
+/// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
+pub fn entry_stem(earlier: &[CaseResult], entry: &CaseResult) -> String {
+    stem_of(&entry.name, entry.analysis, earlier.iter().any(|c| c.name == entry.name))
+}
+
+/// The file name of a case; `again`: it was analysed in another way before.
+pub fn stem_of(case: &str, analysis: AnalysisKind, again: bool) -> String {
+    let kind = match analysis {
+        AnalysisKind::Elastic => "elastic",
+        AnalysisKind::Elastoplastic => "elastoplastic",
+        AnalysisKind::Limit => "limit",
+    };
+    if again { format!("{}_{kind}", file_stem(case)) } else { file_stem(case) }
+}
+
 /// A file name made of a case's name, short enough for every file system.
 pub fn file_stem(case: &str) -> String {
     case.chars().take(100).map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
@@ -176,10 +190,10 @@ pub fn finish(
             break;
         }
         let pass = run_pass(case, limits, &log)?;
-        if i == 0 && pass.runs().all(|(_, run)| run.refusal.is_some()) {
+        if i == 0 && pass.runs().into_iter().all(|(_, run)| run.refusal.is_some()) {
             return Err(too_large(case, &pass, &echo).into());
         }
-        let mut entry = case_result(&case.name, &case.model, &pass, case.mesh_seconds);
+        let mut entry = pass.entry(&case.name, &case.model, case.mesh_seconds);
         if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap)
             && gap > target
         {
@@ -190,18 +204,18 @@ pub fn finish(
                 echo.finer
             ));
         }
-        if pass.runs().any(|(_, run)| run.refusal.is_some()) {
+        if pass.runs().into_iter().any(|(_, run)| run.refusal.is_some()) {
             entry.warnings.push(format!(
                 "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
                 echo.coarser
             ));
         }
-        let stem = file_stem(&case.name);
+        let stem = entry_stem(&result.cases, &entry);
         if pictures.is_empty() {
             pictures.push(mesh_picture(&case.model, &echo.mirror, &folder)?);
         }
-        write_fields(case, &pass, &stem, &folder)?;
-        pictures.extend(deformed_picture(case, &pass, &echo.mirror, &stem, &folder)?);
+        pass.write_fields(&case.model, &stem, &folder)?;
+        pictures.extend(pass.picture(case, &echo.mirror, &stem, &folder)?);
         folder.write(&case.model_file.0, case.model_file.1.as_bytes())?;
         let contacts = contact_faces(&case.model);
         traits.contact |= !contacts.is_empty();
@@ -259,8 +273,9 @@ fn has_asked_bounds(c: &CaseResult) -> bool {
 }
 
 /// No program of a case fits into the memory.
-fn too_large(case: &Case, pass: &pass::Pass, echo: &Echo) -> Diagnostic {
-    let refused: Vec<(Program, Refusal)> = pass.runs().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
+fn too_large(case: &Case, pass: &Outcome, echo: &Echo) -> Diagnostic {
+    let refused: Vec<(Program, Refusal)> =
+        pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
     let each = refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
     let message = format!("`{}` does not fit into the memory: {}", case.name, each.collect::<Vec<_>>().join("; "));
     let asked = refused.iter().any(|(_, r)| r.room.limit != Limit::Machine);
@@ -269,7 +284,7 @@ fn too_large(case: &Case, pass: &pass::Pass, echo: &Echo) -> Diagnostic {
         .help(format!("use {}{larger} or a machine with more memory; nothing was written", echo.coarser))
 }
 
-fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<pass::Pass, Diagnostics> {
+fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<Outcome, Diagnostics> {
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part{}",
         case.name,
@@ -286,28 +301,15 @@ fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<pass::Pass, 
     let left = limits.time.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
     let interrupt = Some(limits.interrupt.flag());
     let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
-    let (told, name, tolerance) = (log.clone(), case.name.clone(), solve.gap);
+    let (told, name, tolerance) = (log.clone(), case.name.clone(), Outcome::tolerance(&case.model, solve.gap));
     let progress: pass::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
-    pass::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+    Outcome::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 
-fn write_fields(case: &Case, pass: &pass::Pass, stem: &str, folder: &ResultFolder) -> Result<(), Diagnostics> {
-    if let Some(u) = &pass.displacement {
-        let contributions = pass.contributions.as_ref().map(|c| &c.elements[..]);
-        let bytes = displacement_grid(&case.model, u, contributions).to_bytes().map_err(Diagnostic::from)?;
-        folder.write(&format!("fields/{stem}_kinematic.vtu"), &bytes)?;
-    }
-    if let Some(s) = &pass.stress {
-        let bytes = stress_grid(&case.model, s).to_bytes().map_err(Diagnostic::from)?;
-        folder.write(&format!("fields/{stem}_static.vtu"), &bytes)?;
-    }
-    Ok(())
-}
-
-fn png(picture: &crate::report::Picture) -> Result<Vec<u8>, Diagnostics> {
+pub(super) fn png(picture: &crate::report::Picture) -> Result<Vec<u8>, Diagnostics> {
     picture
         .to_png()
         .map_err(|e| Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}")).into())
@@ -318,76 +320,6 @@ fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) 
     folder.write("mesh.png", &png(&picture)?)?;
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
     Ok(PictureRef { file: "mesh.png".into(), caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()) })
-}
-
-/// The deformed shape with the size of the displacement as colours.
-fn deformed_picture(
-    case: &Case,
-    pass: &pass::Pass,
-    mirror: &[usize],
-    stem: &str,
-    folder: &ResultFolder,
-) -> Result<Option<PictureRef>, Diagnostics> {
-    let Some(u) = &pass.displacement else { return Ok(None) };
-    let vertices = &u.u[..case.model.mesh.nodes.len()];
-    let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
-    let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
-    if largest == 0.0 {
-        return Ok(None);
-    }
-    let (lo, hi) = case.model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
-        (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
-    });
-    // the largest displacement is drawn as a twentieth of the shape, by a round factor
-    let wanted = 0.05 * vec3::norm(vec3::sub(hi, lo)) / largest;
-    let power = 10f64.powf(wanted.log10().floor());
-    let factor = [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power);
-    let picture = draw(
-        &case.model.mesh,
-        &PictureOptions {
-            mirror,
-            mesh_lines: false,
-            field: Some(Field { name: "displacement", unit: "mm", values: &size, range: None }),
-            deformed: Some(Deformed { displacement: vertices, factor }),
-            ..PictureOptions::default()
-        },
-    );
-    let file = format!("deformed_{stem}.png");
-    folder.write(&file, &png(&picture)?)?;
-    Ok(Some(PictureRef { file, caption: format!("Case {}: deformed shape, {factor} times enlarged", case.name) }))
-}
-
-/// The answer in a sentence, in the user's units.
-pub fn answer(c: &CaseResult) -> String {
-    let strict = c.certificate.is_some_and(|x| x.strict);
-    let word = if strict { "certified" } else { "ESTIMATE, not certified" };
-    let mut text = match (c.lower, c.upper.and_then(|u| u.finite())) {
-        (Some(l), Some(u)) => {
-            let (l, u) = figures::bracket(l, u, 4);
-            let gap = c.gap.map_or(String::new(), |g| format!(", gap {}", figures::percent_up(g)));
-            format!("{}: potential energy between {l} and {u} N mm{gap} ({word})", c.name)
-        }
-        (Some(l), None) => {
-            format!(
-                "{}: potential energy at least {} N mm ({word})",
-                c.name,
-                figures::significant(l, 7, Rounding::Down)
-            )
-        }
-        (None, Some(u)) => {
-            format!("{}: potential energy at most {} N mm ({word})", c.name, figures::significant(u, 7, Rounding::Up))
-        }
-        (None, None) => format!("{}: no bound", c.name),
-    };
-    if let (true, Some(load), Some([l, u])) = (strict, c.load, c.load_displacement) {
-        let (l, u) = figures::bracket(l, u, 4);
-        let (what, unit) = load.moves();
-        text += &format!("; {what} of the load ({}) between {l} and {u} {unit}", load.words());
-    }
-    for w in &c.warnings {
-        text += &format!("\n{}: warning: {w}", c.name);
-    }
-    text
 }
 
 /// Values of a catalogue row as the report shows them.

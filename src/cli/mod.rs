@@ -2,6 +2,7 @@
 
 pub mod analyse;
 pub mod analysis;
+pub mod answer;
 pub mod catalog;
 pub mod doctor;
 pub mod interrupt;
@@ -9,6 +10,7 @@ pub mod memory_limit;
 pub mod mesh;
 pub mod new;
 pub mod out;
+pub mod outcome;
 pub mod run;
 pub mod schema;
 pub mod spec_file;

@@ -1,7 +1,9 @@
 //! `bracket run`: connection spec → geometry → mesh → dual analyses → bracket and report.
 
 use super::analyse::quality_table;
-use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, use_threads};
+use super::analysis::{
+    AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, stem_of, use_threads,
+};
 use super::interrupt::Interrupt;
 use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
@@ -51,8 +53,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let mut limits = args.options.limits()?;
     use_threads(common)?;
     let input = spec_file::read(&args.spec)?;
-    let kind = analysis_kind(&input)?;
-    check_names(&input)?;
+    let kinds = analysis_kinds(&input)?;
+    check_names(&input, &kinds)?;
     check_sizes(&input)?;
     let mesher = Mesher::find()?;
     limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
@@ -70,7 +72,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         folder.write("joint.json", text.as_bytes())?;
         folder.write("joint.geo", meshed.geo.as_bytes())?;
     }
-    let cases = cases(&input, &meshed, kind, mesh_seconds)?;
+    let cases = cases(&input, &meshed, &kinds, mesh_seconds)?;
     limits.interrupt.check("meshing")?;
     let project = &input.spec.value.project;
     let title =
@@ -107,36 +109,58 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     finish(cases, echo, &limits, folder, log, common)
 }
 
-/// The kind of analysis asked for, if this version has it.
-fn analysis_kind(input: &SpecFile) -> Result<AnalysisKind, Diagnostics> {
+/// The kinds of analysis asked for, if this version has them.
+fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
     let place = |path: &str| input.spec.index.place(path);
     let kinds = &input.spec.value.analysis.kind.0;
-    if kinds.iter().any(|k| *k != connection::AnalysisKind::Elastic) {
-        let mut d = Diagnostic::input("spec/unavailable", "this version analyses `elastic` only")
-            .help("write `kind: elastic`; limit and elastoplastic analyses are not available yet");
-        d.place = place("analysis.kind");
-        return Err(d.into());
+    let mut wanted = Vec::new();
+    for kind in kinds {
+        let kind = match kind {
+            connection::AnalysisKind::Elastic => AnalysisKind::Elastic,
+            connection::AnalysisKind::Limit => AnalysisKind::Limit,
+            connection::AnalysisKind::Elastoplastic => {
+                let mut d =
+                    Diagnostic::input("spec/unavailable", "`elastoplastic` is not available yet in this version")
+                        .help("write `kind: elastic`, `kind: limit`, or both as `kind: [elastic, limit]`");
+                d.place = place("analysis.kind");
+                return Err(d.into());
+            }
+        };
+        if wanted.contains(&kind) {
+            let mut d = Diagnostic::input("spec/value", "`analysis.kind` names the same kind twice")
+                .help("name each kind once: `kind: [elastic, limit]`");
+            d.place = place("analysis.kind");
+            return Err(d.into());
+        }
+        wanted.push(kind);
     }
     let friction = &input.spec.value.friction;
     let has_friction = friction.class.is_some() || friction.mu.is_some_and(|mu| mu > 0.0);
-    if has_friction && friction.law == connection::FrictionLaw::Coulomb {
+    let coulomb = has_friction && friction.law == connection::FrictionLaw::Coulomb;
+    if coulomb && wanted.contains(&AnalysisKind::Elastic) {
         let mut d = Diagnostic::input(
             "spec/unavailable",
             "friction with `law: coulomb` (the default) is not available yet in an elastic analysis",
         )
-        .help("write `law: associated` (slip dilates: the bracket is that of the associated problem), or `mu: 0`");
+        .help(
+            "write `law: associated` (slip dilates: the bracket is that of the associated problem), or `mu: 0`; \
+             `kind: limit` alone takes Coulomb's law",
+        );
         d.place = place("friction");
         return Err(d.into());
     }
-    Ok(AnalysisKind::Elastic)
+    Ok(wanted)
 }
 
 /// Load cases become names of files: they must have one, and a different one each.
-fn check_names(input: &SpecFile) -> Result<(), Diagnostics> {
+fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     let loads = &input.spec.value.loads;
+    let stems =
+        |name: &str| -> Vec<String> { kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect() };
     for (i, load) in loads.iter().enumerate() {
-        let stem = file_stem(&load.name);
-        let other = loads[..i].iter().find(|o| o.name != load.name && file_stem(&o.name) == stem);
+        let (stem, mine) = (file_stem(&load.name), stems(&load.name));
+        let clash = |o: &&LoadSpec| o.name != load.name && stems(&o.name).iter().any(|s| mine.contains(s));
+        let other = loads[..i].iter().find(clash);
         let message = match other {
             Some(o) => format!("the load cases `{}` and `{}` would write the same files `{stem}_…`", o.name, load.name),
             None if stem.is_empty() => "the name of a load case is empty".to_string(),
@@ -224,20 +248,22 @@ fn mesh(
 fn cases(
     input: &SpecFile,
     meshed: &JointMesh,
-    kind: AnalysisKind,
+    kinds: &[AnalysisKind],
     mesh_seconds: f64,
 ) -> Result<Vec<Case>, Diagnostics> {
     let names = from_joint::cases(&input.joint.assembly);
     names
         .iter()
+        .flat_map(|name| kinds.iter().enumerate().map(move |(k, kind)| (name, *kind, k > 0)))
         .enumerate()
-        .map(|(i, name)| {
+        .map(|(i, (name, kind, again))| {
             let assembly = &input.joint.assembly;
             let mut file =
                 from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", name, kind);
             file.symmetry = meshed.copies;
             let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
-            let file_name = if i == 0 { "model.yaml".into() } else { format!("model_{}.yaml", file_stem(name)) };
+            let file_name =
+                if i == 0 { "model.yaml".into() } else { format!("model_{}.yaml", stem_of(name, kind, again)) };
             Ok(Case {
                 name: name.clone(),
                 model,

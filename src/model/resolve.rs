@@ -3,6 +3,7 @@
 mod actions;
 mod held;
 mod interfaces;
+mod limits;
 mod materials;
 mod motions;
 mod names;
@@ -46,7 +47,7 @@ pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
 pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -> Result<AnalysisModel, Diagnostics> {
     let mut mesh = mesh;
     let mut notes = Vec::new();
-    let mut faults = Faults { place, all: Vec::new() };
+    let mut faults = Faults { place, limit: file.analysis == AnalysisKind::Limit, all: Vec::new() };
 
     unavailable(file, &mut faults);
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
@@ -82,6 +83,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     merge::check_matching(&mesh, &table)?;
     let scene = names::Scene { mesh: &mesh, table: &table };
 
+    limits::check(file, &scene, &mut faults);
     let claims = interfaces::claim(file, &scene, &mut faults, &mut notes);
     let (supports, ground) = held::supports(file, &scene, &claims, &mut faults, &mut notes);
     let rigid = held::rigid_faces(file, &scene, &claims, &mut faults);
@@ -131,6 +133,8 @@ fn no_action(r: &super::analysis::RigidFace) -> bool {
 /// The faults found so far, each with its place.
 pub(crate) struct Faults<'a> {
     place: &'a dyn Fn(&str) -> Place,
+    /// The analysis is a limit analysis.
+    limit: bool,
     all: Vec<Diagnostic>,
 }
 
@@ -144,17 +148,16 @@ impl Faults<'_> {
     /// A thing of the contract that this version does not do yet.
     fn unavailable(&mut self, path: &str, what: &str) {
         let m = format!("{what} is not available yet in this version");
-        let help = "available: `analysis: elastic` with tied interfaces and contact that is frictionless (`mu: 0`) \
-                    or has `friction: associated`";
+        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces and contact that is \
+                    frictionless (`mu: 0`) or has `friction: associated`; in limit analysis also `friction: coulomb`";
         self.add("model/unavailable", path, m, help);
     }
 }
 
 fn unavailable(file: &ModelFile, faults: &mut Faults<'_>) {
     match file.analysis {
-        AnalysisKind::Elastic => {}
+        AnalysisKind::Elastic | AnalysisKind::Limit => {}
         AnalysisKind::Elastoplastic => faults.unavailable("analysis", "`analysis: elastoplastic`"),
-        AnalysisKind::Limit => faults.unavailable("analysis", "`analysis: limit`"),
     }
     for (i, p) in file.preload.iter().enumerate() {
         faults.unavailable(&format!("preload[{i}]"), &format!("preload (of body `{}`)", p.body));

@@ -15,7 +15,7 @@ use crate::model::file::Friction;
 use crate::model::loads::face_corners;
 use crate::solve::{Iteration, SolveStatus};
 
-fn program_run(run: &ProgramRun) -> data::ProgramRun {
+pub(super) fn program_run(run: &ProgramRun) -> data::ProgramRun {
     data::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
@@ -56,11 +56,12 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
         yield_: None,
         contact,
         compatibility: kc.map(|c| c.compatibility),
+        volume: None,
     })
 }
 
 /// Whose solution the bracket contains.
-fn problem(model: &AnalysisModel) -> Problem {
+pub(super) fn problem(model: &AnalysisModel) -> Problem {
     let laws: Vec<_> = contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
         Problem::Frictionless
@@ -72,15 +73,22 @@ fn problem(model: &AnalysisModel) -> Problem {
 }
 
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
-/// dead load, no initial gap. A force \[N\] on a plane face, or one force or moment on a rigid face.
-fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
+/// dead load, no initial gap.
+fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
-    if model.has_dead_loads() || gaps || !model.body_loads.is_empty() {
+    if model.has_dead_loads() || gaps || !model.body_loads.is_empty() { None } else { only_load(model) }
+}
+
+/// The resultant of the only load that carries the load factor: a force \[N\] on a plane face, or one force or moment on a
+/// rigid face.
+pub(super) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
+    if model.body_loads.iter().any(|l| !l.dead) {
         return None;
     }
+    let live: Vec<_> = model.surface_loads.iter().filter(|l| !l.dead).collect();
     let copies = f64::from(model.symmetry);
     let actions = model.rigid.iter().flat_map(|r| r.action.into_iter().enumerate()).filter(|(_, a)| *a != 0.0);
-    match (&model.surface_loads[..], &actions.collect::<Vec<_>>()[..]) {
+    match (&live[..], &actions.collect::<Vec<_>>()[..]) {
         ([], [(0..3, force)]) => Some(LoadSize::Force(force.abs() * copies)),
         ([], [(_, moment)]) => Some(LoadSize::Moment(moment.abs() * copies)),
         ([load], []) => {
@@ -110,24 +118,14 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
     let runs_away = pass.statics.as_ref().is_some_and(|r| r.mechanism.is_some());
     for (program, run) in pass.runs() {
         let (name, bound) = (program.name(), program.bound());
+        let common = run_warning(name, bound, run);
         warnings.push(match (run.status, run) {
+            _ if common.is_some() => common.unwrap_or_default(),
             // the static program's motion may only show that the stresses of this mesh cannot reach equilibrium
             (_, ProgramRun { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
             }
-            (_, ProgramRun { trouble: Some(t), .. }) => format!("the {name} solution could not be certified: {t}"),
             (SolveStatus::Optimal, _) => continue,
-            (SolveStatus::Interrupted, ProgramRun { iterations: 0, .. }) => {
-                format!("the {name} program was interrupted before its first iteration: no {bound} bound")
-            }
-            (SolveStatus::Interrupted, run) => {
-                let n = run.iterations;
-                let s = if n == 1 { "" } else { "s" };
-                format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
-            }
-            (SolveStatus::TooLarge, ProgramRun { refusal: Some(r), .. }) => {
-                format!("the {name} program was not started, so there is no {bound} bound: it {}", refusal_words(r))
-            }
             (SolveStatus::Infeasible, ProgramRun { conflict: Some(c), .. }) => format!(
                 "the {name} program has no solution, so there is no {bound} bound: {c}; check initial gaps and what holds the \
                  parts there, or refine the mesh there"
@@ -139,13 +137,43 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
     warnings
 }
 
+/// Why a program that was interrupted, refused or not certified gave no bound; `None` for every other end.
+pub(super) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<String> {
+    Some(match (run.status, run) {
+        (_, ProgramRun { trouble: Some(t), .. }) => format!("the {name} solution could not be certified: {t}"),
+        (SolveStatus::Interrupted, ProgramRun { iterations: 0, .. }) => {
+            format!("the {name} program was interrupted before its first iteration: no {bound} bound")
+        }
+        (SolveStatus::Interrupted, run) => {
+            let n = run.iterations;
+            let s = if n == 1 { "" } else { "s" };
+            format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
+        }
+        (SolveStatus::TooLarge, ProgramRun { refusal: Some(r), .. }) => {
+            format!("the {name} program was not started, so there is no {bound} bound: it {}", refusal_words(r))
+        }
+        _ => return None,
+    })
+}
+
+/// The warning that goes with a certificate that is not strict.
+pub(super) fn estimate_warning(certificate: Option<Certificate>) -> Option<String> {
+    let c = certificate.filter(|c| !c.strict)?;
+    let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
+    worst.map(|(residual, value)| {
+        format!(
+            "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the tolerance {TOLERANCE:.0e}"
+        )
+    })
+}
+
 /// The entry of a load case after one pass.
 pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());
     let upper = pass.upper.as_ref().map(|b| b.value());
     let gap = pass.bracket.as_ref().map(|b| b.gap());
     let strict = pass.bracket.as_ref().is_some_and(|b| b.is_strict());
-    let load = only_load(model).filter(|f| f.value() > 0.0 && strict);
+    let load = proportional_load(model).filter(|f| f.value() > 0.0 && strict);
     let load_displacement = match (lower, upper, load) {
         (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
         _ => None,
@@ -155,14 +183,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         static_: pass.lower.as_ref().and_then(|b| b.certificate().peak_pressure),
     };
     let mut warnings = program_warnings(pass);
-    if let Some(c) = certificate(pass).filter(|c| !c.strict) {
-        let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((residual, value)) = worst {
-            warnings.push(format!(
-                "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the tolerance {TOLERANCE:.0e}"
-            ));
-        }
-    }
+    warnings.extend(estimate_warning(certificate(pass)));
     CaseResult {
         name: name.into(),
         analysis: model.analysis,
@@ -187,9 +208,12 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
             gap,
             kinematic: pass.kinematic.as_ref().map(program_run),
             static_: pass.statics.as_ref().map(program_run),
+            static_frictionless: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],
+        dissipation: Vec::new(),
+        limiting_part: None,
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
     }

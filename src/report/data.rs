@@ -170,7 +170,7 @@ pub struct CaseResult {
     /// Value of the fixed point for Coulomb friction: an estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
-    /// The load whose displacement is bracketed, of the whole structure.
+    /// The only load, at load factor 1, of the whole structure: the one whose displacement or collapse is bracketed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<LoadSize>,
     /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\], lower first; only where
@@ -183,12 +183,27 @@ pub struct CaseResult {
     /// One row a mesh.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<HistoryRow>,
+    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the parts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dissipation: Vec<PartShare>,
+    /// Limit analysis: the part whose stress reaches the yield surface first at the lower bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limiting_part: Option<String>,
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_contact_pressure: Option<PeakPressure>,
     /// What the user must know about this case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
+}
+
+/// What a part adds to the dissipation of a mechanism.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartShare {
+    /// Name of the part.
+    pub part: String,
+    /// Its share, a fraction.
+    pub share: f64,
 }
 
 /// The size of a load, not negative, at load factor 1.
@@ -232,17 +247,21 @@ pub struct Certificate {
     /// max |u − u_d| / max |u|.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub compatibility: Option<f64>,
+    /// Limit analysis: max |tr ε| h / max |v|.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume: Option<f64>,
 }
 
 impl Certificate {
     /// Name, definition and value of each residual, in the order of CONTRACT.md.
-    pub fn residuals(&self) -> [(&'static str, &'static str, Option<f64>); 5] {
+    pub fn residuals(&self) -> [(&'static str, &'static str, Option<f64>); 6] {
         [
             ("equilibrium", "max |div σ + b| h / max |σ|", self.equilibrium),
             ("traction jump", "max |Δt| / max |t|", self.traction_jump),
             ("yield", "max ‖s‖ / (√2 k) − 1", self.yield_),
             ("contact", "max cone violation / max |r|", self.contact),
             ("compatibility", "max |u − u_d| / max |u|", self.compatibility),
+            ("volume", "max |tr ε| h / max |v|", self.volume),
         ]
     }
 }
@@ -273,6 +292,9 @@ pub struct HistoryRow {
     /// The static program.
     #[serde(default, rename = "static", skip_serializing_if = "Option::is_none")]
     pub static_: Option<ProgramRun>,
+    /// Limit analysis with friction: the static program without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_frictionless: Option<ProgramRun>,
     /// Wall time of the mesher and the reader \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_seconds: Option<f64>,
@@ -486,6 +508,8 @@ mod tests {
             load_displacement: None,
             certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),
             history: vec![],
+            dissipation: vec![],
+            limiting_part: None,
             peak_contact_pressure: None,
             warnings: vec![],
         }

@@ -2,6 +2,7 @@
 
 use super::vtu::{Array, QUADRATIC_TETRA, TETRA, VtuError, VtuGrid};
 use crate::bounds::fields::{DisplacementField, StressField};
+use crate::bounds::flow::VelocityField;
 use crate::math::mandel::{self, Mandel};
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
@@ -9,6 +10,10 @@ use crate::model::super_element::SuperElement;
 
 /// Name of the displacement array \[mm\].
 const DISPLACEMENT: &str = "displacement";
+/// Name of the array of velocities \[mm per unit of time\].
+const VELOCITY: &str = "velocity";
+/// Name of the load factor that a stress field balances.
+const FACTOR: &str = "load_factor";
 /// Name of the stress array, Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]` \[MPa\].
 const STRESS: &str = "stress_mandel";
 
@@ -91,6 +96,30 @@ pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
     }
 }
 
+/// The velocities of a mechanism on quadratic tets, with the dissipation per volume of each \[N mm/mm³ per unit of time\].
+pub fn velocity_grid(model: &AnalysisModel, field: &VelocityField, densities: Vec<f64>) -> VtuGrid {
+    let mut grid = displacement_grid(model, &field.nodes, None);
+    grid.point_data[0].0 = VELOCITY.into();
+    grid.cell_data.push(array("dissipation_density", 1, densities));
+    grid
+}
+
+/// A stress field at a lower bound, with the load factor it balances and the largest utilisation `‖dev σ‖/(√(2/3) f_y)` of each
+/// subtet.
+pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> VtuGrid {
+    let mut grid = stress_grid(model, field);
+    let radii = model.yield_radii();
+    let norm = |s: &Mandel| mandel::deviator(s).iter().map(|x| x * x).sum::<f64>().sqrt();
+    let of_tets = field.points.iter().zip(&model.mesh.tet_body);
+    let values = of_tets.flat_map(|(subtets, &body)| {
+        let radius = radii[body as usize].unwrap_or(f64::INFINITY);
+        subtets.iter().map(move |s| s.iter().map(norm).fold(0.0, f64::max) / radius).collect::<Vec<_>>()
+    });
+    grid.cell_data.push(array("utilisation", 1, values.collect()));
+    grid.field_data.push(array(FACTOR, 1, vec![factor]));
+    grid
+}
+
 fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFileError> {
     let point = if found.len() != wanted.len() {
         Some(found.len().min(wanted.len()))
@@ -100,20 +129,39 @@ fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFile
     point.map_or(Ok(()), |point| Err(FieldFileError::OtherMesh { point }))
 }
 
+/// Reads velocities and checks that they belong to the model's mesh.
+pub fn read_velocity(model: &AnalysisModel, bytes: &[u8]) -> Result<DisplacementField, FieldFileError> {
+    read_vectors(model, bytes, VELOCITY)
+}
+
 /// Reads a displacement field and checks that it belongs to the model's mesh.
 pub fn read_displacement(model: &AnalysisModel, bytes: &[u8]) -> Result<DisplacementField, FieldFileError> {
+    read_vectors(model, bytes, DISPLACEMENT)
+}
+
+fn read_vectors(model: &AnalysisModel, bytes: &[u8], name: &'static str) -> Result<DisplacementField, FieldFileError> {
     let grid = VtuGrid::from_bytes(bytes)?;
     check_points(&grid.points, &Tet10Space::new(&model.mesh).nodes)?;
-    let a = grid.point_array(DISPLACEMENT).ok_or(FieldFileError::Missing(DISPLACEMENT))?;
+    let a = grid.point_array(name).ok_or(FieldFileError::Missing(name))?;
     if a.1 != 3 || a.2.len() != 3 * grid.points.len() {
-        return Err(FieldFileError::Missing(DISPLACEMENT));
+        return Err(FieldFileError::Missing(name));
     }
     Ok(DisplacementField { u: a.2.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
 }
 
+/// Reads a stress field with the load factor it balances and checks that it belongs to the model's mesh.
+pub fn read_lower(model: &AnalysisModel, bytes: &[u8]) -> Result<(StressField, f64), FieldFileError> {
+    let grid = VtuGrid::from_bytes(bytes)?;
+    let factor = grid.field_array(FACTOR).and_then(|a| a.2.first()).ok_or(FieldFileError::Missing(FACTOR))?;
+    Ok((stress_of(model, &grid)?, *factor))
+}
+
 /// Reads a stress field and checks that it belongs to the model's mesh.
 pub fn read_stress(model: &AnalysisModel, bytes: &[u8]) -> Result<StressField, FieldFileError> {
-    let grid = VtuGrid::from_bytes(bytes)?;
+    stress_of(model, &VtuGrid::from_bytes(bytes)?)
+}
+
+fn stress_of(model: &AnalysisModel, grid: &VtuGrid) -> Result<StressField, FieldFileError> {
     let wanted: Vec<[f64; 3]> = (0..model.mesh.tets.len())
         .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())
         .collect();

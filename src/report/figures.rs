@@ -1,6 +1,6 @@
 //! Numbers for people: meaningful digits, rounded to the safe side where they are bounds.
 
-use super::data::LoadSize;
+use super::data::{CaseResult, LoadSize, Quantity, Upper};
 
 /// Which way a number is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,6 +96,18 @@ pub fn percent_up(fraction: f64) -> String {
         return "< 0.0001 %".into();
     }
     format!("{} %", significant(100.0 * fraction, 3, Rounding::Up))
+}
+
+impl CaseResult {
+    /// The bracket of the only load at collapse, rounded outwards, and its unit; `None` unless both bounds are finite and
+    /// positive.
+    pub fn collapse_load(&self) -> Option<(String, String, &'static str)> {
+        let (Quantity::LoadFactor, Some(load)) = (self.quantity, self.load) else { return None };
+        let (lower, Upper::Finite(upper)) = (self.lower.filter(|l| *l > 0.0)?, self.upper?) else { return None };
+        let size = load.value() * load.scale();
+        let (low, high) = bracket((lower * size).next_down(), (upper * size).next_up(), 3);
+        Some((low, high, load.unit()))
+    }
 }
 
 impl LoadSize {

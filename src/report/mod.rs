@@ -7,6 +7,7 @@ pub mod field_files;
 pub mod figures;
 pub mod folder;
 mod lettering;
+pub mod limit_case;
 pub mod log;
 pub mod pace;
 pub mod page;

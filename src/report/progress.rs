@@ -69,6 +69,7 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             log.end(program);
             log.stage(format!("{case}: certifying the {name} field"));
         }
+        Event::Frictionless => log.line(format!("{case}: the {name} program once more, without friction")),
         Event::Ended(run) => {
             log.end(program);
             log.detail(format!("{case}: {name} program: {} after {} iterations", run.status.words(), run.iterations));

@@ -57,6 +57,7 @@ fn case(name: &str) -> CaseResult {
             yield_: None,
             contact: Some(0.0),
             compatibility: Some(7.77e-16),
+            volume: None,
         }),
         history: vec![HistoryRow {
             macro_tets: 8899,
@@ -67,9 +68,12 @@ fn case(name: &str) -> CaseResult {
             gap: Some(0.045_810_6),
             kinematic: Some(run(18)),
             static_: Some(run(26)),
+            static_frictionless: None,
             mesh_seconds: Some(3.0),
             peak_memory_mib: Some(1024),
         }],
+        dissipation: vec![],
+        limiting_part: None,
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }

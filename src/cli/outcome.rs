@@ -1,0 +1,166 @@
+//! What a pass of either kind leaves, and what becomes of it in the result folder.
+
+use super::analysis::{Case, png};
+use crate::adapt::limit::{self, LimitPass};
+use crate::adapt::pass::{self, Pass, PassError, PassOptions, ProgramRun, Progress};
+use crate::adapt::problem::Program;
+use crate::bounds::limit_certificate::dissipation_densities;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3::{self, V3};
+use crate::model::AnalysisModel;
+use crate::model::file::AnalysisKind;
+use crate::report::case::case_result;
+use crate::report::data::CaseResult;
+use crate::report::field_files::{displacement_grid, lower_grid, stress_grid, velocity_grid};
+use crate::report::folder::ResultFolder;
+use crate::report::limit_case::limit_case_result;
+use crate::report::page::PictureRef;
+use crate::report::raster::{Deformed, Field, PictureOptions, draw};
+use crate::report::vtu::VtuGrid;
+use crate::solve::status::LIMIT_GAP;
+
+/// A pass of one kind of analysis.
+pub enum Outcome {
+    /// Bounds of the energy.
+    Energy(Box<Pass>),
+    /// Bounds of the load factor.
+    Factor(Box<LimitPass>),
+}
+
+impl Outcome {
+    /// Runs the programs that the model's kind of analysis asks for.
+    pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Self, PassError> {
+        Ok(match model.analysis {
+            AnalysisKind::Limit => Outcome::Factor(Box::new(limit::run(model, options, progress)?)),
+            _ => Outcome::Energy(Box::new(pass::run(model, options, progress)?)),
+        })
+    }
+
+    /// The gap at which a solve ends.
+    pub fn tolerance(model: &AnalysisModel, asked: f64) -> f64 {
+        if model.analysis == AnalysisKind::Limit { asked.max(LIMIT_GAP) } else { asked }
+    }
+
+    /// The programs that ran or were to run.
+    pub fn runs(&self) -> Vec<(Program, &ProgramRun)> {
+        match self {
+            Outcome::Energy(p) => p.runs().collect(),
+            Outcome::Factor(p) => p.runs().collect(),
+        }
+    }
+
+    /// The entry of the result.
+    pub fn entry(&self, name: &str, model: &AnalysisModel, mesh_seconds: Option<f64>) -> CaseResult {
+        match self {
+            Outcome::Energy(p) => case_result(name, model, p, mesh_seconds),
+            Outcome::Factor(p) => limit_case_result(name, model, p, mesh_seconds),
+        }
+    }
+
+    /// Writes the fields.
+    pub fn write_fields(&self, model: &AnalysisModel, stem: &str, folder: &ResultFolder) -> Result<(), Diagnostics> {
+        let write = |kind: &str, grid: VtuGrid| -> Result<(), Diagnostics> {
+            let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
+            Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
+        };
+        match self {
+            Outcome::Energy(p) => {
+                if let Some(u) = &p.displacement {
+                    let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
+                    write("kinematic", displacement_grid(model, u, contributions))?;
+                }
+                if let Some(s) = &p.stress {
+                    write("static", stress_grid(model, s))?;
+                }
+            }
+            Outcome::Factor(p) => {
+                if let Some(v) = &p.velocity {
+                    let densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
+                    write("kinematic", velocity_grid(model, v, densities))?;
+                }
+                for (kind, stress, bound) in
+                    [("static", &p.stress, &p.lower), ("static_frictionless", &p.frictionless_stress, &p.frictionless)]
+                {
+                    if let (Some(s), Some(b)) = (stress, bound) {
+                        write(kind, lower_grid(model, s, b.certificate().factor))?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The deformed shape with the size of the displacement as colours, or the mechanism with its dissipation.
+    pub fn picture(
+        &self,
+        case: &Case,
+        mirror: &[usize],
+        stem: &str,
+        folder: &ResultFolder,
+    ) -> Result<Option<PictureRef>, Diagnostics> {
+        let mesh = &case.model.mesh;
+        let (field, u) = match self {
+            Outcome::Energy(p) => (None, p.displacement.as_ref()),
+            Outcome::Factor(p) => (p.velocity.as_ref(), p.velocity.as_ref().map(|v| &v.nodes)),
+        };
+        let Some(u) = u else { return Ok(None) };
+        let vertices = &u.u[..mesh.nodes.len()];
+        let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
+        let Some(factor) = enlargement(&mesh.nodes, &size) else { return Ok(None) };
+        let (values, range);
+        let (colours, file, caption) = match field {
+            None => (
+                Field { name: "displacement", unit: "mm", values: &size, range: None },
+                format!("deformed_{stem}.png"),
+                format!("Case {}: deformed shape, {factor} times enlarged", case.name),
+            ),
+            Some(v) => {
+                (values, range) =
+                    plastic_zones(&case.model, &dissipation_densities(&case.model, v, limit::SUBDIVISIONS));
+                (
+                    Field { name: "dissipation / its mean in plastic zones", unit: "", values: &values, range },
+                    format!("mechanism_{stem}.png"),
+                    format!("Case {}: mechanism of the upper bound, velocities to no scale", case.name),
+                )
+            }
+        };
+        let deformed = Some(Deformed { displacement: vertices, factor });
+        let options =
+            PictureOptions { mirror, mesh_lines: false, field: Some(colours), deformed, ..PictureOptions::default() };
+        folder.write(&file, &png(&draw(mesh, &options))?)?;
+        Ok(Some(PictureRef { file, caption }))
+    }
+}
+
+/// A round factor that draws the largest displacement as about a twentieth of the shape; `None` where nothing moves.
+fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
+    let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
+    if largest == 0.0 {
+        return None;
+    }
+    let (lo, hi) = nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
+        (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
+    });
+    let wanted = 0.05 * vec3::norm(vec3::sub(hi, lo)) / largest;
+    let power = 10f64.powf(wanted.log10().floor());
+    Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
+}
+
+/// Dissipation densities at the nodes over their mean where the mechanism dissipates, and the range of colours: a single
+/// corner with a huge density must not leave all the rest dark.
+fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
+    let mesh = &model.mesh;
+    let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];
+    let (mut square, mut total) = (0.0, 0.0);
+    for (e, (tet, d)) in mesh.tets.iter().zip(densities).enumerate() {
+        let v = mesh.volume(e);
+        square += v * d * d;
+        total += v * d;
+        tet.iter().for_each(|&n| {
+            let sum = &mut nodes[n as usize];
+            *sum = (sum.0 + v * d, sum.1 + v);
+        });
+    }
+    let mean = if total > 0.0 { square / total } else { 1.0 };
+    (nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect(), Some([0.0, 1.0]))
+}

@@ -1,0 +1,143 @@
+//! From a pass of limit analysis to the entry of its load case in `result.json`.
+
+use super::case::{estimate_warning, only_load, problem, program_run, run_warning};
+use super::data::{CaseResult, Certificate, HistoryRow, PartShare, PeakPressure, Problem, Quantity, RawBracket, Upper};
+use crate::adapt::limit::{LimitPass, NO_LIMIT};
+use crate::adapt::memory::peak_memory_mib;
+use crate::adapt::pass::ProgramRun;
+use crate::adapt::problem::Program;
+use crate::bounds::{FactorBracket, LowerFactor};
+use crate::math::Sum;
+use crate::model::AnalysisModel;
+use crate::solve::SolveStatus;
+
+/// The lower bound, the bracket and the static program that answer for the problem the user asked about: under Coulomb's law
+/// those without friction.
+fn answer(pass: &LimitPass, problem: Problem) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramRun>) {
+    match problem {
+        Problem::Coulomb => (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref()),
+        _ => (pass.lower.as_ref(), pass.bracket.as_ref(), pass.statics.as_ref()),
+    }
+}
+
+/// The residuals of both fields, worst of the two where both have one.
+fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
+    let upper = pass.upper.as_ref();
+    if lower.is_none() && upper.is_none() {
+        return None;
+    }
+    let (sc, kc) = (lower.map(|b| b.certificate()), upper.map(|b| b.certificate()));
+    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)].into_iter().flatten().reduce(f64::max);
+    Some(Certificate {
+        strict: lower.is_none_or(|b| b.is_strict()) && upper.is_none_or(|b| b.is_strict()),
+        equilibrium: sc.map(|c| c.equilibrium),
+        traction_jump: sc.map(|c| c.traction_jump),
+        yield_: sc.map(|c| c.utilisation + c.cover - 1.0),
+        contact,
+        compatibility: kc.map(|c| c.compatibility.max(c.rigid)),
+        volume: kc.map(|c| c.volume),
+    })
+}
+
+/// The load can grow without limit, says the static program: any multiple of it finds its equilibrium.
+fn unbounded(run: Option<&ProgramRun>) -> bool {
+    run.is_some_and(|r| r.status == SolveStatus::Infeasible)
+}
+
+/// What the user must know of the programs: why one of them gave no bound.
+fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
+    let mut runs: Vec<(&str, &str, &ProgramRun)> =
+        pass.runs().map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run)).collect();
+    runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
+    let mut warnings: Vec<String> = Vec::new();
+    let mut tell = |text: String| {
+        if !warnings.contains(&text) {
+            warnings.push(text);
+        }
+    };
+    for (name, bound, run) in runs {
+        match run.status {
+            _ if run.trouble.is_some() => tell(run_warning(name, bound, run).unwrap_or_default()),
+            SolveStatus::Optimal => {}
+            SolveStatus::Infeasible if name == "frictionless static" => {
+                tell(format!("without friction {NO_LIMIT} (the solver says so, no certificate proves it)"));
+            }
+            SolveStatus::Infeasible => tell(format!(
+                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load that only presses the parts \
+                 together or changes their volume does this"
+            )),
+            SolveStatus::Unbounded => {
+                let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
+                let without = if name == "frictionless static" { "without friction " } else { "" };
+                tell(format!(
+                    "{without}the dead loads alone make it collapse{parts}; the load factor has no lower bound"
+                ));
+            }
+            status => tell(run_warning(name, bound, run).unwrap_or_else(|| {
+                format!("the {name} program ended with status `{}`: no {bound} bound", status.words())
+            })),
+        }
+    }
+    if problem == Problem::Coulomb && pass.frictionless.is_none() && pass.lower.is_some() {
+        tell("under Coulomb's law only the bound without friction is safe, and there is none".into());
+    }
+    warnings
+}
+
+/// The entry of a load case after one pass of limit analysis.
+pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, mesh_seconds: Option<f64>) -> CaseResult {
+    let problem = problem(model);
+    let (low, bracket, static_run) = answer(pass, problem);
+    let lower = low.map(LowerFactor::value);
+    let raw_upper = pass.upper.as_ref().map(|b| Upper::Finite(b.value()));
+    // of two programs that both find no limit, the one of the stresses is what the word stands on
+    let upper = raw_upper.or_else(|| unbounded(pass.statics.as_ref()).then_some(Upper::UNBOUNDED));
+    let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
+    let certificate = certificate(pass, low);
+    let mut warnings = program_warnings(pass, problem);
+    warnings.extend(estimate_warning(certificate));
+    let frictionless = pass.frictionless.as_ref().map(|b| RawBracket { lower: Some(b.value()), upper: None });
+    let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
+        .then(|| RawBracket { lower: pass.lower.as_ref().map(LowerFactor::value), upper });
+    let dissipation = pass.upper.as_ref().map_or(Vec::new(), |b| {
+        let parts = &b.certificate().dissipation;
+        let total = Sum::of(parts.iter().copied());
+        let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
+        model.parts.iter().zip(parts).map(|(part, d)| PartShare { part: part.clone(), share: share(*d) }).collect()
+    });
+    let limiting_part = low.and_then(|b| b.certificate().limiting_part).map(|p| model.parts[p as usize].clone());
+    let peak = low.and_then(|b| b.certificate().peak_pressure);
+    CaseResult {
+        name: name.into(),
+        analysis: model.analysis,
+        quantity: Quantity::LoadFactor,
+        problem,
+        lower,
+        upper,
+        gap,
+        utilisation: None,
+        frictionless,
+        associated,
+        coulomb_estimate: None,
+        load: only_load(model).filter(|l| l.value() > 0.0),
+        load_displacement: None,
+        certificate,
+        history: vec![HistoryRow {
+            macro_tets: model.mesh.tets.len(),
+            kinematic_dofs: pass.kinematic.as_ref().map(|r| r.dofs),
+            static_dofs: pass.statics.as_ref().or(static_run).map(|r| r.dofs),
+            lower,
+            upper,
+            gap,
+            kinematic: pass.kinematic.as_ref().map(program_run),
+            static_: pass.statics.as_ref().map(program_run),
+            static_frictionless: pass.frictionless_run.as_ref().map(program_run),
+            mesh_seconds,
+            peak_memory_mib: peak_memory_mib(),
+        }],
+        dissipation,
+        limiting_part,
+        peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
+        warnings,
+    }
+}
