@@ -8,6 +8,8 @@ mod common;
 #[cfg(unix)]
 #[path = "cli/interrupts.rs"]
 mod interrupts;
+#[path = "cli/limit_analysis.rs"]
+mod limit_analysis;
 #[path = "cli/limits.rs"]
 mod limits;
 #[path = "cli/result_folder.rs"]

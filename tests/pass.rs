@@ -38,6 +38,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
             Event::Iteration(_) => return,
             Event::Certify => "certify".into(),
+            Event::Frictionless => "frictionless".into(),
             Event::Ended(run) => format!("ended {}", run.status.words()),
         };
         kept.lock().expect("whole").push(format!("{} {word}", program.name()));

@@ -1,17 +1,23 @@
 //! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and mesh alone.
 
-use super::analysis::file_stem;
+use super::analysis::entry_stem;
 use super::{Common, Format, Outcome, out};
+use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::Pass;
 use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
-use crate::bounds::sampling::sample;
+use crate::bounds::limit_certificate::{certify_lower, certify_upper};
+use crate::bounds::sampling::{sample, sample_lower, sample_upper};
+use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::model::AnalysisModel;
+use crate::model::file::AnalysisKind;
 use crate::model::loads::Loads;
 use crate::model::resolve::load_model;
 use crate::report::case::case_result;
-use crate::report::data::{CaseResult, RESULT_FILE, ResultFile};
-use crate::report::field_files::{read_displacement, read_stress};
+use crate::report::data::{CaseResult, Problem, RESULT_FILE, RawBracket, ResultFile, Upper};
+use crate::report::field_files::{read_displacement, read_lower, read_stress, read_velocity};
+use crate::report::limit_case::limit_case_result;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -45,8 +51,9 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
     let result = ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
     let mut findings = Vec::new();
     let mut refuted = Vec::new();
-    for case in &result.cases {
-        let (found, other) = verify_case(&args.folder, case, result.symmetry)?;
+    for (i, case) in result.cases.iter().enumerate() {
+        let stem = entry_stem(&result.cases[..i], case);
+        let (found, other) = verify_case(&args.folder, case, &stem, result.symmetry)?;
         findings.extend(found);
         refuted.extend(other);
     }
@@ -100,56 +107,145 @@ fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
 }
 
 /// Recomputes the bounds of a case, and everything that follows from them; sentences for what does not agree.
-fn verify_case(folder: &Path, case: &CaseResult, symmetry: u32) -> Result<(Vec<Finding>, Vec<String>), Diagnostics> {
-    let own = folder.join(format!("model_{}.yaml", file_stem(&case.name)));
+fn verify_case(
+    folder: &Path,
+    case: &CaseResult,
+    stem: &str,
+    symmetry: u32,
+) -> Result<(Vec<Finding>, Vec<String>), Diagnostics> {
+    let own = folder.join(format!("model_{stem}.yaml"));
     let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
-    let claims_strict = case.certificate.is_some_and(|c| c.strict);
-    let field = |kind: &str| folder.join("fields").join(format!("{}_{kind}.vtu", file_stem(&case.name)));
-    let mut findings = Vec::new();
-    let mut pass = Pass::default();
-    if let Some(claimed) = case.lower {
-        let stress = read_stress(&model, &read(&field("static"))?).map_err(Diagnostic::from)?;
-        let sampled = sample(&model, None, Some(&stress), POINTS);
-        let bound = LowerBound::new(certify_stress(&model, &stress, Loads::ALL), model.symmetry);
-        let c = bound.certificate();
-        let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
-        let random = sampled.traction_jump.max(sampled.traction_cone);
-        findings.push(finding(
-            case,
-            "lower",
-            [claimed, bound.value(), worst, random],
-            bound.is_strict(),
-            claims_strict,
-        ));
-        pass.lower = Some(bound);
-    }
-    if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
-        let displacement = read_displacement(&model, &read(&field("kinematic"))?).map_err(Diagnostic::from)?;
-        let random = sample(&model, Some(&displacement), None, POINTS).gap_cone;
-        let bound = UpperBound::new(certify_displacement(&model, &displacement), model.symmetry);
-        let c = bound.certificate();
-        let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
-        findings.push(finding(
-            case,
-            "upper",
-            [claimed, bound.value(), worst, random],
-            bound.is_strict(),
-            claims_strict,
-        ));
-        pass.upper = Some(bound);
-    }
+    let scene = Scene { model: &model, case, folder, stem };
     let mut refuted = Vec::new();
     if symmetry != model.symmetry {
         refuted.push(format!("the result claims symmetry {symmetry}, its model has {}", model.symmetry));
     }
-    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
-        match Bracket::new(l.clone(), u.clone()) {
-            Ok(b) => pass.bracket = Some(b),
-            Err(e) => refuted.push(format!("{}: {e}", case.name)),
-        }
-    }
-    refuted.extend(derived_differences(case, &case_result(&case.name, &model, &pass, None)));
+    let (findings, found) = match model.analysis {
+        AnalysisKind::Limit => scene.factors(&mut refuted)?,
+        _ => scene.energies(&mut refuted)?,
+    };
+    refuted.extend(derived_differences(case, &found));
     Ok((findings, refuted))
+}
+
+/// A case of a result folder.
+struct Scene<'a> {
+    model: &'a AnalysisModel,
+    case: &'a CaseResult,
+    folder: &'a Path,
+    stem: &'a str,
+}
+
+impl Scene<'_> {
+    fn field(&self, kind: &str) -> Result<Vec<u8>, Diagnostics> {
+        read(&self.folder.join("fields").join(format!("{}_{kind}.vtu", self.stem)))
+    }
+
+    /// The bounds of the energy, and the entry they make.
+    fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
+        let Self { model, case, .. } = *self;
+        let claims_strict = case.certificate.is_some_and(|c| c.strict);
+        let mut findings = Vec::new();
+        let mut pass = Pass::default();
+        if let Some(claimed) = case.lower {
+            let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
+            let sampled = sample(model, None, Some(&stress), POINTS);
+            let bound = LowerBound::new(certify_stress(model, &stress, Loads::ALL), model.symmetry);
+            let c = bound.certificate();
+            let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
+            let random = sampled.traction_jump.max(sampled.traction_cone);
+            let numbers = [claimed, bound.value(), worst, random];
+            findings.push(finding(case, "lower", numbers, bound.is_strict(), claims_strict));
+            pass.lower = Some(bound);
+        }
+        if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
+            let displacement = read_displacement(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let random = sample(model, Some(&displacement), None, POINTS).gap_cone;
+            let bound = UpperBound::new(certify_displacement(model, &displacement), model.symmetry);
+            let c = bound.certificate();
+            let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
+            let numbers = [claimed, bound.value(), worst, random];
+            findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
+            pass.upper = Some(bound);
+        }
+        if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
+            match Bracket::new(l.clone(), u.clone()) {
+                Ok(b) => pass.bracket = Some(b),
+                Err(e) => refuted.push(format!("{}: {e}", case.name)),
+            }
+        }
+        Ok((findings, case_result(&case.name, model, &pass, None)))
+    }
+
+    /// The bounds of the load factor, and the entry they make.
+    fn factors(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
+        let Self { model, case, .. } = *self;
+        let claims_strict = case.certificate.is_some_and(|c| c.strict);
+        let coulomb = case.problem == Problem::Coulomb;
+        let mut findings = Vec::new();
+        let mut pass = LimitPass::default();
+        let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
+        if let Some(claimed) = raw {
+            // a raw bound beside the answer is as strict as its own fields are
+            let (mut found, bound) = self.lower_factor(model, "static", claimed, claims_strict && !coulomb)?;
+            found.bound = if coulomb { "lower, associated" } else { "lower" };
+            findings.push(found);
+            pass.lower = Some(bound);
+        }
+        let smooth = case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
+        if let Some(claimed) = smooth {
+            let without = model.without_friction();
+            let strict = claims_strict && coulomb;
+            let (mut found, bound) = self.lower_factor(&without, "static_frictionless", claimed, strict)?;
+            found.bound = if coulomb { "lower" } else { "lower, frictionless" };
+            findings.push(found);
+            pass.frictionless = Some(bound);
+        }
+        if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
+            let nodes = read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let field = limit::velocity(nodes);
+            let sampled = sample_upper(model, &field, POINTS);
+            let bound = UpperFactor::new(certify_upper(model, &field, limit::SUBDIVISIONS));
+            let c = bound.certificate();
+            let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)].into_iter().fold(0.0, f64::max);
+            let numbers = [claimed, bound.value(), worst, sampled.strain.max(sampled.gap_cone)];
+            findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
+            pass.upper = Some(bound);
+        }
+        for (lower, bracket) in [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)] {
+            let (Some(l), Some(u)) = (lower, &pass.upper) else { continue };
+            match FactorBracket::new(l.clone(), u.clone()) {
+                Ok(b) => *bracket = Some(b),
+                Err(e) => refuted.push(format!("{}: {e}", case.name)),
+            }
+        }
+        let mut found = limit_case_result(&case.name, model, &pass, None);
+        // nothing in the files proves it: the claim stands as the estimate it must be
+        if let Some(Upper::Unbounded(_)) = case.upper {
+            found.upper = case.upper;
+        }
+        Ok((findings, found))
+    }
+
+    /// The lower bound of a stored stress field of `model`.
+    fn lower_factor(
+        &self,
+        model: &AnalysisModel,
+        kind: &str,
+        claimed: f64,
+        claims_strict: bool,
+    ) -> Result<(Finding, LowerFactor), Diagnostics> {
+        let (stress, factor) = read_lower(model, &self.field(kind)?).map_err(Diagnostic::from)?;
+        let sampled = sample_lower(model, &stress, factor, POINTS);
+        let bound = LowerFactor::new(certify_lower(model, &stress, factor));
+        let c = bound.certificate();
+        let outside = (c.utilisation + c.cover - 1.0).max(0.0);
+        let residuals = [c.equilibrium, c.traction_jump, c.contact.unwrap_or(0.0), outside];
+        let worst = residuals.into_iter().fold(0.0, f64::max);
+        let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
+        let numbers = [claimed, bound.value(), worst, random];
+        Ok((finding(self.case, "lower", numbers, bound.is_strict(), claims_strict), bound))
+    }
 }
 
 /// What a result derives from its bounds, claimed against recomputed.
@@ -165,6 +261,17 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         (Some(a), Some(b)) => near(a.0, b.0) && near(a.1, b.1) && near(a.2, b.2),
         _ => false,
     };
+    let raw = |a: Option<RawBracket>, b: Option<RawBracket>| {
+        let numbers = |r: Option<RawBracket>| (r.and_then(|r| r.lower), r.and_then(|r| r.upper?.finite()));
+        let (a, b) = (numbers(a), numbers(b));
+        near(a.0, b.0) && near(a.1, b.1)
+    };
+    let shares = claimed.dissipation.len() == found.dissipation.len()
+        && claimed
+            .dissipation
+            .iter()
+            .zip(&found.dissipation)
+            .all(|(a, b)| a.part == b.part && near(Some(a.share), Some(b.share)));
     let agree = [
         ("gap", near(claimed.gap, found.gap)),
         // results of earlier versions do not tell it
@@ -177,6 +284,11 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         ("load_displacement", (0..2).all(|i| near(end(claimed, i), end(found, i)))),
         ("problem", claimed.problem == found.problem),
         ("analysis", claimed.analysis == found.analysis),
+        ("quantity", claimed.quantity == found.quantity),
+        ("frictionless", raw(claimed.frictionless, found.frictionless)),
+        ("associated", raw(claimed.associated, found.associated)),
+        ("dissipation", shares),
+        ("limiting_part", claimed.limiting_part == found.limiting_part),
         ("certificate.strict", !strict(claimed) || strict(found)),
         ("the last row of history", history),
     ];

@@ -8,6 +8,7 @@ pub mod figures;
 pub mod folder;
 mod lettering;
 pub mod limit_case;
+mod limit_text;
 pub mod log;
 pub mod pace;
 pub mod page;

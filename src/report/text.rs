@@ -4,6 +4,7 @@ use super::data::{
     CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper, Verdict,
 };
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
+use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
 use crate::model::file::AnalysisKind;
 
@@ -27,6 +28,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     for picture in &data.pictures {
         paragraph(&mut page, &format!("![{}]({})", inline(&picture.caption), picture.file));
     }
+    data.result.cases.iter().for_each(|case| mechanism(&mut page, case));
     warnings(&mut page, data);
     heading(&mut page, "Input");
     input_echo(&mut page, data);
@@ -51,17 +53,17 @@ fn heading(page: &mut String, text: &str) {
     page.push_str(&format!("## {text}\n\n"));
 }
 
-fn paragraph(page: &mut String, text: &str) {
+pub(super) fn paragraph(page: &mut String, text: &str) {
     page.push_str(text);
     page.push_str("\n\n");
 }
 
 /// Text that must not break out of its line or cell.
-fn inline(text: &str) -> String {
+pub(super) fn inline(text: &str) -> String {
     text.replace(['\n', '\r'], " ").replace('|', "\\|").replace('<', "&lt;")
 }
 
-fn table(page: &mut String, table: &Table) {
+pub(super) fn table(page: &mut String, table: &Table) {
     let row = |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "));
     page.push_str(&row(&table.columns));
     let number = |c: usize| {
@@ -77,7 +79,7 @@ fn table(page: &mut String, table: &Table) {
     page.push('\n');
 }
 
-fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {
+pub(super) fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(String::from).to_vec()
 }
 
@@ -113,7 +115,7 @@ fn problem_words(problem: Problem, contact: bool) -> &'static str {
     }
 }
 
-fn is_strict(case: &CaseResult) -> bool {
+pub(super) fn is_strict(case: &CaseResult) -> bool {
     case.certificate.is_some_and(|c| c.strict)
 }
 
@@ -197,19 +199,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             };
             paragraph(page, &format!("The bracket is one of the energy only{why}."));
         }
-        (Quantity::LoadFactor, _) => {
-            if let Some(lower) = case.lower {
-                let low = significant(lower, 4, Rounding::Down);
-                // the associated model is stronger than the Coulomb structure it may stand for
-                let dilates = if case.problem == Problem::Associated { " with its associated friction" } else { "" };
-                let safe = if is_strict(case) {
-                    format!("Every load up to {low} times the given one can be carried by the model{dilates}")
-                } else {
-                    format!("About {low} times the given load can be carried by the model (an estimate)")
-                };
-                paragraph(page, &format!("{safe}; instability and limited ductility are not part of it."));
-            }
-        }
+        (Quantity::LoadFactor, _) => collapse(page, case),
     }
     if let Some([low, high]) = case.utilisation {
         let (a, b) = (significant(low, 3, Rounding::Down), significant(high, 3, Rounding::Up));
@@ -380,7 +370,9 @@ fn programs(mesh: usize, h: &HistoryRow) -> Vec<Vec<String>> {
     };
     let kinematic = h.kinematic.as_ref().map(|r| row("kinematic", h.kinematic_dofs, r));
     let static_ = h.static_.as_ref().map(|r| row("static", h.static_dofs, r));
-    kinematic.into_iter().chain(static_).collect()
+    // its unknowns are those of the static program: friction adds none
+    let smooth = h.static_frictionless.as_ref().map(|r| row("static, frictionless", h.static_dofs, r));
+    kinematic.into_iter().chain(static_).chain(smooth).collect()
 }
 
 fn dash() -> String {

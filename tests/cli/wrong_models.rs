@@ -51,7 +51,8 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "`friction: coulomb`",
         "associated",
     ),
-    ("analysis: elastic", "analysis: limit", "model/unavailable", 2, "`analysis: limit`", "elastic"),
+    ("analysis: elastic", "analysis: limit", "model/never-yields", 3, "body `A` has no yield strength", "an `fy`"),
+    ("analysis: elastic", "analysis: elastoplastic", "model/unavailable", 2, "elastoplastic", "`analysis: limit`"),
     ("mesh: m.msh", "mesh: n.msh", "model/no-mesh", 1, "no mesh file `n.msh`", "relative to the model file"),
     (
         "  - {face: X0, fix: [x, y, z]}",

@@ -118,7 +118,15 @@ const ROWS: &[Row] = &[
         "bracket templates",
     ),
     ("size: M18", "size: M80", "catalog/unknown-name", "joint.yaml:7:", "`M80`", "bracket catalog list"),
-    ("kind: elastic", "kind: limit", "spec/unavailable", "joint.yaml:11:", "`elastic` only", "kind: elastic"),
+    (
+        "kind: elastic",
+        "kind: [limit, elastoplastic]",
+        "spec/unavailable",
+        "joint.yaml:11:",
+        "`elastoplastic` is not available",
+        "kind: limit",
+    ),
+    ("kind: elastic", "kind: [limit, limit]", "spec/value", "joint.yaml:11:", "the same kind twice", "each kind once"),
     ("law: associated", "law: coulomb", "spec/unavailable", "joint.yaml:9:", "not available yet", "law: associated"),
     (
         "section: column_top",

@@ -1,0 +1,69 @@
+//! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
+
+use super::data::{CaseResult, Problem, Upper};
+use super::figures::{Rounding, bracket, significant};
+use super::page::Table;
+use super::text::{inline, is_strict, paragraph, strings, table};
+
+/// What the load factor means to an engineer.
+pub(super) fn collapse(page: &mut String, case: &CaseResult) {
+    if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
+        let word = if is_strict(case) { "lies" } else { "is estimated" };
+        let given = load.words();
+        paragraph(
+            page,
+            &format!(
+                "The given load of the whole structure is {given}; the load at collapse {word} between {low} and {high} {unit}."
+            ),
+        );
+    }
+    if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
+        let low = significant(lower, 4, Rounding::Down);
+        // the associated model is stronger than the Coulomb structure it may stand for
+        let dilates = if case.problem == Problem::Associated { " with its associated friction" } else { "" };
+        let safe = if is_strict(case) {
+            format!("Every load up to {low} times the given one can be carried by the model{dilates}")
+        } else {
+            format!("About {low} times the given load can be carried by the model (an estimate)")
+        };
+        paragraph(page, &format!("{safe}; instability and limited ductility are not part of it."));
+    }
+    let smooth = case.frictionless.and_then(|f| f.lower);
+    match (case.problem, smooth, case.upper) {
+        (Problem::Coulomb, ..) => paragraph(
+            page,
+            "The bounds are those of Coulomb's law: its load factor is at least that without friction (the lower bound) and at \
+             most that with associated friction (the upper bound).",
+        ),
+        (Problem::Associated, Some(low), Some(Upper::Finite(high))) => {
+            let (low, high) = bracket(low, high, 3);
+            paragraph(
+                page,
+                &format!(
+                    "Without dilation (Coulomb's law with the same coefficient) the load factor is at least that without \
+                     friction and at most that with associated friction: between {low} and {high}."
+                ),
+            );
+        }
+        _ => {}
+    }
+}
+
+/// Where the mechanism works and what limits the lower bound.
+pub(super) fn mechanism(page: &mut String, case: &CaseResult) {
+    if case.dissipation.is_empty() && case.limiting_part.is_none() {
+        return;
+    }
+    page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
+    if let Some(part) = &case.limiting_part {
+        let part = inline(part);
+        paragraph(page, &format!("The stress of the lower bound is nearest to the yield surface in part **{part}**."));
+    }
+    if !case.dissipation.is_empty() {
+        paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
+        let mut parts: Vec<_> = case.dissipation.iter().collect();
+        parts.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let rows = parts.iter().map(|p| vec![p.part.clone(), format!("{:.1}", 100.0 * p.share)]);
+        table(page, &Table { columns: strings(["part", "share of the dissipation [%]"]), rows: rows.collect() });
+    }
+}

@@ -1,0 +1,290 @@
+//! `analysis: limit` through the real program: what it answers, what it leaves, what `verify` says of it, what it refuses.
+//!
+//! ```text
+//!  |[=======]→ t     a bar of 30 × 10 × 12 mm on rollers, t = 100 MPa: collapse at f_y/t = 2.35
+//! ```
+
+use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::common::Block;
+use crate::{expect, mesh};
+use bracket::mesh::msh_write;
+use bracket::report::vtu::VtuGrid;
+use serde_json::{Value, json};
+
+const BAR: &str = "\
+mesh: m.msh
+analysis: limit
+materials: {steel: {E: 210000, nu: 0.3, fy: 235}}
+bodies: {B: steel}
+supports:
+  - {face: X0, fix: [x]}
+  - {face: Y0, fix: [y]}
+  - {face: Z0, fix: [z]}
+loads:
+  - {face: X1, traction: [100, 0, 0]}
+";
+
+const EXACT: f64 = 2.35;
+
+/// A block on a base, pressed by half as much as it can carry: proportional pressure, contact, friction.
+const STACK: &str = "\
+mesh: m.msh
+analysis: limit
+materials: {steel: {E: 210000, nu: 0.3, fy: 235}}
+bodies: {BASE: steel, BLOCK: steel}
+interfaces:
+  - {between: [BLOCK, BASE], law: contact, mu: 0.3, friction: associated}
+supports:
+  - {face: Z0, fix: [x, y, z]}
+  - {face: X0, fix: [x]}
+  - {face: Y0, fix: [y]}
+loads:
+  - {face: Z1, traction: [0, 0, -100]}
+";
+
+fn bar_mesh() -> String {
+    msh_write::text(&Block::new([3, 2, 2], [30.0, 10.0, 12.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false))
+}
+
+fn bar(model: &str) -> Bench {
+    Bench::new().file("bar.yaml", model).file("m.msh", bar_mesh())
+}
+
+fn result(bench: &Bench, folder: &str) -> Value {
+    serde_json::from_str(&bench.read(&format!("{folder}/result.json"))).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("a number, not {value}"))
+}
+
+#[test]
+fn a_bar_collapses_where_it_must() {
+    let bench = bar(BAR);
+    let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 0);
+    // rounded outwards, the exact 28.2 kN between
+    assert!(err.contains("bar: load factor between 2.3499") && err.contains("(certified)"), "{err}");
+    assert!(err.contains("collapse load between 28.19") && err.contains(" and 28.20"), "{err}");
+
+    let result = result(&bench, "bar");
+    assert_eq!(result["verdict"], "none");
+    let case = &result["cases"][0];
+    for (key, value) in [("analysis", "limit"), ("quantity", "load_factor"), ("problem", "frictionless")] {
+        assert_eq!(case[key], value);
+    }
+    let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
+    assert!(lower <= EXACT && upper >= EXACT, "{lower} {upper}");
+    let gap = number(&case["gap"]);
+    assert!(gap < 1e-5 && (gap - (upper - lower) / lower).abs() < 1e-12, "{gap}");
+    let certificate = &case["certificate"];
+    assert_eq!(certificate["strict"], true);
+    for key in ["equilibrium", "traction_jump", "compatibility", "volume"] {
+        let residual = number(&certificate[key]);
+        assert!((0.0..=1e-9).contains(&residual), "{key} {residual}");
+    }
+    let inside = number(&certificate["yield"]);
+    assert!(inside <= 0.0 && inside > -1e-4, "{inside}");
+    assert!(certificate.get("contact").is_none() && case.get("load_displacement").is_none());
+    assert!(case.get("frictionless").is_none() && case.get("associated").is_none());
+    assert!((number(&case["load"]["force"]) - 12_000.0).abs() < 1e-6);
+    assert_eq!(case["limiting_part"], "B");
+    assert_eq!(case["dissipation"], json!([{"part": "B", "share": 1.0}]));
+    let row = &case["history"][0];
+    for program in ["kinematic", "static"] {
+        assert_eq!(row[program]["status"], "optimal");
+        assert!(number(&row[program]["iterations"]) > 2.0);
+    }
+
+    let report = bench.read("bar/report.md");
+    for words in [
+        "load factor at collapse lies between **2.3499",
+        "The given load of the whole structure is 12.00 kN; the load at collapse lies between",
+        "nearest to the yield surface in part **B**",
+        "| B | 100.0 |",
+        "![Case bar: mechanism of the upper bound, velocities to no scale](mechanism_bar.png)",
+        "Limit analysis: rigid, perfectly plastic",
+        "max |tr ε| h / max |v|",
+    ] {
+        assert!(report.contains(words), "lacks {words}\n{report}");
+    }
+    assert!(bench.path().join("bar/mechanism_bar.png").is_file());
+    let grid = |kind: &str| {
+        let bytes = std::fs::read(bench.path().join(format!("bar/fields/bar_{kind}.vtu"))).expect("field");
+        VtuGrid::from_bytes(&bytes).expect("our own file")
+    };
+    let (kinematic, stress) = (grid("kinematic"), grid("static"));
+    assert_eq!(kinematic.point_array("velocity").map(|a| a.1), Some(3));
+    // in a uniform flow every tet dissipates alike
+    let density = &kinematic.cell_array("dissipation_density").expect("densities").2;
+    let mean = density.iter().sum::<f64>() / density.len() as f64;
+    assert!(mean > 0.0 && density.iter().all(|d| (d / mean - 1.0).abs() < 1e-3), "{density:?}");
+    let used = &stress.cell_array("utilisation").expect("utilisations").2;
+    assert!(used.iter().all(|u| (0.999..=1.0).contains(u)), "{used:?}");
+}
+
+#[test]
+fn one_bound_alone_is_certified_too() {
+    for (bounds, has, lacks) in [("static", "lower", "upper"), ("kinematic", "upper", "lower")] {
+        let bench = bar(&format!("{BAR}bounds: {bounds}\n"));
+        expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
+        let case = &result(&bench, "bar")["cases"][0];
+        assert!((number(&case[has]) / EXACT - 1.0).abs() < 1e-5, "{case}");
+        assert!(case.get(lacks).is_none() && case.get("gap").is_none(), "{case}");
+        expect(&bench, &["verify", "bar"], 0);
+    }
+}
+
+/// Dead loads stay what they are: a dead tension of 100 MPa takes one from the factor.
+#[test]
+fn dead_loads_are_not_multiplied() {
+    let bench = bar(&format!("{BAR}dead:\n  - {{face: X1, traction: [100, 0, 0]}}\n"));
+    expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
+    let case = &result(&bench, "bar")["cases"][0];
+    let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
+    assert!(lower <= EXACT - 1.0 && upper >= EXACT - 1.0 && upper - lower < 1e-4, "{lower} {upper}");
+}
+
+#[test]
+fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
+    let bench =
+        bar(&format!("{BAR}dead:\n  - {{face: X1, traction: [0, 0, 0]}}\n  - {{face: Y1, traction: [0, 300, 0]}}\n"));
+    let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 3);
+    assert!(err.contains("the dead loads alone make it collapse") && !err.contains("(certified)"), "{err}");
+    let case = &result(&bench, "bar")["cases"][0];
+    assert!(case.get("lower").is_none() && case.get("certificate").is_none(), "{case}");
+}
+
+/// Pressed from one side and held on all others the bar has no mechanism.
+#[test]
+fn a_load_without_limit_is_called_unbounded_and_no_certificate_is_claimed() {
+    let held = BAR.replace("loads:", "  - {face: Y1, fix: [y]}\n  - {face: Z1, fix: [z]}\nloads:");
+    let bench = bar(&held.replace("[100, 0, 0]", "[-100, 0, 0]"));
+    let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 3);
+    assert!(err.contains("the load factor has no limit") && err.contains("no certificate proves it"), "{err}");
+    assert_eq!(err.matches("has no limit").count(), 1, "{err}");
+    let case = &result(&bench, "bar")["cases"][0];
+    assert_eq!(case["upper"], "unbounded");
+    assert!(case.get("certificate").is_none() && case.get("gap").is_none(), "{case}");
+    expect(&bench, &["verify", "bar"], 0);
+}
+
+/// Coulomb's law is bracketed from below without friction, from above with associated friction; both stand beside it.
+#[test]
+fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
+    let solved = |friction: &str, code: i32| {
+        let model = STACK.replace("friction: associated", friction);
+        let bench = Bench::new().file("stack.yaml", model).file("m.msh", mesh(60.0));
+        let (_, err) = expect(&bench, &["analyse", "stack.yaml"], code);
+        let (found, _) = expect(&bench, &["verify", "stack"], 0);
+        (result(&bench, "stack")["cases"][0].clone(), bench.read("stack/report.md"), err, found)
+    };
+    let (associated, report, err, found) = solved("friction: associated", 0);
+    assert!(err.contains("once more, without friction"), "{err}");
+    assert_eq!(found.matches("confirmed").count(), 3, "{found}");
+    assert_eq!(associated["problem"], "associated");
+    let smooth = number(&associated["frictionless"]["lower"]);
+    let [lower, upper] = ["lower", "upper"].map(|k| number(&associated[k]));
+    assert!(smooth > 2.0 && smooth <= lower * (1.0 + 1e-6) && lower < upper && upper < 4.0, "{associated}");
+    assert!(report.contains("Without dilation (Coulomb's law") && report.contains("static, frictionless"), "{report}");
+
+    let (coulomb, report, _, found) = solved("friction: coulomb", 0);
+    assert_eq!(found.matches("confirmed").count(), 3, "{found}");
+    assert_eq!(coulomb["problem"], "coulomb");
+    assert_eq!(number(&coulomb["lower"]), smooth);
+    assert_eq!(number(&coulomb["upper"]), upper);
+    assert_eq!(coulomb["associated"], json!({"lower": lower, "upper": upper}));
+    assert_eq!(coulomb["certificate"]["strict"], true);
+    assert!((number(&coulomb["gap"]) - (upper - smooth) / smooth).abs() < 1e-12);
+    assert!(report.contains("The bounds are those of Coulomb's law"), "{report}");
+}
+
+/// A finished bar, changed by `tamper`: the exit code of `verify` and what it says.
+fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
+    let bench = bar(BAR);
+    expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
+    tamper(&bench);
+    let run = bench.run(&["verify", "bar"]);
+    (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr))
+}
+
+/// Changes a number of an array of a field file, in place.
+fn edit_field(bench: &Bench, name: &str, array: &str, factor: f64) {
+    let path = bench.path().join("bar/fields").join(name);
+    let mut bytes = std::fs::read(&path).expect("field");
+    let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
+    let (_, _, values) = grid.point_array(array).or(grid.field_array(array)).expect("the array");
+    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
+    let at = bytes.windows(8).position(|w| w == largest.to_le_bytes()).expect("the value stands in the file");
+    bytes[at..at + 8].copy_from_slice(&(factor * largest).to_le_bytes());
+    std::fs::write(&path, bytes).expect("written");
+}
+
+fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
+    let mut all = result(bench, "bar");
+    edit(&mut all["cases"][0]);
+    std::fs::write(bench.path().join("bar/result.json"), format!("{all:#}\n")).expect("written");
+}
+
+#[test]
+fn verify_confirms_what_is_true_and_refutes_the_rest() {
+    let (code, text) = after(|_| {});
+    assert_eq!((code, text.matches("confirmed").count()), (Some(0), 2), "{text}");
+    for (bound, factor) in [("lower", 1.000_001), ("lower", 0.999_999), ("upper", 0.999_999), ("upper", 2.0)] {
+        let (code, text) = after(|b| edit_result(b, |c| c[bound] = (factor * number(&c[bound])).into()));
+        assert_eq!(code, Some(1), "{bound} × {factor}: {text}");
+        assert!(text.contains("REFUTED"), "{text}");
+    }
+    // claim and file changed together: the stresses do not balance that factor
+    let (code, text) = after(|b| {
+        edit_field(b, "bar_static.vtu", "load_factor", 1.01);
+        edit_result(b, |c| c["lower"] = (1.01 * number(&c["lower"])).into());
+    });
+    assert_eq!(code, Some(1), "{text}");
+    for (file, array) in [("bar_static.vtu", "stress_mandel"), ("bar_kinematic.vtu", "velocity")] {
+        let (code, text) = after(|b| edit_field(b, file, array, 1.0001));
+        assert_eq!(code, Some(1), "{file}: {text}");
+    }
+    let shares: [&dyn Fn(&mut Value); 3] =
+        [&|c| c["dissipation"][0]["share"] = 0.5.into(), &|c| c["limiting_part"] = "A".into(), &|c| {
+            c["gap"] = 0.5.into()
+        }];
+    for edit in shares {
+        let (code, text) = after(|b| edit_result(b, edit));
+        assert_eq!(code, Some(1), "{text}");
+        assert!(text.contains("is not what the fields give"), "{text}");
+    }
+    // a weaker steel: the stresses leave its yield surface, the mechanism costs less
+    let (code, text) = after(|b| {
+        let model = b.read("bar/model.yaml");
+        assert!(model.contains("235"), "{model}");
+        std::fs::write(b.path().join("bar/model.yaml"), model.replace("235", "230")).expect("written");
+    });
+    assert_eq!((code, text.matches("REFUTED").count() >= 2), (Some(1), true), "{text}");
+}
+
+#[test]
+fn what_limit_analysis_cannot_take_is_refused_with_place_and_cure() {
+    let body = "  - {body: B, force: [0.1, 0, 0]}\n";
+    let rows = [
+        (BAR.replace(", fy: 235", ""), "model/never-yields", 3, "body `B` has no yield strength", "`steel` an `fy`"),
+        (format!("{BAR}{body}"), "model/live-body-force", 11, "a force in the body `B`", "under `dead`"),
+        (BAR.replace("loads:", "dead:"), "model/no-live-load", 1, "no load carries the load factor", "under `loads`"),
+        (
+            format!("{}dead:\n{body}", BAR.replace("[100, 0, 0]", "[0, 0, 0]")),
+            "model/no-live-load",
+            9,
+            "no load carries the load factor",
+            "under `loads`",
+        ),
+        (BAR.replace("fy: 235", "fy: -235"), "model/value", 3, "`fy` of material `steel` is -235", "never"),
+        (BAR.replace("  - {face: X0, fix: [x]}\n", ""), "model/loose-part", 0, "can move along x", "support"),
+    ];
+    let results = rows.map(|(model, code, line, message, cure)| {
+        let place = if line > 0 { format!("bar.yaml:{line}") } else { String::new() };
+        let cure = if cure == "never" { "nothing yields" } else { cure };
+        let bench = bar(&model);
+        let told = Told { exit: 2, code, place: &place, message, cure };
+        (message.to_string(), refusal(&bench, &mut bench.command(&["analyse", "bar.yaml"]), &told))
+    });
+    none_wrong(results.into());
+}
