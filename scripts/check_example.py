@@ -5,7 +5,7 @@ usage: check_example.py EXAMPLE_FOLDER RESULT_FOLDER EXIT_CODE
 expected.json of an example:
   {"exit": 0, "cases": {"CASE": {"overlaps": [low, high], "gap_at_most": 0.05, "strict": true}}}
 `overlaps`: the bracket must share at least one point with this interval (energies in N mm, load factors in 1).
-Every key of a case may be left out except one; a case of the result that is not expected is an error, and vice versa.
+A case analysed in several ways is called `CASE (ANALYSIS)`. Every key of a case may be left out except one; a case of the result that is not expected is an error, and vice versa.
 """
 
 import json
@@ -21,7 +21,9 @@ def check(example: pathlib.Path, result: pathlib.Path, code: int) -> list[str]:
         faults.append(f"exit code {code}, expected {expected['exit']}")
     if not (result / "result.json").is_file():
         return faults + [f"{result / 'result.json'} was not written"]
-    cases = {c["name"]: c for c in json.loads((result / "result.json").read_text(encoding="utf-8"))["cases"]}
+    found = json.loads((result / "result.json").read_text(encoding="utf-8"))["cases"]
+    names = [c["name"] for c in found]
+    cases = {c["name"] if names.count(c["name"]) == 1 else f"{c['name']} ({c['analysis']})": c for c in found}
     if sorted(cases) != sorted(expected["cases"]):
         return faults + [f"cases {sorted(cases)}, expected {sorted(expected['cases'])}"]
     for name, wanted in expected["cases"].items():

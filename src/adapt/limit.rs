@@ -12,6 +12,7 @@ use crate::math::vec3::V3;
 use crate::model::dofs::DofMap;
 use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
+use crate::model::resolve;
 use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
 use crate::solve::status::LIMIT_GAP;
 use crate::solve::{self, Solution, SolveOptions, SolveStatus};
@@ -50,6 +51,9 @@ pub struct LimitPass {
     pub frictionless_run: Option<ProgramRun>,
     /// The stresses it comes from.
     pub frictionless_stress: Option<StressField>,
+    /// For a structure that friction alone holds against its loads: which parts, in words. Its load factor without friction
+    /// is 0.
+    pub slides: Option<String>,
     /// The lower bound without friction and the upper one with associated friction: the bracket of the structure under
     /// Coulomb's law.
     pub coulomb: Option<FactorBracket>,
@@ -60,6 +64,29 @@ impl LimitPass {
     pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
         let kinematic = self.kinematic.iter().map(|r| (Program::Kinematic, r));
         kinematic.chain(self.statics.iter().map(|r| (Program::Static, r)))
+    }
+
+    /// The lower bound of the model without friction.
+    fn add_frictionless(
+        &mut self,
+        smooth: &AnalysisModel,
+        options: &PassOptions,
+        progress: &Progress,
+    ) -> Result<(), PassError> {
+        progress(Program::Static, Event::Frictionless);
+        let (_, statics): Both<<Collapse as Problem>::Answer, _> =
+            both::<Collapse, Resistance>(smooth, options, progress)?;
+        if let Some(s) = statics {
+            self.frictionless_run = Some(s.run);
+            if let Some((field, bound)) = s.answer {
+                self.frictionless_stress = Some(field);
+                self.frictionless = Some(bound);
+            }
+        }
+        if let (Some(l), Some(u)) = (&self.frictionless, &self.upper) {
+            self.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
+        }
+        Ok(())
     }
 }
 
@@ -92,21 +119,13 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
         pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
     }
     if wants_frictionless && !options.solve.interrupted() {
-        progress(Program::Static, Event::Frictionless);
-        let smooth = AnalysisModel { bounds: Bounds::Static, ..model.without_friction() };
-        let mut options = options.clone();
-        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
-        let (_, statics): Both<<Collapse as Problem>::Answer, _> =
-            both::<Collapse, Resistance>(&smooth, &options, progress)?;
-        if let Some(s) = statics {
-            pass.frictionless_run = Some(s.run);
-            if let Some((field, bound)) = s.answer {
-                pass.frictionless_stress = Some(field);
-                pass.frictionless = Some(bound);
+        match resolve::without_friction(model) {
+            Ok(smooth) => {
+                let mut options = options.clone();
+                options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+                pass.add_frictionless(&AnalysisModel { bounds: Bounds::Static, ..smooth }, &options, progress)?;
             }
-        }
-        if let (Some(l), Some(u)) = (&pass.frictionless, &pass.upper) {
-            pass.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
+            Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
         }
     }
     Ok(pass)

@@ -285,9 +285,12 @@ fn too_large(case: &Case, pass: &Outcome, echo: &Echo) -> Diagnostic {
 }
 
 fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<Outcome, Diagnostics> {
+    // one load case may be analysed in several ways
+    let kind = if case.model.analysis == AnalysisKind::Limit { " (limit)" } else { "" };
+    let name = format!("{}{kind}", case.name);
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part{}",
-        case.name,
+        name,
         case.model.mesh.tets.len(),
         contact_faces(&case.model).len(),
         case.model.parts.len(),
@@ -301,7 +304,7 @@ fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<Outcome, Dia
     let left = limits.time.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
     let interrupt = Some(limits.interrupt.flag());
     let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
-    let (told, name, tolerance) = (log.clone(), case.name.clone(), Outcome::tolerance(&case.model, solve.gap));
+    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(&case.model, solve.gap));
     let progress: pass::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;

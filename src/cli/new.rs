@@ -174,7 +174,7 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     }
     out.push_str(
         "\nfriction:\n  mu: 0.3  # friction coefficient of all contact surfaces, 0 to 2; or `class: C` (A, B, C, D of EN 1090-2)\n  \
-         law: associated  # slip dilates: both bounds are strict; coulomb (the default) is not available yet\n\n",
+         law: associated  # slip dilates: both bounds are strict; coulomb (the default) is available with `kind: limit` alone\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     let _ = writeln!(
@@ -190,7 +190,7 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     let a = &spec.analysis;
     let _ = write!(
         out,
-        "\nanalysis:\n  kind: elastic  # elastoplastic and limit are not available yet\n  \
+        "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), or both: [elastic, limit]; elastoplastic is not available yet\n  \
          target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; a wider one is told, a finer mesh narrows it\n  \
          # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
          # time_limit: 20 min  # s, min, h; no limit by default\n  mesh:\n    \

@@ -118,13 +118,13 @@ impl Outcome {
                 (values, range) =
                     plastic_zones(&case.model, &dissipation_densities(&case.model, v, limit::SUBDIVISIONS));
                 (
-                    Field { name: "dissipation / its mean in plastic zones", unit: "", values: &values, range },
+                    Field { name: "dissipation, relative", unit: "", values: &values, range },
                     format!("mechanism_{stem}.png"),
-                    format!("Case {}: mechanism of the upper bound, velocities to no scale", case.name),
+                    format!("Case {}: mechanism of the upper bound, coloured by its dissipation", case.name),
                 )
             }
         };
-        let deformed = Some(Deformed { displacement: vertices, factor });
+        let deformed = Some(Deformed { displacement: vertices, factor, to_scale: field.is_none() });
         let options =
             PictureOptions { mirror, mesh_lines: false, field: Some(colours), deformed, ..PictureOptions::default() };
         folder.write(&file, &png(&draw(mesh, &options))?)?;

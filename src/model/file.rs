@@ -74,7 +74,8 @@ pub enum AnalysisKind {
     Elastic,
     /// Elastic, perfectly plastic (Hencky).
     Elastoplastic,
-    /// Rigid, perfectly plastic: brackets the load factor.
+    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Every material needs `fy`; E, nu, gaps and
+    /// preload do not matter.
     Limit,
 }
 
@@ -123,7 +124,8 @@ pub enum Law {
 pub enum Friction {
     /// Slip dilates; both programs are convex duals of each other.
     Associated,
-    /// Coulomb's law without dilation, by a fixed point over associated problems.
+    /// Coulomb's law without dilation. Limit analysis: the lower bound without friction, the upper one with associated
+    /// friction. Elastic kinds (not available yet): a fixed point over associated problems.
     Coulomb,
 }
 

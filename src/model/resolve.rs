@@ -126,6 +126,14 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     Ok(model)
 }
 
+/// The model with every contact smooth and held where no friction holds it any more; an error naming the parts where a load
+/// drives what friction held.
+pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, Diagnostics> {
+    let mut smooth = model.without_friction();
+    smooth.free_modes = motions::free_modes(&smooth)?;
+    Ok(smooth)
+}
+
 fn no_action(r: &super::analysis::RigidFace) -> bool {
     r.action.iter().chain(&r.dead_action).all(|a| *a == 0.0)
 }

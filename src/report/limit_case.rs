@@ -78,6 +78,9 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
             })),
         }
     }
+    if let Some(parts) = &pass.slides {
+        tell(format!("friction alone holds the structure, without it the load factor is 0: {parts}"));
+    }
     if problem == Problem::Coulomb && pass.frictionless.is_none() && pass.lower.is_some() {
         tell("under Coulomb's law only the bound without friction is safe, and there is none".into());
     }

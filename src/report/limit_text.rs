@@ -30,7 +30,7 @@ pub(super) fn collapse(page: &mut String, case: &CaseResult) {
     }
     let smooth = case.frictionless.and_then(|f| f.lower);
     match (case.problem, smooth, case.upper) {
-        (Problem::Coulomb, ..) => paragraph(
+        (Problem::Coulomb, Some(_), Some(_)) => paragraph(
             page,
             "The bounds are those of Coulomb's law: its load factor is at least that without friction (the lower bound) and at \
              most that with associated friction (the upper bound).",

@@ -61,6 +61,8 @@ pub struct Deformed<'a> {
     pub displacement: &'a [[f64; 3]],
     /// Times this.
     pub factor: f64,
+    /// Whether the factor means anything: velocities of a mechanism have no size.
+    pub to_scale: bool,
 }
 
 /// How a picture is made.
@@ -109,7 +111,7 @@ pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
 pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let kinds = surface.edge_kinds(FEATURE_ANGLE);
     let eye = unit(options.eye.unwrap_or_else(|| natural_eye(&surface)));
-    if let Some(Deformed { displacement, factor }) = options.deformed {
+    if let Some(Deformed { displacement, factor, .. }) = options.deformed {
         for (i, point) in surface.points.iter_mut().enumerate() {
             let u = displacement[surface.origin[i] as usize];
             for k in 0..3 {
@@ -486,7 +488,11 @@ fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: &PictureOpt
     canvas.text(&text, 0.5 * (x + end) - 0.5 * text_width(&text, LETTER), base - 10.0, LETTER, INK);
     x = end + 40.0;
     if let Some(deformed) = options.deformed {
-        let text = format!("displacements × {}", four_digits_plain(deformed.factor));
+        let text = if deformed.to_scale {
+            format!("displacements × {}", four_digits_plain(deformed.factor))
+        } else {
+            "velocities, to no scale".into()
+        };
         canvas.text(&text, x, base, LETTER, INK);
         x += text_width(&text, LETTER) + 36.0;
     }

@@ -101,7 +101,7 @@ fn a_bar_collapses_where_it_must() {
         "The given load of the whole structure is 12.00 kN; the load at collapse lies between",
         "nearest to the yield surface in part **B**",
         "| B | 100.0 |",
-        "![Case bar: mechanism of the upper bound, velocities to no scale](mechanism_bar.png)",
+        "![Case bar: mechanism of the upper bound, coloured by its dissipation](mechanism_bar.png)",
         "Limit analysis: rigid, perfectly plastic",
         "max |tr ε| h / max |v|",
     ] {
@@ -196,6 +196,29 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert_eq!(coulomb["certificate"]["strict"], true);
     assert!((number(&coulomb["gap"]) - (upper - smooth) / smooth).abs() < 1e-12);
     assert!(report.contains("The bounds are those of Coulomb's law"), "{report}");
+}
+
+/// A block that friction alone holds: free to slide without load it is held at a point, driven by a load it carries nothing
+/// without friction.
+#[test]
+fn what_friction_alone_holds() {
+    let solved = |traction: &str, code: i32| {
+        let model = STACK
+            .replace("  - {face: X0, fix: [x]}\n  - {face: Y0, fix: [y]}\n", "")
+            .replace("[0, 0, -100]", traction)
+            .replace("associated", "coulomb");
+        let bench = Bench::new().file("stack.yaml", model).file("m.msh", mesh(60.0));
+        let (_, err) = expect(&bench, &["analyse", "stack.yaml"], code);
+        expect(&bench, &["verify", "stack"], 0);
+        (result(&bench, "stack")["cases"][0].clone(), err)
+    };
+    let (pressed, _) = solved("[0, 0, -100]", 0);
+    // the free block yields at f_y, and no bound exceeds it by more than the mesh allows
+    let [lower, upper] = ["lower", "upper"].map(|k| number(&pressed[k]));
+    assert!(lower > 0.999 * EXACT && lower <= EXACT && (EXACT..1.05 * EXACT).contains(&upper), "{pressed}");
+    let (pushed, err) = solved("[2, 0, -100]", 3);
+    assert!(err.contains("friction alone holds the structure") && err.contains("part BLOCK can move along x"), "{err}");
+    assert!(pushed.get("lower").is_none() && number(&pushed["associated"]["lower"]) > 1.0, "{pushed}");
 }
 
 /// A finished bar, changed by `tamper`: the exit code of `verify` and what it says.

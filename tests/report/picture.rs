@@ -98,7 +98,7 @@ fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
         max_height: 700,
         mirror: &[0, 1],
         field: Some(field),
-        deformed: Some(Deformed { displacement: &displacement, factor: 50.0 }),
+        deformed: Some(Deformed { displacement: &displacement, factor: 50.0, to_scale: true }),
         ..Default::default()
     };
     let picture = draw(&mesh, &options);
