@@ -80,7 +80,7 @@ fn slenderness(model: &AnalysisModel) -> f64 {
 }
 
 /// Largest utilisation of the yield surface and the tet where it is reached; not a number if any stress is none.
-pub(super) fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<usize>) {
+pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<usize>) {
     let radii = model.yield_radii();
     let mut worst = (0.0, None);
     for (e, stress) in field.points.iter().enumerate() {

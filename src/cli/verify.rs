@@ -6,6 +6,7 @@ use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::Pass;
 use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
+use crate::bounds::fields::StressField;
 use crate::bounds::limit_certificate::{certify_lower, certify_upper};
 use crate::bounds::sampling::{sample, sample_lower, sample_upper};
 use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
@@ -187,19 +188,21 @@ impl Scene<'_> {
         let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
         if let Some(claimed) = raw {
             // a raw bound beside the answer is as strict as its own fields are
-            let (mut found, bound) = self.lower_factor(model, "static", claimed, claims_strict && !coulomb)?;
+            let (mut found, bound, stress) = self.lower_factor(model, "static", claimed, claims_strict && !coulomb)?;
             found.bound = if coulomb { "lower, associated" } else { "lower" };
             findings.push(found);
             pass.lower = Some(bound);
+            pass.stress = Some(stress);
         }
         let smooth = case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
         if let Some(claimed) = smooth {
             let without = model.without_friction();
             let strict = claims_strict && coulomb;
-            let (mut found, bound) = self.lower_factor(&without, "static_frictionless", claimed, strict)?;
+            let (mut found, bound, stress) = self.lower_factor(&without, "static_frictionless", claimed, strict)?;
             found.bound = if coulomb { "lower" } else { "lower, frictionless" };
             findings.push(found);
             pass.frictionless = Some(bound);
+            pass.frictionless_stress = Some(stress);
         }
         if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
             let nodes = read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
@@ -211,6 +214,7 @@ impl Scene<'_> {
             let numbers = [claimed, bound.value(), worst, sampled.strain.max(sampled.gap_cone)];
             findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
             pass.upper = Some(bound);
+            pass.velocity = Some(field);
         }
         for (lower, bracket) in [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)] {
             let (Some(l), Some(u)) = (lower, &pass.upper) else { continue };
@@ -234,7 +238,7 @@ impl Scene<'_> {
         kind: &str,
         claimed: f64,
         claims_strict: bool,
-    ) -> Result<(Finding, LowerFactor), Diagnostics> {
+    ) -> Result<(Finding, LowerFactor, StressField), Diagnostics> {
         let (stress, factor) = read_lower(model, &self.field(kind)?).map_err(Diagnostic::from)?;
         let sampled = sample_lower(model, &stress, factor, POINTS);
         let bound = LowerFactor::new(certify_lower(model, &stress, factor));
@@ -244,7 +248,7 @@ impl Scene<'_> {
         let worst = residuals.into_iter().fold(0.0, f64::max);
         let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
         let numbers = [claimed, bound.value(), worst, random];
-        Ok((finding(self.case, "lower", numbers, bound.is_strict(), claims_strict), bound))
+        Ok((finding(self.case, "lower", numbers, bound.is_strict(), claims_strict), bound, stress))
     }
 }
 

@@ -183,10 +183,10 @@ pub struct CaseResult {
     /// One row a mesh.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<HistoryRow>,
-    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the parts.
+    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dissipation: Vec<PartShare>,
-    /// Limit analysis: the part whose stress reaches the yield surface first at the lower bound.
+    /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limiting_part: Option<String>,
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
@@ -197,10 +197,10 @@ pub struct CaseResult {
     pub warnings: Vec<String>,
 }
 
-/// What a part adds to the dissipation of a mechanism.
+/// What a body adds to the dissipation of a mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartShare {
-    /// Name of the part.
+    /// Name of the body.
     pub part: String,
     /// Its share, a fraction.
     pub share: f64,

@@ -2,10 +2,12 @@
 
 use super::case::{estimate_warning, only_load, problem, program_run, run_warning};
 use super::data::{CaseResult, Certificate, HistoryRow, PartShare, PeakPressure, Problem, Quantity, RawBracket, Upper};
-use crate::adapt::limit::{LimitPass, NO_LIMIT};
+use crate::adapt::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::adapt::memory::peak_memory_mib;
 use crate::adapt::pass::ProgramRun;
 use crate::adapt::problem::Program;
+use crate::bounds::flow::VelocityField;
+use crate::bounds::limit_certificate::{dissipation_densities, utilisation};
 use crate::bounds::{FactorBracket, LowerFactor};
 use crate::math::Sum;
 use crate::model::AnalysisModel;
@@ -87,6 +89,18 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
     warnings
 }
 
+/// What each body adds to the dissipation of a mechanism.
+fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Vec<PartShare> {
+    let mesh = &model.mesh;
+    let mut bodies = vec![Sum::default(); mesh.bodies.len()];
+    for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate() {
+        bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
+    }
+    let total = Sum::of(bodies.iter().map(|d| d.value()));
+    let share = |d: &Sum| if total > 0.0 { d.value() / total } else { 0.0 };
+    mesh.bodies.iter().zip(&bodies).map(|(name, d)| PartShare { part: name.clone(), share: share(d) }).collect()
+}
+
 /// The entry of a load case after one pass of limit analysis.
 pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, mesh_seconds: Option<f64>) -> CaseResult {
     let problem = problem(model);
@@ -102,13 +116,9 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
     let frictionless = pass.frictionless.as_ref().map(|b| RawBracket { lower: Some(b.value()), upper: None });
     let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
         .then(|| RawBracket { lower: pass.lower.as_ref().map(LowerFactor::value), upper });
-    let dissipation = pass.upper.as_ref().map_or(Vec::new(), |b| {
-        let parts = &b.certificate().dissipation;
-        let total = Sum::of(parts.iter().copied());
-        let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
-        model.parts.iter().zip(parts).map(|(part, d)| PartShare { part: part.clone(), share: share(*d) }).collect()
-    });
-    let limiting_part = low.and_then(|b| b.certificate().limiting_part).map(|p| model.parts[p as usize].clone());
+    let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
+    let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
+    let limiting_part = stress.as_ref().and_then(|s| utilisation(model, s).1).map(body);
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
         name: name.into(),
@@ -138,7 +148,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],
-        dissipation,
+        dissipation: pass.velocity.as_ref().map_or(Vec::new(), |v| shares(model, v)),
         limiting_part,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,

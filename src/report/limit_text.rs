@@ -57,13 +57,13 @@ pub(super) fn mechanism(page: &mut String, case: &CaseResult) {
     page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
     if let Some(part) = &case.limiting_part {
         let part = inline(part);
-        paragraph(page, &format!("The stress of the lower bound is nearest to the yield surface in part **{part}**."));
+        paragraph(page, &format!("The stress of the lower bound is nearest to the yield surface in body **{part}**."));
     }
     if !case.dissipation.is_empty() {
         paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
         let mut parts: Vec<_> = case.dissipation.iter().collect();
         parts.sort_by(|a, b| b.share.total_cmp(&a.share));
         let rows = parts.iter().map(|p| vec![p.part.clone(), format!("{:.1}", 100.0 * p.share)]);
-        table(page, &Table { columns: strings(["part", "share of the dissipation [%]"]), rows: rows.collect() });
+        table(page, &Table { columns: strings(["body", "share of the dissipation [%]"]), rows: rows.collect() });
     }
 }

@@ -99,7 +99,7 @@ fn a_bar_collapses_where_it_must() {
     for words in [
         "load factor at collapse lies between **2.3499",
         "The given load of the whole structure is 12.00 kN; the load at collapse lies between",
-        "nearest to the yield surface in part **B**",
+        "nearest to the yield surface in body **B**",
         "| B | 100.0 |",
         "![Case bar: mechanism of the upper bound, coloured by its dissipation](mechanism_bar.png)",
         "Limit analysis: rigid, perfectly plastic",
