@@ -110,9 +110,13 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
     // of two programs that both find no limit, the one of the stresses is what the word stands on
     let upper = raw_upper.or_else(|| unbounded(pass.statics.as_ref()).then_some(Upper::UNBOUNDED));
     let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
-    let certificate = certificate(pass, low);
+    let mut certificate = certificate(pass, low);
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
+    // what a solver says of an upper bound no residual proves, and a result is strict only as a whole
+    if let (Some(c), Some(Upper::Unbounded(_))) = (&mut certificate, upper) {
+        c.strict = false;
+    }
     let frictionless = pass.frictionless.as_ref().map(|b| RawBracket { lower: Some(b.value()), upper: None });
     let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
         .then(|| RawBracket { lower: pass.lower.as_ref().map(LowerFactor::value), upper });

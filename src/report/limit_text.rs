@@ -32,8 +32,8 @@ pub(super) fn collapse(page: &mut String, case: &CaseResult) {
     match (case.problem, smooth, case.upper) {
         (Problem::Coulomb, Some(_), Some(_)) => paragraph(
             page,
-            "The bounds are those of Coulomb's law: its load factor is at least that without friction (the lower bound) and at \
-             most that with associated friction (the upper bound).",
+            "Coulomb's law lies between: its load factor is at least that without friction (the lower value) and at most that \
+             with associated friction (the upper value).",
         ),
         (Problem::Associated, Some(low), Some(Upper::Finite(high))) => {
             let (low, high) = bracket(low, high, 3);
