@@ -187,8 +187,8 @@ impl Scene<'_> {
         let mut pass = LimitPass::default();
         let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
         if let Some(claimed) = raw {
-            // a raw bound beside the answer is as strict as its own fields are
-            let (mut found, bound, stress) = self.lower_factor(model, "static", claimed, claims_strict && !coulomb)?;
+            // a raw bound beside the answer is told only where it is strict
+            let (mut found, bound, stress) = self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
             found.bound = if coulomb { "lower, associated" } else { "lower" };
             findings.push(found);
             pass.lower = Some(bound);
@@ -197,7 +197,7 @@ impl Scene<'_> {
         let smooth = case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
         if let Some(claimed) = smooth {
             let without = model.without_friction();
-            let strict = claims_strict && coulomb;
+            let strict = claims_strict || !coulomb;
             let (mut found, bound, stress) = self.lower_factor(&without, "static_frictionless", claimed, strict)?;
             found.bound = if coulomb { "lower" } else { "lower, frictionless" };
             findings.push(found);

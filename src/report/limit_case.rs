@@ -83,7 +83,8 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
     if let Some(parts) = &pass.slides {
         tell(format!("friction alone holds the structure, without it the load factor is 0: {parts}"));
     }
-    if problem == Problem::Coulomb && pass.frictionless.is_none() && pass.lower.is_some() {
+    let alone = pass.frictionless.is_none() && pass.lower.is_some();
+    if problem == Problem::Coulomb && alone && pass.slides.is_none() {
         tell("under Coulomb's law only the bound without friction is safe, and there is none".into());
     }
     warnings
@@ -117,9 +118,11 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
     if let (Some(c), Some(Upper::Unbounded(_))) = (&mut certificate, upper) {
         c.strict = false;
     }
-    let frictionless = pass.frictionless.as_ref().map(|b| RawBracket { lower: Some(b.value()), upper: None });
+    // a raw value beside the answer has no certificate of its own there: it is told only where it is a bound
+    let strict = |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
+    let frictionless = strict(&pass.frictionless).map(|low| RawBracket { lower: Some(low), upper: None });
     let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
-        .then(|| RawBracket { lower: pass.lower.as_ref().map(LowerFactor::value), upper });
+        .then(|| RawBracket { lower: strict(&pass.lower), upper });
     let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
     let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
     let limiting_part = stress.as_ref().and_then(|s| utilisation(model, s).1).map(body);

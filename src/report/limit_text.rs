@@ -32,10 +32,10 @@ pub(super) fn collapse(page: &mut String, case: &CaseResult) {
     match (case.problem, smooth, case.upper) {
         (Problem::Coulomb, Some(_), Some(_)) => paragraph(
             page,
-            "Coulomb's law lies between: its load factor is at least that without friction (the lower value) and at most that \
-             with associated friction (the upper value).",
+            "Under Coulomb's law the load factor is at least that without friction (the lower value) and at most that with \
+             associated friction (the upper value).",
         ),
-        (Problem::Associated, Some(low), Some(Upper::Finite(high))) => {
+        (Problem::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
             let (low, high) = bracket(low, high, 3);
             paragraph(
                 page,

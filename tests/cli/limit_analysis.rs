@@ -195,7 +195,7 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert_eq!(coulomb["associated"], json!({"lower": lower, "upper": upper}));
     assert_eq!(coulomb["certificate"]["strict"], true);
     assert!((number(&coulomb["gap"]) - (upper - smooth) / smooth).abs() < 1e-12);
-    assert!(report.contains("Coulomb's law lies between"), "{report}");
+    assert!(report.contains("Under Coulomb's law the load factor is at least"), "{report}");
 }
 
 /// A block that friction alone holds: free to slide without load it is held at a point, driven by a load it carries nothing
