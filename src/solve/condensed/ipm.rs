@@ -85,6 +85,22 @@ impl Problem {
         a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
     }
 
+    /// Largest entry among the minimised unknowns, among the maximised ones, and that of the load factor: forces, strains and a
+    /// power, which have nothing to do with each other's size.
+    fn largest_of_kinds(&self, a: &[f64]) -> [f64; 3] {
+        let mut out = [0.0f64; 3];
+        if !self.saddle {
+            out[0] = largest(a);
+            return out;
+        }
+        for (i, v) in a.iter().enumerate() {
+            let kind =
+                if !self.maximised[i] { 0 } else { 1 + usize::from(i + 1 == a.len() && !self.program.live.is_empty()) };
+            out[kind] = out[kind].max(v.abs());
+        }
+        out
+    }
+
     /// Multipliers of yield points (or of the other cones) alone.
     fn rows_part(&self, z: &[f64], points: bool) -> Vec<f64> {
         z.iter().enumerate().map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 }).collect()
@@ -157,11 +173,13 @@ fn residuals(problem: &Problem, p: &Point) -> Residuals {
     let po = 0.5 * xpx / (t * t) + (cx - by + yielding) / t;
     let dual_objective = -0.5 * xpx / (t * t) - (hz - yielding + by) / t;
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
-    let dual_scale = largest(&problem.program.q).max(largest(&px) / t).max(largest(&gz) / t);
+    let sizes = [q, &px, &gz].map(|v| problem.largest_of_kinds(v));
+    let off = problem.largest_of_kinds(&f1);
+    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(1e-300);
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
-        dual: largest(&f1) / (t * dual_scale.max(1e-300)),
+        dual: (0..3).map(|k| off[k] / (t * scale(k))).fold(0.0, f64::max),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
         f3: xpx / t + cx + hz + p.kappa,
         f1,
@@ -345,8 +363,8 @@ struct Newton<'a> {
     /// Slope of the scalar row: `2 P x/τ + q`, maximised entries of opposite sign.
     slope: Vec<f64>,
     denominator: f64,
-    /// Error of stationarity rows that is small beside what is to be removed.
-    allowed: f64,
+    /// Error of stationarity rows of each kind that is small beside what is to be removed.
+    allowed: [f64; 3],
 }
 
 impl<'a> Newton<'a> {
@@ -368,7 +386,9 @@ impl<'a> Newton<'a> {
             let own = problem.signed(r.px.clone());
             slope.iter_mut().zip(own.iter().zip(&other)).for_each(|(s, (a, b))| *s += (b - a) / t);
         }
-        let allowed = (DIRECTION_ERROR * largest(&r.f1)).max(1e-13 * largest(&problem.program.q));
+        let [off, size, inner] = [&r.f1, q, &r.px].map(|v| problem.largest_of_kinds(v));
+        let allowed =
+            std::array::from_fn(|k| (DIRECTION_ERROR * off[k]).max(1e-13 * size[k].max(inner[k])).max(1e-300));
         let mut n =
             Self { problem, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0, allowed };
         let minus_q: Vec<f64> = q.iter().map(|q| -q).collect();
@@ -398,8 +418,13 @@ impl<'a> Newton<'a> {
                 let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
                 (e1, e2)
             });
-            let error = errors.iter().map(|e| largest(&e.0)).fold(0.0, f64::max);
-            if error <= self.allowed || error >= 0.5 * last {
+            // 1 is what is allowed
+            let worst = |e: &[f64]| {
+                let off = self.problem.largest_of_kinds(e);
+                (0..3).map(|k| off[k] / self.allowed[k]).fold(0.0, f64::max)
+            };
+            let error = errors.iter().map(|e| worst(&e.0)).fold(0.0, f64::max);
+            if error <= 1.0 || error >= 0.5 * last {
                 break;
             }
             last = error;
