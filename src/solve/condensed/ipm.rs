@@ -85,20 +85,20 @@ impl Problem {
         a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
     }
 
-    /// Largest entry among the minimised unknowns, among the maximised ones, and that of the load factor: forces, strains and a
-    /// power, which have nothing to do with each other's size.
-    fn largest_of_kinds(&self, a: &[f64]) -> [f64; 3] {
-        let mut out = [0.0f64; 3];
+    /// Largest entry among the minimised unknowns, and of all. Rows of minimised unknowns are forces: what is lost of them
+    /// must be small beside forces, not beside strains or the power of the live loads.
+    fn largest_of_kinds(&self, a: &[f64]) -> [f64; 2] {
+        let all = largest(a);
         if !self.saddle {
-            out[0] = largest(a);
-            return out;
+            return [all; 2];
         }
-        for (i, v) in a.iter().enumerate() {
-            let kind =
-                if !self.maximised[i] { 0 } else { 1 + usize::from(i + 1 == a.len() && !self.program.live.is_empty()) };
-            out[kind] = out[kind].max(v.abs());
-        }
-        out
+        let forces = a.iter().zip(&self.maximised).filter(|(_, m)| !**m).fold(0.0, |m: f64, (v, _)| m.max(v.abs()));
+        [forces, all]
+    }
+
+    /// Largest live load at the load factor; its balance with the stress leaves nothing of it in `P x`.
+    fn live_force(&self, x: &[f64]) -> f64 {
+        if self.program.live.is_empty() { 0.0 } else { largest(&self.program.live) * x[x.len() - 1].abs() }
     }
 
     /// Multipliers of yield points (or of the other cones) alone.
@@ -175,11 +175,12 @@ fn residuals(problem: &Problem, p: &Point) -> Residuals {
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
     let sizes = [q, &px, &gz].map(|v| problem.largest_of_kinds(v));
     let off = problem.largest_of_kinds(&f1);
-    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(1e-300);
+    let live = problem.live_force(&p.x);
+    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(1e-300);
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
-        dual: (0..3).map(|k| off[k] / (t * scale(k))).fold(0.0, f64::max),
+        dual: (off[0] / (t * scale(0))).max(off[1] / (t * scale(1))),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
         f3: xpx / t + cx + hz + p.kappa,
         f1,
@@ -364,7 +365,7 @@ struct Newton<'a> {
     slope: Vec<f64>,
     denominator: f64,
     /// Error of stationarity rows of each kind that is small beside what is to be removed.
-    allowed: [f64; 3],
+    allowed: [f64; 2],
 }
 
 impl<'a> Newton<'a> {
@@ -387,8 +388,9 @@ impl<'a> Newton<'a> {
             slope.iter_mut().zip(own.iter().zip(&other)).for_each(|(s, (a, b))| *s += (b - a) / t);
         }
         let [off, size, inner] = [&r.f1, q, &r.px].map(|v| problem.largest_of_kinds(v));
-        let allowed =
-            std::array::from_fn(|k| (DIRECTION_ERROR * off[k]).max(1e-13 * size[k].max(inner[k])).max(1e-300));
+        let live = problem.live_force(&point.x);
+        let rounding = |k: usize| 1e-13 * size[k].max(inner[k]).max(live);
+        let allowed = std::array::from_fn(|k| (DIRECTION_ERROR * off[k]).max(rounding(k)).max(1e-300));
         let mut n =
             Self { problem, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0, allowed };
         let minus_q: Vec<f64> = q.iter().map(|q| -q).collect();
@@ -421,7 +423,7 @@ impl<'a> Newton<'a> {
             // 1 is what is allowed
             let worst = |e: &[f64]| {
                 let off = self.problem.largest_of_kinds(e);
-                (0..3).map(|k| off[k] / self.allowed[k]).fold(0.0, f64::max)
+                (off[0] / self.allowed[0]).max(off[1] / self.allowed[1])
             };
             let error = errors.iter().map(|e| worst(&e.0)).fold(0.0, f64::max);
             if error <= 1.0 || error >= 0.5 * last {
