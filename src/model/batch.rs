@@ -169,6 +169,9 @@ pub struct YieldingElement {
     pub inner_stiffness: Vec<f64>,
 }
 
+/// An element, its first own unknown and its first yield row.
+pub type Placed = (YieldingElement, u32, u32);
+
 /// Up to eight elements of one shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Batch {
@@ -232,15 +235,14 @@ fn times_symmetric(s: &[Lane], x: &[Lane], y: &mut [Lane]) {
 
 impl Batch {
     /// Lays elements of one shape side by side; each has its first own unknown and its first row.
-    pub fn new(elements: &[(YieldingElement, u32, u32)]) -> Self {
+    pub fn new(elements: &[Placed]) -> Self {
         let first = &elements[0].0;
         // empty lanes repeat the first element: whatever is regular there is regular here
         let lanes = |of: &dyn Fn(&YieldingElement) -> f64| -> Lane {
             std::array::from_fn(|l| of(&elements.get(l).unwrap_or(&elements[0]).0))
         };
-        let place = |of: &dyn Fn(&(YieldingElement, u32, u32)) -> u32| -> [u32; LANES] {
-            std::array::from_fn(|l| elements.get(l).map_or(NONE, of))
-        };
+        let place =
+            |of: &dyn Fn(&Placed) -> u32| -> [u32; LANES] { std::array::from_fn(|l| elements.get(l).map_or(NONE, of)) };
         Self {
             shape: first.shape,
             columns: (0..first.columns.len()).map(|i| place(&|e| e.0.columns[i])).collect(),

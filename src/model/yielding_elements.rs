@@ -1,6 +1,6 @@
 //! Appends the elements that yield to a program.
 
-use super::batch::{Batch, LANES, NONE, Shape, YIELD_ROWS, YieldingElement};
+use super::batch::{Batch, LANES, NONE, Placed, Shape, YIELD_ROWS, YieldingElement};
 use super::dofs::DofMap;
 use super::program::{Cone, ConicProgram, Elements};
 use rayon::prelude::*;
@@ -54,7 +54,7 @@ pub fn append<E: Send>(
     element: impl Fn(usize) -> Result<Option<YieldingElement>, E> + Sync,
 ) -> Result<Vec<usize>, E> {
     let mut first = vec![program.q.len()];
-    let mut waiting: BTreeMap<(Shape, usize), Vec<(YieldingElement, u32, u32)>> = BTreeMap::new();
+    let mut waiting: BTreeMap<(Shape, usize), Vec<Placed>> = BTreeMap::new();
     let mut batches = Vec::new();
     let mut start = 0;
     while start < elements {
