@@ -71,7 +71,7 @@ fn assembly(seed: u64) -> Option<AnalysisModel> {
 /// Every bracket in order and strict; where Clarabel converges it finds the same factor.
 fn assemblies(seeds: std::ops::Range<u64>) {
     let mut ends: BTreeMap<String, usize> = BTreeMap::new();
-    let (mut brackets, mut compared) = (0, 0);
+    let (mut brackets, mut compared, mut differ) = (0, 0, Vec::new());
     for seed in seeds.clone() {
         let Some(m) = assembly(seed) else {
             *ends.entry("refused: a loose part".into()).or_default() += 1;
@@ -104,7 +104,9 @@ fn assemblies(seeds: std::ops::Range<u64>) {
                     continue;
                 }
                 let [ours, theirs] = [ours, theirs].map(|s| s.x.last().copied().unwrap());
-                assert!((ours - theirs).abs() < 1e-5 * theirs.abs().max(0.01), "seed {seed} {name}: {ours} {theirs}");
+                if (ours - theirs).abs() > 1e-5 * theirs.abs().max(0.01) {
+                    differ.push(format!("seed {seed} {name}: {ours} {theirs}"));
+                }
                 compared += 1;
             }
         }
@@ -112,6 +114,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
     println!("{ends:?}; {brackets} strict brackets, {compared} factors compared with Clarabel");
     assert!(brackets * 2 > seeds.count(), "most assemblies have a limit load");
     assert!(compared > 0);
+    assert!(differ.is_empty(), "{differ:#?}");
 }
 
 #[test]
