@@ -1,6 +1,6 @@
 //! One pass of limit analysis: both programs on one mesh, their strict bounds of the load factor.
 
-use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both};
+use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, runs};
 use super::problem::{Problem, Program};
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::flow::VelocityField;
@@ -62,8 +62,7 @@ pub struct LimitPass {
 impl LimitPass {
     /// The programs that ran or were to run.
     pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
-        let kinematic = self.kinematic.iter().map(|r| (Program::Kinematic, r));
-        kinematic.chain(self.statics.iter().map(|r| (Program::Static, r)))
+        runs(&self.kinematic, &self.statics)
     }
 
     /// The lower bound of the model without friction.

@@ -271,9 +271,17 @@ pub(super) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
 impl Pass {
     /// The programs that ran or were to run.
     pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
-        let kinematic = self.kinematic.iter().map(|r| (Program::Kinematic, r));
-        kinematic.chain(self.statics.iter().map(|r| (Program::Static, r)))
+        runs(&self.kinematic, &self.statics)
     }
+}
+
+/// The programs that ran or were to run, each with its name.
+pub(super) fn runs<'a>(
+    kinematic: &'a Option<ProgramRun>,
+    statics: &'a Option<ProgramRun>,
+) -> impl Iterator<Item = (Program, &'a ProgramRun)> {
+    let kinematic = kinematic.iter().map(|r| (Program::Kinematic, r));
+    kinematic.chain(statics.iter().map(|r| (Program::Static, r)))
 }
 
 impl<'a> Context<'a> {

@@ -13,9 +13,10 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
+use crate::model::analysis::SurfaceLoad;
 use crate::model::holds::rigid_displacement;
 use crate::model::kinematic::{FACE_EDGES, Tet10Space};
-use crate::model::loads::Loads;
+use crate::model::loads::{Loads, face_corners, face_nodes};
 use crate::model::super_element::{SuperElement, gradients, integrate};
 use crate::model::tet10;
 
@@ -201,7 +202,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
     }
 }
 
-pub(super) fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
+fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
     std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
 }
 
@@ -256,6 +257,33 @@ fn rigid_resultant_error(
     }))
 }
 
+/// Adds the work of a surface load on the displacements (or velocities) u \[N mm\].
+pub(super) fn add_work(model: &AnalysisModel, space: &Tet10Space, u: &[V3], load: &SurfaceLoad, work: &mut Sum) {
+    for f in &load.faces {
+        let corners = face_corners(&model.mesh, f);
+        let nodes = space.triangle(face_nodes(&model.mesh, f)).map(|n| u[n]);
+        let area = vec3::area_vector(&corners);
+        let size = vec3::norm(area);
+        let n = vec3::scale(1.0 / size, area);
+        for (l, w) in TRIANGLE_4 {
+            let shape = triangle_p2(l);
+            let at = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], nodes[i])));
+            work.add(w * size * vec3::dot(load.at(combine(&corners, l), n), at));
+        }
+    }
+}
+
+/// Largest displacement (or velocity) u of what supports hold.
+pub(super) fn off_supports(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
+    let mut off = 0.0f64;
+    for s in &model.supports {
+        for n in s.faces.iter().flat_map(|f| space.triangle(face_nodes(&model.mesh, f))) {
+            (0..3).filter(|&d| s.fix[d]).for_each(|d| off = off.max(u[n][d].abs()));
+        }
+    }
+    off
+}
+
 /// Certifies a displacement field.
 pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) -> KinematicCertificate {
     let mesh = &model.mesh;
@@ -279,28 +307,9 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
         }
     }
     for load in &model.surface_loads {
-        for f in &load.faces {
-            let v = crate::model::loads::face_nodes(mesh, f);
-            let corners = v.map(|n| mesh.nodes[n as usize]);
-            let nodes = space.triangle(v).map(|n| u[n]);
-            let area = vec3::area_vector(&corners);
-            let size = vec3::norm(area);
-            let n = vec3::scale(1.0 / size, area);
-            for (l, w) in TRIANGLE_4 {
-                let shape = triangle_p2(l);
-                let at = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], nodes[i])));
-                work.add(w * size * vec3::dot(load.at(combine(&corners, l), n), at));
-            }
-        }
+        add_work(model, &space, u, load, &mut work);
     }
-    let mut off = 0.0f64;
-    for s in &model.supports {
-        for f in &s.faces {
-            for n in space.triangle(crate::model::loads::face_nodes(mesh, f)) {
-                (0..3).filter(|&d| s.fix[d]).for_each(|d| off = off.max(u[n][d].abs()));
-            }
-        }
-    }
+    let mut off = off_supports(model, &space, u);
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);

@@ -7,18 +7,18 @@
 //! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near by: how near, measured from
 //! the residuals, is the certificate's `cover`. A bound has to leave room for it.
 
-use super::certificate::{certify_stress, combine, fit_rigid, largest, ratio};
+use super::certificate::{add_work, certify_stress, fit_rigid, largest, off_supports, ratio};
 use super::dissipation::mean_norm;
 use super::faces::contact_faces;
 use super::fields::StressField;
 use super::flow::{Piece, VelocityField, pieces};
 use crate::math::Sum;
 use crate::math::mandel::{self, Mandel, deviator};
-use crate::math::quadrature::{TETRAHEDRON_2, TRIANGLE_4, triangle_p2};
+use crate::math::quadrature::TETRAHEDRON_2;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::kinematic::{FACE_EDGES, Tet10Space};
-use crate::model::loads::{Loads, face_corners, face_nodes};
+use crate::model::loads::Loads;
 use crate::model::tet10;
 use rayon::prelude::*;
 
@@ -193,25 +193,9 @@ pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions:
     }
     for load in &model.surface_loads {
         let power = if load.dead { &mut dead } else { &mut live };
-        for f in &load.faces {
-            let corners = face_corners(mesh, f);
-            let nodes = space.triangle(face_nodes(mesh, f)).map(|n| u[n]);
-            let area = vec3::area_vector(&corners);
-            let size = vec3::norm(area);
-            let n = vec3::scale(1.0 / size, area);
-            for (l, w) in TRIANGLE_4 {
-                let shape = triangle_p2(l);
-                let at = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], nodes[i])));
-                power.add(w * size * vec3::dot(load.at(combine(&corners, l), n), at));
-            }
-        }
+        add_work(model, &space, u, load, power);
     }
-    let mut off = 0.0f64;
-    for s in &model.supports {
-        for n in s.faces.iter().flat_map(|f| space.triangle(face_nodes(mesh, f))) {
-            (0..3).filter(|&d| s.fix[d]).for_each(|d| off = off.max(u[n][d].abs()));
-        }
-    }
+    let mut off = off_supports(model, &space, u);
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);

@@ -111,11 +111,6 @@ impl Shape {
         }
     }
 
-    /// Unknowns of the element's own: parameters, then displacements.
-    pub fn own(self) -> usize {
-        self.parameters() + self.inner()
-    }
-
     /// Parts of the data of an element that meets `k` shared unknowns.
     fn parts(self, k: usize) -> Parts {
         let all = self.inner() + k;
@@ -255,6 +250,12 @@ impl Batch {
     /// Shared unknowns an element meets.
     pub fn shared(&self) -> usize {
         self.columns.len()
+    }
+
+    /// First inner displacement of each lane among the unknowns; `NONE`: empty lane.
+    pub fn inner_own(&self) -> [u32; LANES] {
+        let parameters = self.shape.parameters() as u32;
+        self.own.map(|own| if own == NONE { NONE } else { own + parameters })
     }
 
     /// Displacements of an element: its own, then the shared ones.
@@ -418,9 +419,8 @@ impl Batch {
             i if scale.is_empty() => x[i as usize],
             i => x[i as usize] * scale[i as usize],
         };
-        let first = self.shape.parameters() as u32;
-        let inner =
-            (0..self.shape.inner() as u32).map(|i| self.own.map(|o| if o == NONE { NONE } else { o + first + i }));
+        let first = self.inner_own();
+        let inner = (0..self.shape.inner() as u32).map(|i| first.map(|f| if f == NONE { NONE } else { f + i }));
         inner.chain(self.columns.iter().copied()).map(|c| c.map(value)).collect()
     }
 

@@ -41,9 +41,6 @@ pub struct FlowingTet10 {
     pub rule: Rule,
 }
 
-/// Measures a pressure against a deviator: proximal terms are the same for both.
-const PRESSURE: f64 = 1.0;
-
 /// Only the part of the stiffness that resists a change of volume.
 fn bulk(material: &Isotropic) -> Isotropic {
     Isotropic { lambda: material.lambda + material.two_mu / 3.0, two_mu: 0.0 }
@@ -90,7 +87,7 @@ impl FlowingTet10 {
         };
         data.extend(std::iter::repeat_n(flexibility, subtets));
         for row in self.pressure_rows(pressures) {
-            data.extend(columns.row(&row.map(|x| PRESSURE * self.radius * x)));
+            data.extend(columns.row(&row.map(|x| self.radius * x)));
         }
         let mut q = vec![0.0; shape.parameters()];
         let mut inner_stiffness = Vec::new();

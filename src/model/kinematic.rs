@@ -263,6 +263,20 @@ fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: &[Inside], lo
     f
 }
 
+/// Loads and actions of rigid faces on the program's shared unknowns \[N\].
+fn shared_forces(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    map: &DofMap,
+    rigid: &[RigidMotions],
+    inside: &[Inside],
+    loads: Loads,
+) -> Vec<f64> {
+    let mut f = map.reduce(&nodal_forces(model, space, inside, loads));
+    holds::add_rigid_actions(model, rigid, loads, &mut f);
+    f
+}
+
 impl Kinematic {
     /// Builds the elastic program: no body yields.
     pub fn new(model: &AnalysisModel) -> Result<Self, ModelError> {
@@ -320,17 +334,9 @@ impl Kinematic {
                 None => tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]),
             })
         })?;
-        let inside = |split: &bool| match (split, limit) {
-            (false, _) => Inside::Plain,
-            (true, false) => Inside::Split,
-            (true, true) => Inside::Flow,
-        };
-        let inside: Vec<Inside> = split.iter().map(inside).collect();
-        let forces_of = |loads| {
-            let mut f = map.reduce(&nodal_forces(model, &space, &inside, loads));
-            holds::add_rigid_actions(model, &rigid, loads, &mut f);
-            f
-        };
+        let splits = if limit { Inside::Flow } else { Inside::Split };
+        let inside: Vec<Inside> = split.iter().map(|s| if *s { splits } else { Inside::Plain }).collect();
+        let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
         let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         let mut stiffness = Vec::new();
         if yields {
@@ -379,9 +385,7 @@ impl Kinematic {
             _ => Inside::Plain,
         };
         let inside: Vec<Inside> = model.yield_radii().iter().map(kind).collect();
-        let mut f = self.map.reduce(&nodal_forces(model, &self.space, &inside, loads));
-        holds::add_rigid_actions(model, &self.rigid, loads, &mut f);
-        f
+        shared_forces(model, &self.space, &self.map, &self.rigid, &inside, loads)
     }
 
     /// The rigid motions that only contact resists.

@@ -158,24 +158,13 @@ impl ElementSystem {
                     batch.add_force(&y, &mut force);
                     let inner = batch.shape.inner();
                     if inner > 0 {
-                        let own = batch.gather_displacements(&full[k], &self.scale);
-                        // what arrives at the inner displacements, in the element's own units
-                        for (f, (i, _)) in force.iter_mut().zip(own.iter().enumerate()).take(inner) {
+                        let given = Batch::gather(&batch.inner_own(), inner, &full[k]);
+                        for (i, (f, r)) in force.iter_mut().zip(&given).enumerate() {
                             let s = self.inner_scale(batch, i);
-                            (0..LANES).for_each(|l| {
-                                if s[l] != 0.0 {
-                                    f[l] += own[i][l] / (s[l] * s[l])
-                                }
-                            });
+                            (0..LANES).for_each(|l| f[l] += r[l] / s[l]);
                         }
-                        // below the inner block the products come with their sign: what is there already stays apart
-                        let mut work = force[..inner].to_vec();
-                        work.resize(force.len(), [0.0; LANES]);
-                        panel::forward(inner_panel(batch, factor), inner, force.len(), &mut work);
-                        force[..inner].copy_from_slice(&work[..inner]);
-                        for (f, w) in force[inner..].iter_mut().zip(&work[inner..]) {
-                            (0..LANES).for_each(|l| f[l] += w[l]);
-                        }
+                        let count = force.len();
+                        panel::forward(inner_panel(batch, factor), inner, count, &mut force);
                     }
                     (force, y)
                 })
@@ -184,22 +173,18 @@ impl ElementSystem {
         for (batch, part) in self.batches.iter().zip(&parts) {
             let inner = batch.shape.inner();
             for (full, (force, y)) in full.iter_mut().zip(part) {
-                let mut outer = force.clone();
-                outer[..inner].fill([0.0; LANES]);
-                batch.scatter_displacements(&outer, &self.scale, full);
-                set(&batch.own, 0, y, full);
-                set(&batch.own, batch.shape.parameters(), &force[..inner], full);
+                batch.scatter_displacements(force, &self.scale, full);
+                set(&batch.own, y, full);
+                set(&batch.inner_own(), &force[..inner], full);
             }
         }
     }
 
-    /// Scale of an element's inner displacement; 0 in empty lanes.
+    /// Scale of an element's inner displacement.
     fn inner_scale(&self, batch: &Batch, i: usize) -> Lane {
-        let at = batch.shape.parameters() + i;
-        std::array::from_fn(|l| match (batch.own[l], self.scale.is_empty()) {
-            (NONE, _) => 0.0,
-            (_, true) => 1.0,
-            (own, false) => self.scale[own as usize + at],
+        batch.inner_own().map(|first| match (first, self.scale.is_empty()) {
+            (NONE, _) | (_, true) => 1.0,
+            (first, false) => self.scale[first as usize + i],
         })
     }
 
@@ -214,9 +199,7 @@ impl ElementSystem {
                     let inner = batch.shape.inner();
                     let mut v = batch.gather_displacements(&full[k], &self.scale);
                     if inner > 0 {
-                        let parameters = batch.shape.parameters();
-                        let first = batch.own.map(|o| if o == NONE { NONE } else { o + parameters as u32 });
-                        v[..inner].copy_from_slice(&Batch::gather(&first, inner, &full[k]));
+                        v[..inner].copy_from_slice(&Batch::gather(&batch.inner_own(), inner, &full[k]));
                         let count = v.len();
                         panel::backward(inner_panel(batch, factor), inner, count, &mut v);
                     }
@@ -227,11 +210,7 @@ impl ElementSystem {
                     v.truncate(inner);
                     for (i, v) in v.iter_mut().enumerate() {
                         let s = self.inner_scale(batch, i);
-                        (0..LANES).for_each(|l| {
-                            if s[l] != 0.0 {
-                                v[l] /= s[l]
-                            }
-                        });
+                        (0..LANES).for_each(|l| v[l] /= s[l]);
                     }
                     (v, sigma)
                 })
@@ -239,17 +218,17 @@ impl ElementSystem {
             .collect();
         for (batch, part) in self.batches.iter().zip(&parts) {
             for (full, (inner, sigma)) in full.iter_mut().zip(part) {
-                set(&batch.own, 0, sigma, full);
-                set(&batch.own, batch.shape.parameters(), inner, full);
+                set(&batch.own, sigma, full);
+                set(&batch.inner_own(), inner, full);
             }
         }
     }
 }
 
-/// Writes each lane's values from `offset` behind its first own unknown.
-fn set(own: &[u32; LANES], offset: usize, values: &[Lane], full: &mut [f64]) {
-    for l in (0..LANES).filter(|&l| own[l] != NONE) {
-        let at = own[l] as usize + offset;
+/// Writes values from each lane's `first` on.
+fn set(first: &[u32; LANES], values: &[Lane], full: &mut [f64]) {
+    for l in (0..LANES).filter(|&l| first[l] != NONE) {
+        let at = first[l] as usize;
         values.iter().zip(&mut full[at..at + values.len()]).for_each(|(v, x)| *x = v[l]);
     }
 }
