@@ -10,6 +10,7 @@ pub mod adapt;
 pub mod assembly;
 pub mod bounds;
 pub mod catalog;
+pub mod checks;
 pub mod cli;
 pub mod diag;
 pub mod diag_render;

@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
 const BOLT_ELASTIC: (f64, f64) = (210_000.0, 0.3);
-/// k2 of EN 1993-1-8 Table 3.4 for bolts that are not countersunk.
-const K2: f64 = 0.9;
+/// k2 of EN 1993-1-8:2005 Table 3.4 for bolts that are not countersunk.
+pub const K2: f64 = 0.9;
 
 /// Catalogue rows and values of one spec.
 pub struct Inputs<'a> {

@@ -1,0 +1,323 @@
+//! The record of one check: clause, formula with its numbers, demand, resistance, utilisation.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Relative slack of a comparison: decimal input such as 1.2 · 20 mm must equal 24 mm.
+const ROUNDING: f64 = 1e-9;
+
+/// Unit of a value of a check; values are always in the internal units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Unit {
+    /// A pure number.
+    #[default]
+    #[serde(rename = "-")]
+    Number,
+    /// Length \[mm\].
+    #[serde(rename = "mm")]
+    Length,
+    /// Area \[mm²\].
+    #[serde(rename = "mm2")]
+    Area,
+    /// Force \[N\].
+    #[serde(rename = "N")]
+    Force,
+    /// Force per length \[N/mm\].
+    #[serde(rename = "N/mm")]
+    ForcePerLength,
+    /// Stress \[MPa\].
+    #[serde(rename = "MPa")]
+    Stress,
+    /// Moment \[N mm\].
+    #[serde(rename = "N mm")]
+    Moment,
+    /// Rotational stiffness \[N mm/rad\].
+    #[serde(rename = "N mm/rad")]
+    Rotational,
+}
+
+impl Unit {
+    /// The unit of a printed page and the factor from the internal unit to it: forces in kN, moments in kN m.
+    pub fn printed(self) -> (f64, &'static str) {
+        match self {
+            Unit::Number => (1.0, ""),
+            Unit::Length => (1.0, "mm"),
+            Unit::Area => (1.0, "mm²"),
+            Unit::Force => (1e-3, "kN"),
+            Unit::ForcePerLength => (1.0, "N/mm"),
+            Unit::Stress => (1.0, "MPa"),
+            Unit::Moment => (1e-6, "kN m"),
+            Unit::Rotational => (1e-6, "kN m/rad"),
+        }
+    }
+
+    /// A value as a page prints it, with its unit.
+    pub fn show(self, value: f64) -> String {
+        let (factor, name) = self.printed();
+        let text = number(value * factor);
+        if name.is_empty() { text } else { format!("{text} {name}") }
+    }
+}
+
+/// Four significant digits, all digits of whole numbers, no trailing zeros.
+pub fn number(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { x.to_string() };
+    }
+    let power = x.abs().log10().floor();
+    if !(-4.0..9.0).contains(&power) {
+        return format!("{x:.3e}");
+    }
+    let text = format!("{x:.*}", (3 - power as i32).max(0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// An intermediate value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// The code's symbol.
+    pub symbol: String,
+    /// Its value, internal unit.
+    pub value: f64,
+    /// Its unit.
+    pub unit: Unit,
+}
+
+/// A value of the code with its derivation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worked {
+    /// Clause the formula stands in.
+    pub clause: &'static str,
+    /// What it is, in words.
+    pub title: &'static str,
+    /// The formula, then the same with numbers, then the result.
+    pub formula: String,
+    /// Intermediate values.
+    pub steps: Vec<Step>,
+    /// The value, internal unit.
+    pub value: f64,
+    /// Its unit.
+    pub unit: Unit,
+}
+
+impl Worked {
+    /// A value with its clause; `formula` is the formula with its numbers, the result is added to it.
+    pub fn new(clause: &'static str, title: &'static str, value: f64, unit: Unit, formula: impl fmt::Display) -> Self {
+        let formula = format!("{formula} = {}", unit.show(value));
+        Self { clause, title, formula, steps: Vec::new(), value, unit }
+    }
+
+    /// Adds an intermediate value.
+    #[must_use]
+    pub fn with(mut self, symbol: &str, value: f64, unit: Unit) -> Self {
+        self.steps.push(Step { symbol: symbol.into(), value, unit });
+        self
+    }
+
+    /// The value as information, without a demand.
+    pub fn information(self, topic: Topic, subject: impl Into<String>) -> Check {
+        Check {
+            topic,
+            subject: subject.into(),
+            clause: self.clause.into(),
+            title: self.title.into(),
+            formula: self.formula,
+            values: self.steps,
+            demand: None,
+            resistance: Some(self.value),
+            utilisation: None,
+            unit: self.unit,
+            status: Status::Information,
+        }
+    }
+
+    /// The value as a resistance against a demand ≥ 0 in the same unit.
+    pub fn against(self, topic: Topic, subject: impl Into<String>, demand: f64) -> Check {
+        let mut check = self.information(topic, subject);
+        check.judge(demand, check.resistance.unwrap_or(0.0), Status::Failed);
+        check
+    }
+}
+
+/// What a check is about; the report has a table for each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Topic {
+    /// Spacing, edges, room for tools and washers, bolt length.
+    Detailing,
+    /// Resistance of single bolts.
+    Bolts,
+    /// Welds.
+    Welds,
+    /// Component method of EN 1993-1-8 section 6.
+    ComponentMethod,
+    /// Stiffness of the component method.
+    Stiffness,
+    /// Rotation capacity.
+    Ductility,
+}
+
+/// How a check ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// The demand is within the limit.
+    Ok,
+    /// The demand exceeds the limit.
+    Failed,
+    /// A recommendation is not followed; it does not decide the verdict.
+    Warning,
+    /// A value without demand.
+    Information,
+}
+
+/// One check of the report and of `result.json`. Values are in the internal units (mm, N, MPa, N mm).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Check {
+    /// What it is about.
+    pub topic: Topic,
+    /// Which part, row or sense of bending.
+    pub subject: String,
+    /// Clause.
+    pub clause: String,
+    /// What is checked, in words.
+    pub title: String,
+    /// The formula with its numbers.
+    pub formula: String,
+    /// Intermediate values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub values: Vec<Step>,
+    /// Demand: the force, or the length that is asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub demand: Option<f64>,
+    /// Resistance: the force that is carried, or the length that is there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resistance: Option<f64>,
+    /// Demand over resistance.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Unit of demand and resistance.
+    pub unit: Unit,
+    /// How it ended.
+    pub status: Status,
+}
+
+impl Check {
+    /// A length that must reach a least value: demand is what is asked for, resistance what is there. `otherwise` is the
+    /// status when it does not.
+    pub fn at_least(
+        (topic, subject): (Topic, impl Into<String>),
+        (clause, title): (&str, &str),
+        symbol: &str,
+        (required, rule): (f64, impl fmt::Display),
+        provided: f64,
+        otherwise: Status,
+    ) -> Self {
+        let sign = if holds(required, provided) { "≥" } else { "<" };
+        let formula =
+            format!("{symbol} = {} {sign} {rule} = {}", Unit::Length.show(provided), Unit::Length.show(required));
+        Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
+    }
+
+    /// A length that must not exceed a greatest value: demand is what is there, resistance what is allowed.
+    pub fn at_most(
+        (topic, subject): (Topic, impl Into<String>),
+        (clause, title): (&str, &str),
+        symbol: &str,
+        (allowed, rule): (f64, impl fmt::Display),
+        provided: f64,
+        otherwise: Status,
+    ) -> Self {
+        let sign = if holds(provided, allowed) { "≤" } else { ">" };
+        let formula =
+            format!("{symbol} = {} {sign} {rule} = {}", Unit::Length.show(provided), Unit::Length.show(allowed));
+        Self::limit(topic, subject.into(), clause, title, formula, (provided, allowed), otherwise)
+    }
+
+    fn limit(
+        topic: Topic,
+        subject: String,
+        clause: &str,
+        title: &str,
+        formula: String,
+        (demand, resistance): (f64, f64),
+        otherwise: Status,
+    ) -> Self {
+        let mut check = Self {
+            topic,
+            subject,
+            clause: clause.into(),
+            title: title.into(),
+            formula,
+            values: Vec::new(),
+            demand: None,
+            resistance: None,
+            utilisation: None,
+            unit: Unit::Length,
+            status: Status::Ok,
+        };
+        check.judge(demand, resistance, otherwise);
+        check
+    }
+
+    fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
+        self.demand = Some(demand);
+        self.resistance = Some(resistance);
+        // without any resistance there is no number for the utilisation
+        self.utilisation = (resistance > 0.0).then(|| demand / resistance);
+        self.status = if holds(demand, resistance) { Status::Ok } else { otherwise };
+    }
+
+    /// The check in a sentence.
+    pub fn sentence(&self) -> String {
+        format!("{}: {}: {} ({})", self.subject, self.title, self.formula, self.clause)
+    }
+}
+
+/// Whether a demand is within a resistance; never true of what is not a number.
+fn holds(demand: f64, resistance: f64) -> bool {
+    demand <= resistance + ROUNDING * resistance.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_four_digits_and_no_zeros() {
+        let cases =
+            [(0.0, "0"), (0.9, "0.9"), (90432.0, "90432"), (1.25, "1.25"), (2.11818, "2.118"), (-33.4, "-33.4")];
+        for (x, text) in cases.into_iter().chain([(1e12, "1.000e12"), (1234.5, "1234"), (0.0001, "0.0001")]) {
+            assert_eq!(number(x), text);
+        }
+        assert_eq!(Unit::Force.show(90_432.0), "90.43 kN");
+        assert_eq!(Unit::Number.show(0.606), "0.606");
+    }
+
+    #[test]
+    fn a_limit_met_exactly_holds_and_one_missed_by_a_hair_does_not() {
+        let check = |provided: f64| {
+            let (topic, what) = ((Topic::Detailing, "plate"), ("Table 3.3", "end distance"));
+            Check::at_least(topic, what, "e1", (1.2 * 20.0, "1.2 d0"), provided, Status::Failed)
+        };
+        assert_eq!(check(24.0).status, Status::Ok);
+        assert_eq!(check(23.99).status, Status::Failed);
+        assert_eq!(check(f64::NAN).status, Status::Failed);
+        assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
+        assert!(check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"), "{}", check(23.99).formula);
+        assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");
+    }
+
+    #[test]
+    fn a_resistance_becomes_a_check() {
+        let worked = || Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number);
+        let check = worked().against(Topic::Bolts, "row 1", 99e3);
+        assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
+        assert_eq!(worked().against(Topic::Bolts, "row 1", 90e3).status, Status::Ok);
+        let check = worked().information(Topic::Bolts, "row 1");
+        assert_eq!((check.status, check.demand, check.resistance), (Status::Information, None, Some(90e3)));
+    }
+}

@@ -1,0 +1,109 @@
+//! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
+
+use crate::checks::check::{Unit, Worked, number as n};
+use serde::{Deserialize, Serialize};
+
+/// Whether bracing takes 80 % of the sway of the frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Frame {
+    /// Bracing cuts the sway by 80 % or more: k_b = 8.
+    Braced,
+    /// Any other frame with K_b/K_c ≥ 0.1 in every storey: k_b = 25.
+    Unbraced,
+}
+
+impl Frame {
+    /// k_b of 5.2.2.5(1).
+    pub fn factor(self) -> f64 {
+        match self {
+            Frame::Braced => 8.0,
+            Frame::Unbraced => 25.0,
+        }
+    }
+}
+
+/// Class of a joint by stiffness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StiffnessClass {
+    /// Zone 1.
+    Rigid,
+    /// Zone 2.
+    SemiRigid,
+    /// Zone 3.
+    NominallyPinned,
+}
+
+/// The limits of the classes for one beam \[N mm/rad\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct StiffnessLimits {
+    /// From here on rigid.
+    pub rigid: Worked,
+    /// Up to here nominally pinned.
+    pub pinned: Worked,
+}
+
+/// Limits of the classes by stiffness; `length` of the beam between the centres of columns \[mm\], `inertia` I_b \[mm⁴\].
+///
+/// Rigid: `S_j,ini ≥ k_b E I_b/L_b`; nominally pinned: `S_j,ini ≤ 0.5 E I_b/L_b`. An unbraced frame with K_b/K_c < 0.1 has no rigid
+/// joints: `stiff_columns` says so.
+///
+/// # Source
+/// EN 1993-1-8:2005 5.2.2.5(1), figure 5.4.
+pub fn stiffness_limits(frame: Frame, stiff_columns: bool, young: f64, inertia: f64, length: f64) -> StiffnessLimits {
+    const CLAUSE: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
+    let unit = young * inertia / length;
+    let numbers = format!("{} · {}/{}", n(young), n(inertia), n(length));
+    let never = frame == Frame::Unbraced && stiff_columns;
+    let (k, value) = if never { (f64::INFINITY, f64::INFINITY) } else { (frame.factor(), frame.factor() * unit) };
+    let rigid = format!("k_b E I_b/L_b = {} · {numbers}", n(k));
+    let pinned = format!("0.5 E I_b/L_b = 0.5 · {numbers}");
+    StiffnessLimits {
+        rigid: Worked::new(CLAUSE, "limit of rigid joints", value, Unit::Rotational, rigid),
+        pinned: Worked::new(CLAUSE, "limit of nominally pinned joints", 0.5 * unit, Unit::Rotational, pinned),
+    }
+}
+
+impl StiffnessLimits {
+    /// The class of an initial stiffness \[N mm/rad\].
+    pub fn class(&self, initial: f64) -> StiffnessClass {
+        if initial >= self.rigid.value {
+            StiffnessClass::Rigid
+        } else if initial <= self.pinned.value {
+            StiffnessClass::NominallyPinned
+        } else {
+            StiffnessClass::SemiRigid
+        }
+    }
+}
+
+/// Class of a joint by strength.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StrengthClass {
+    /// As strong as the members it joins.
+    FullStrength,
+    /// Between.
+    PartialStrength,
+    /// At most a quarter of full strength.
+    NominallyPinned,
+}
+
+/// Class by strength; moments \[N mm\] of the joint, of the beam and of the column, `storeys` how many columns meet at the
+/// joint (1 at the top, 2 within the height).
+///
+/// Full strength: M_j,Rd ≥ min(M_b,pl,Rd, storeys · M_c,pl,Rd); nominally pinned: at most 0.25 of that.
+///
+/// # Source
+/// EN 1993-1-8:2005 5.2.3.2, 5.2.3.3, figure 5.5.
+pub fn strength_class(joint: f64, beam: f64, column: f64, storeys: u32) -> StrengthClass {
+    let full = beam.min(f64::from(storeys) * column);
+    if joint >= full {
+        StrengthClass::FullStrength
+    } else if joint <= 0.25 * full {
+        StrengthClass::NominallyPinned
+    } else {
+        StrengthClass::PartialStrength
+    }
+}

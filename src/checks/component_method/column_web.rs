@@ -1,0 +1,269 @@
+//! The column web in tension, compression and shear: EN 1993-1-8:2005 6.2.6.1 to 6.2.6.3.
+
+use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::error::CheckError;
+
+/// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
+const SHEAR_SLENDERNESS: f64 = 69.0;
+
+/// Factor ε = √(235/f_y).
+///
+/// # Source
+/// EN 1993-1-1:2005 Table 5.2.
+pub fn epsilon(fy: f64) -> f64 {
+    (235.0 / fy).sqrt()
+}
+
+/// Reduction ω of the web for its interaction with shear in the panel.
+///
+/// β ≤ 0.5: 1; β = 1: ω1 = 1/√(1 + 1.3 (b_eff t_wc/A_vc)²); β = 2: ω2 with 5.2 in place of 1.3; between: ω1 + 2 (1 − β)(1 − ω1) and
+/// ω1 + (β − 1)(ω2 − ω1).
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 6.3.
+pub fn shear_interaction(beta: f64, effective_width: f64, web: f64, shear_area: f64) -> f64 {
+    let ratio = (effective_width * web / shear_area).powi(2);
+    let omega1 = 1.0 / (1.0 + 1.3 * ratio).sqrt();
+    let omega2 = 1.0 / (1.0 + 5.2 * ratio).sqrt();
+    match beta {
+        b if b <= 0.5 => 1.0,
+        b if b < 1.0 => omega1 + 2.0 * (1.0 - b) * (1.0 - omega1),
+        b if b < 2.0 => omega1 + (b - 1.0) * (omega2 - omega1),
+        _ => omega2,
+    }
+}
+
+/// Shear area A_vc of a rolled I or H column \[mm²\], with a supplementary web plate `doubler` b_s × t_wc \[mm²\] (0 without; a
+/// plate on the second side adds nothing).
+///
+/// `A_vc = A − 2 b t_f + (t_w + 2 r) t_f`, at least η h_w t_w with η = 1.
+///
+/// # Source
+/// EN 1993-1-1:2005 6.2.6(3); EN 1993-1-8:2005 6.2.6.1(6).
+pub fn shear_area(area: f64, b: f64, h: f64, tf: f64, tw: f64, r: f64, doubler: f64) -> f64 {
+    (area - 2.0 * b * tf + (tw + 2.0 * r) * tf).max((h - 2.0 * tf) * tw) + doubler
+}
+
+/// Design resistance of the web panel in shear \[N\]; `stiffeners` is what transverse stiffeners add, see
+/// [`stiffened_panel`].
+///
+/// `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)`, for d_c/t_w ≤ 69 ε.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7.
+pub fn panel_shear(
+    area: f64,
+    fy: f64,
+    clear_depth: f64,
+    web: f64,
+    stiffeners: f64,
+    gamma_m0: f64,
+) -> Result<Worked, CheckError> {
+    let (slenderness, limit) = (clear_depth / web, SHEAR_SLENDERNESS * epsilon(fy));
+    if slenderness > limit {
+        return Err(CheckError::NotCovered {
+            what: format!(
+                "the column web is too slender in shear: d/t_w = {} above 69 ε = {}",
+                n(slenderness),
+                n(limit)
+            ),
+            clause: "EN 1993-1-8:2005 6.2.6.1(1)",
+        });
+    }
+    let value = 0.9 * fy * area / (3f64.sqrt() * gamma_m0) + stiffeners;
+    let mut formula =
+        format!("V_wp,Rd = 0.9 f_y A_vc/(√3 γ_M0) = 0.9 · {} · {}/(√3 · {})", n(fy), n(area), n(gamma_m0));
+    if stiffeners > 0.0 {
+        formula += &format!(" + {}", Unit::Force.show(stiffeners));
+    }
+    Ok(Worked::new("EN 1993-1-8:2005 6.2.6.1", "column web panel in shear", value, Unit::Force, formula)
+        .with("A_vc", area, Unit::Area)
+        .with("d_c/t_w", slenderness, Unit::Number)
+        .with("69 ε", limit, Unit::Number))
+}
+
+/// What transverse stiffeners in tension and compression zone add to the shear resistance of the panel \[N\]; moments of the
+/// column flange and the stiffener \[N mm\], `distance` d_s of the stiffeners \[mm\].
+///
+/// `V_wp,add,Rd = 4 M_pl,fc,Rd/d_s ≤ (2 M_pl,fc,Rd + 2 M_pl,st,Rd)/d_s`.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.1(4), formula 6.8.
+pub fn stiffened_panel(flange: f64, stiffener: f64, distance: f64) -> f64 {
+    (4.0 * flange).min(2.0 * flange + 2.0 * stiffener) / distance
+}
+
+/// Design resistance of the web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of the column flange.
+///
+/// `F_t,wc,Rd = ω b_eff t_wc f_y/γ_M0`.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.3(1) to (3), formula 6.15.
+pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f64) -> Worked {
+    let value = omega * effective_width * web * fy / gamma_m0;
+    let formula = format!(
+        "F_t,wc,Rd = ω b_eff t_wc f_y/γ_M0 = {} · {} · {} · {}/{}",
+        n(omega),
+        n(effective_width),
+        n(web),
+        n(fy),
+        n(gamma_m0)
+    );
+    Worked::new("EN 1993-1-8:2005 6.2.6.3", "column web in tension", value, Unit::Force, formula)
+        .with("ω", omega, Unit::Number)
+        .with("b_eff", effective_width, Unit::Length)
+}
+
+/// Effective width of the web in compression under a bolted end plate and a rolled column \[mm\].
+///
+/// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far enough beyond the weld of the
+/// flange, t_p at least (spread at 45° through the plate). `overhang`: plate beyond the outer face of the beam flange \[mm\].
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
+pub fn compressed_width(tfb: f64, throat: f64, tfc: f64, rc: f64, plate: f64, overhang: f64) -> f64 {
+    let leg = std::f64::consts::SQRT_2 * throat;
+    let spread = plate + (overhang - leg).clamp(0.0, plate);
+    tfb + 2.0 * leg + 5.0 * (tfc + rc) + spread
+}
+
+/// A web in transverse compression. Lengths in mm, strengths in MPa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CompressedWeb {
+    /// b_eff,c,wc.
+    pub effective_width: f64,
+    /// t_wc, supplementary web plates included.
+    pub web: f64,
+    /// d_c = h − 2 (t_f + r).
+    pub clear_depth: f64,
+    /// Nominal yield strength.
+    pub fy: f64,
+    /// Young's modulus.
+    pub young: f64,
+    /// ω of Table 6.3.
+    pub omega: f64,
+    /// Largest longitudinal compressive stress σ_com,Ed of the column at the root, from N and M.
+    pub longitudinal: f64,
+    /// γ_M0.
+    pub gamma_m0: f64,
+    /// γ_M1.
+    pub gamma_m1: f64,
+}
+
+impl CompressedWeb {
+    /// Plate slenderness λ̄_p = 0.932 √(b_eff d_wc f_y/(E t_w²)).
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.13c.
+    pub fn slenderness(&self) -> f64 {
+        0.932 * (self.effective_width * self.clear_depth * self.fy / (self.young * self.web * self.web)).sqrt()
+    }
+
+    /// Reduction ρ for plate buckling: 1 up to λ̄_p = 0.72, then (λ̄_p − 0.2)/λ̄_p².
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(1), formulas 6.13a and 6.13b.
+    pub fn buckling(&self) -> f64 {
+        let lambda = self.slenderness();
+        if lambda <= 0.72 { 1.0 } else { (lambda - 0.2) / (lambda * lambda) }
+    }
+
+    /// Reduction k_wc for the longitudinal stress: 1 up to 0.7 f_y, then 1.7 − σ_com/f_y.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(2), formula 6.14.
+    pub fn longitudinal_factor(&self) -> f64 {
+        if self.longitudinal <= 0.7 * self.fy { 1.0 } else { 1.7 - self.longitudinal / self.fy }
+    }
+
+    /// Design resistance in transverse compression \[N\].
+    ///
+    /// `F_c,wc,Rd = ω k_wc b_eff t_wc f_y/γ_M0 ≤ ω k_wc ρ b_eff t_wc f_y/γ_M1`.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.9.
+    pub fn resistance(&self) -> Worked {
+        let (rho, kwc) = (self.buckling(), self.longitudinal_factor());
+        let crush = self.omega * kwc * self.effective_width * self.web * self.fy / self.gamma_m0;
+        let buckle = self.omega * kwc * rho * self.effective_width * self.web * self.fy / self.gamma_m1;
+        let numbers = |extra: &str, gamma: f64| {
+            format!(
+                "{} · {} · {extra}{} · {} · {}/{}",
+                n(self.omega),
+                n(kwc),
+                n(self.effective_width),
+                n(self.web),
+                n(self.fy),
+                n(gamma)
+            )
+        };
+        let formula = if buckle < crush {
+            format!("F_c,wc,Rd = ω k_wc ρ b_eff t_wc f_y/γ_M1 = {}", numbers(&format!("{} · ", n(rho)), self.gamma_m1))
+        } else {
+            format!("F_c,wc,Rd = ω k_wc b_eff t_wc f_y/γ_M0 = {}", numbers("", self.gamma_m0))
+        };
+        let title = "column web in compression";
+        Worked::new("EN 1993-1-8:2005 6.2.6.2", title, crush.min(buckle), Unit::Force, formula)
+            .with("b_eff", self.effective_width, Unit::Length)
+            .with("λ̄_p", self.slenderness(), Unit::Number)
+            .with("ρ", rho, Unit::Number)
+            .with("k_wc", kwc, Unit::Number)
+            .with("ω", self.omega, Unit::Number)
+    }
+
+    /// Design resistance with a pair of transverse stiffeners, `outstand` wide on each side of the web and `thickness`
+    /// thick \[mm\]: the cross of stiffeners and 15 ε t_w of web on either side, buckling out of the plane of the web over 0.75
+    /// of its depth by curve c; never less than the bare web.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.6.2(4); EN 1993-1-5:2006 9.1(2) and 9.4; EN 1993-1-1:2005 6.3.1.
+    pub fn stiffened(&self, outstand: f64, thickness: f64) -> Worked {
+        let epsilon = epsilon(self.fy);
+        let reach = 30.0 * epsilon * self.web + thickness;
+        let area = 2.0 * outstand * thickness + reach * self.web;
+        let width = 2.0 * outstand + self.web;
+        let inertia = thickness * width.powi(3) / 12.0 + (reach - thickness) * self.web.powi(3) / 12.0;
+        let radius = (inertia / area).sqrt();
+        let lambda1 = std::f64::consts::PI * (self.young / self.fy).sqrt();
+        let slenderness = 0.75 * self.clear_depth / (radius * lambda1);
+        let phi = 0.5 * (1.0 + 0.49 * (slenderness - 0.2) + slenderness * slenderness);
+        let chi = if slenderness <= 0.2 {
+            1.0
+        } else {
+            (1.0 / (phi + (phi * phi - slenderness * slenderness).sqrt())).min(1.0)
+        };
+        let gamma = if slenderness <= 0.2 { self.gamma_m0 } else { self.gamma_m1 };
+        let value = chi * area * self.fy / gamma;
+        let bare = self.resistance();
+        if bare.value >= value {
+            return bare;
+        }
+        let formula = format!("F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}", n(chi), n(area), n(self.fy), n(gamma));
+        let title = "stiffened column web in compression";
+        Worked::new("EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4", title, value, Unit::Force, formula)
+            .with("A_eff", area, Unit::Area)
+            .with("λ̄", slenderness, Unit::Number)
+            .with("χ", chi, Unit::Number)
+    }
+}
+
+/// Thickness of the web with supplementary plates in compression: 1.5 t_w with one plate, 2 t_w with plates on both sides.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.2(6).
+pub fn compressed_thickness(web: f64, plates: u32) -> f64 {
+    web * [1.0, 1.5, 2.0][plates.min(2) as usize]
+}
+
+/// Thickness of the web with supplementary plates in tension, their longitudinal welds fillets: 1.4 t_w (steels up to S355)
+/// or 1.3 t_w, with one plate or two.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.3(8).
+pub fn tension_thickness(web: f64, plates: u32, fy: f64) -> f64 {
+    match (plates, fy > 355.0) {
+        (0, _) => web,
+        (_, false) => 1.4 * web,
+        (_, true) => 1.3 * web,
+    }
+}

@@ -1,0 +1,248 @@
+//! A bolted end-plate joint between a beam and a column flange, as plain data.
+
+use crate::catalog::IProfile;
+use crate::checks::error::{CheckError, not_negative, positive};
+use serde::{Deserialize, Serialize};
+
+/// A rolled I or H section \[mm, mm², mm³, mm⁴\].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Section {
+    /// Depth.
+    pub h: f64,
+    /// Flange width.
+    pub b: f64,
+    /// Web thickness.
+    pub tw: f64,
+    /// Flange thickness.
+    pub tf: f64,
+    /// Root radius.
+    pub r: f64,
+    /// Area.
+    pub area: f64,
+    /// Plastic section modulus about the strong axis.
+    pub w_pl: f64,
+    /// Elastic section modulus about the strong axis.
+    pub w_el: f64,
+    /// Second moment of area about the strong axis.
+    pub i: f64,
+}
+
+impl Section {
+    /// Clear depth of the web between the roots, d = h − 2 (t_f + r) \[mm\].
+    pub fn clear_depth(&self) -> f64 {
+        self.h - 2.0 * (self.tf + self.r)
+    }
+}
+
+impl From<&IProfile> for Section {
+    fn from(p: &IProfile) -> Self {
+        Self {
+            h: p.h,
+            b: p.b,
+            tw: p.tw,
+            tf: p.tf,
+            r: p.r,
+            area: 1e2 * p.area,
+            w_pl: 1e3 * p.w_pl_y,
+            w_el: 1e3 * p.w_el_y,
+            i: 1e4 * p.i_y,
+        }
+    }
+}
+
+/// The column. Strengths are nominal, of the thickness of the flange.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Column {
+    /// Its section.
+    pub section: Section,
+    /// Nominal yield strength \[MPa\].
+    pub fy: f64,
+    /// From the beam's axis to the upper end \[mm\].
+    pub above: f64,
+    /// From the beam's axis to the lower end \[mm\].
+    pub below: f64,
+    /// Thickness of the stiffeners on both sides of the web, level with both beam flanges \[mm\]; 0 for none.
+    pub stiffener: f64,
+    /// Throat of the welds between stiffener and column flange \[mm\]; 0 for a butt weld.
+    pub stiffener_throat: f64,
+    /// Number of supplementary web plates: 0, 1 or 2.
+    pub doublers: u32,
+    /// Width b_s of a supplementary web plate \[mm\].
+    pub doubler_width: f64,
+    /// Largest longitudinal compressive stress of the column at the web's root \[MPa\].
+    pub longitudinal: f64,
+}
+
+/// The beam. Strengths are nominal.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Beam {
+    /// Its section.
+    pub section: Section,
+    /// Nominal yield strength \[MPa\].
+    pub fy: f64,
+    /// Throat of the fillet welds of its flanges \[mm\]; 0 for a butt weld.
+    pub flange_throat: f64,
+    /// Throat of the fillet welds of its web \[mm\]; 0 for a butt weld.
+    pub web_throat: f64,
+}
+
+/// The end plate; z from the beam's axis, up positive.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plate {
+    /// Thickness \[mm\].
+    pub thickness: f64,
+    /// Width \[mm\].
+    pub width: f64,
+    /// Lower edge \[mm\].
+    pub bottom: f64,
+    /// Upper edge \[mm\].
+    pub top: f64,
+    /// Nominal yield strength \[MPa\].
+    pub fy: f64,
+}
+
+/// Two columns of bolts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bolts {
+    /// Distance of the two columns \[mm\].
+    pub gauge: f64,
+    /// Rows: z from the beam's axis \[mm\], in any order.
+    pub rows: Vec<f64>,
+    /// Design tension resistance of one bolt, punching included \[N\].
+    pub tension: f64,
+    /// Stress area of one bolt \[mm²\].
+    pub stress_area: f64,
+    /// L_b, the length its elongation is counted on \[mm\].
+    pub elongation: f64,
+    /// d_w of the alternative method for mode 1 \[mm\]; `None` for the first method.
+    pub washer: Option<f64>,
+    /// True: prying forces are taken to develop whatever the length of the bolts, as SCI P398 does; false: Table 6.2 decides
+    /// by L_b*.
+    pub always_prying: bool,
+}
+
+/// A beam bolted by an end plate to the flange of a column. Lengths in mm, strengths in MPa, forces in N.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EndPlateJoint {
+    /// Column.
+    pub column: Column,
+    /// Beam.
+    pub beam: Beam,
+    /// End plate.
+    pub plate: Plate,
+    /// Bolts.
+    pub bolts: Bolts,
+    /// Transformation parameter β of the moments on both sides: 0 equal and opposite, 1 one-sided, 2 equal and of the same
+    /// sense.
+    pub beta: f64,
+    /// Young's modulus \[MPa\].
+    pub young: f64,
+    /// γ_M0.
+    pub gamma_m0: f64,
+    /// γ_M1.
+    pub gamma_m1: f64,
+}
+
+impl EndPlateJoint {
+    /// The joint upside down: what was tension at the bottom is tension at the top.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mut j = self.clone();
+        (j.column.above, j.column.below) = (self.column.below, self.column.above);
+        (j.plate.bottom, j.plate.top) = (-self.plate.top, -self.plate.bottom);
+        j.bolts.rows.iter_mut().for_each(|z| *z = -*z);
+        j
+    }
+
+    /// Refuses what the formulas have no meaning for.
+    pub fn check(&self) -> Result<(), CheckError> {
+        let (c, b, p, k) = (&self.column, &self.beam, &self.plate, &self.bolts);
+        for (s, names) in [(&c.section, COLUMN), (&b.section, BEAM)] {
+            let sizes = [s.h, s.b, s.tw, s.tf, s.area, s.w_pl, s.w_el, s.i];
+            names.into_iter().zip(sizes).try_for_each(|(name, size)| positive(name, size))?;
+        }
+        not_negative("root radius of the column [mm]", c.section.r)?;
+        not_negative("root radius of the beam [mm]", b.section.r)?;
+        positive("clear depth of the column web [mm]", c.section.clear_depth())?;
+        positive("clear depth of the beam web [mm]", b.section.clear_depth())?;
+        for (name, value) in [
+            ("yield strength of the column [MPa]", c.fy),
+            ("yield strength of the beam [MPa]", b.fy),
+            ("yield strength of the plate [MPa]", p.fy),
+            ("thickness of the plate [mm]", p.thickness),
+            ("width of the plate [mm]", p.width),
+            ("gauge of the bolts [mm]", k.gauge),
+            ("tension resistance of a bolt [N]", k.tension),
+            ("stress area of a bolt [mm2]", k.stress_area),
+            ("elongation length of a bolt [mm]", k.elongation),
+            ("Young's modulus [MPa]", self.young),
+            ("gamma_M0", self.gamma_m0),
+            ("gamma_M1", self.gamma_m1),
+        ] {
+            positive(name, value)?;
+        }
+        for (name, value) in [
+            ("stiffener of the column [mm]", c.stiffener),
+            ("weld of the stiffener [mm]", c.stiffener_throat),
+            ("width of the web plate [mm]", c.doubler_width),
+            ("longitudinal stress of the column [MPa]", c.longitudinal),
+            ("weld of the beam flange [mm]", b.flange_throat),
+            ("weld of the beam web [mm]", b.web_throat),
+        ] {
+            not_negative(name, value)?;
+        }
+        let range = |quantity, value: f64, ok: bool, limit| {
+            if ok { Ok(()) } else { Err(CheckError::OutOfRange { quantity, value, limit }) }
+        };
+        range("beta", self.beta, (0.0..=2.0).contains(&self.beta), "it lies between 0 and 2 (5.3(7))")?;
+        range(
+            "longitudinal stress of the column [MPa]",
+            c.longitudinal,
+            c.longitudinal <= c.fy,
+            "it must be at most f_y",
+        )?;
+        let half = 0.5 * b.section.h;
+        range("upper edge of the plate [mm]", p.top, p.top.is_finite() && p.top >= half, "it must cover the beam")?;
+        range(
+            "lower edge of the plate [mm]",
+            p.bottom,
+            p.bottom.is_finite() && p.bottom <= -half,
+            "it must cover the beam",
+        )?;
+        let width = p.width.min(c.section.b);
+        range(
+            "gauge of the bolts [mm]",
+            k.gauge,
+            k.gauge < width,
+            "it must be less than plate and column flange are wide",
+        )?;
+        range("number of rows", k.rows.len() as f64, !k.rows.is_empty(), "there must be one row at least")?;
+        for (i, &z) in k.rows.iter().enumerate() {
+            range("row of bolts [mm]", z, z > p.bottom && z < p.top, "it must lie on the plate")?;
+            range("row of bolts [mm]", z, -c.below < z && z < c.above, "it must lie on the column")?;
+            range("row of bolts [mm]", z, !k.rows[..i].contains(&z), "the same row stands twice")?;
+        }
+        Ok(())
+    }
+}
+
+const COLUMN: [&str; 8] = [
+    "depth of the column [mm]",
+    "width of the column [mm]",
+    "web of the column [mm]",
+    "flange of the column [mm]",
+    "area of the column [mm2]",
+    "plastic modulus of the column [mm3]",
+    "elastic modulus of the column [mm3]",
+    "second moment of the column [mm4]",
+];
+const BEAM: [&str; 8] = [
+    "depth of the beam [mm]",
+    "width of the beam [mm]",
+    "web of the beam [mm]",
+    "flange of the beam [mm]",
+    "area of the beam [mm2]",
+    "plastic modulus of the beam [mm3]",
+    "elastic modulus of the beam [mm3]",
+    "second moment of the beam [mm4]",
+];

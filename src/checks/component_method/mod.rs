@@ -1,0 +1,18 @@
+//! Component method for bolted end plates: EN 1993-1-8:2005, 6.2 and 6.3.
+
+pub mod assembly;
+pub mod beam;
+pub mod column_web;
+pub mod effective_lengths;
+pub mod joint;
+pub mod rows;
+pub mod stiffness;
+pub mod t_stub;
+
+pub use assembly::{Assessment, assess};
+pub use joint::EndPlateJoint;
+
+#[cfg(test)]
+mod reference_cases;
+#[cfg(test)]
+mod tests;

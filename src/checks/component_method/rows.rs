@@ -1,0 +1,320 @@
+//! The rows of bolts in tension: their T-stubs alone and in groups, on the side of the column and on that of the beam.
+//!
+//! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN 1993-1-8:2005 6.2.4 to 6.2.6.
+
+use super::effective_lengths::{self as lengths, Lengths};
+use super::joint::EndPlateJoint;
+use super::t_stub::{Mode, Prying, TStub, prying};
+use super::{beam, column_web};
+use crate::checks::check::{Worked, number as n};
+use crate::checks::error::CheckError;
+use std::f64::consts::SQRT_2;
+
+/// Part of a fillet weld's leg in which no plastic hinge forms, figures 6.8 and 6.10: 0.8 a √2.
+const WELD: f64 = 0.8 * SQRT_2;
+/// Part of a root radius in which no plastic hinge forms, figure 6.8.
+const ROOT: f64 = 0.8;
+
+/// One component of the joint and what it carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    /// `column flange`, `column web`, `end plate`, `beam web`.
+    pub name: &'static str,
+    /// Its resistance.
+    pub worked: Worked,
+    /// How it fails, if it is a T-stub.
+    pub mode: Option<Mode>,
+}
+
+/// Whose T-stub a group is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Column,
+    Beam,
+}
+
+/// Rows in tension of a joint, from the top.
+#[derive(Clone, Debug)]
+pub struct Rows<'a> {
+    joint: &'a EndPlateJoint,
+    /// z of the rows from the beam's axis, from the top \[mm\].
+    pub z: Vec<f64>,
+    /// Their distances from the centre of compression \[mm\].
+    pub lever: Vec<f64>,
+    shear_area: f64,
+}
+
+impl<'a> Rows<'a> {
+    /// The rows above the centre of compression, the middle of the lower beam flange (figure 6.15).
+    pub fn new(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
+        joint.check()?;
+        let (b, c) = (&joint.beam.section, &joint.column);
+        let centre = -0.5 * (b.h - b.tf);
+        let mut z: Vec<f64> = joint.bolts.rows.iter().copied().filter(|z| *z > centre).collect();
+        z.sort_by(|a, b| b.total_cmp(a));
+        if z.is_empty() {
+            return Err(CheckError::NotCovered {
+                what: "no row of bolts lies on the side of the tension".into(),
+                clause: "EN 1993-1-8:2005 6.2.7.2",
+            });
+        }
+        let lever = z.iter().map(|z| z - centre).collect();
+        let s = &c.section;
+        let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
+        let shear_area = column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler);
+        let rows = Self { joint, z, lever, shear_area };
+        rows.covered()?;
+        Ok(rows)
+    }
+
+    /// Refuses rows that the tables of effective lengths do not know.
+    fn covered(&self) -> Result<(), CheckError> {
+        let not = |what: String, clause| Err(CheckError::NotCovered { what, clause });
+        if self.z.iter().filter(|z| self.outside(**z)).count() > 1 {
+            return not(
+                "two rows or more lie outside the tension flange of the beam".into(),
+                "EN 1993-1-8:2005 Table 6.6",
+            );
+        }
+        for (m, what) in [(self.m_column(), "column web"), (self.m_beam(), "beam web")] {
+            if m <= 0.0 {
+                return not(
+                    format!("the bolts stand in the root or weld of the {what}: m = {} mm", n(m)),
+                    "EN 1993-1-8:2005 figures 6.8 and 6.10",
+                );
+            }
+        }
+        for (i, z) in self.z.iter().enumerate() {
+            let to_flange = if self.outside(*z) { self.mx(*z) } else { self.to_flange(*z) };
+            if to_flange <= 0.0 {
+                return not(
+                    format!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
+                    "EN 1993-1-8:2005 figure 6.10",
+                );
+            }
+            let [above, below] = self.stiffeners(i);
+            if above.into_iter().chain(below).any(|m2| m2 <= 0.0) {
+                return not(
+                    format!("the row at z = {} mm stands on a stiffener of the column", n(*z)),
+                    "EN 1993-1-8:2005 figure 6.11",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// How many rows are in tension.
+    pub fn count(&self) -> usize {
+        self.z.len()
+    }
+
+    /// A_vc of the column \[mm²\].
+    pub fn shear_area(&self) -> f64 {
+        self.shear_area
+    }
+
+    /// Whether a row lies outside the tension flange.
+    fn outside(&self, z: f64) -> bool {
+        z > 0.5 * (self.joint.beam.section.h - self.joint.beam.section.tf)
+    }
+
+    /// m of the column flange \[mm\], figure 6.8.
+    fn m_column(&self) -> f64 {
+        let s = &self.joint.column.section;
+        0.5 * (self.joint.bolts.gauge - s.tw) - ROOT * s.r
+    }
+
+    /// e of the column flange \[mm\].
+    fn e_column(&self) -> f64 {
+        0.5 * (self.joint.column.section.b - self.joint.bolts.gauge)
+    }
+
+    /// m of the end plate between the flanges \[mm\], figure 6.10.
+    fn m_beam(&self) -> f64 {
+        0.5 * (self.joint.bolts.gauge - self.joint.beam.section.tw) - WELD * self.joint.beam.web_throat
+    }
+
+    /// e of the end plate \[mm\].
+    fn e_plate(&self) -> f64 {
+        0.5 * (self.joint.plate.width - self.joint.bolts.gauge)
+    }
+
+    /// m_x of a row outside the flange \[mm\], figure 6.10.
+    fn mx(&self, z: f64) -> f64 {
+        z - 0.5 * self.joint.beam.section.h - WELD * self.joint.beam.flange_throat
+    }
+
+    /// m2 of a row below the tension flange \[mm\], figure 6.11.
+    fn to_flange(&self, z: f64) -> f64 {
+        let s = &self.joint.beam.section;
+        0.5 * s.h - s.tf - z - WELD * self.joint.beam.flange_throat
+    }
+
+    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between.
+    fn stretch(&self, row: usize) -> usize {
+        usize::from(self.joint.column.stiffener > 0.0 && !self.outside(self.z[row]))
+    }
+
+    /// m2 to the stiffener next above and next below a row, where no other row lies between \[mm\].
+    fn stiffeners(&self, row: usize) -> [Option<f64>; 2] {
+        let c = &self.joint.column;
+        if c.stiffener == 0.0 {
+            return [None, None];
+        }
+        let (s, z) = (&self.joint.beam.section, self.z[row]);
+        let level = 0.5 * (s.h - s.tf);
+        let clear = |distance: f64| distance - 0.5 * c.stiffener - WELD * c.stiffener_throat;
+        let first = row == 0 || self.stretch(row - 1) != self.stretch(row);
+        let last = row + 1 == self.count() || self.stretch(row + 1) != self.stretch(row);
+        match self.stretch(row) {
+            0 => [None, last.then(|| clear(z - level))],
+            _ => [first.then(|| clear(level - z)), last.then(|| clear(z + level))],
+        }
+    }
+
+    /// Effective lengths of one row on the column flange, and of the same row within the group `first..=last`.
+    fn on_column(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
+        let (m, e) = (self.m_column(), self.e_column());
+        let beside = self.stiffeners(row);
+        let alpha = |m2: Option<f64>| m2.map(|m2| lengths::alpha(m, e, m2));
+        let e1 = (row == 0).then(|| self.joint.column.above - self.z[0]);
+        let Some((first, last)) = group else {
+            let alpha = beside.into_iter().filter_map(alpha).reduce(f64::max);
+            return match (alpha, e1) {
+                (Some(a), Some(e1)) => lengths::end_beside_stiffener(m, e, e1, a),
+                (Some(a), None) => lengths::beside_stiffener(m, a),
+                (None, Some(e1)) => lengths::end(m, e, e1),
+                (None, None) => lengths::inner(m, e),
+            };
+        };
+        let ([above, below], pitch) = (beside, |i: usize| self.z[i] - self.z[i + 1]);
+        let at_end = |stiffener: Option<f64>, p: f64, e1| match alpha(stiffener) {
+            Some(a) => lengths::beside_stiffener_of_group(m, e, p, a),
+            None => lengths::end_of_group(m, e, p, e1),
+        };
+        match row {
+            r if r == first => at_end(above, pitch(r), e1),
+            r if r == last => at_end(below, pitch(r - 1), None),
+            r => lengths::inner_of_group(pitch(r - 1), pitch(r)),
+        }
+    }
+
+    /// The same on the end plate; a row outside the flange has no group.
+    fn on_plate(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
+        let (j, z) = (self.joint, self.z[row]);
+        if self.outside(z) {
+            return lengths::outside_flange(self.mx(z), j.plate.top - z, self.e_plate(), j.bolts.gauge, j.plate.width);
+        }
+        let (m, e) = (self.m_beam(), self.e_plate());
+        let below_flange = row == 0 || self.outside(self.z[row - 1]);
+        let alpha = || lengths::alpha(m, e, self.to_flange(z));
+        let pitch = |i: usize| self.z[i] - self.z[i + 1];
+        match group {
+            None if below_flange => lengths::beside_stiffener(m, alpha()),
+            None => lengths::inner(m, e),
+            Some((first, _)) if row == first && below_flange => {
+                lengths::beside_stiffener_of_group(m, e, pitch(row), alpha())
+            }
+            Some((first, _)) if row == first => lengths::end_of_group(m, e, pitch(row), None),
+            Some((_, last)) if row == last => lengths::end_of_group(m, e, pitch(row - 1), None),
+            Some(_) => lengths::inner_of_group(pitch(row - 1), pitch(row)),
+        }
+    }
+
+    /// Whether the rows `first..=last` can form a group on a side: no stiffener, no flange between them.
+    fn joined(&self, side: Side, first: usize, last: usize) -> bool {
+        match side {
+            Side::Column => self.stretch(first) == self.stretch(last),
+            Side::Beam => !self.outside(self.z[first]),
+        }
+    }
+
+    fn lengths(&self, side: Side, first: usize, last: usize) -> Lengths {
+        let group = (first < last).then_some((first, last));
+        let each = |row| match side {
+            Side::Column => self.on_column(row, group),
+            Side::Beam => self.on_plate(row, group),
+        };
+        (first..=last).map(each).sum()
+    }
+
+    /// The components that the rows `first..=last` share; one row: the components it has alone.
+    pub fn components(&self, first: usize, last: usize) -> Vec<Component> {
+        let j = self.joint;
+        let rows = last + 1 - first;
+        let e_min = self.e_column().min(self.e_plate());
+        let stub = |name, lengths: Lengths, m: f64, edge: f64, thickness: f64, fy: f64| {
+            let length1 = lengths.mode1();
+            let stub = TStub {
+                m,
+                n: edge.min(1.25 * m),
+                thickness,
+                fy,
+                length1,
+                length2: lengths.mode2(),
+                bolts: 2.0 * rows as f64 * j.bolts.tension,
+                gamma_m0: j.gamma_m0,
+                prying: if j.bolts.always_prying {
+                    Prying::Develops
+                } else {
+                    prying(j.bolts.elongation, m, j.bolts.stress_area, rows, length1, thickness)
+                },
+                backing: 0.0,
+                washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
+            };
+            let r = stub.resistance();
+            Component { name, mode: Some(r.mode), worked: r.worked }
+        };
+        let mut out = Vec::new();
+        if rows == 1 || self.joined(Side::Column, first, last) {
+            let lengths = self.lengths(Side::Column, first, last);
+            let c = &j.column;
+            out.push(stub("column flange", lengths, self.m_column(), e_min, c.section.tf, c.fy));
+            let omega = column_web::shear_interaction(j.beta, lengths.mode1(), c.section.tw, self.shear_area);
+            let web = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
+            let worked = column_web::tension(lengths.mode1(), web, c.fy, omega, j.gamma_m0);
+            out.push(Component { name: "column web", worked, mode: None });
+        }
+        if rows == 1 || self.joined(Side::Beam, first, last) {
+            let lengths = self.lengths(Side::Beam, first, last);
+            let z = self.z[first];
+            let (m, edge) = match self.outside(z) {
+                true => (self.mx(z), j.plate.top - z),
+                false => (self.m_beam(), e_min),
+            };
+            out.push(stub("end plate", lengths, m, edge, j.plate.thickness, j.plate.fy));
+            if !self.outside(z) {
+                let worked = beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
+                out.push(Component { name: "beam web", worked, mode: None });
+            }
+        }
+        out
+    }
+
+    /// Smallest effective lengths of a row, alone or in the largest group it belongs to, and m, on column and plate \[mm\]:
+    /// those of the stiffness coefficients.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 Table 6.11, notes on k3, k4 and k5.
+    pub fn stiffness_lengths(&self, row: usize) -> [(f64, f64); 2] {
+        let smallest = |side: Side| {
+            let mut first = row;
+            while first > 0 && self.joined(side, first - 1, row) {
+                first -= 1;
+            }
+            let mut last = row;
+            while last + 1 < self.count() && self.joined(side, row, last + 1) {
+                last += 1;
+            }
+            let of = |group| match side {
+                Side::Column => self.on_column(row, group).mode1(),
+                Side::Beam => self.on_plate(row, group).mode1(),
+            };
+            let alone = of(None);
+            if first < last { alone.min(of(Some((first, last)))) } else { alone }
+        };
+        let z = self.z[row];
+        let m = if self.outside(z) { self.mx(z) } else { self.m_beam() };
+        [(smallest(Side::Column), self.m_column()), (smallest(Side::Beam), m)]
+    }
+}

@@ -1,0 +1,173 @@
+//! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
+
+use crate::checks::check::{Unit, Worked, number as n};
+
+/// How a T-stub fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Complete yielding of the flange.
+    Flange,
+    /// Bolt failure with yielding of the flange.
+    FlangeAndBolts,
+    /// Bolt failure.
+    Bolts,
+    /// Yielding of the flange without prying forces.
+    FlangeWithoutPrying,
+}
+
+impl Mode {
+    /// The mode as the code numbers it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Mode::Flange => "mode 1",
+            Mode::FlangeAndBolts => "mode 2",
+            Mode::Bolts => "mode 3",
+            Mode::FlangeWithoutPrying => "mode 1-2",
+        }
+    }
+
+    /// Whether bending of the flange decides, alone or with the bolts.
+    pub fn bends(self) -> bool {
+        self != Mode::Bolts
+    }
+}
+
+/// Whether prying forces develop.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Prying {
+    /// The flange bears at its edges.
+    #[default]
+    Develops,
+    /// The bolts are so long that the flange lifts off.
+    Absent,
+}
+
+/// A T-stub flange with its bolts. Lengths in mm, forces in N, strengths in MPa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TStub {
+    /// Distance from the bolt to the plastic hinge at the web or weld.
+    pub m: f64,
+    /// Distance from the bolt to where the prying force acts: min(e_min, 1.25 m).
+    pub n: f64,
+    /// Thickness of the flange.
+    pub thickness: f64,
+    /// Nominal yield strength of the flange.
+    pub fy: f64,
+    /// Σ ℓ_eff,1 of the rows.
+    pub length1: f64,
+    /// Σ ℓ_eff,2 of the rows.
+    pub length2: f64,
+    /// Σ F_t,Rd of all bolts.
+    pub bolts: f64,
+    /// γ_M0.
+    pub gamma_m0: f64,
+    /// Whether prying forces develop.
+    pub prying: Prying,
+    /// Plastic moment of the backing plates over the rows, Σ ℓ_eff,1 t_bp² f_y,bp/(4 γ_M0) \[N mm\]; 0 without.
+    pub backing: f64,
+    /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the width across points of
+    /// head or nut; `None` for the first method.
+    pub washer_quarter: Option<f64>,
+}
+
+/// Resistances of a T-stub by mode \[N\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resistance {
+    /// F_T,1,Rd, or F_T,1-2,Rd without prying.
+    pub mode1: f64,
+    /// F_T,2,Rd; infinite without prying.
+    pub mode2: f64,
+    /// F_T,3,Rd.
+    pub mode3: f64,
+    /// The mode that decides.
+    pub mode: Mode,
+    /// The least of the three, with its derivation.
+    pub worked: Worked,
+}
+
+impl TStub {
+    /// Design tension resistance.
+    ///
+    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, with backing plates `(4 M_pl,1 + 2 M_bp)/m`, by the alternative
+    /// method `((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3 `ΣF_t,Rd`;
+    /// without prying `2 M_pl,1/m` in place of modes 1 and 2.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 Table 6.2 and 6.2.4.3 (backing plates).
+    pub fn resistance(&self) -> Resistance {
+        let plastic = |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
+        let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
+        let (m, e) = (self.m, self.n);
+        let kn = |x: f64| n(x * 1e-3);
+        let mut candidates = Vec::new();
+        match (self.prying, self.washer_quarter) {
+            (Prying::Absent, _) => {
+                let formula = format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m));
+                candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m, formula));
+            }
+            (Prying::Develops, None) => {
+                let backing = if self.backing > 0.0 { format!(" + 2 · {}", kn(self.backing)) } else { String::new() };
+                let formula = match self.backing > 0.0 {
+                    true => format!("(4 M_pl,1 + 2 M_bp)/m = (4 · {}{backing})/{}", kn(mpl1), n(m)),
+                    false => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
+                };
+                candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m, formula));
+            }
+            (Prying::Develops, Some(ew)) => {
+                let below = 2.0 * m * e - ew * (m + e);
+                let value = ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below;
+                let formula = format!(
+                    "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 · {} · {})/{}",
+                    n(e),
+                    n(ew),
+                    kn(mpl1),
+                    n(e),
+                    kn(self.backing),
+                    n(below)
+                );
+                candidates.push((Mode::Flange, value, formula));
+            }
+        }
+        if self.prying == Prying::Develops {
+            let value = (2.0 * mpl2 + e * self.bolts) / (m + e);
+            let formula = format!(
+                "(2 M_pl,2 + n ΣF_t,Rd)/(m + n) = (2 · {} + {} · {})/({} + {})",
+                kn(mpl2),
+                n(e),
+                kn(self.bolts),
+                n(m),
+                n(e)
+            );
+            candidates.push((Mode::FlangeAndBolts, value, formula));
+        }
+        candidates.push((Mode::Bolts, self.bolts, "ΣF_t,Rd".into()));
+        let of = |mode: &dyn Fn(Mode) -> bool| candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1);
+        let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
+        let mode2 = of(&|c| c == Mode::FlangeAndBolts);
+        // the first of equal ones decides
+        let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
+        let formula = format!("F_T,Rd ({}) = {}", least.0.name(), least.2);
+        let mut worked = Worked::new("EN 1993-1-8:2005 Table 6.2", "T-stub in tension", least.1, Unit::Force, formula)
+            .with("m", m, Unit::Length)
+            .with("n", e, Unit::Length)
+            .with("Σℓ_eff,1", self.length1, Unit::Length)
+            .with("Σℓ_eff,2", self.length2, Unit::Length)
+            .with("M_pl,1", mpl1, Unit::Moment)
+            .with("M_pl,2", mpl2, Unit::Moment);
+        for (mode, value, _) in &candidates {
+            worked = worked.with(mode.name(), *value, Unit::Force);
+        }
+        Resistance { mode1, mode2, mode3: self.bolts, mode: least.0, worked }
+    }
+}
+
+/// Whether prying forces develop in a T-stub of `rows` rows: bolts no longer than L_b* do it.
+///
+/// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one bolt \[mm²\].
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 6.2 with the corrigendum of 2009 (n_b rows of two bolts).
+pub fn prying(elongation: f64, m: f64, stress_area: f64, rows: usize, length1: f64, thickness: f64) -> Prying {
+    let limit = 8.8 * m.powi(3) * stress_area * rows as f64 / (length1 * thickness.powi(3));
+    if elongation <= limit { Prying::Develops } else { Prying::Absent }
+}

@@ -1,0 +1,57 @@
+//! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
+
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::component_method::column_web::epsilon;
+
+/// The bolt and the plate or flange it clamps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clamped {
+    /// Diameter of the bolt \[mm\].
+    pub d: f64,
+    /// Ultimate strength of the bolt \[MPa\].
+    pub fub: f64,
+    /// Thickness of the plate or flange \[mm\].
+    pub thickness: f64,
+    /// Its nominal yield strength \[MPa\].
+    pub fy: f64,
+}
+
+/// Whether bending of a plate or flange that governs gives enough rotation for plastic analysis; not followed: a warning.
+///
+/// `t ≤ 0.36 d √(f_ub/f_y)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.4.2(2), formula 6.32.
+pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
+    let limit = 0.36 * c.d * (c.fub / c.fy).sqrt();
+    let rule = format!("0.36 d √(f_ub/f_y) = 0.36 · {} · √({}/{})", n(c.d), n(c.fub), n(c.fy));
+    let title = ("EN 1993-1-8:2005 6.4.2(2)", "thickness for rotation capacity");
+    Check::at_most((Topic::Ductility, subject), title, "t", (limit, rule), c.thickness, Status::Warning)
+}
+
+/// Whether the rows may carry their plastic forces side by side; not followed: a warning.
+///
+/// `t ≤ (d/1.9) √(f_ub/f_y)` for the end plate or the column flange.
+///
+/// # Source
+/// UK National Annex to BS EN 1993-1-8, NA.2.7; SCI P398, 2.
+pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
+    let limit = c.d / 1.9 * (c.fub / c.fy).sqrt();
+    let rule = format!("(d/1.9) √(f_ub/f_y) = ({}/1.9) √({}/{})", n(c.d), n(c.fub), n(c.fy));
+    let title = ("UK NA to BS EN 1993-1-8, NA.2.7", "thickness for plastic forces of the rows");
+    Check::at_most((Topic::Ductility, subject), title, "t", (limit, rule), c.thickness, Status::Warning)
+}
+
+/// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed: a warning.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.4.2(1).
+pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
+    let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
+    let rule = (69.0 * epsilon(fy), format!("69 ε, ε = {}", n(epsilon(fy))));
+    let mut check =
+        Check::at_most((Topic::Ductility, subject), title, "d_c/t_w", rule, clear_depth / web, Status::Warning);
+    check.unit = Unit::Number;
+    check.formula = check.formula.replace(" mm", "");
+    check
+}

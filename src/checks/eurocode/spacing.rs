@@ -1,0 +1,99 @@
+//! Spacing, end and edge distances: EN 1993-1-8:2005 Table 3.3; room for tools and washers.
+
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+
+const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
+/// What has no clause: what a socket wrench needs.
+const PRACTICE: &str = "practice";
+
+/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where there is no such distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// Hole diameter.
+    pub d0: f64,
+    /// Thickness of the thinner outer plate.
+    pub thickness: f64,
+    /// Smallest end distance.
+    pub e1: Option<f64>,
+    /// Smallest edge distance.
+    pub e2: Option<f64>,
+    /// Smallest pitch along the rows.
+    pub p1: Option<[f64; 2]>,
+    /// Distance between the columns.
+    pub p2: Option<f64>,
+}
+
+/// Checks of a pattern; `subject` names the plate.
+///
+/// Least values fail the check: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e ≤ 4 t + 40 mm; p1, p2 ≤
+/// min(14 t, 200 mm)) are asked of exposed and of compressed plates alone (note 1 of the table): passing one is a warning.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.3; `p1` holds the smallest and the largest pitch.
+pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
+    let least = |title: &str, symbol: &str, factor: f64, provided: f64| {
+        let rule = format!("{} d0 = {} · {}", n(factor), n(factor), n(p.d0));
+        let what = (Topic::Detailing, subject);
+        Check::at_least(what, (TABLE, title), symbol, (factor * p.d0, rule), provided, Status::Failed)
+    };
+    let most = |title: &str, symbol: &str, (allowed, rule): (f64, &str), provided: f64| {
+        let what = (Topic::Detailing, subject);
+        Check::at_most(what, (TABLE, title), symbol, (allowed, rule), provided, Status::Warning)
+    };
+    let edge = (4.0 * p.thickness + 40.0, "4 t + 40 mm");
+    let pitch = ((14.0 * p.thickness).min(200.0), "min(14 t, 200 mm)");
+    let mut out = Vec::new();
+    for (e, symbol, title) in [(p.e1, "e1", "end distance"), (p.e2, "e2", "edge distance")] {
+        if let Some(e) = e {
+            out.push(least(title, symbol, 1.2, e));
+            out.push(most(&format!("{title}, exposed steel"), symbol, edge, e));
+        }
+    }
+    if let Some([smallest, largest]) = p.p1 {
+        out.push(least("pitch of the rows", "p1", 2.2, smallest));
+        out.push(most("pitch of the rows, exposed or compressed steel", "p1", pitch, largest));
+    }
+    if let Some(p2) = p.p2 {
+        out.push(least("distance of the columns", "p2", 2.4, p2));
+        out.push(most("distance of the columns, exposed or compressed steel", "p2", pitch, p2));
+    }
+    out
+}
+
+/// Least distance of the centre of a slot from any edge or end.
+///
+/// # Source
+/// EN 1993-1-8:2005 Table 3.3: e3, e4 ≥ 1.5 d0.
+pub fn slot_check(subject: &str, distance: f64, d0: f64) -> Check {
+    let what = (Topic::Detailing, subject);
+    let title = (TABLE, "distance of a slot from the edge");
+    Check::at_least(what, title, "e3, e4", (1.5 * d0, format!("1.5 d0 = 1.5 · {}", n(d0))), distance, Status::Failed)
+}
+
+/// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld \[mm\].
+///
+/// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
+pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
+    let what = (Topic::Detailing, subject);
+    let rule = (2.0 * d + 5.0, format!("2 d + 5 mm, d = {}", n(d)));
+    Check::at_least(what, (PRACTICE, "room for a wrench"), "c", rule, distance, Status::Warning)
+}
+
+/// Whether a washer of outer diameter `washer` lies on the flat: the distance of the bolt's axis from the face of the web
+/// must reach over root radius and half of the washer \[mm\].
+///
+/// Washers and nuts bear on plane surfaces: EN 1090-2 8.2 and 8.3 ask for taper washers elsewhere.
+pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
+    let what = (Topic::Detailing, subject);
+    let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));
+    let mut check = Check::at_least(
+        what,
+        ("EN 1090-2 8.2", "washer clear of the root fillet"),
+        "c",
+        rule,
+        distance,
+        Status::Failed,
+    );
+    check.unit = Unit::Length;
+    check
+}

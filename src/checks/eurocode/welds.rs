@@ -1,0 +1,135 @@
+//! Fillet welds: EN 1993-1-8:2005 4.5.3, 4.5.1, 4.5.2, 4.11.
+
+use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
+
+/// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
+pub const LEAST_THROAT: f64 = 3.0;
+
+/// Strength of the weaker part joined, and its correlation factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeldedSteel {
+    /// Nominal ultimate strength of the weaker part \[MPa\].
+    pub fu: f64,
+    /// β_w, Table 4.1.
+    pub beta_w: f64,
+    /// γ_M2.
+    pub gamma_m2: f64,
+}
+
+/// Stresses on the throat section of a fillet weld \[MPa\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ThroatStress {
+    /// Normal to the throat.
+    pub sigma_perp: f64,
+    /// Shear in the throat, across the weld.
+    pub tau_perp: f64,
+    /// Shear in the throat, along the weld.
+    pub tau_par: f64,
+}
+
+/// Utilisation of a fillet weld by the directional method, to be at most 1.
+///
+/// `√(σ⊥² + 3 (τ⊥² + τ∥²)) ≤ f_u/(β_w γ_M2)` and `σ⊥ ≤ 0.9 f_u/γ_M2`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6), formula 4.1.
+pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
+    let s = stress;
+    let equivalent = (s.sigma_perp.powi(2) + 3.0 * (s.tau_perp.powi(2) + s.tau_par.powi(2))).sqrt();
+    let allowed = steel.fu / (steel.beta_w * steel.gamma_m2);
+    let normal = 0.9 * steel.fu / steel.gamma_m2;
+    let value = (equivalent / allowed).max(s.sigma_perp.abs() / normal);
+    let formula = format!(
+        "max(√(σ⊥² + 3 (τ⊥² + τ∥²)) β_w γ_M2/f_u, σ⊥ γ_M2/(0.9 f_u)) = max({}/{}, {}/{})",
+        n(equivalent),
+        n(allowed),
+        n(s.sigma_perp.abs()),
+        n(normal)
+    );
+    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", "fillet weld, directional method", value, Unit::Number, formula)
+        .with("σ_eq", equivalent, Unit::Stress)
+        .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
+        .with("0.9 f_u/γ_M2", normal, Unit::Stress)
+}
+
+/// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a \[mm\].
+///
+/// `F_w,Rd = a f_u/(√3 β_w γ_M2)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.3(2) and (3), formulas 4.3 and 4.4.
+pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
+    let value = throat * steel.fu / (3f64.sqrt() * steel.beta_w * steel.gamma_m2);
+    let formula = format!(
+        "F_w,Rd = a f_u/(√3 β_w γ_M2) = {} · {}/(√3 · {} · {})",
+        n(throat),
+        n(steel.fu),
+        n(steel.beta_w),
+        n(steel.gamma_m2)
+    );
+    Worked::new("EN 1993-1-8:2005 4.5.3.3", "fillet weld, simplified method", value, Unit::ForcePerLength, formula)
+}
+
+/// Throat of each of two fillet welds that carry all that the plate between them carries in tension \[mm\].
+///
+/// Each weld takes half of `t f_y/γ_M0` across its length, σ⊥ = τ⊥, so that `a ≥ t (f_y/γ_M0) β_w γ_M2/(√2 f_u)`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.
+pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &WeldedSteel) -> Worked {
+    let value = thickness * fy / gamma_m0 * steel.beta_w * steel.gamma_m2 / (2f64.sqrt() * steel.fu);
+    let formula = format!(
+        "a = t (f_y/γ_M0) β_w γ_M2/(√2 f_u) = {} · {}/{} · {} · {}/(√2 · {})",
+        n(thickness),
+        n(fy),
+        n(gamma_m0),
+        n(steel.beta_w),
+        n(steel.gamma_m2),
+        n(steel.fu)
+    );
+    Worked::new(
+        "EN 1993-1-8:2005 4.5.3.2(6)",
+        "throat of a double fillet weld of full strength",
+        value,
+        Unit::Length,
+        formula,
+    )
+}
+
+/// Reduction β_Lw of long lap welds; `length` overall \[mm\].
+///
+/// `β_Lw = 1.2 − 0.2 L_j/(150 a) ≤ 1`.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.11(3), formula 4.9.
+pub fn long_weld_factor(length: f64, throat: f64) -> Worked {
+    let value = (1.2 - 0.2 * length / (150.0 * throat)).min(1.0);
+    let formula = format!("β_Lw = 1.2 − 0.2 L_j/(150 a) = 1.2 − 0.2 · {}/(150 · {}), at most 1", n(length), n(throat));
+    Worked::new("EN 1993-1-8:2005 4.11(3)", "reduction of long lap welds", value, Unit::Number, formula)
+}
+
+/// Least throat and least effective length of a fillet weld.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.2(2): a ≥ 3 mm; 4.5.1(2): l_eff ≥ max(30 mm, 6 a).
+pub fn least_size(subject: &str, throat: f64, effective_length: f64) -> [Check; 2] {
+    let topic = Topic::Welds;
+    [
+        Check::at_least(
+            (topic, subject),
+            ("EN 1993-1-8:2005 4.5.2(2)", "least throat"),
+            "a",
+            (LEAST_THROAT, "3 mm"),
+            throat,
+            Status::Failed,
+        ),
+        Check::at_least(
+            (topic, subject),
+            ("EN 1993-1-8:2005 4.5.1(2)", "least effective length"),
+            "l_eff",
+            ((6.0 * throat).max(30.0), "max(30 mm, 6 a)"),
+            effective_length,
+            Status::Failed,
+        ),
+    ]
+}
