@@ -2,13 +2,13 @@
 
 use super::error::AssemblyError;
 use super::joint::{
-    Assembly, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part, PartMaterial, PartRole, Solid,
-    Surface,
+    Action, Assembly, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part, PartMaterial,
+    PartRole, Solid, Surface,
 };
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
 use super::template::{Axis, BoltEntry, PartEntry, RectangleEntry, RoleEntry, Template};
-use super::{inputs, symmetry, template};
+use super::{actions, inputs, symmetry, template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::{ConnectionSpec, FrictionLaw, MeshSize};
@@ -67,15 +67,15 @@ struct Bolt<'a> {
 }
 
 /// Names the template entry an expression's fault belongs to.
-fn within<T>(at: &str, result: Result<T, ExprError>) -> Result<T, AssemblyError> {
+pub(super) fn within<T>(at: &str, result: Result<T, ExprError>) -> Result<T, AssemblyError> {
     result.map_err(|cause| AssemblyError::Template { at: at.to_owned(), cause })
 }
 
-fn entry_fault<T>(at: &str, problem: impl Into<String>) -> Result<T, AssemblyError> {
+pub(super) fn entry_fault<T>(at: &str, problem: impl Into<String>) -> Result<T, AssemblyError> {
     Err(AssemblyError::TemplateEntry { at: at.to_owned(), problem: problem.into() })
 }
 
-fn identifier(at: &str, name: String) -> Result<String, AssemblyError> {
+pub(super) fn identifier(at: &str, name: String) -> Result<String, AssemblyError> {
     let word = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
     if name.starts_with(|c: char| c.is_ascii_uppercase()) && name.chars().all(word) {
         Ok(name)
@@ -354,7 +354,12 @@ impl<'a> Builder<'a> {
 
     fn loads(&self, faces: &mut Vec<FaceRule>) -> Result<Vec<FaceLoad>, AssemblyError> {
         let mut out = Vec::new();
-        for l in &self.spec.loads {
+        let ends = actions::ends(self.template, self.scope)?;
+        for (i, l) in self.spec.loads.iter().enumerate() {
+            if actions::is_at_an_end(l) {
+                out.extend(actions::on_end(l, i, &ends, faces)?);
+                continue;
+            }
             // inputs.rs has refused loads without a known section
             let Some(e) = self.template.sections.iter().find(|e| Some(&e.name) == l.section.as_ref()) else { continue };
             let at = e.name.as_str();
@@ -368,7 +373,7 @@ impl<'a> Builder<'a> {
             if let Some(p) = l.pressure {
                 traction[e.face.axis.index()] -= p.0 * f64::from(e.outward);
             }
-            out.push(FaceLoad { face, case: l.name.clone(), traction, dead: l.dead });
+            out.push(FaceLoad { face, case: l.name.clone(), action: Action::Traction(traction), dead: l.dead });
         }
         Ok(out)
     }
@@ -405,7 +410,7 @@ fn mid_plane(s: &Scope, x: [[f64; 2]; 3], entry: Option<&template::MidEntry>) ->
     Ok(MidPlane { axis, at, min: extent.map(|i| i[0]), max: extent.map(|i| i[1]) })
 }
 
-fn rectangle(at: &str, s: &Scope, r: &RectangleEntry) -> Result<Surface, AssemblyError> {
+pub(super) fn rectangle(at: &str, s: &Scope, r: &RectangleEntry) -> Result<Surface, AssemblyError> {
     let axis = r.axis.index();
     let level = within(at, s.length(&r.at))?;
     let (mut min, mut max) = ([level; 3], [level; 3]);

@@ -1,5 +1,6 @@
 //! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
 
+use super::actions;
 use super::error::AssemblyError;
 use super::joint::PartMaterial;
 use super::scope::{Given, Resolved, Scope, path_of};
@@ -257,16 +258,13 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     let sections = || template.sections.iter().map(|s| s.name.as_str());
     for (i, l) in spec.loads.iter().enumerate() {
         let path = format!("loads[{i}]");
+        if actions::is_at_an_end(l) {
+            actions::check(&spec.loads, i, template, faults);
+            continue;
+        }
         let mut value = |problem: String, help: &str| {
             faults.push(AssemblyError::Value { path: path.clone(), problem, help: help.into() });
         };
-        if l.end.is_some() || l.at.is_some() || !l.actions().is_empty() || !l.factor.is_empty() {
-            value(
-                "forces and moments at member ends are not supported by this version".into(),
-                "load a section by `pressure` or `traction`, for example `{name: TOP, section: column_top, pressure: 45 MPa}`",
-            );
-            continue;
-        }
         match &l.section {
             None => value(
                 "the load does not say where it acts".into(),

@@ -190,15 +190,32 @@ pub struct FaceSupport {
     pub fix: [bool; 3],
 }
 
-/// A load on a named face: constant traction \[MPa\] of a load case.
+/// What acts on a named face.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Action {
+    /// Constant traction \[MPa\].
+    Traction([f64; 3]),
+    /// Force and moment on a section that stays plane and keeps its shape. Global axes, moments right-handed.
+    Resultant {
+        /// Point the force passes through and the moment is taken about \[mm\].
+        at: [f64; 3],
+        /// Force \[N\].
+        force: [f64; 3],
+        /// Moment \[N mm\].
+        moment: [f64; 3],
+    },
+}
+
+/// A load on a named face, of a load case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FaceLoad {
     /// Key into [`Assembly::faces`].
     pub face: String,
     /// Load case.
     pub case: String,
-    /// Traction \[MPa\].
-    pub traction: [f64; 3],
+    /// What acts.
+    pub action: Action,
     /// Not multiplied by the load factor.
     pub dead: bool,
 }

@@ -1,5 +1,6 @@
 //! Spec + template + catalogue → parts, interfaces, supports, loads, symmetry.
 
+mod actions;
 pub mod build;
 pub mod error;
 pub mod inputs;

@@ -3,7 +3,7 @@
 //! Solids are compared as sets of rounded points, so that it does not matter in which order or sense a template draws
 //! them.
 
-use super::joint::{Assembly, OutlineEdge, Solid, Surface, SymmetryPlane};
+use super::joint::{Action, Assembly, OutlineEdge, Solid, Surface, SymmetryPlane};
 use std::collections::BTreeMap;
 
 /// Coordinates that agree to this are the same \[mm\].
@@ -98,6 +98,19 @@ fn surface(s: &Surface, mirror: Option<usize>) -> Signature {
     }
 }
 
+/// What acts on a face: traction, or point, force and moment. A mirror turns moments the other way round, but for the one
+/// about its normal.
+fn action(a: &Action, mirror: Option<usize>) -> Vec<Point> {
+    match *a {
+        Action::Traction(t) => vec![round(t, mirror)],
+        Action::Resultant { at, force, moment } => {
+            let turned =
+                mirror.map_or(moment, |axis| std::array::from_fn(|k| if k == axis { moment[k] } else { -moment[k] }));
+            vec![round(at, mirror), round(force, mirror), round(turned, None)]
+        }
+    }
+}
+
 /// Everything about a joint that symmetry must keep, with part names replaced by numbers of equal shapes.
 fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let shapes: BTreeMap<&str, (Signature, &str, i64)> = a
@@ -122,7 +135,7 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let mut supports: Vec<_> = a.supports.iter().map(|s| (face(&s.face), s.fix)).collect();
     supports.sort();
     let mut loads: Vec<_> =
-        a.loads.iter().map(|l| (face(&l.face), l.case.clone(), round(l.traction, mirror), l.dead)).collect();
+        a.loads.iter().map(|l| (face(&l.face), l.case.clone(), action(&l.action, mirror), l.dead)).collect();
     loads.sort();
     (parts, interfaces, supports, loads)
 }

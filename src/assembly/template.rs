@@ -5,14 +5,18 @@
 use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
 use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
-use crate::spec::loads::LoadSpec;
+use crate::spec::loads::{ActionPoint, LoadSpec};
 use crate::spec::yaml;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The shipped templates: name and text.
-pub const SHIPPED: &[(&str, &str)] =
-    &[("double_sided_end_plate", include_str!("../../templates/double_sided_end_plate.yaml"))];
+pub const SHIPPED: &[(&str, &str)] = &[
+    ("beam_splice", include_str!("../../templates/beam_splice.yaml")),
+    ("beam_to_column_end_plate", include_str!("../../templates/beam_to_column_end_plate.yaml")),
+    ("double_sided_end_plate", include_str!("../../templates/double_sided_end_plate.yaml")),
+];
 
 /// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -65,6 +69,9 @@ pub struct Template {
     /// Faces that loads can name.
     #[serde(default)]
     pub sections: Vec<SectionEntry>,
+    /// Member ends that actions can name.
+    #[serde(default)]
+    pub ends: Vec<EndEntry>,
     /// Supports.
     #[serde(default)]
     pub supports: Vec<SupportEntry>,
@@ -410,6 +417,47 @@ pub struct SectionEntry {
     /// True when edges of the part do not bound it.
     #[serde(default)]
     pub imprint: bool,
+}
+
+/// A member end that N, V, M and T can act on. The member's own axes: x′ along `outward`, out of the joint; z′ along `depth`;
+/// y′ = z′ × x′. The end section stays plane.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EndEntry {
+    /// Name, as a load says it.
+    pub name: String,
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// What it is.
+    pub about: String,
+    /// Its part.
+    pub part: String,
+    /// +1 or −1: direction of the outward normal along the face's axis.
+    pub outward: Expr,
+    /// Direction of the section's depth, upwards.
+    pub depth: Axis,
+    /// Where the end section is.
+    pub face: RectangleEntry,
+    /// Points that `at` can name: `node`, `column_face`, `bolt_plane`.
+    pub points: BTreeMap<ActionPoint, [Expr; 3]>,
+}
+
+impl EndEntry {
+    /// The names it may give, whatever its `when` says.
+    pub fn names(&self) -> Vec<String> {
+        self.each.iter().fold(vec![self.name.clone()], |names, l| {
+            let fill = |label: &String| names.iter().map(|n| n.replace(&format!("{{#{}}}", l.each), label)).collect();
+            l.labels.iter().flat_map(|label| -> Vec<String> { fill(label) }).collect()
+        })
+    }
+
+    /// What `at` can say.
+    pub fn point_words(&self) -> Vec<&'static str> {
+        self.points.keys().map(|p| p.word()).collect()
+    }
 }
 
 /// A support.

@@ -1,6 +1,6 @@
 //! The paper's joint from its spec, and the symmetry of its variants.
 
-use super::joint::{OutlineEdge, Part, PartRole, Solid, Surface};
+use super::joint::{Action, OutlineEdge, Part, PartRole, Solid, Surface};
 use super::{Joint, build};
 use crate::catalog::Catalog;
 use crate::diag::Diagnostics;
@@ -103,7 +103,7 @@ fn paper_joint_is_complete() {
     assert_eq!((min, max), ([1007.5, -85.0, -180.0], [1022.5, 85.0, -180.0]));
     assert!(a.supports.iter().all(|s| s.fix == [true; 3]) && a.supports.len() == 2);
     assert_eq!(a.loads.len(), 1);
-    assert_eq!((a.loads[0].face.as_str(), a.loads[0].traction), ("COLUMN_TOP", [0.0, 0.0, -45.0]));
+    assert_eq!((a.loads[0].face.as_str(), a.loads[0].action), ("COLUMN_TOP", Action::Traction([0.0, 0.0, -45.0])));
     assert_eq!(a.materials["S235"], super::joint::PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) });
 }
 

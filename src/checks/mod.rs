@@ -9,6 +9,7 @@ pub mod component_method;
 pub mod ductility;
 pub mod error;
 pub mod eurocode;
+pub mod verdict;
 
 pub use check::{Check, Status, Step, Topic, Unit, Worked};
 pub use error::CheckError;

@@ -69,6 +69,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         model,
         model_file: ("model.yaml".into(), yaml::to_string(&file)?),
         mesh_seconds: None,
+        demand: None,
     };
     finish(vec![case], echo, &limits, folder, log, common)
 }

@@ -8,11 +8,13 @@ use crate::adapt::memory::{Limit, room};
 use crate::adapt::pass::{self, PassOptions, Refusal};
 use crate::adapt::problem::Program;
 use crate::bounds::faces::contact_faces;
+use crate::checks::verdict::{self, Verdict};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
 use crate::model::file::{AnalysisKind, Friction};
-use crate::report::data::{CaseResult, ResultFile, Verdict};
+use crate::report::data::{CaseResult, Quantity, ResultFile};
+use crate::report::demand::{Demand, EndAction};
 use crate::report::figures;
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
@@ -103,6 +105,8 @@ pub struct Case {
     pub model_file: (String, String),
     /// Seconds the mesh took, where this run made it.
     pub mesh_seconds: Option<f64>,
+    /// The forces and moments that the loads demand of a joint; `None`: the loads are a model's, there is no demand.
+    pub demand: Option<Vec<EndAction>>,
 }
 
 /// What the report says about the input.
@@ -210,6 +214,11 @@ pub fn finish(
                 echo.coarser
             ));
         }
+        if let (Quantity::LoadFactor, Some(actions)) = (entry.quantity, &case.demand) {
+            let (lower, upper) = entry.safe_bounds();
+            entry.utilisation = verdict::utilisation(lower, upper);
+            entry.demand = Some(Demand { verdict: Verdict::of(lower, upper), actions: actions.clone() });
+        }
         let stem = entry_stem(&result.cases, &entry);
         if pictures.is_empty() {
             pictures.push(mesh_picture(&case.model, &echo.mirror, &folder)?);
@@ -229,6 +238,11 @@ pub fn finish(
         }
         result.cases.push(entry);
     }
+    let complete = result.cases.len() == cases.len();
+    result.verdict = Verdict::worst(result.cases.iter().filter_map(|c| c.demand.as_ref()).map(|d| d.verdict));
+    if !complete && result.verdict == Verdict::Ok {
+        result.verdict = Verdict::Undecided;
+    }
     let json = result.to_json().map_err(Diagnostic::from)?;
     let data = ReportData {
         project: echo.project,
@@ -246,7 +260,6 @@ pub fn finish(
     folder.write("result.json", json.as_bytes())?;
     folder.write("report.md", report_markdown(&data).as_bytes())?;
     let bare = data.result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
-    let complete = data.result.cases.len() == cases.len();
     let certified = data.result.cases.iter().all(|c| c.certificate.is_some_and(|x| x.strict) && has_asked_bounds(c));
     for c in &data.result.cases {
         log.line(answer(c));
@@ -262,7 +275,12 @@ pub fn finish(
     if common.format == Format::Json {
         out::text(&json)?;
     }
-    Ok(if complete && certified { 0 } else { 3 })
+    Ok(match data.result.verdict {
+        Verdict::NotOk => 1,
+        Verdict::Undecided => 3,
+        _ if complete && certified => 0,
+        _ => 3,
+    })
 }
 
 /// Every program that ran gave its bound.

@@ -7,6 +7,7 @@ use crate::assembly::template::{self, Template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
+use crate::spec::loads::LoadSpec;
 use crate::units::{self, Length};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -177,15 +178,22 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
          law: associated  # slip dilates: both bounds are strict; coulomb (the default) is available with `kind: limit` alone\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
-    let _ = writeln!(
-        out,
-        "# section: {}; pressure: positive pushes on the face, or traction: [x, y, z]",
-        sections.join(", ")
-    );
+    if !sections.is_empty() {
+        let list = sections.join(", ");
+        let _ = writeln!(out, "# section: {list}; pressure: positive pushes on the face, or traction: [x, y, z]");
+    }
+    let ends: Vec<String> = template.ends.iter().flat_map(|e| e.names()).collect();
+    if !ends.is_empty() {
+        let _ = writeln!(
+            out,
+            "# end: {}; at: the point N, Vy, Vz, T, My, Mz refer to. N pulls, Vz lifts, My pulls the top of the section (hogging)\n\
+             # factor: which of them the load factor multiplies (all, if left out)",
+            ends.join(", ")
+        );
+    }
     out.push_str("loads:\n");
     for l in &spec.loads {
-        let (section, p) = (l.section.as_deref().unwrap_or(""), l.pressure.map_or(0.0, |p| p.0));
-        let _ = writeln!(out, "  - {{name: {}, section: {section}, pressure: {p} MPa}}", l.name);
+        let _ = writeln!(out, "  - {{{}}}", load_words(l));
     }
     let a = &spec.analysis;
     let _ = write!(
@@ -200,6 +208,20 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
         a.target_gap, a.max_macro_tets, a.mesh.segments
     );
     Ok(out)
+}
+
+/// A load as a line of the starter.
+fn load_words(l: &LoadSpec) -> String {
+    let mut words = vec![format!("name: {}", l.name)];
+    words.extend(l.section.iter().map(|s| format!("section: {s}")));
+    words.extend(l.pressure.iter().map(|p| format!("pressure: {} MPa", p.0)));
+    words.extend(l.end.iter().map(|e| format!("end: {e}")));
+    words.extend(l.at.iter().map(|p| format!("at: {}", p.word())));
+    words.extend(l.actions().into_iter().map(|(action, v)| match action.direction() {
+        (_, false) => format!("{}: {} kN", action.word(), v * 1e-3),
+        (_, true) => format!("{}: {} kN m", action.word(), v * 1e-6),
+    }));
+    words.join(", ")
 }
 
 /// Lines of at most `width` characters, broken at blanks.

@@ -15,6 +15,7 @@ use crate::model::file::AnalysisKind;
 use crate::model::from_joint;
 use crate::model::resolve::resolve;
 use crate::report::data::input_hash;
+use crate::report::demand::{ActionValue, EndAction};
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ResolvedValue};
@@ -183,17 +184,17 @@ fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     };
     let loads = &input.spec.value.loads;
     for (i, load) in loads.iter().enumerate() {
-        for (key, stress) in stresses(load) {
-            let size = stress.abs();
-            if size != 0.0 && !STRESSES.contains(&size) {
-                let [least, most] = [STRESSES.start(), STRESSES.end()].map(|s| format!("{s:e} MPa"));
+        for Quantity { key, value, unit, sizes } in quantities(load) {
+            let size = value.abs();
+            if size != 0.0 && !sizes.contains(&size) {
+                let [least, most] = [sizes.start(), sizes.end()].map(|s| format!("{s:e} {unit}"));
                 let message =
-                    format!("`loads[{i}].{key}` is {stress:e} MPa; allowed: zero, or a size from {least} to {most}");
+                    format!("`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from {least} to {most}");
                 return refuse(format!("loads[{i}].{key}"), "spec/range", message, "check the number and its unit");
             }
         }
-        let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(stresses);
-        if case.all(|(_, stress)| stress == 0.0) {
+        let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(quantities);
+        if case.all(|q| q.value == 0.0) {
             let message = format!("nothing acts in the load case `{}`: every load is zero", load.name);
             return refuse(format!("loads[{i}]"), "model/no-load", message, "give a load that is not zero");
         }
@@ -201,13 +202,25 @@ fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Sizes of a load that make sense \[MPa\]: energies go with their square, twice their exponent must be a number.
-const STRESSES: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+/// A number of a load, and the sizes of it that make sense: energies go with their square, twice their exponent must be a
+/// number.
+struct Quantity {
+    key: &'static str,
+    value: f64,
+    unit: &'static str,
+    sizes: std::ops::RangeInclusive<f64>,
+}
 
-/// The stresses of a load with their keys \[MPa\].
-fn stresses(load: &LoadSpec) -> impl Iterator<Item = (&'static str, f64)> {
-    let traction = load.traction.into_iter().flatten().map(|s| ("traction", s.0));
-    load.pressure.into_iter().map(|s| ("pressure", s.0)).chain(traction)
+/// The numbers of a load.
+fn quantities(load: &LoadSpec) -> Vec<Quantity> {
+    let stress = |key, value| Quantity { key, value, unit: "MPa", sizes: 1e-9..=1e9 };
+    let mut out: Vec<Quantity> = load.pressure.iter().map(|p| stress("pressure", p.0)).collect();
+    out.extend(load.traction.into_iter().flatten().map(|t| stress("traction", t.0)));
+    out.extend(load.actions().into_iter().map(|(action, value)| match action.direction() {
+        (_, false) => Quantity { key: action.word(), value, unit: "N", sizes: 1e-6..=1e12 },
+        (_, true) => Quantity { key: action.word(), value, unit: "N mm", sizes: 1e-6..=1e15 },
+    }));
+    out
 }
 
 fn mesh(
@@ -269,9 +282,26 @@ fn cases(
                 model,
                 model_file: (file_name, yaml::to_string(&file)?),
                 mesh_seconds: Some(mesh_seconds),
+                demand: Some(end_actions(&input.spec.value.loads, name)),
             })
         })
         .collect()
+}
+
+/// The forces and moments at member ends of a load case.
+fn end_actions(loads: &[LoadSpec], case: &str) -> Vec<EndAction> {
+    let mut out = Vec::new();
+    for load in loads.iter().filter(|l| l.name == case) {
+        let (Some(end), Some(at)) = (&load.end, load.at) else { continue };
+        out.extend(load.actions().into_iter().map(|(action, value)| EndAction {
+            end: end.clone(),
+            at: at.word().into(),
+            action: action.word().into(),
+            value: if action.direction().1 { ActionValue::Moment(value) } else { ActionValue::Force(value) },
+            factored: load.multiplies(action),
+        }));
+    }
+    out
 }
 
 fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {

@@ -44,9 +44,14 @@ fn data(t: &Template) -> Value {
         .map(|p| json!({"name": p.name, "about": p.about, "required": p.default.is_none()}))
         .collect();
     let sections: Vec<Value> = t.sections.iter().map(|s| json!({"name": s.name, "about": s.about})).collect();
+    let ends: Vec<Value> = t
+        .ends
+        .iter()
+        .flat_map(|e| e.names().into_iter().map(|n| json!({"name": n, "about": e.about, "at": e.point_words()})))
+        .collect();
     json!({
         "name": t.name, "title": t.title, "about": t.about,
-        "members": members, "parameters": parameters, "sections": sections,
+        "members": members, "parameters": parameters, "sections": sections, "ends": ends,
     })
 }
 
@@ -66,6 +71,19 @@ fn page(t: &Template) -> String {
         t.parameters.iter().map(|p| (p.name.as_str(), format!("{}{}", p.about, required(p)))).collect(),
     );
     table("Sections that loads can name", t.sections.iter().map(|s| (s.name.as_str(), s.about.clone())).collect());
+    if !t.ends.is_empty() {
+        let rows: Vec<(String, String)> = t
+            .ends
+            .iter()
+            .flat_map(|e| {
+                e.names().into_iter().map(|n| (n, format!("{}; at: {}", e.about, e.point_words().join(", "))))
+            })
+            .collect();
+        table(
+            "Member ends that forces and moments can act on",
+            rows.iter().map(|(n, a)| (n.as_str(), a.clone())).collect(),
+        );
+    }
     out.push_str(&format!("\n`bracket new {}` writes a starter with defaults and ranges.\n", t.name));
     out
 }

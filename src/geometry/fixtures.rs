@@ -230,7 +230,12 @@ pub(crate) fn paper_joint() -> Assembly {
         interfaces,
         faces,
         supports,
-        loads: vec![FaceLoad { face: "LOAD_TOP".into(), case: "TOP".into(), traction: [0.0, 0.0, -45.0], dead: false }],
+        loads: vec![FaceLoad {
+            face: "LOAD_TOP".into(),
+            case: "TOP".into(),
+            action: Action::Traction([0.0, 0.0, -45.0]),
+            dead: false,
+        }],
         symmetry: vec![SymmetryPlane { axis: 0 }, SymmetryPlane { axis: 1 }],
         clearances: vec![],
     }
@@ -281,7 +286,12 @@ pub(crate) fn lap_joint() -> Assembly {
         ],
         faces: vec![face("BASE", "LOWER", -40.0), face("PULL", "UPPER", 40.0)],
         supports: vec![FaceSupport { face: "BASE".into(), fix: [true; 3] }],
-        loads: vec![FaceLoad { face: "PULL".into(), case: "PULL".into(), traction: [10.0, 0.0, 0.0], dead: false }],
+        loads: vec![FaceLoad {
+            face: "PULL".into(),
+            case: "PULL".into(),
+            action: Action::Traction([10.0, 0.0, 0.0]),
+            dead: false,
+        }],
         symmetry: vec![SymmetryPlane { axis: 1 }],
         clearances: vec![],
     }

@@ -1,15 +1,16 @@
 //! A meshed joint's `MODEL.yaml`: bodies, materials, interfaces, supports, symmetry and loads by the mesh's names.
 
 use super::file::{
-    AnalysisKind, Axis, Bounds, Friction, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Nodes,
-    SupportEntry,
+    AnalysisKind, Axis, Bounds, Friction, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
+    RigidEntry, SupportEntry,
 };
 use crate::assembly::Assembly;
-use crate::assembly::joint::{FaceLoad, SymmetryPlane};
+use crate::assembly::joint::{Action, FaceLoad, Surface, SymmetryPlane};
 use crate::mesh::TetMesh;
 use crate::mesh::naming::symmetry_face;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+const MOTIONS: [Motion; 6] = [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
 
 /// Names of the load cases, in the order of their first load.
 pub fn cases(assembly: &Assembly) -> Vec<String> {
@@ -25,7 +26,8 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 /// The model of one load case on a joint's mesh.
 ///
 /// `mesh` decides what is there: rules about parts or faces beyond a symmetry plane are left out. `mesh_name` is the
-/// mesh file's path relative to the model file. Rigid-face, preload and adaptation entries are empty.
+/// mesh file's path relative to the model file. Forces and moments become rigid faces that may move in every way the
+/// symmetry planes through them leave. Preload and adaptation entries are empty.
 pub fn model_file(
     assembly: &Assembly,
     mesh: &TetMesh,
@@ -76,14 +78,15 @@ pub fn model_file(
             supports.push(support(face, std::array::from_fn(|k| k == plane.axis)));
         }
     }
+    let here: Vec<&FaceLoad> = assembly.loads.iter().filter(|l| l.case == case && has_face(&l.face)).collect();
     let loads = |dead: bool| -> Vec<LoadEntry> {
-        let of_case = |l: &&FaceLoad| l.case == case && l.dead == dead && has_face(&l.face);
-        assembly
-            .loads
-            .iter()
-            .filter(of_case)
-            .map(|l| LoadEntry { face: Some(l.face.clone()), traction: Some(l.traction), ..LoadEntry::default() })
-            .collect()
+        let entry = |l: &&FaceLoad| match l.action {
+            Action::Traction(t) if l.dead == dead => {
+                Some(LoadEntry { face: Some(l.face.clone()), traction: Some(t), ..LoadEntry::default() })
+            }
+            _ => None,
+        };
+        here.iter().filter_map(entry).collect()
     };
     ModelFile {
         mesh: mesh_name.to_string(),
@@ -94,13 +97,52 @@ pub fn model_file(
         bodies: kept.iter().map(|p| (p.name.clone(), p.material.clone())).collect(),
         interfaces,
         supports,
-        rigid: Vec::new(),
+        rigid: rigid_entries(assembly, &here, symmetry_used),
         loads: loads(false),
         dead: loads(true),
         preload: Vec::new(),
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }
+}
+
+/// The sections that forces and moments of a load case act on. A symmetry plane that halves a section halves what acts on
+/// it, and leaves it the motions in the plane.
+fn rigid_entries(assembly: &Assembly, loads: &[&FaceLoad], symmetry_used: &[SymmetryPlane]) -> Vec<RigidEntry> {
+    let mut out: Vec<RigidEntry> = Vec::new();
+    for load in loads {
+        let Action::Resultant { at, force, moment } = load.action else { continue };
+        let surface = assembly.faces.iter().find(|f| f.name == load.face).map(|f| f.surface);
+        let halves = |plane: &&SymmetryPlane| match surface {
+            Some(Surface::Plane { min, max, .. }) => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
+            _ => false,
+        };
+        let cuts: Vec<usize> = symmetry_used.iter().filter(halves).map(|p| p.axis).collect();
+        let share = 0.5_f64.powi(cuts.len() as i32);
+        let (force, moment) = (force.map(|f| share * f), moment.map(|m| share * m));
+        let known = out.iter().position(|r| r.face == load.face);
+        let index = known.unwrap_or_else(|| {
+            let stays = |k: usize| cuts.iter().all(|&axis| if k < 3 { k != axis } else { k - 3 == axis });
+            out.push(RigidEntry {
+                face: load.face.clone(),
+                components: AXES.to_vec(),
+                free: MOTIONS.into_iter().enumerate().filter(|(k, _)| stays(*k)).map(|(_, m)| m).collect(),
+                at,
+                force: [0.0; 3],
+                moment: [0.0; 3],
+                dead_force: [0.0; 3],
+                dead_moment: [0.0; 3],
+            });
+            out.len() - 1
+        });
+        let entry = &mut out[index];
+        if load.dead {
+            (entry.dead_force, entry.dead_moment) = (force, moment);
+        } else {
+            (entry.force, entry.moment) = (force, moment);
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -140,8 +182,12 @@ mod tests {
     #[test]
     fn cases_are_kept_apart_and_dead_loads_go_to_dead() {
         let mut joint = lap_joint();
-        let extra =
-            |case: &str, dead| FaceLoad { face: "PULL".into(), case: case.into(), traction: [0.0, 0.0, 1.0], dead };
+        let extra = |case: &str, dead| FaceLoad {
+            face: "PULL".into(),
+            case: case.into(),
+            action: Action::Traction([0.0, 0.0, 1.0]),
+            dead,
+        };
         joint.loads.push(extra("LIFT", false));
         joint.loads.push(extra("PULL", true));
         assert_eq!(cases(&joint), ["PULL", "LIFT"]);
@@ -150,5 +196,38 @@ mod tests {
         assert_eq!((model.loads.len(), model.dead.len(), model.symmetry), (1, 1, 1));
         let lift = model_file(&joint, &mesh, &[], "mesh.msh", "LIFT", AnalysisKind::Limit);
         assert_eq!((lift.loads[0].traction, lift.dead.len()), (Some([0.0, 0.0, 1.0]), 0));
+    }
+
+    #[test]
+    fn a_halved_section_carries_half_and_keeps_the_motions_of_its_plane() {
+        let mut joint = paper_joint();
+        joint.loads = [false, true]
+            .map(|dead| FaceLoad {
+                face: "LOAD_TOP".into(),
+                case: "ULS".into(),
+                action: Action::Resultant {
+                    at: [0.0, 0.0, 5.0],
+                    force: [0.0, 0.0, if dead { -8.0 } else { 4.0 }],
+                    moment: [0.0, if dead { 0.0 } else { 16.0 }, 0.0],
+                },
+                dead,
+            })
+            .to_vec();
+        let mesh = names(&["COLUMN"], &["LOAD_TOP"]);
+        let of = |axes: &[usize]| {
+            let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
+            let model = model_file(&joint, &mesh, &planes, "mesh.msh", "ULS", AnalysisKind::Limit);
+            assert_eq!((model.loads.len(), model.dead.len(), model.rigid.len()), (0, 0, 1));
+            model.rigid[0].clone()
+        };
+        let whole = of(&[]);
+        assert_eq!((whole.at, whole.force, whole.moment), ([0.0, 0.0, 5.0], [0.0, 0.0, 4.0], [0.0, 16.0, 0.0]));
+        assert_eq!((whole.dead_force, whole.dead_moment), ([0.0, 0.0, -8.0], [0.0; 3]));
+        assert_eq!(whole.free, MOTIONS);
+        let half = of(&[1]);
+        assert_eq!((half.force[2], half.moment[1], half.dead_force[2]), (2.0, 8.0, -4.0));
+        assert_eq!(half.free, [Motion::Ux, Motion::Uz, Motion::Ry]);
+        let quarter = of(&[0, 1]);
+        assert_eq!((quarter.force[2], quarter.free), (1.0, vec![Motion::Uz]));
     }
 }

@@ -193,6 +193,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         upper: upper.map(Upper::Finite),
         gap,
         utilisation: None,
+        demand: None,
         frictionless: None,
         associated: None,
         coulomb_estimate: None,

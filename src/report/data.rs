@@ -3,6 +3,8 @@
 //! Absent is absent: what was not computed is `None` and leaves no key behind; no zero, NaN or null stands for it.
 //! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
 
+use super::demand::Demand;
+pub use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;
 use serde::{Deserialize, Serialize};
@@ -50,20 +52,6 @@ impl Tool {
     pub fn this() -> Self {
         Self { name: env!("CARGO_PKG_NAME").into(), version: env!("CARGO_PKG_VERSION").into() }
     }
-}
-
-/// The answer in one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// The demand is below the lower bound and every check holds.
-    Ok,
-    /// The demand is above the upper bound, or a check failed.
-    NotOk,
-    /// The demand lies inside the bracket, or there is no certificate.
-    Undecided,
-    /// There is no demand to judge.
-    None,
 }
 
 /// What `lower` and `upper` bracket.
@@ -161,6 +149,9 @@ pub struct CaseResult {
     /// Bracket of demand over capacity, lower first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<[f64; 2]>,
+    /// What the load case demands, where a demand is judged (`run` with limit analysis).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub demand: Option<Demand>,
     /// Raw bracket of the frictionless problem.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frictionless: Option<RawBracket>,
@@ -501,6 +492,7 @@ mod tests {
             upper: Some(Upper::Finite(-318891.744)),
             gap: Some(0.0458),
             utilisation: None,
+            demand: None,
             frictionless: None,
             associated: None,
             coulomb_estimate: None,

@@ -136,6 +136,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         upper,
         gap,
         utilisation: None,
+        demand: None,
         frictionless,
         associated,
         coulomb_estimate: None,

@@ -3,6 +3,7 @@
 mod canvas;
 pub mod case;
 pub mod data;
+pub mod demand;
 pub mod field_files;
 pub mod figures;
 pub mod folder;

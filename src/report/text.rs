@@ -1,11 +1,11 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
-use super::data::{
-    CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper, Verdict,
-};
+use super::data::{CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper};
+use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
+use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
 
 /// The text of `report.md`, the same for the same data.
@@ -19,6 +19,7 @@ pub fn report_markdown(data: &ReportData) -> String {
         Verdict::Undecided => paragraph(&mut page, "Verdict: **undecided** within the limits given."),
         Verdict::None => {}
     }
+    demands(&mut page, &data.result);
     for case in &data.result.cases {
         answer(&mut page, case, data);
     }

@@ -22,52 +22,90 @@ pub struct LoadSpec {
     /// True: not multiplied by the load factor.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub dead: bool,
-    /// Member end the actions act on: `beam_left`.
+    /// Member end the actions act on: `beam_left`. The member's own axes: x′ out of the joint, z′ along the section's depth
+    /// (up for a beam), y′ = z′ × x′.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end: Option<String>,
     /// Where the actions act: the lever arm must be said.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<ActionPoint>,
-    /// Axial force, tension positive.
+    /// Axial force along x′, tension positive.
     #[serde(default, rename = "N", skip_serializing_if = "Option::is_none")]
     pub n: Option<Force>,
-    /// Shear force along the member's y.
+    /// Shear force on the end section along y′.
     #[serde(default, rename = "Vy", skip_serializing_if = "Option::is_none")]
     pub vy: Option<Force>,
-    /// Shear force along the member's z.
+    /// Shear force on the end section along z′: positive lifts a beam, negative presses it down.
     #[serde(default, rename = "Vz", skip_serializing_if = "Option::is_none")]
     pub vz: Option<Force>,
-    /// Torsion.
+    /// Torsion, right-handed about x′.
     #[serde(default, rename = "T", skip_serializing_if = "Option::is_none")]
     pub t: Option<Moment>,
-    /// Moment about the member's y (strong axis).
+    /// Moment about y′ (strong axis): positive pulls the top of the section, as under hogging moments.
     #[serde(default, rename = "My", skip_serializing_if = "Option::is_none")]
     pub my: Option<Moment>,
-    /// Moment about the member's z (weak axis).
+    /// Moment about z′ (weak axis), right-handed.
     #[serde(default, rename = "Mz", skip_serializing_if = "Option::is_none")]
     pub mz: Option<Moment>,
-    /// Which of the actions the load factor multiplies; the others are fixed.
+    /// Which of the actions the load factor multiplies, the others are fixed; left out: all of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub factor: Vec<Action>,
 }
 
 impl LoadSpec {
-    /// The actions that are given, by name.
-    pub fn actions(&self) -> Vec<Action> {
-        let given = [
-            (Action::N, self.n.is_some()),
-            (Action::Vy, self.vy.is_some()),
-            (Action::Vz, self.vz.is_some()),
-            (Action::T, self.t.is_some()),
-            (Action::My, self.my.is_some()),
-            (Action::Mz, self.mz.is_some()),
-        ];
-        given.into_iter().filter(|(_, g)| *g).map(|(a, _)| a).collect()
+    /// The actions that are given, with their sizes \[N, N mm\].
+    pub fn actions(&self) -> Vec<(Action, f64)> {
+        let forces = [(Action::N, self.n), (Action::Vy, self.vy), (Action::Vz, self.vz)];
+        let moments = [(Action::T, self.t), (Action::My, self.my), (Action::Mz, self.mz)];
+        let forces = forces.into_iter().filter_map(|(a, v)| Some((a, v?.0)));
+        forces.chain(moments.into_iter().filter_map(|(a, v)| Some((a, v?.0)))).collect()
+    }
+
+    /// True if the load factor multiplies the action.
+    pub fn multiplies(&self, action: Action) -> bool {
+        !self.dead && (self.factor.is_empty() || self.factor.contains(&action))
+    }
+}
+
+impl ActionPoint {
+    /// The word in a spec.
+    pub fn word(self) -> &'static str {
+        match self {
+            ActionPoint::Node => "node",
+            ActionPoint::ColumnFace => "column_face",
+            ActionPoint::BoltPlane => "bolt_plane",
+        }
+    }
+}
+
+impl Action {
+    /// The word in a spec.
+    pub fn word(self) -> &'static str {
+        match self {
+            Action::N => "N",
+            Action::Vy => "Vy",
+            Action::Vz => "Vz",
+            Action::T => "T",
+            Action::My => "My",
+            Action::Mz => "Mz",
+        }
+    }
+
+    /// Axis of the member it acts along or about (0: x′, 1: y′, 2: z′), and whether it is a moment.
+    pub fn direction(self) -> (usize, bool) {
+        match self {
+            Action::N => (0, false),
+            Action::Vy => (1, false),
+            Action::Vz => (2, false),
+            Action::T => (0, true),
+            Action::My => (1, true),
+            Action::Mz => (2, true),
+        }
     }
 }
 
 /// Where the actions at a member's end act.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ActionPoint {
     /// Intersection of the member axes.

@@ -1,0 +1,169 @@
+//! Forces and moments at member ends: from the member's own axes to a force and a moment in global axes.
+
+use super::build::{entry_fault, identifier, rectangle, within};
+use super::error::AssemblyError;
+use super::joint::{Action as Acting, FaceLoad, FaceRule};
+use super::scope::Scope;
+use super::template::{EndEntry, SHIPPED, Template};
+use crate::diag::did_you_mean;
+use crate::math::vec3::{self, V3};
+use crate::spec::loads::{ActionPoint, LoadSpec};
+
+/// A member end at one turn of its loops.
+pub(super) struct End<'a> {
+    name: String,
+    entry: &'a EndEntry,
+    scope: Scope,
+}
+
+/// All member ends of a joint.
+pub(super) fn ends<'a>(template: &'a Template, scope: &Scope) -> Result<Vec<End<'a>>, AssemblyError> {
+    let mut out = Vec::new();
+    for entry in &template.ends {
+        let at = entry.name.as_str();
+        for scope in within(at, scope.turns(&entry.each, entry.when.as_ref()))? {
+            out.push(End { name: within(at, scope.text(at))?, entry, scope });
+        }
+    }
+    Ok(out)
+}
+
+/// True if a load means a member end rather than a section.
+pub(super) fn is_at_an_end(load: &LoadSpec) -> bool {
+    load.end.is_some() || load.at.is_some() || !load.actions().is_empty() || !load.factor.is_empty()
+}
+
+/// Faults of a load at a member end that need no numbers of the joint.
+pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &mut Vec<AssemblyError>) {
+    let load = &loads[i];
+    let mut value = |key: &str, problem: String, help: &str| {
+        let path = if key.is_empty() { format!("loads[{i}]") } else { format!("loads[{i}].{key}") };
+        faults.push(AssemblyError::Value { path, problem, help: help.into() });
+    };
+    if template.ends.is_empty() {
+        let problem = format!("template `{}` has no member ends that forces and moments could act on", template.name);
+        let with: Vec<String> =
+            SHIPPED.iter().filter(|(_, t)| t.contains("\nends:")).map(|(n, _)| format!("`{n}`")).collect();
+        let help = format!(
+            "load a section by `pressure` or `traction`, or take a template with member ends: {}",
+            with.join(", ")
+        );
+        value("", problem, &help);
+        return;
+    }
+    if load.section.is_some() || load.pressure.is_some() || load.traction.is_some() {
+        let problem = "the load mixes a section under traction with forces and moments at a member end".to_owned();
+        value("", problem, "write two loads with the same `name`: they act together");
+    }
+    if load.end.is_none() {
+        let help = "add `end: …`; `bracket templates NAME` lists the member ends";
+        value("", "the forces and moments do not say which member end they act on".into(), help);
+    }
+    if load.at.is_none() {
+        let help =
+            "add `at: node`, `at: column_face` or `at: bolt_plane`: the lever arm of the shear force hangs on it";
+        value("", "the load does not say where its forces and moments act".into(), help);
+    }
+    if load.actions().is_empty() {
+        value(
+            "",
+            "the load has no forces or moments".into(),
+            "give at least one of N, Vy, Vz, T, My, Mz, for example `My: 80 kN m`",
+        );
+    }
+    if load.dead && !load.factor.is_empty() {
+        value(
+            "factor",
+            "`dead: true` says that no action carries the load factor".into(),
+            "keep one of `dead` and `factor`",
+        );
+    }
+    for (k, a) in load.factor.iter().enumerate() {
+        if load.factor[..k].contains(a) {
+            value("factor", format!("`{}` stands twice", a.word()), "name each action once");
+        } else if !load.actions().iter().any(|(given, _)| given == a) {
+            value(
+                "factor",
+                format!("`{}` carries the load factor but is not given", a.word()),
+                "give it a value, or leave it out of `factor`",
+            );
+        }
+    }
+    let twice = loads[..i].iter().any(|o| o.name == load.name && o.end.is_some() && o.end == load.end);
+    if let (true, Some(end)) = (twice, &load.end) {
+        value(
+            "end",
+            format!("load case `{}` already loads `{end}`", load.name),
+            "give it another name, or join the two loads",
+        );
+    }
+}
+
+/// What a load puts on the end section: one entry for what carries the load factor, one for what does not. Adds the section
+/// to the named faces.
+pub(super) fn on_end(
+    load: &LoadSpec,
+    i: usize,
+    ends: &[End<'_>],
+    faces: &mut Vec<FaceRule>,
+) -> Result<Vec<FaceLoad>, AssemblyError> {
+    // check() has refused a load without these two
+    let (Some(name), Some(point)) = (&load.end, load.at) else { return Ok(Vec::new()) };
+    let Some(end) = ends.iter().find(|e| e.name == *name) else {
+        let known: Vec<&str> = ends.iter().map(|e| e.name.as_str()).collect();
+        let hint = did_you_mean(name, known.iter().copied());
+        let problem = format!("the joint has no member end `{name}`{hint}");
+        return Err(AssemblyError::Unknown { path: format!("loads[{i}].end"), problem, known: known.join(", ") });
+    };
+    let at = end.entry.name.as_str();
+    let Some(position) = end.entry.points.get(&point) else {
+        let known: Vec<&str> = end.entry.points.keys().map(|p: &ActionPoint| p.word()).collect();
+        let problem = format!("the member end `{name}` has no point `{}`", point.word());
+        return Err(AssemblyError::Unknown { path: format!("loads[{i}].at"), problem, known: known.join(", ") });
+    };
+    let position = within(at, end.scope.point(position))?;
+    let axes = member_axes(at, end)?;
+    let face = identifier(at, name.to_uppercase())?;
+    if !faces.iter().any(|f| f.name == face) {
+        let surface = rectangle(at, &end.scope, &end.entry.face)?;
+        let part = within(at, end.scope.text(&end.entry.part))?;
+        faces.push(FaceRule { name: face.clone(), part, surface, imprint: false });
+    }
+    let mut sums = [(false, [[0.0; 3]; 2]), (true, [[0.0; 3]; 2])];
+    for (action, size) in load.actions() {
+        let dead = !load.multiplies(action);
+        let (axis, is_moment) = action.direction();
+        let sum = &mut sums[usize::from(dead)].1[usize::from(is_moment)];
+        *sum = vec3::along(*sum, size, axes[axis]);
+    }
+    let acts = |[force, moment]: &[V3; 2]| force.iter().chain(moment).any(|v| *v != 0.0);
+    Ok(sums
+        .into_iter()
+        .filter(|(_, sum)| acts(sum))
+        .map(|(dead, [force, moment])| FaceLoad {
+            face: face.clone(),
+            case: load.name.clone(),
+            action: Acting::Resultant { at: position, force, moment },
+            dead,
+        })
+        .collect())
+}
+
+/// The member's own axes x′, y′, z′ in global ones.
+fn member_axes(at: &str, end: &End<'_>) -> Result<[V3; 3], AssemblyError> {
+    let outward = within(at, end.scope.number(&end.entry.outward))?;
+    if outward.abs() != 1.0 {
+        return entry_fault(at, format!("`outward` is {outward}, not 1 or -1"));
+    }
+    let (along, depth) = (end.entry.face.axis.index(), end.entry.depth.index());
+    if along == depth {
+        return entry_fault(at, "`depth` is the axis of the member");
+    }
+    let (mut x, mut z) = ([0.0; 3], [0.0; 3]);
+    x[along] = outward;
+    z[depth] = 1.0;
+    Ok([x, vec3::cross(z, x), z])
+}
+
+#[cfg(test)]
+mod tests;

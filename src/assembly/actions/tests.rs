@@ -1,0 +1,126 @@
+//! Forces and moments at member ends: statics, symmetry, and what is refused.
+
+use crate::assembly::Joint;
+use crate::assembly::joint::{Action, FaceLoad};
+use crate::assembly::tests::{joint, ok};
+use crate::math::vec3;
+
+/// A joint of IPE300 on HEB200 with 15 mm plates: column face at x = 100, beam ends at x = 115 + 400.
+fn spec(loads: &str) -> String {
+    format!(
+        "template: beam_to_column_end_plate\n\
+         members: {{column: {{profile: HEB200, steel: S235}}, beam: {{profile: IPE300, steel: S235}}}}\n\
+         plate: {{thickness: 15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-90, 90, 190]}}\n\
+         parameters: {{double_sided: true}}\nloads: {loads}\n"
+    )
+}
+
+fn resultant(j: &Joint, face: &str, dead: bool) -> ([f64; 3], [f64; 3], [f64; 3]) {
+    let all: Vec<&FaceLoad> = j.assembly.loads.iter().filter(|l| l.face == face && l.dead == dead).collect();
+    match all[..] {
+        [FaceLoad { action: Action::Resultant { at, force, moment }, .. }] => (*at, *force, *moment),
+        _ => panic!("{all:#?}"),
+    }
+}
+
+#[test]
+fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
+    let end = |name: &str| {
+        format!(
+            "{{name: A, end: {name}, at: column_face, N: 3 kN, Vy: 1 kN, Vz: -2 kN, T: 5 kN m, My: 7 kN m, Mz: 11 kN m}}"
+        )
+    };
+    let j = ok(&spec(&format!("[{}, {}]", end("beam_right"), end("beam_left"))));
+    // x′ = x, y′ = z × x = y at the right end; x′ = −x, y′ = z × −x = −y at the left end
+    let right = resultant(&j, "BEAM_RIGHT", false);
+    assert_eq!(right, ([100.0, 0.0, 0.0], [3e3, 1e3, -2e3], [5e6, 7e6, 11e6]));
+    let left = resultant(&j, "BEAM_LEFT", false);
+    assert_eq!(left, ([-100.0, 0.0, 0.0], [-3e3, -1e3, -2e3], [-5e6, -7e6, 11e6]));
+    // a positive My pulls the top: its moment about the axis turns a force outwards at z > 0 there
+    for (moment, outward) in [(right.2, 1.0), (left.2, -1.0)] {
+        let pull = vec3::cross([0.0, 0.0, 1.0], [outward, 0.0, 0.0]);
+        assert!(vec3::dot(pull, moment) > 0.0);
+    }
+}
+
+#[test]
+fn factor_parts_what_grows_from_what_stays() {
+    let load = "[{name: A, end: beam_right, at: node, N: 3 kN, Vz: -2 kN, My: 7 kN m, factor: [My, Vz]}]";
+    let j = ok(&spec(load));
+    assert_eq!(resultant(&j, "BEAM_RIGHT", false), ([0.0; 3], [0.0, 0.0, -2e3], [0.0, 7e6, 0.0]));
+    assert_eq!(resultant(&j, "BEAM_RIGHT", true), ([0.0; 3], [3e3, 0.0, 0.0], [0.0; 3]));
+    let all_dead = ok(&spec("[{name: A, end: beam_right, at: node, My: 7 kN m, dead: true}]"));
+    assert_eq!(all_dead.assembly.loads.len(), 1);
+    assert!(all_dead.assembly.loads[0].dead);
+}
+
+#[test]
+fn symmetry_knows_moments_from_forces() {
+    let axes = |loads: &str| -> Vec<usize> { ok(&spec(loads)).assembly.symmetry.iter().map(|s| s.axis).collect() };
+    let pair = |right: &str, left: &str| {
+        format!(
+            "[{{name: A, end: beam_right, at: column_face, {right}}}, {{name: A, end: beam_left, at: column_face, {left}}}]"
+        )
+    };
+    assert_eq!(axes(&pair("My: 7 kN m, Vz: -1 kN", "My: 7 kN m, Vz: -1 kN")), [0, 1]);
+    assert_eq!(axes(&pair("My: 7 kN m", "My: -7 kN m")), [1]);
+    assert_eq!(axes(&pair("N: 7 kN", "N: 7 kN")), [0, 1]);
+    assert_eq!(axes(&pair("Vy: 7 kN", "Vy: -7 kN")), [0]);
+    assert_eq!(axes(&pair("Vy: 7 kN", "Vy: 7 kN")), [] as [usize; 0]);
+    // a mirror keeps the moment about its normal, and x′ points the other way at the left end
+    assert_eq!(axes(&pair("T: 7 kN m", "T: -7 kN m")), [0]);
+    assert_eq!(axes(&pair("T: 7 kN m", "T: 7 kN m")), [] as [usize; 0]);
+    assert_eq!(axes(&pair("Mz: 7 kN m", "Mz: -7 kN m")), [0]);
+    assert_eq!(axes("[{name: A, end: beam_right, at: column_face, My: 7 kN m}]"), [1]);
+}
+
+/// What the load says, the path it is told at, and words of the message and its help.
+const WRONG: &[(&str, &str, &[&str])] = &[
+    (
+        "end: beam_rigth, at: node, My: 7 kN m",
+        "loads[0].end",
+        &["no member end `beam_rigth`, did you mean `beam_right`?"],
+    ),
+    ("end: beam_right, My: 7 kN m", "loads[0]", &["does not say where", "at: column_face"]),
+    ("end: beam_right, at: node", "loads[0]", &["no forces or moments", "My: 80 kN m"]),
+    ("at: node, My: 7 kN m", "loads[0]", &["which member end", "bracket templates"]),
+    ("end: beam_right, at: node, My: 7 kN", "loads[0].My", &["`7 kN` is not a moment"]),
+    ("end: beam_right, at: node, My: 7", "loads[0].My", &["needs a unit"]),
+    ("end: beam_right, at: nodes, My: 7 kN m", "loads[0].at", &["node"]),
+    (
+        "end: beam_right, at: node, My: 7 kN m, factor: [Vz]",
+        "loads[0].factor",
+        &["`Vz` carries the load factor but is not given"],
+    ),
+    ("end: beam_right, at: node, My: 7 kN m, factor: [My, My]", "loads[0].factor", &["`My` stands twice"]),
+    ("end: beam_right, at: node, My: 7 kN m, factor: [My], dead: true", "loads[0].factor", &["dead: true"]),
+    (
+        "end: beam_right, at: node, My: 7 kN m, section: column_top",
+        "loads[0]",
+        &["mixes", "two loads with the same `name`"],
+    ),
+    ("end: beam_right, at: node, My: 7 kN m, pressure: 4 MPa", "loads[0]", &["mixes"]),
+    ("end: beam_right, at: node, Mx: 7 kN m", "loads[0].Mx", &["unknown"]),
+    ("end: beam_right, at: node, My: .nan", "loads[0].My", &["finite"]),
+];
+
+#[test]
+fn wrong_actions_are_told_with_place_and_cure() {
+    let mut wrong = Vec::new();
+    for (load, path, words) in WRONG {
+        let d = joint(&spec(&format!("[{{name: A, {load}}}]"))).map(drop).expect_err(load).0.remove(0);
+        let told = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
+        let lacks: Vec<_> = words.iter().filter(|w| !told.contains(**w)).collect();
+        if d.place.path.as_deref() != Some(*path) || !lacks.is_empty() || d.help.is_none() {
+            wrong.push(format!("{load}: lacks {lacks:?}\n{d:#?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+    let one_sided =
+        spec("[{name: A, end: beam_left, at: node, My: 7 kN m}]").replace("double_sided: true", "double_sided: false");
+    let d = joint(&one_sided).map(drop).expect_err("there is no left beam").0.remove(0);
+    assert!(d.message.contains("no member end `beam_left`"), "{d:#?}");
+    let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, at: node, N: 7 kN}]";
+    let d = joint(&spec(twice)).map(drop).expect_err("twice").0.remove(0);
+    assert_eq!(d.place.path.as_deref(), Some("loads[1].end"), "{d:#?}");
+}

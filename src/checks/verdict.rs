@@ -1,0 +1,93 @@
+//! The verdict on a load case: three values, from strict bounds alone.
+
+use serde::{Deserialize, Serialize};
+
+/// The answer in one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// The demand is below the lower bound and every check holds.
+    Ok,
+    /// The demand is above the upper bound, or a check failed.
+    NotOk,
+    /// The demand lies inside the bracket, or there is no certificate.
+    Undecided,
+    /// There is no demand to judge.
+    None,
+}
+
+impl Verdict {
+    /// The verdict on loads of factor 1, from strict bounds of the load factor at collapse; `None`: no strict bound.
+    ///
+    /// With friction, `lower` is the bound without it: associated friction dilates and is not safe for a real joint
+    /// (MECHANICS section 4: Radenkovic, Drucker).
+    pub fn of(lower: Option<f64>, upper: Option<f64>) -> Self {
+        match (lower, upper) {
+            (Some(l), _) if l >= 1.0 => Verdict::Ok,
+            (_, Some(u)) if u < 1.0 => Verdict::NotOk,
+            _ => Verdict::Undecided,
+        }
+    }
+
+    /// Of several load cases the worst counts; no case: nothing to judge.
+    pub fn worst(verdicts: impl IntoIterator<Item = Self>) -> Self {
+        let rank = |v: &Verdict| match v {
+            Verdict::None => 0,
+            Verdict::Ok => 1,
+            Verdict::Undecided => 2,
+            Verdict::NotOk => 3,
+        };
+        verdicts.into_iter().max_by_key(rank).unwrap_or(Verdict::None)
+    }
+
+    /// As a report says it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Verdict::Ok => "OK",
+            Verdict::NotOk => "NOT OK",
+            Verdict::Undecided => "UNDECIDED",
+            Verdict::None => "none",
+        }
+    }
+}
+
+/// Demand over capacity, lower first: the reciprocals of strict bounds of the load factor. `None` unless both are there
+/// and positive.
+pub fn utilisation(lower: Option<f64>, upper: Option<f64>) -> Option<[f64; 2]> {
+    let (l, u) = (lower.filter(|l| *l > 0.0)?, upper.filter(|u| *u > 0.0)?);
+    Some([(1.0 / u).next_down(), (1.0 / l).next_up()])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_inside_the_bracket_decides_nothing() {
+        let v = |l, u| Verdict::of(Some(l), Some(u));
+        assert_eq!(
+            [v(1.0, 1.1), v(0.9, 1.1), v(0.9, 1.0), v(0.8, 0.999)],
+            [Verdict::Ok, Verdict::Undecided, Verdict::Undecided, Verdict::NotOk]
+        );
+        assert_eq!(Verdict::of(None, Some(2.0)), Verdict::Undecided);
+        assert_eq!(Verdict::of(Some(2.0), None), Verdict::Ok);
+        assert_eq!(Verdict::of(None, Some(0.0)), Verdict::NotOk);
+        assert_eq!(Verdict::of(None, None), Verdict::Undecided);
+    }
+
+    #[test]
+    fn the_worst_case_counts() {
+        use Verdict::{NotOk, Ok, Undecided};
+        assert_eq!(Verdict::worst([Ok, Undecided, Ok]), Undecided);
+        assert_eq!(Verdict::worst([Undecided, NotOk, Ok]), NotOk);
+        assert_eq!(Verdict::worst([]), Verdict::None);
+    }
+
+    #[test]
+    fn utilisation_never_rounds_inwards() {
+        let [low, high] = utilisation(Some(1.5), Some(3.0)).expect("both bounds");
+        assert!(low < 1.0 / 3.0 && high > 1.0 / 1.5 && high - low < 0.34);
+        assert_eq!(utilisation(Some(0.0), Some(3.0)), None);
+        assert_eq!(utilisation(Some(1.0), None), None);
+    }
+}

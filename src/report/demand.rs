@@ -1,0 +1,109 @@
+//! What a load case demands, and what the joint can carry of it.
+
+use super::data::{CaseResult, Problem, ResultFile, Upper};
+use super::figures::bracket;
+use super::page::Table;
+use super::text::{inline, strings, table};
+use crate::checks::verdict::Verdict;
+use serde::{Deserialize, Serialize};
+
+/// The demand of a load case and the verdict on it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Demand {
+    /// The verdict at load factor 1.
+    pub verdict: Verdict,
+    /// Forces and moments at member ends, in the order of the spec.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub actions: Vec<EndAction>,
+}
+
+/// A force or moment at a member end.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EndAction {
+    /// Member end: `beam_right`.
+    pub end: String,
+    /// The point it refers to: `column_face`.
+    pub at: String,
+    /// `N`, `Vy`, `Vz`, `T`, `My` or `Mz`.
+    pub action: String,
+    /// Its value at load factor 1, in the member's own axes.
+    pub value: ActionValue,
+    /// The load factor multiplies it.
+    pub factored: bool,
+}
+
+/// Value of an action.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ActionValue {
+    /// \[N\].
+    Force(f64),
+    /// \[N mm\].
+    Moment(f64),
+}
+
+impl ActionValue {
+    /// Value in the unit of the report, and the unit.
+    fn shown(self) -> (f64, &'static str) {
+        match self {
+            ActionValue::Force(v) => (1e-3 * v, "kN"),
+            ActionValue::Moment(v) => (1e-6 * v, "kN m"),
+        }
+    }
+}
+
+impl CaseResult {
+    /// The strict bounds a verdict stands on: with friction, the lower one is that without it. `None`: no such bound.
+    pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
+        if !self.certificate.is_some_and(|c| c.strict) {
+            return (None, None);
+        }
+        let lower = match self.problem {
+            Problem::Associated => self.frictionless.and_then(|f| f.lower),
+            _ => self.lower,
+        };
+        let upper = match self.upper {
+            Some(Upper::Finite(u)) => Some(u),
+            _ => None,
+        };
+        (lower, upper)
+    }
+}
+
+/// Verdicts and capacities, a row a case and a row an action; nothing where nothing is demanded.
+pub(super) fn demands(page: &mut String, result: &ResultFile) {
+    let judged: Vec<(&CaseResult, &Demand)> =
+        result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
+    if judged.len() > 1 {
+        let rows = judged.iter().map(|(c, d)| {
+            let between = c.utilisation.map_or("–".into(), |[l, u]| {
+                let (l, u) = bracket(l, u, 3);
+                format!("{l} … {u}")
+            });
+            vec![inline(&c.name), d.verdict.words().into(), between]
+        });
+        table(page, &Table { columns: strings(["load case", "verdict", "utilisation"]), rows: rows.collect() });
+    }
+    let mut rows = Vec::new();
+    for (case, demand) in &judged {
+        let (lower, upper) = case.safe_bounds();
+        for a in &demand.actions {
+            let (value, unit) = a.value.shown();
+            let (low, high) = match (lower, upper) {
+                (Some(l), Some(u)) if a.factored && value != 0.0 => {
+                    let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
+                    let sign = if value < 0.0 { "−" } else { "" };
+                    (format!("{sign}{l}"), format!("{sign}{u}"))
+                }
+                _ if !a.factored => ("fixed".into(), "fixed".into()),
+                _ => ("–".into(), "–".into()),
+            };
+            let place = format!("{} at {}", a.end, a.at);
+            rows.push(vec![inline(&case.name), inline(&place), a.action.clone(), format!("{value} {unit}"), low, high]);
+        }
+    }
+    if !rows.is_empty() {
+        let columns = ["load case", "member end", "action", "given", "carried at least", "carried at most"];
+        table(page, &Table { columns: strings(columns), rows });
+    }
+}
