@@ -45,6 +45,7 @@ fn case(name: &str) -> CaseResult {
         upper: Some(Upper::Finite(-318_891.744)),
         gap: Some(0.045_810_6),
         utilisation: None,
+        demand: None,
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
