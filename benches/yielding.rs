@@ -1,8 +1,8 @@
 //! Elastic, perfectly plastic programs with von Mises cones in every element: a block and a plate.
 //!
-//! `cargo bench --bench yielding -- [block|plate] [plain|split|static] [clarabel|condensed|build] [CELLS] [FACTOR]`
+//! `cargo bench --bench yielding -- [block|plate] [plain|split|static] [clarabel|condensed|factor|build] [CELLS] [FACTOR]`
 //!
-//! CELLS: cells along a side of the block or plate; FACTOR of the load. `build` only builds the programs. One row each: tets,
+//! CELLS: cells along a side of the block or plate; FACTOR of the load. `build` only builds the programs, `factor` only factors and solves once. One row each: tets,
 //! shared and own unknowns, cones, seconds to build, status, iterations, seconds to solve, objective
 //! \[N mm\], part of the elements that yield.
 #![allow(missing_docs, clippy::unwrap_used)]
@@ -20,7 +20,7 @@ fn main() {
     let any = |all: &[&str]| all.iter().any(|w| has(w));
     let numbers: Vec<f64> = words.iter().filter_map(|w| w.parse().ok()).collect();
     let factor = numbers.get(1).copied().unwrap_or(1.0);
-    let solver = if has("condensed") { Solver::Condensed } else { Solver::Clarabel };
+    let solver = if any(&["condensed", "factor"]) { Solver::Condensed } else { Solver::Clarabel };
     println!("case form tets shared own cones build_s | status iterations solve_s objective yielding");
     for case in ["block", "plate"].into_iter().filter(|c| has(c) || !any(&["block", "plate"])) {
         let cells = numbers.first().map(|n| *n as usize);
@@ -50,6 +50,14 @@ fn main() {
             let options = SolveOptions { solver, ..SolveOptions::default() };
             let mut prepared = prepare(&built.program, &built.block, &options);
             let unit = prepared.yardstick();
+            if let (Some(u), Some(f)) = (&unit, prepared.forecast()) {
+                let (entries, flops) = (f.factor_entries as f64 / 1e6, f.factor_flops / 1e9);
+                print!("{entries:.1} M entries, {flops:.1} GFLOP, factor {:.3} solve {:.3} | ", u.factor, u.solve);
+            }
+            if has("factor") {
+                println!("not solved");
+                continue;
+            }
             let start = Instant::now();
             let s = prepared.solve(&options);
             let seconds = start.elapsed().as_secs_f64();
@@ -58,7 +66,7 @@ fn main() {
             print!("{} {} {seconds:.2} {objective:.9e} {yielding:.3}", s.status.words(), s.iterations);
             if let Some(u) = unit {
                 let y = seconds / (f64::from(s.iterations) * (u.factor + 2.0 * u.solve));
-                print!(" | factor {:.3} solve {:.3} Y {y:.2}", u.factor, u.solve);
+                print!(" | Y {y:.2}");
             }
             println!(" | {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
         }

@@ -1,9 +1,11 @@
 //! Small fixed-size mathematics: vectors, Mandel tensors, quadrature, dense factors, compensated sums.
 
 pub mod dense;
+pub mod lanes;
 pub mod mandel;
 pub mod quadrature;
 pub mod vec3;
+pub mod wide;
 
 /// Sum with a running compensation (Neumaier): the error does not grow with the number of terms.
 #[derive(Clone, Copy, Debug, Default)]

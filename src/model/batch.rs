@@ -13,12 +13,11 @@
 //! # Layout
 //! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at once.
 
-use pulp::Arch;
+use crate::math::lanes::{
+    Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel, subtract_symmetric,
+};
+use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 
-/// Elements side by side.
-pub const LANES: usize = 8;
-/// One entry of eight elements.
-pub type Lane = [f64; LANES];
 /// No unknown, no element.
 pub const NONE: u32 = u32::MAX;
 /// Rows of a von Mises cone: its axis and the five components of a deviator.
@@ -182,48 +181,109 @@ pub struct Batch {
     pub data: Vec<Lane>,
 }
 
-/// `y += A x`, A by rows.
-#[inline(always)]
-fn times(a: &[Lane], x: &[Lane], y: &mut [Lane]) {
-    let n = x.len();
-    for (row, y) in a.chunks_exact(n).zip(y) {
-        let mut sum = *y;
-        for (a, x) in row.iter().zip(x) {
-            for l in 0..LANES {
-                sum[l] += a[l] * x[l];
-            }
-        }
-        *y = sum;
-    }
-}
-
-/// `y += Aᵀ x`, A by rows.
-#[inline(always)]
-fn times_transposed(a: &[Lane], x: &[Lane], y: &mut [Lane]) {
-    let n = y.len();
-    for (row, x) in a.chunks_exact(n).zip(x) {
-        for (a, y) in row.iter().zip(&mut *y) {
-            for l in 0..LANES {
-                y[l] += a[l] * x[l];
-            }
-        }
-    }
-}
-
-/// `y += S x`, the lower triangle of S by columns.
-#[inline(always)]
-fn times_symmetric(s: &[Lane], x: &[Lane], y: &mut [Lane]) {
-    let n = x.len();
-    let mut at = 0;
-    for c in 0..n {
-        for r in c..n {
-            for l in 0..LANES {
-                y[r][l] += s[at][l] * x[c][l];
-                if r != c {
-                    y[c][l] += s[at][l] * x[r][l];
+kernel! {
+    /// `out += Tᵀ v` of (sub)tets: strains at the vertices, then what the points take of them.
+    fn strain_at_points(simd; rule: Rule, strain: &'a [Lane], v: &'a [Lane], out: &'a mut [Lane]) {
+        let size = VERTEX_VALUES * v.len();
+        let (strain, v, out) = (registers::<S>(strain), registers::<S>(v), registers_mut::<S>(out));
+        for offset in 0..parts::<S>() {
+            let at = Place { stride: parts::<S>(), offset };
+            let mut point = 0;
+            for e in strain.chunks_exact(size * parts::<S>()) {
+                let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
+                add_times_part(simd, (e, v, at), (&mut vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+                for weights in rule.points() {
+                    for vertex in 0..4 {
+                        if weights[vertex] == 0.0 {
+                            continue;
+                        }
+                        let w = simd.splat_f64s(weights[vertex]);
+                        for a in 0..DEVIATOR {
+                            let to = &mut out[at.of(point + a)];
+                            *to = simd.mul_add_e_f64s(w, vertices[DEVIATOR * vertex + a], *to);
+                        }
+                    }
+                    point += DEVIATOR;
                 }
             }
-            at += 1;
+        }
+    }
+}
+
+kernel! {
+    /// `v += T σ` of (sub)tets.
+    fn force_of_points(simd; rule: Rule, strain: &'a [Lane], sigma: &'a [Lane], v: &'a mut [Lane]) {
+        let size = VERTEX_VALUES * v.len();
+        let (strain, sigma, v) = (registers::<S>(strain), registers::<S>(sigma), registers_mut::<S>(v));
+        for offset in 0..parts::<S>() {
+            let at = Place { stride: parts::<S>(), offset };
+            let mut point = 0;
+            for e in strain.chunks_exact(size * parts::<S>()) {
+                let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
+                for weights in rule.points() {
+                    for vertex in 0..4 {
+                        if weights[vertex] == 0.0 {
+                            continue;
+                        }
+                        let w = simd.splat_f64s(weights[vertex]);
+                        for a in 0..DEVIATOR {
+                            let to = &mut vertices[DEVIATOR * vertex + a];
+                            *to = simd.mul_add_e_f64s(w, sigma[at.of(point + a)], *to);
+                        }
+                    }
+                    point += DEVIATOR;
+                }
+                add_transposed_part(simd, (e, &mut *v, at), (&vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+            }
+        }
+    }
+}
+
+kernel! {
+    /// `out −= F σ` of (sub)tets that are elastic before they yield.
+    fn subtract_hencky(simd; flexibility: &'a [Lane], sigma: &'a [Lane], out: &'a mut [Lane]) {
+        let subtets = flexibility.len();
+        let (flexibility, sigma) = (registers::<S>(flexibility), registers::<S>(sigma));
+        let out = registers_mut::<S>(out);
+        let (own, others) = (simd.splat_f64s(20.0), simd.splat_f64s(4.0));
+        for offset in 0..parts::<S>() {
+            let at = Place { stride: parts::<S>(), offset };
+            for subtet in 0..subtets {
+                for a in 0..DEVIATOR {
+                    let mut sum = simd.splat_f64s(0.0);
+                    for v in 0..4 {
+                        sum = simd.add_f64s(sum, sigma[at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a)]);
+                    }
+                    let sum = simd.mul_f64s(sum, others);
+                    for v in 0..4 {
+                        let i = at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a);
+                        let strain = simd.sub_f64s(simd.mul_f64s(own, sigma[i]), sum);
+                        out[i] = simd.negate_mul_add_e_f64s(flexibility[at.of(subtet)], strain, out[i]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+kernel! {
+    /// `v += K x` of the inner displacements' stiffness, `inner` columns; the inner block is stored whole, its couplings once.
+    fn add_inner_stiffness(simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane]) {
+        let all = x.len();
+        let (stiffness, x, v) = (registers::<S>(stiffness), registers::<S>(x), registers_mut::<S>(v));
+        for offset in 0..parts::<S>() {
+            let at = Place { stride: parts::<S>(), offset };
+            for c in 0..inner {
+                let own = x[at.of(c)];
+                for r in 0..all {
+                    v[at.of(r)] = simd.mul_add_e_f64s(stiffness[at.of(c * all + r)], own, v[at.of(r)]);
+                }
+                let mut sum = v[at.of(c)];
+                for r in inner..all {
+                    sum = simd.mul_add_e_f64s(stiffness[at.of(c * all + r)], x[at.of(r)], sum);
+                }
+                v[at.of(c)] = sum;
+            }
         }
     }
 }
@@ -272,112 +332,45 @@ impl Batch {
         [strain, flexibility, volume, inner]
     }
 
-    /// `Tᵀ v`, v the element's displacements.
-    pub fn strain(&self, v: &[Lane]) -> Vec<Lane> {
-        let mut out = vec![[0.0; LANES]; self.shape.parameters()];
+    /// `out += Tᵀ v`, v the element's displacements.
+    pub fn strain(&self, v: &[Lane], out: &mut [Lane]) {
         let [strain, _, volume, _] = self.parts();
-        Arch::new().dispatch(
-            #[inline(always)]
-            || match self.shape {
-                Shape::Stress => times(strain, v, &mut out),
-                Shape::Flow { rule, inner, .. } => {
-                    let points = rule.points();
-                    let mut at = 0;
-                    for part in strain.chunks_exact(VERTEX_VALUES * v.len()) {
-                        let mut e = [[0.0; LANES]; VERTEX_VALUES];
-                        times(part, v, &mut e);
-                        for weights in points {
-                            for (vertex, &w) in weights.iter().enumerate().filter(|w| *w.1 != 0.0) {
-                                for a in 0..DEVIATOR {
-                                    for l in 0..LANES {
-                                        out[at + a][l] += w * e[DEVIATOR * vertex + a][l];
-                                    }
-                                }
-                            }
-                            at += DEVIATOR;
-                        }
-                    }
-                    times(volume, &v[inner..], &mut out[at..]);
-                }
-            },
-        );
-        out
+        match self.shape {
+            Shape::Stress => add_times(strain, v, out),
+            Shape::Flow { rule, inner, .. } => {
+                let (points, pressures) = out.split_at_mut(DEVIATOR * self.shape.points());
+                strain_at_points(rule, strain, v, points);
+                add_times(volume, &v[inner..], pressures);
+            }
+        }
     }
 
     /// `v += T σ`.
     pub fn add_force(&self, sigma: &[Lane], v: &mut [Lane]) {
         let [strain, _, volume, _] = self.parts();
-        Arch::new().dispatch(
-            #[inline(always)]
-            || match self.shape {
-                Shape::Stress => times_transposed(strain, sigma, v),
-                Shape::Flow { rule, inner, .. } => {
-                    let points = rule.points();
-                    let mut at = 0;
-                    for part in strain.chunks_exact(VERTEX_VALUES * v.len()) {
-                        let mut s = [[0.0; LANES]; VERTEX_VALUES];
-                        for weights in points {
-                            for (vertex, &w) in weights.iter().enumerate().filter(|w| *w.1 != 0.0) {
-                                for a in 0..DEVIATOR {
-                                    for l in 0..LANES {
-                                        s[DEVIATOR * vertex + a][l] += w * sigma[at + a][l];
-                                    }
-                                }
-                            }
-                            at += DEVIATOR;
-                        }
-                        times_transposed(part, &s, v);
-                    }
-                    times_transposed(volume, &sigma[at..], &mut v[inner..]);
-                }
-            },
-        );
+        match self.shape {
+            Shape::Stress => add_transposed(strain, sigma, v),
+            Shape::Flow { rule, inner, .. } => {
+                let (points, pressures) = sigma.split_at(DEVIATOR * self.shape.points());
+                force_of_points(rule, strain, points, v);
+                add_transposed(volume, pressures, &mut v[inner..]);
+            }
+        }
     }
 
     /// `out −= F σ`.
     pub fn subtract_flexibility(&self, sigma: &[Lane], out: &mut [Lane]) {
         let flexibility = self.parts()[1];
         match self.shape {
-            Shape::Stress => {
-                let mut y = vec![[0.0; LANES]; sigma.len()];
-                Arch::new().dispatch(
-                    #[inline(always)]
-                    || times_symmetric(flexibility, sigma, &mut y),
-                );
-                out.iter_mut().zip(&y).for_each(|(o, y)| (0..LANES).for_each(|l| o[l] -= y[l]));
-            }
-            Shape::Flow { rule: Rule::Hencky, .. } => {
-                for (g, f) in flexibility.iter().enumerate() {
-                    let at = g * VERTEX_VALUES;
-                    for a in 0..DEVIATOR {
-                        for l in 0..LANES {
-                            let sum: f64 = (0..4).map(|v| sigma[at + DEVIATOR * v + a][l]).sum();
-                            for v in 0..4 {
-                                let i = at + DEVIATOR * v + a;
-                                out[i][l] -= f[l] * (20.0 * sigma[i][l] - 4.0 * sum);
-                            }
-                        }
-                    }
-                }
-            }
+            Shape::Stress => subtract_symmetric(flexibility, sigma, out),
+            Shape::Flow { rule: Rule::Hencky, .. } => subtract_hencky(flexibility, sigma, out),
             Shape::Flow { .. } => {}
         }
     }
 
     /// `v += K v` of the inner displacements' stiffness.
     pub fn add_inner(&self, x: &[Lane], v: &mut [Lane]) {
-        let (inner, all) = (self.shape.inner(), self.displacements());
-        for (c, column) in self.parts()[3].chunks_exact(all.max(1)).enumerate().take(inner) {
-            for r in 0..all {
-                for l in 0..LANES {
-                    v[r][l] += column[r][l] * x[c][l];
-                    // the inner block is stored whole, its couplings once
-                    if r >= inner {
-                        v[c][l] += column[r][l] * x[r][l];
-                    }
-                }
-            }
-        }
+        add_inner_stiffness(self.shape.inner(), self.parts()[3], x, v);
     }
 
     /// Deviators `B σ` at the points, five values each.
@@ -385,11 +378,7 @@ impl Batch {
         match self.shape {
             Shape::Stress => {
                 let mut out = vec![[0.0; LANES]; DEVIATOR * self.shape.points()];
-                let b = self.parts()[2];
-                Arch::new().dispatch(
-                    #[inline(always)]
-                    || times(b, sigma, &mut out),
-                );
+                add_times(self.parts()[2], sigma, &mut out);
                 out
             }
             Shape::Flow { .. } => sigma[..DEVIATOR * self.shape.points()].to_vec(),
@@ -399,15 +388,9 @@ impl Batch {
     /// `out += Bᵀ d`, five values at each point.
     pub fn add_deviators(&self, d: &[Lane], out: &mut [Lane]) {
         match self.shape {
-            Shape::Stress => {
-                let b = self.parts()[2];
-                Arch::new().dispatch(
-                    #[inline(always)]
-                    || times_transposed(b, d, out),
-                );
-            }
+            Shape::Stress => add_transposed(self.parts()[2], d, out),
             Shape::Flow { .. } => {
-                out.iter_mut().zip(d).for_each(|(o, d)| (0..LANES).for_each(|l| o[l] += d[l]));
+                out.as_flattened_mut().iter_mut().zip(d.as_flattened()).for_each(|(o, d)| *o += d);
             }
         }
     }

@@ -4,8 +4,9 @@
 //! The cones of yield points hold maximised unknowns. Written out, their multipliers λ ∈ K⁶ become unknowns behind all
 //! others, coupled to the parameters by `B`, with `h` as their linear term; the multiplier of `λ ∈ K⁶` is then `h + B σ`.
 
-use super::batch::{LANES, NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
+use super::batch::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
 use super::program::{Cone, ConicProgram, Csr, SymmetricCsc};
+use crate::math::wide::LANES;
 
 /// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones hold minimised unknowns only.
 #[derive(Clone, Debug, Default, PartialEq)]

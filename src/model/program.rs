@@ -8,7 +8,8 @@
 //! `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or maximised ones, never both. Rows keep their natural sign: the
 //! gradient is `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
 
-use super::batch::{Batch, LANES, Lane, NONE, YIELD_ROWS};
+use super::batch::{Batch, NONE, YIELD_ROWS};
+use crate::math::wide::{LANES, Lane};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -238,20 +239,57 @@ impl ConicProgram {
 
     /// The matrix of the quadratic term times a few vectors.
     pub fn quadratic<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        let n = self.shared();
-        let mut y = self.p.mul_all(x.map(|x| &x[..n]));
-        let (batches, scale) = (&self.elements.batches, &self.elements.scale);
+        let mut y = self.p.mul_all(x.map(|x| &x[..self.shared()]));
         y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
+        self.add_of_elements(x, &mut y, |batch, v, sigma, force, strain| {
+            batch.strain(v, strain);
+            batch.subtract_flexibility(sigma, strain);
+            batch.add_force(sigma, force);
+            batch.add_inner(v, force);
+        });
+        self.add_live(x, &mut y);
+        y
+    }
+
+    /// The blocks of that matrix on its diagonal, minimised with minimised and maximised with maximised unknowns, times a
+    /// vector.
+    pub fn quadratic_diagonal(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = self.p.mul_all([&x[..self.shared()]]);
+        y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
+        self.add_of_elements([x], &mut y, |batch, v, sigma, force, strain| {
+            batch.subtract_flexibility(sigma, strain);
+            batch.add_inner(v, force);
+        });
+        let [y] = y;
+        y
+    }
+
+    /// Adds the blocks beside the diagonal times a vector.
+    pub fn add_coupling(&self, x: &[f64], y: &mut Vec<f64>) {
+        let mut sides = [std::mem::take(y)];
+        self.add_of_elements([x], &mut sides, |batch, v, sigma, force, strain| {
+            batch.strain(v, strain);
+            batch.add_force(sigma, force);
+        });
+        self.add_live([x], &mut sides);
+        [*y] = sides;
+    }
+
+    /// Adds forces and strains of the elements, from their displacements and parameters.
+    fn add_of_elements<const SIDES: usize>(
+        &self,
+        x: [&[f64]; SIDES],
+        y: &mut [Vec<f64>; SIDES],
+        of: impl Fn(&Batch, &[Lane], &[Lane], &mut [Lane], &mut [Lane]) + Sync,
+    ) {
+        let (batches, scale) = (&self.elements.batches, &self.elements.scale);
         let parts: Vec<[(Vec<Lane>, Vec<Lane>); SIDES]> = batches
             .par_iter()
             .map(|batch| {
                 x.map(|x| {
                     let (v, sigma) = (batch.gather_displacements(x, scale), batch.gather_parameters(x));
-                    let mut strain = batch.strain(&v);
-                    batch.subtract_flexibility(&sigma, &mut strain);
-                    let mut force = vec![[0.0; LANES]; v.len()];
-                    batch.add_force(&sigma, &mut force);
-                    batch.add_inner(&v, &mut force);
+                    let (mut force, mut strain) = (vec![[0.0; LANES]; v.len()], vec![[0.0; LANES]; sigma.len()]);
+                    of(batch, &v, &sigma, &mut force, &mut strain);
                     (force, strain)
                 })
             })
@@ -262,14 +300,16 @@ impl ConicProgram {
                 Batch::scatter(&batch.own, strain, y);
             }
         }
-        if let (false, Some(last)) = (self.live.is_empty(), self.unknowns().checked_sub(1)) {
-            for (y, x) in y.iter_mut().zip(x) {
-                let factor = x[last];
-                y.iter_mut().zip(&self.live).for_each(|(y, f)| *y -= factor * f);
-                y[last] -= self.live.iter().zip(x).map(|(f, x)| f * x).sum::<f64>();
-            }
+    }
+
+    /// Adds the coupling of the load factor with the live loads.
+    fn add_live<const SIDES: usize>(&self, x: [&[f64]; SIDES], y: &mut [Vec<f64>; SIDES]) {
+        let (false, Some(last)) = (self.live.is_empty(), self.unknowns().checked_sub(1)) else { return };
+        for (y, x) in y.iter_mut().zip(x) {
+            let factor = x[last];
+            y.iter_mut().zip(&self.live).for_each(|(y, f)| *y -= factor * f);
+            y[last] -= self.live.iter().zip(x).map(|(f, x)| f * x).sum::<f64>();
         }
-        y
     }
 
     /// `G x`, rows of the yield points included.

@@ -1,8 +1,9 @@
 //! Appends the elements that yield to a program.
 
-use super::batch::{Batch, LANES, NONE, Placed, Shape, YIELD_ROWS, YieldingElement};
+use super::batch::{Batch, NONE, Placed, Shape, YIELD_ROWS, YieldingElement};
 use super::dofs::DofMap;
 use super::program::{Cone, ConicProgram, Elements};
+use crate::math::wide::LANES;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -174,21 +174,20 @@ impl Scaling {
         Some(scaling)
     }
 
-    fn map(&self, cones: &Cones, x: &[f64], inverse: bool) -> Vec<f64> {
-        let mut y = vec![0.0; x.len()];
-        for (k, &(s, d)) in cones.blocks.iter().enumerate() {
+    /// W or its inverse, so many times over, cone by cone; `x` may end after any of the cones.
+    fn map(&self, cones: &Cones, x: &[f64], inverse: bool, times: usize) -> Vec<f64> {
+        let mut y = x.to_vec();
+        let sign = if inverse { -1.0 } else { 1.0 };
+        for (k, &(s, d)) in cones.blocks.iter().enumerate().take_while(|(_, b)| b.0 < x.len()) {
             let e = if inverse { 1.0 / self.eta[k] } else { self.eta[k] };
-            if d == 1 {
-                y[s] = e * x[s];
-                continue;
-            }
-            let (w, v) = (&self.w[s..s + d], &x[s..s + d]);
-            let sign = if inverse { -1.0 } else { 1.0 };
-            let t = dot(&w[1..], &v[1..]);
-            y[s] = e * (w[0] * v[0] + sign * t);
-            let f = sign * v[0] + t / (1.0 + w[0]);
-            for i in 1..d {
-                y[s + i] = e * (v[i] + w[i] * f);
+            let (w, y) = (&self.w[s..s + d], &mut y[s..s + d]);
+            for _ in 0..times {
+                // of known length the loops are unrolled
+                match (w.first_chunk::<6>(), y.first_chunk_mut::<6>()) {
+                    (Some(w), Some(y)) if d == 6 => hyperbolic(e, sign, w, y),
+                    _ if d == 1 => y[0] *= e,
+                    _ => hyperbolic(e, sign, w, y),
+                }
             }
         }
         y
@@ -196,19 +195,35 @@ impl Scaling {
 
     /// `W x`.
     pub fn apply(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
-        self.map(cones, x, false)
+        self.map(cones, x, false, 1)
     }
 
     /// `W⁻¹ x`.
     pub fn apply_inverse(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
-        self.map(cones, x, true)
+        self.map(cones, x, true, 1)
     }
 
-    /// The block of `W⁻²` of cone `k`, dimension 6, on the vector part, `α (I + 2 w wᵀ)`: α, then w.
-    pub fn vector_block(&self, cones: &Cones, k: usize) -> [f64; 6] {
+    /// `W² x`.
+    pub fn apply_twice(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
+        self.map(cones, x, false, 2)
+    }
+
+    /// `W⁻² x`.
+    pub fn apply_inverse_twice(&self, cones: &Cones, x: &[f64]) -> Vec<f64> {
+        self.map(cones, x, true, 2)
+    }
+
+    /// The identity: W = I.
+    pub fn identity(cones: &Cones) -> Self {
+        let w = cones.identity();
+        Self { eta: vec![1.0; cones.blocks.len()], lambda: w.clone(), w }
+    }
+
+    /// Scaling of cone `k`, dimension 6: 1/η, then w. The vector block of `W⁻²` is `η⁻² (I + 2 w₁w₁ᵀ)`.
+    pub fn of_point(&self, cones: &Cones, k: usize) -> [f64; 7] {
         let s = cones.blocks[k].0;
         let w = &self.w[s..s + 6];
-        [1.0 / (self.eta[k] * self.eta[k]), w[1], w[2], w[3], w[4], w[5]]
+        [1.0 / self.eta[k], w[0], w[1], w[2], w[3], w[4], w[5]]
     }
 
     /// `W⁻²` of cone `k`, row by row.
@@ -232,6 +247,17 @@ impl Scaling {
                 out[i][j] = e * (2.0 * flip * w[i] * w[j] - jordan);
             }
         }
+    }
+}
+
+/// `η (w₀ ±w₁ᵀ; ±w₁ I + w₁w₁ᵀ/(1 + w₀))` times a vector in place: W, with the minus its inverse.
+#[inline(always)]
+fn hyperbolic(e: f64, sign: f64, w: &[f64], v: &mut [f64]) {
+    let t = dot(&w[1..], &v[1..]);
+    let f = sign * v[0] + t / (1.0 + w[0]);
+    v[0] = e * (w[0] * v[0] + sign * t);
+    for (v, w) in v[1..].iter_mut().zip(&w[1..]) {
+        *v = e * (*v + w * f);
     }
 }
 

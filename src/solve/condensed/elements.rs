@@ -5,27 +5,32 @@
 //! on its displacements is `T H⁻¹ Tᵀ`. Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V goes
 //! to zero, and a pressure is held by no point at all.
 
-use super::elimination::{Weights, eliminate, inner_panel, kept, own_trace, solve_own};
-use super::panel;
-use crate::model::batch::{Batch, LANES, Lane, NONE, Shape, YIELD_ROWS};
+use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
+use crate::math::wide::{LANES, Lane};
+use crate::model::batch::{Batch, NONE, Shape, YIELD_ROWS};
 use crate::model::program::{ConicProgram, SymmetricCsc};
 use crate::solve::sparse::{LinearError, Locator};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Batches eliminated in parallel before what they leave is added one after the other.
-const ROUND: usize = 32;
+pub(super) const ROUND: usize = 32;
+
+/// A point with W = I.
+pub const UNSCALED: [f64; SCALING] = [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
 /// All elements that yield, their places in the sparse factor and their own factors.
 #[derive(Default)]
 pub struct ElementSystem {
-    batches: Arc<Vec<Batch>>,
+    pub(super) batches: Arc<Vec<Batch>>,
     /// What multiplies displacements of the program.
-    scale: Vec<f64>,
+    pub(super) scale: Vec<f64>,
     /// Place of each product (a ≥ b, packed by columns b) of each lane.
     places: Vec<Vec<u32>>,
     /// What is kept of each batch's elimination.
-    factors: Vec<Vec<Lane>>,
+    pub(super) factors: Vec<Vec<Lane>>,
+    /// The scaling at its yield points.
+    pub(super) weights: Vec<Weights>,
     /// Term added to the parameters' own matrix.
     pub proximal: f64,
 }
@@ -37,6 +42,7 @@ impl ElementSystem {
         Self {
             scale: program.elements.scale.clone(),
             factors: vec![Vec::new(); batches.len()],
+            weights: vec![Vec::new(); batches.len()],
             batches,
             ..Self::default()
         }
@@ -86,7 +92,7 @@ impl ElementSystem {
     /// Memory beside the program's own \[bytes\].
     pub fn bytes(&self) -> usize {
         let places: usize = self.places.iter().map(|p| 4 * p.len()).sum();
-        let kept: usize = self.batches.iter().map(|b| 8 * LANES * kept(b)).sum();
+        let kept: usize = self.batches.iter().map(|b| 8 * LANES * (kept(b) + SCALING * b.shape.points())).sum();
         let data: usize = self.batches.iter().map(|b| 8 * LANES * b.data.len()).sum();
         places + kept + data
     }
@@ -105,20 +111,24 @@ impl ElementSystem {
         self.batches.iter().map(one).sum()
     }
 
-    /// Eliminates every element; `weight` gives α and w of the cone that starts at a row, `values` is the sparse factor's
+    /// Eliminates every element; `weight` gives the scaling of the cone that starts at a row, `values` is the sparse factor's
     /// storage.
     pub fn eliminate(
         &mut self,
-        weight: impl Fn(usize) -> [f64; YIELD_ROWS] + Sync,
+        weight: impl Fn(usize) -> [f64; SCALING] + Sync,
         values: &mut [f64],
     ) -> Result<(), LinearError> {
-        let Self { batches, scale, places, factors, proximal } = self;
+        let Self { batches, scale, places, factors, weights, proximal } = self;
         for (first, round) in batches.chunks(ROUND).enumerate() {
             let from = ROUND * first;
             let products: Option<Vec<Vec<Lane>>> = round
                 .par_iter()
                 .zip(&mut factors[from..from + round.len()])
-                .map(|(batch, factor)| eliminate(batch, &weights(batch, &weight), *proximal, factor))
+                .zip(&mut weights[from..from + round.len()])
+                .map_init(Scratch::default, |scratch, ((batch, factor), weights)| {
+                    gather_weights(batch, &weight, weights);
+                    eliminate(batch, weights, *proximal, factor, scratch)
+                })
                 .collect();
             for (i, (batch, products)) in round.iter().zip(products.ok_or(LinearError::Singular)?).enumerate() {
                 add_products(batch, scale, &places[from + i], &products, values);
@@ -128,12 +138,14 @@ impl ElementSystem {
     }
 
     /// Mean of the diagonal of the parameters' own matrix at the given weights, median over elements and mean.
-    pub fn own_stiffness(&self, weight: impl Fn(usize) -> [f64; YIELD_ROWS] + Sync) -> (f64, f64) {
+    pub fn own_stiffness(&self, weight: impl Fn(usize) -> [f64; SCALING] + Sync) -> (f64, f64) {
         let mut traces: Vec<f64> = self
             .batches
             .par_iter()
             .flat_map_iter(|batch| {
-                let trace = own_trace(batch, &weights(batch, &weight));
+                let mut weights = Weights::new();
+                gather_weights(batch, &weight, &mut weights);
+                let trace = own_trace(batch, &weights);
                 (0..LANES).filter(|&l| batch.own[l] != NONE).map(move |l| trace[l]).collect::<Vec<f64>>()
             })
             .collect();
@@ -142,94 +154,6 @@ impl ElementSystem {
         }
         traces.sort_unstable_by(f64::total_cmp);
         (traces[traces.len() / 2], traces.iter().sum::<f64>() / traces.len() as f64)
-    }
-
-    /// Carries right-hand sides to the shared unknowns; the vectors are needed to come back.
-    pub fn condense<const SIDES: usize>(&self, full: &mut [Vec<f64>; SIDES]) {
-        let parts: Vec<[(Vec<Lane>, Vec<Lane>); SIDES]> = self
-            .batches
-            .par_iter()
-            .zip(&self.factors)
-            .map(|(batch, factor)| {
-                std::array::from_fn(|k| {
-                    let mut y = batch.gather_parameters(&full[k]);
-                    solve_own(batch, factor, self.proximal, &mut y);
-                    let mut force = vec![[0.0; LANES]; batch.displacements()];
-                    batch.add_force(&y, &mut force);
-                    let inner = batch.shape.inner();
-                    if inner > 0 {
-                        let given = Batch::gather(&batch.inner_own(), inner, &full[k]);
-                        for (i, (f, r)) in force.iter_mut().zip(&given).enumerate() {
-                            let s = self.inner_scale(batch, i);
-                            (0..LANES).for_each(|l| f[l] += r[l] / s[l]);
-                        }
-                        let count = force.len();
-                        panel::forward(inner_panel(batch, factor), inner, count, &mut force);
-                    }
-                    (force, y)
-                })
-            })
-            .collect();
-        for (batch, part) in self.batches.iter().zip(&parts) {
-            let inner = batch.shape.inner();
-            for (full, (force, y)) in full.iter_mut().zip(part) {
-                batch.scatter_displacements(force, &self.scale, full);
-                set(&batch.own, y, full);
-                set(&batch.inner_own(), &force[..inner], full);
-            }
-        }
-    }
-
-    /// Scale of an element's inner displacement.
-    fn inner_scale(&self, batch: &Batch, i: usize) -> Lane {
-        batch.inner_own().map(|first| match (first, self.scale.is_empty()) {
-            (NONE, _) | (_, true) => 1.0,
-            (first, false) => self.scale[first as usize + i],
-        })
-    }
-
-    /// All unknowns from the shared ones.
-    pub fn expand<const SIDES: usize>(&self, full: &mut [Vec<f64>; SIDES]) {
-        let parts: Vec<[(Vec<Lane>, Vec<Lane>); SIDES]> = self
-            .batches
-            .par_iter()
-            .zip(&self.factors)
-            .map(|(batch, factor)| {
-                std::array::from_fn(|k| {
-                    let inner = batch.shape.inner();
-                    let mut v = batch.gather_displacements(&full[k], &self.scale);
-                    if inner > 0 {
-                        v[..inner].copy_from_slice(&Batch::gather(&batch.inner_own(), inner, &full[k]));
-                        let count = v.len();
-                        panel::backward(inner_panel(batch, factor), inner, count, &mut v);
-                    }
-                    let mut sigma = batch.strain(&v);
-                    solve_own(batch, factor, self.proximal, &mut sigma);
-                    let y = batch.gather_parameters(&full[k]);
-                    sigma.iter_mut().zip(&y).for_each(|(s, y)| (0..LANES).for_each(|l| s[l] -= y[l]));
-                    v.truncate(inner);
-                    for (i, v) in v.iter_mut().enumerate() {
-                        let s = self.inner_scale(batch, i);
-                        (0..LANES).for_each(|l| v[l] /= s[l]);
-                    }
-                    (v, sigma)
-                })
-            })
-            .collect();
-        for (batch, part) in self.batches.iter().zip(&parts) {
-            for (full, (inner, sigma)) in full.iter_mut().zip(part) {
-                set(&batch.own, sigma, full);
-                set(&batch.inner_own(), inner, full);
-            }
-        }
-    }
-}
-
-/// Writes values from each lane's `first` on.
-fn set(first: &[u32; LANES], values: &[Lane], full: &mut [f64]) {
-    for l in (0..LANES).filter(|&l| first[l] != NONE) {
-        let at = first[l] as usize;
-        values.iter().zip(&mut full[at..at + values.len()]).for_each(|(v, x)| *x = v[l]);
     }
 }
 
@@ -258,19 +182,18 @@ fn add_products(batch: &Batch, scale: &[f64], places: &[u32], products: &[Lane],
     }
 }
 
-fn weights(batch: &Batch, weight: &(impl Fn(usize) -> [f64; YIELD_ROWS] + Sync)) -> Weights {
-    let mut out = vec![[[0.0; LANES]; YIELD_ROWS]; batch.shape.points()];
+fn gather_weights(batch: &Batch, weight: &(impl Fn(usize) -> [f64; SCALING] + Sync), out: &mut Weights) {
+    out.resize(batch.shape.points(), [[0.0; LANES]; SCALING]);
     for l in 0..LANES {
         for (point, out) in out.iter_mut().enumerate() {
             // an empty lane gets the identity
             let w = match batch.rows[l] {
-                NONE => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+                NONE => UNSCALED,
                 row => weight(row as usize + YIELD_ROWS * point),
             };
-            (0..YIELD_ROWS).for_each(|i| out[i][l] = w[i]);
+            (0..SCALING).for_each(|i| out[i][l] = w[i]);
         }
     }
-    out
 }
 
 /// The pattern of P with the couplings of cones and elements added.

@@ -8,8 +8,9 @@
 //! # Source
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
 
+use super::carrying::Side;
 use super::cones::{Cones, Scaling, dot};
-use super::system::CondensedSystem;
+use super::system::{CondensedSystem, Solved};
 use crate::model::program::ConicProgram;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
@@ -132,6 +133,8 @@ struct Residuals {
     f2: Vec<f64>,
     f3: f64,
     px: Vec<f64>,
+    /// The blocks of P on its diagonal times x.
+    diagonal: Vec<f64>,
     xpx: f64,
     /// Linear terms of the scalar row: `qᵀx + bᵀy`.
     cx: f64,
@@ -159,7 +162,9 @@ fn largest(a: &[f64]) -> f64 {
 
 fn residuals(problem: &Problem, p: &Point) -> Residuals {
     let (q, h) = (&problem.program.q, &problem.program.h);
-    let [px] = problem.program.quadratic([&p.x]);
+    let diagonal = problem.program.quadratic_diagonal(&p.x);
+    let mut px = diagonal.clone();
+    problem.program.add_coupling(&p.x, &mut px);
     let gz = problem.program.rows_transposed(&p.z);
     let gx = problem.program.rows(&p.x);
     let n = p.x.len();
@@ -186,6 +191,7 @@ fn residuals(problem: &Problem, p: &Point) -> Residuals {
         f1,
         f2,
         px,
+        diagonal,
         xpx,
         cx,
         hz,
@@ -332,9 +338,9 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside.
 fn starting_point(problem: &Problem, system: &CondensedSystem) -> Point {
     let cones = &problem.cones;
-    let gh = problem.program.rows_transposed(&problem.program.h);
-    let rhs: Vec<f64> = problem.program.q.iter().zip(&gh).map(|(q, g)| -q - g).collect();
-    let [x] = system.solve(problem, [&rhs]);
+    let minus_q: Vec<f64> = problem.program.q.iter().map(|q| -q).collect();
+    let [Solved { x, .. }] =
+        system.solve::<1, false>(problem, &Scaling::identity(cones), [(&minus_q, &problem.program.h)]);
     let s = problem.program.slack(&x);
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
@@ -380,13 +386,8 @@ impl<'a> Newton<'a> {
     ) -> (Self, Direction) {
         let t = point.tau;
         let (q, h) = (&problem.program.q, &problem.program.h);
-        let mut slope: Vec<f64> = problem.signed(r.px.iter().zip(q).map(|(p, q)| 2.0 * p / t + q).collect());
-        if problem.saddle {
-            // (M + Mᵀ) w = S P w + P S w for M = S P: the coupling cancels
-            let [other] = problem.program.quadratic([&problem.signed(point.x.clone())]);
-            let own = problem.signed(r.px.clone());
-            slope.iter_mut().zip(own.iter().zip(&other)).for_each(|(s, (a, b))| *s += (b - a) / t);
-        }
+        // (M + Mᵀ) w = S P w + P S w for M = S P: the coupling cancels
+        let slope = problem.signed(r.diagonal.iter().zip(q).map(|(p, q)| 2.0 * p / t + q).collect());
         let [off, size, inner] = [&r.f1, q, &r.px].map(|v| problem.largest_of_kinds(v));
         let live = problem.live_force(&point.x);
         let rounding = |k: usize| 1e-13 * size[k].max(inner[k]).max(live);
@@ -404,55 +405,36 @@ impl<'a> Newton<'a> {
 
     /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2` for a few right-hand sides, refined on this full residual: the condensed
     /// matrix alone loses the small multipliers in the rounding of the large `W⁻²`.
-    fn kkt<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
-        let cones = &self.problem.cones;
-        let program = &self.problem.program;
-        let mut solution = self.condensed(rhs);
+    fn kkt<const SIDES: usize>(&self, rhs: [Side<'_>; SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
+        let Self { problem, scaling, .. } = *self;
+        let mut solution = self.system.solve::<SIDES, true>(problem, scaling, rhs);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let px =
-                self.system.multiply(self.problem, std::array::from_fn::<_, SIDES, _>(|k| solution[k].0.as_slice()));
-            let errors: [(Vec<f64>, Vec<f64>); SIDES] = std::array::from_fn(|k| {
-                let ((dx, dz), (r1, r2)) = (&solution[k], rhs[k]);
-                let (gz, gx) = (program.rows_transposed(dz), program.rows(dx));
-                let e1: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[k][i] + gz[i]).collect();
-                let w2 = self.scaling.apply(cones, &self.scaling.apply(cones, dz));
-                let e2: Vec<f64> = (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect();
-                (e1, e2)
-            });
             // 1 is what is allowed
-            let worst = |e: &[f64]| {
-                let off = self.problem.largest_of_kinds(e);
+            let worst = |s: &Solved| {
+                let off = problem.largest_of_kinds(&s.error);
                 (off[0] / self.allowed[0]).max(off[1] / self.allowed[1])
             };
-            let error = errors.iter().map(|e| worst(&e.0)).fold(0.0, f64::max);
+            let error = solution.iter().map(worst).fold(0.0, f64::max);
             if error <= 1.0 || error >= 0.5 * last {
                 break;
             }
             last = error;
-            let sides = std::array::from_fn::<_, SIDES, _>(|k| (errors[k].0.as_slice(), errors[k].1.as_slice()));
-            let correction = self.condensed(sides);
-            for ((dx, dz), (cx, cz)) in solution.iter_mut().zip(&correction) {
-                dx.iter_mut().zip(cx).for_each(|(a, b)| *a += b);
-                dz.iter_mut().zip(cz).for_each(|(a, b)| *a += b);
+            let slack: [Vec<f64>; SIDES] = std::array::from_fn(|k| {
+                let (Solved { x, z, .. }, r2) = (&solution[k], rhs[k].1);
+                let (gx, w2) = (problem.program.rows(x), scaling.apply_twice(&problem.cones, z));
+                (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect()
+            });
+            let sides = std::array::from_fn::<_, SIDES, _>(|k| (solution[k].error.as_slice(), slack[k].as_slice()));
+            // what the correction leaves of the error is the error of the sum
+            let correction = self.system.solve::<SIDES, true>(problem, scaling, sides);
+            for (solution, correction) in solution.iter_mut().zip(correction) {
+                solution.x.iter_mut().zip(&correction.x).for_each(|(a, b)| *a += b);
+                solution.z.iter_mut().zip(&correction.z).for_each(|(a, b)| *a += b);
+                solution.error = correction.error;
             }
         }
-        solution
-    }
-
-    /// The same through the condensed factor, without refinement.
-    fn condensed<const SIDES: usize>(&self, rhs: [(&[f64], &[f64]); SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
-        let (cones, program) = (&self.problem.cones, &self.problem.program);
-        let inverse_square = |v: &[f64]| self.scaling.apply_inverse(cones, &self.scaling.apply_inverse(cones, v));
-        let sides = rhs.map(|(r1, r2)| {
-            let g = program.rows_transposed(&inverse_square(r2));
-            r1.iter().zip(&g).map(|(a, b)| a - b).collect::<Vec<f64>>()
-        });
-        let mut dx = self.system.solve(self.problem, std::array::from_fn::<_, SIDES, _>(|k| sides[k].as_slice()));
-        std::array::from_fn(|k| {
-            let v: Vec<f64> = program.rows(&dx[k]).iter().zip(rhs[k].1).map(|(g, r)| -g - r).collect();
-            (std::mem::take(&mut dx[k]), inverse_square(&v))
-        })
+        solution.map(|s| (s.x, s.z))
     }
 
     /// Right-hand side for removing the fraction `1 − σ` of the residuals with complementarity `ds`.

@@ -3,6 +3,7 @@
 //! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one; every
 //! iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one nested-dissection ordering.
 
+pub mod carrying;
 pub mod cones;
 pub mod elements;
 pub mod elimination;
@@ -16,6 +17,7 @@ use super::scales::Scales;
 use super::sparse::LinearError;
 use super::status::{Solution, SolveOptions};
 use crate::model::program::ConicProgram;
+use cones::Scaling;
 use ipm::Problem;
 use std::time::Instant;
 use system::CondensedSystem;
@@ -50,7 +52,9 @@ impl Prepared {
             start.elapsed().as_secs_f64()
         };
         let factor = timed(&mut || drop(self.system.factor_start(&self.problem)));
-        let solve = timed(&mut || drop(self.system.solve(&self.problem, [&self.problem.program.q])));
+        let (unit, none) = (Scaling::identity(&self.problem.cones), vec![0.0; self.problem.program.h.len()]);
+        let side = (self.problem.program.q.as_slice(), none.as_slice());
+        let solve = timed(&mut || drop(self.system.solve::<1, false>(&self.problem, &unit, [side])));
         Some(Yardstick { factor, solve })
     }
 

@@ -3,8 +3,10 @@
 //! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach the sparse factor.
 //! Every entry has its place in the factor's own storage, so no matrix is assembled beside it.
 
+use super::carrying::Side;
 use super::cones::{Cones, Scaling, dot};
-use super::elements::{ElementSystem, union};
+use super::elements::{ElementSystem, UNSCALED, union};
+use super::elimination::SCALING;
 use super::ipm::Problem;
 use crate::model::batch::YIELD_ROWS;
 use crate::model::program::ConicProgram;
@@ -33,6 +35,17 @@ pub struct CondensedSystem {
     elements: ElementSystem,
     factor: SparseCholesky,
     border: Option<Border>,
+}
+
+/// One solution of Newton's system.
+#[derive(Default)]
+pub struct Solved {
+    /// Unknowns.
+    pub x: Vec<f64>,
+    /// Multipliers.
+    pub z: Vec<f64>,
+    /// What is left of the stationarity rows; empty when not asked for.
+    pub error: Vec<f64>,
 }
 
 /// The load factor: a dense row, kept out of the sparse factor by its Schur complement.
@@ -109,24 +122,10 @@ impl CondensedSystem {
         self.factor.flops() / self.factor.nonzeros().max(1) as f64
     }
 
-    /// The quadratic term and the proximal terms the factor holds times a few vectors.
-    pub fn multiply<const SIDES: usize>(&self, problem: &Problem, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        let mut y = problem.program.quadratic(x);
-        if self.elements.proximal > 0.0 {
-            let factor = problem.program.unknowns() - usize::from(!problem.program.live.is_empty());
-            for (y, x) in y.iter_mut().zip(x) {
-                for i in (problem.program.shared()..factor).filter(|&i| problem.maximised[i]) {
-                    y[i] -= self.elements.proximal * x[i];
-                }
-            }
-        }
-        y
-    }
-
     /// Factors the matrix with unit scaling, for the starting point.
     pub fn factor_start(&mut self, problem: &Problem) -> Result<(), LinearError> {
         let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..problem.cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
-        let points = |_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let points = |_| UNSCALED;
         self.choose_proximal(problem, &points);
         self.refactor(problem, unit, points, 0.0)
     }
@@ -136,12 +135,12 @@ impl CondensedSystem {
         let cones = &problem.cones;
         let first = self.cones.len();
         let start = problem.program.g.nrows();
-        let points = |row: usize| scaling.vector_block(cones, first + (row - start) / YIELD_ROWS);
+        let points = |row: usize| scaling.of_point(cones, first + (row - start) / YIELD_ROWS);
         self.refactor(problem, |k, w| scaling.inverse_square(cones, k, w), points, raise)
     }
 
     /// Rigid-plastic elements: the proximal term is chosen once.
-    fn choose_proximal(&mut self, problem: &Problem, points: &(impl Fn(usize) -> [f64; YIELD_ROWS] + Sync)) {
+    fn choose_proximal(&mut self, problem: &Problem, points: &(impl Fn(usize) -> [f64; SCALING] + Sync)) {
         if !problem.program.live.is_empty() && self.elements.proximal == 0.0 {
             let (median, mean) = self.elements.own_stiffness(points);
             self.elements.proximal = (PROXIMAL.0 * median).max(PROXIMAL.1 * mean);
@@ -152,7 +151,7 @@ impl CondensedSystem {
         &mut self,
         problem: &Problem,
         inverse_square: impl Fn(usize, &mut [[f64; 6]; 6]),
-        points: impl Fn(usize) -> [f64; YIELD_ROWS] + Sync,
+        points: impl Fn(usize) -> [f64; SCALING] + Sync,
         raise: f64,
     ) -> Result<(), LinearError> {
         let Self { place, cones, elements, factor, .. } = self;
@@ -190,26 +189,61 @@ impl CondensedSystem {
         Ok(())
     }
 
-    /// Solves for a few right-hand sides, without refinement.
-    pub fn solve<const SIDES: usize>(&self, problem: &Problem, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        let mut full = b.map(<[f64]>::to_vec);
-        if !self.elements.is_empty() {
-            self.elements.condense(&mut full);
-        }
-        let n = problem.program.shared();
-        let mut shared = self.factor.solve_all(std::array::from_fn::<_, SIDES, _>(|k| &full[k][..n]));
-        for (x, full) in shared.iter_mut().zip(&mut full) {
+    /// `P dx − Gᵀ dz = r₁`, `−G dx − W² dz = r₂` for a few right-hand sides, without refinement; with CHECK what is left of
+    /// r₁. W must be that of the factor.
+    pub fn solve<const SIDES: usize, const CHECK: bool>(
+        &self,
+        problem: &Problem,
+        scaling: &Scaling,
+        rhs: [Side<'_>; SIDES],
+    ) -> [Solved; SIDES] {
+        let (program, cones) = (&problem.program, &problem.cones);
+        let (n, contacts) = (program.shared(), program.g.nrows());
+        let mut full = rhs.map(|(r1, r2)| {
+            let mut full = r1.to_vec();
+            let g = program.g.mul_transpose(&scaling.apply_inverse_twice(cones, &r2[..contacts]));
+            full.iter_mut().zip(&g).for_each(|(f, g)| *f -= g);
+            full
+        });
+        self.elements.condense(rhs, &mut full);
+        let shared = self.factor.solve_all(full.each_ref().map(|f| &f[..n]));
+        for (mut x, full) in shared.into_iter().zip(&mut full) {
             if let (Some(border), Some(last)) = (&self.border, full.last_mut()) {
                 // K v − f λ = r and −fᵀ v = r_λ
-                let factor = -(*last + dot(&problem.program.live, x)) / border.compliance;
+                let factor = -(*last + dot(&program.live, &x)) / border.compliance;
                 x.iter_mut().zip(&border.solution).for_each(|(x, y)| *x += factor * y);
                 *last = factor;
             }
-            full[..n].copy_from_slice(x);
+            full[..n].copy_from_slice(&x);
         }
-        if !self.elements.is_empty() {
-            self.elements.expand(&mut full);
+        let mut z: [Vec<f64>; SIDES] = std::array::from_fn(|k| {
+            let r2 = rhs[k].1;
+            let v: Vec<f64> = program.g.mul(&full[k]).iter().zip(r2).map(|(g, r)| -g - r).collect();
+            let mut z = scaling.apply_inverse_twice(cones, &v);
+            z.resize(r2.len(), 0.0);
+            z
+        });
+        let mut errors = [const { Vec::new() }; SIDES];
+        if CHECK {
+            let px = program.p.mul_all(full.each_ref().map(|f| &f[..n]));
+            for k in 0..SIDES {
+                let gz = program.g.mul_transpose(&z[k][..contacts]);
+                let mut error = rhs[k].0.to_vec();
+                error.iter_mut().zip(&px[k]).for_each(|(e, p)| *e -= p);
+                error.iter_mut().zip(&gz).for_each(|(e, g)| *e += g);
+                if let (Some(&factor), Some(last), false) = (full[k].last(), error.last_mut(), program.live.is_empty())
+                {
+                    *last += dot(&program.live, &full[k][..n]);
+                    error.iter_mut().zip(&program.live).for_each(|(e, f)| *e += factor * f);
+                }
+                errors[k] = error;
+            }
         }
-        full
+        self.elements.expand::<SIDES, CHECK>(rhs, &mut full, &mut z, &mut errors);
+        let mut parts = full.into_iter().zip(z).zip(errors);
+        std::array::from_fn(|_| match parts.next() {
+            Some(((x, z), error)) => Solved { x, z, error },
+            None => Solved::default(),
+        })
     }
 }

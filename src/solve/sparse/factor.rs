@@ -4,6 +4,7 @@
 //! one block of work space per thread are all the memory. Where the work is cut depends on sizes alone: the factor
 //! is the same, byte for byte, on any number of threads.
 
+use super::blocks;
 use super::dense;
 use super::symbolic::{Symbolic, Update};
 use faer::{MatMut, MatRef};
@@ -16,6 +17,8 @@ const STRIP: usize = 96;
 const PANEL: usize = 128;
 /// Rows of a panel solved together.
 const ROWS: usize = 512;
+/// Columns of a supernode whose products packing does not pay for.
+const NARROW: usize = 128;
 /// Subtrees with less than this part of all operations are factored by one thread.
 const SUBTREE: f64 = 1.0 / 24.0;
 
@@ -25,6 +28,33 @@ pub struct Plan {
     pub subtrees: Vec<(usize, usize)>,
     /// Supernodes above them, in order.
     pub top: Vec<usize>,
+    /// Where their unknowns stand among themselves.
+    pub above: Above,
+}
+
+/// The unknowns above the subtrees, numbered among themselves.
+#[derive(Default)]
+pub struct Above {
+    /// First number of each supernode above.
+    pub first: Vec<usize>,
+    /// Number of each unknown; of those in subtrees none.
+    pub number: Vec<u32>,
+    /// Their number.
+    pub count: usize,
+}
+
+impl Above {
+    fn new(symbolic: &Symbolic, top: &[usize]) -> Self {
+        let mut out = Self { number: vec![u32::MAX; symbolic.n], ..Self::default() };
+        for &s in top {
+            out.first.push(out.count);
+            for row in symbolic.begin[s]..symbolic.begin[s + 1] {
+                out.number[row as usize] = out.count as u32;
+                out.count += 1;
+            }
+        }
+        out
+    }
 }
 
 impl Plan {
@@ -38,7 +68,7 @@ impl Plan {
             }
         }
         let limit = SUBTREE * symbolic.flops.iter().sum::<f64>();
-        let mut plan = Self { subtrees: Vec::new(), top: Vec::new() };
+        let mut plan = Self { subtrees: Vec::new(), top: Vec::new(), above: Above::default() };
         let mut s = count;
         // from the root down; a subtree is left behind whole
         while s > 0 {
@@ -53,32 +83,23 @@ impl Plan {
         }
         plan.subtrees.reverse();
         plan.top.reverse();
+        plan.above = Above::new(symbolic, &plan.top);
         plan
     }
 
-    /// Cuts data laid out supernode by supernode, where supernode s begins at `start(s)`.
-    pub fn cut<'a>(&self, data: &'a mut [f64], start: impl Fn(usize) -> usize) -> Cut<'a> {
-        let mut cut = Cut { subtrees: Vec::with_capacity(self.subtrees.len()), between: Vec::new() };
+    /// Data of the subtrees, laid out supernode by supernode (s begins at `start(s)`): first and last supernode, data.
+    pub fn cut<'a>(&self, data: &'a mut [f64], start: impl Fn(usize) -> usize) -> Vec<(usize, usize, &'a mut [f64])> {
+        let mut pieces = Vec::with_capacity(self.subtrees.len());
         let (mut rest, mut at) = (data, 0);
         for &(first, last) in &self.subtrees {
             let (from, to) = (start(first), start(last + 1));
-            let (gap, after) = rest.split_at_mut(from - at);
+            let (_, after) = rest.split_at_mut(from - at);
             let (piece, after) = after.split_at_mut(to - from);
-            cut.between.push((at, gap));
-            cut.subtrees.push((first, last, piece));
+            pieces.push((first, last, piece));
             (rest, at) = (after, to);
         }
-        cut.between.push((at, rest));
-        cut
+        pieces
     }
-}
-
-/// Data of the subtrees, and of the supernodes above them.
-pub struct Cut<'a> {
-    /// First and last supernode of each subtree, and its data.
-    pub subtrees: Vec<(usize, usize, &'a mut [f64])>,
-    /// What lies between them, with where it begins.
-    pub between: Vec<(usize, &'a mut [f64])>,
 }
 
 /// Work space of one thread.
@@ -88,8 +109,9 @@ struct Work {
     place: Vec<u32>,
     /// One update before it is scattered.
     product: Vec<f64>,
-    /// Places of the rows of one update.
+    /// Places of the rows of one update, and its columns.
     targets: Vec<u32>,
+    columns: Vec<u32>,
     /// Runs of neighbouring places among them: first place, first row, rows.
     runs: Vec<(u32, u32, u32)>,
 }
@@ -125,7 +147,7 @@ struct Target<'a> {
 
 /// Factors in place; `values` holds the matrix in the layout of `symbolic`.
 pub fn factor(symbolic: &Symbolic, plan: &Plan, values: &mut [f64], pool: &Pool) -> Result<(), NotPositive> {
-    let mut pieces = plan.cut(values, |s| symbolic.value_start[s]).subtrees;
+    let mut pieces = plan.cut(values, |s| symbolic.value_start[s]);
     // the costliest first: less waiting at the end
     pieces.sort_by_key(|(first, last, _)| {
         std::cmp::Reverse(symbolic.value_start[*last + 1] - symbolic.value_start[*first])
@@ -201,12 +223,20 @@ impl Target<'_> {
             let rows = &rows[skip..];
             let (tall, depth) = (rows.len(), symbolic.columns(d));
             let block = &self.done[symbolic.value_start[d] - self.base..symbolic.value_start[d + 1] - self.base];
-            let block = MatRef::from_column_major_slice(block, symbolic.height(d), depth);
-            let left = block.subrows(depth + at as usize + skip, tall);
-            let right = left.subrows(0, wide);
-            let Work { place, product, targets, runs } = work;
+            let first_row = depth + at as usize + skip;
+            let Work { place, product, targets, columns, runs } = work;
             targets.clear();
             targets.extend(rows.iter().map(|&r| if r < end { r - begin } else { place[r as usize] }));
+            if depth <= NARROW {
+                columns.clear();
+                columns.extend(rows[..wide].iter().map(|r| r - from));
+                let update = blocks::Update { block, height: symbolic.height(d), depth, first: first_row, wide };
+                update.subtract(strip, height, targets, columns);
+                continue;
+            }
+            let block = MatRef::from_column_major_slice(block, symbolic.height(d), depth);
+            let left = block.subrows(first_row, tall);
+            let right = left.subrows(0, wide);
             let column = (rows[0] - from) as usize;
             let contiguous =
                 targets[tall - 1] - targets[0] + 1 == tall as u32 && rows[wide - 1] - rows[0] + 1 == wide as u32;
@@ -243,14 +273,14 @@ impl Target<'_> {
 /// Cholesky of the leading `columns` of a block, and the rows below solved by it.
 fn factor_block(own: &mut [f64], height: usize, columns: usize) -> Result<(), NotPositive> {
     if columns <= 2 * PANEL {
-        return factor_panel(MatMut::from_column_major_slice_mut(own, height, columns), false);
+        return if blocks::factor(own, height, columns) { Ok(()) } else { Err(NotPositive) };
     }
     let mut first = 0;
     while first < columns {
         let wide = PANEL.min(columns - first);
         let (panel, right) = own[first * height..].split_at_mut(wide * height);
         let block = MatMut::from_column_major_slice_mut(panel, height, wide).subrows_mut(first, height - first);
-        factor_panel(block, true)?;
+        factor_panel(block)?;
         let panel = MatRef::from_column_major_slice(panel, height, wide);
         right.par_chunks_mut(STRIP * height).enumerate().with_max_len(1).for_each(|(k, strip)| {
             let at = first + wide + k * STRIP;
@@ -265,17 +295,13 @@ fn factor_block(own: &mut [f64], height: usize, columns: usize) -> Result<(), No
 }
 
 /// Cholesky of the square on top and the rows below it.
-fn factor_panel(block: MatMut<'_, f64>, together: bool) -> Result<(), NotPositive> {
+fn factor_panel(block: MatMut<'_, f64>) -> Result<(), NotPositive> {
     let columns = block.ncols();
     let (mut top, bottom) = block.split_at_row_mut(columns);
     if !dense::cholesky(top.as_mut()) {
         return Err(NotPositive);
     }
     let top = top.as_ref();
-    if !together {
-        dense::solve_right(top, bottom);
-        return Ok(());
-    }
     let mut strips = Vec::new();
     let mut rest = bottom;
     while rest.nrows() > ROWS {

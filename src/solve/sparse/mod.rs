@@ -1,5 +1,6 @@
 //! One symmetric positive definite sparse system: ordered once, factored as often as its values change.
 
+pub mod blocks;
 pub mod dense;
 pub mod factor;
 pub mod ordering;

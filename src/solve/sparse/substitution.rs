@@ -5,39 +5,14 @@
 
 use super::factor::Plan;
 use super::symbolic::Symbolic;
+use crate::math::wide::dispatch;
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 /// Solves `L Lᵀ X = X` in place, in the factor's order; `x` is interleaved, `n × SIDES`.
 pub fn solve<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64], x: &mut [f64]) {
-    forward::<SIDES>(symbolic, plan, values, x, &TopRows::new(symbolic, plan));
+    forward::<SIDES>(symbolic, plan, values, x);
     backward::<SIDES>(symbolic, plan, values, x);
-}
-
-/// Number of each unknown of the top supernodes among them.
-struct TopRows {
-    /// First number of each top supernode.
-    first: Vec<usize>,
-    /// First column of each.
-    begin: Vec<u32>,
-    /// Their number.
-    count: usize,
-}
-
-impl TopRows {
-    fn new(symbolic: &Symbolic, plan: &Plan) -> Self {
-        let mut out = Self { first: Vec::new(), begin: Vec::new(), count: 0 };
-        for &s in &plan.top {
-            out.first.push(out.count);
-            out.begin.push(symbolic.begin[s]);
-            out.count += symbolic.columns(s);
-        }
-        out
-    }
-
-    fn number(&self, row: u32) -> usize {
-        let k = self.begin.partition_point(|&b| b <= row) - 1;
-        self.first[k] + (row - self.begin[k]) as usize
-    }
 }
 
 /// Where a subtree's rows go: its own columns, or the share it hands to the top.
@@ -48,22 +23,23 @@ struct Share<'a> {
     top: Vec<f64>,
 }
 
-fn forward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64], x: &mut [f64], top: &TopRows) {
+fn forward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64], x: &mut [f64]) {
     let cut = plan.cut(x, |s| SIDES * symbolic.begin[s] as usize);
     let shares: Vec<Vec<f64>> = cut
-        .subtrees
         .into_par_iter()
         .with_max_len(1)
         .map(|(first, last, own)| {
-            let mut share = Share { begin: symbolic.begin[first], own, top: vec![0.0; SIDES * top.count] };
+            let mut share = Share { begin: symbolic.begin[first], own, top: vec![0.0; SIDES * plan.above.count] };
             let mut buffer = Vec::new();
-            (first..=last).for_each(|s| forward_in_subtree::<SIDES>(symbolic, s, values, &mut share, top, &mut buffer));
+            let above = &plan.above.number;
+            (first..=last)
+                .for_each(|s| forward_in_subtree::<SIDES>(symbolic, s, values, &mut share, above, &mut buffer));
             share.top
         })
         .collect();
     for (k, &s) in plan.top.iter().enumerate() {
         let from = SIDES * symbolic.begin[s] as usize;
-        let at = SIDES * top.first[k];
+        let at = SIDES * plan.above.first[k];
         for share in &shares {
             for i in 0..SIDES * symbolic.columns(s) {
                 x[from + i] += share[at + i];
@@ -94,7 +70,7 @@ fn forward_in_subtree<const SIDES: usize>(
     s: usize,
     values: &[f64],
     share: &mut Share<'_>,
-    top: &TopRows,
+    above: &[u32],
     buffer: &mut Vec<f64>,
 ) {
     let (columns, height) = (symbolic.columns(s), symbolic.height(s));
@@ -107,7 +83,7 @@ fn forward_in_subtree<const SIDES: usize>(
         let (to, at) = if row < end {
             (&mut *share.own, (row - share.begin) as usize)
         } else {
-            (&mut share.top[..], top.number(row))
+            (&mut share.top[..], above[row as usize] as usize)
         };
         for k in 0..SIDES {
             to[SIDES * at + k] += buffer[k * height + columns + i];
@@ -128,14 +104,15 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
         interleave::<SIDES>(&buffer, height, &mut x[from..from + SIDES * columns]);
     }
     // subtrees read the top and write their own columns
+    let mut top = vec![0.0; SIDES * plan.above.count];
+    for (k, &s) in plan.top.iter().enumerate() {
+        let (from, at, count) =
+            (SIDES * symbolic.begin[s] as usize, SIDES * plan.above.first[k], SIDES * symbolic.columns(s));
+        top[at..at + count].copy_from_slice(&x[from..from + count]);
+    }
+    let above = |row: u32| &top[SIDES * plan.above.number[row as usize] as usize..];
     let cut = plan.cut(x, |s| SIDES * symbolic.begin[s] as usize);
-    let between = cut.between;
-    let above = |row: u32| {
-        let at = SIDES * row as usize;
-        let (start, part) = &between[between.partition_point(|b| b.0 <= at) - 1];
-        &part[at - start..at - start + SIDES]
-    };
-    cut.subtrees.into_par_iter().with_max_len(1).for_each(|(first, last, own)| {
+    cut.into_par_iter().with_max_len(1).for_each(|(first, last, own)| {
         let (begin, end) = (symbolic.begin[first], symbolic.begin[last + 1]);
         let mut buffer = Vec::new();
         for s in (first..=last).rev() {
@@ -156,103 +133,170 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
 ///
 /// `x` holds the sides one after the other, `height` entries each.
 fn forward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
-    pulp::Arch::new().dispatch(
-        #[inline(always)]
-        || {
-            let mut j = 0;
-            // four columns at a time: x is read and written once for the four
-            while j + 4 <= columns {
-                let column = |k: usize| &block[(j + k) * height + j..(j + k + 1) * height];
-                let (c0, c1, c2, c3) = (column(0), column(1), column(2), column(3));
-                for k in 0..SIDES {
-                    let x = &mut x[k * height + j..(k + 1) * height];
-                    let a = x[0] / c0[0];
-                    let b = (x[1] - c0[1] * a) / c1[1];
-                    let c = (x[2] - c0[2] * a - c1[2] * b) / c2[2];
-                    let d = (x[3] - c0[3] * a - c1[3] * b - c2[3] * c) / c3[3];
-                    (x[0], x[1], x[2], x[3]) = (a, b, c, d);
-                    let rows = c0[4..].iter().zip(&c1[4..]).zip(&c2[4..]).zip(&c3[4..]);
-                    for (v, (((l0, l1), l2), l3)) in x[4..].iter_mut().zip(rows) {
-                        *v -= l0 * a + l1 * b + l2 * c + l3 * d;
-                    }
-                }
-                j += 4;
-            }
-            while j < columns {
-                let c = &block[j * height + j..(j + 1) * height];
-                for k in 0..SIDES {
-                    let x = &mut x[k * height + j..(k + 1) * height];
-                    x[0] /= c[0];
-                    let a = x[0];
-                    x[1..].iter_mut().zip(&c[1..]).for_each(|(v, l)| *v -= l * a);
-                }
-                j += 1;
-            }
-        },
-    );
-}
-
-/// Partial sums of a dot product: one alone would wait for itself.
-const LANES: usize = 8;
-
-/// `Σ c x` for four columns.
-#[inline(always)]
-fn dots(c: [&[f64]; 4], x: &[f64]) -> [f64; 4] {
-    let mut sums = [[0.0f64; LANES]; 4];
-    let (xs, x_rest) = x.as_chunks::<LANES>();
-    let (c0, r0) = c[0].as_chunks::<LANES>();
-    let (c1, r1) = c[1].as_chunks::<LANES>();
-    let (c2, r2) = c[2].as_chunks::<LANES>();
-    let (c3, r3) = c[3].as_chunks::<LANES>();
-    for ((((x, l0), l1), l2), l3) in xs.iter().zip(c0).zip(c1).zip(c2).zip(c3) {
-        for l in 0..LANES {
-            sums[0][l] += l0[l] * x[l];
-            sums[1][l] += l1[l] * x[l];
-            sums[2][l] += l2[l] * x[l];
-            sums[3][l] += l3[l] * x[l];
-        }
-    }
-    let mut out = sums.map(|s| s.iter().sum::<f64>());
-    for (i, x) in x_rest.iter().enumerate() {
-        out[0] += r0[i] * x;
-        out[1] += r1[i] * x;
-        out[2] += r2[i] * x;
-        out[3] += r3[i] * x;
-    }
-    out
+    dispatch(Forward::<SIDES> { block, height, columns, x });
 }
 
 /// Subtracts the rows below, then solves the transposed triangle on top; the result is the first `columns` of each side.
 fn backward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
-    pulp::Arch::new().dispatch(
-        #[inline(always)]
-        || {
-            let mut j = columns;
-            while j >= 4 {
-                j -= 4;
-                let column = |k: usize| &block[(j + k) * height + j..(j + k + 1) * height];
-                let c = [column(0), column(1), column(2), column(3)];
-                for k in 0..SIDES {
-                    let x = &mut x[k * height + j..(k + 1) * height];
-                    let [s0, s1, s2, s3] = dots([&c[0][4..], &c[1][4..], &c[2][4..], &c[3][4..]], &x[4..]);
-                    let d = (x[3] - s3) / c[3][3];
-                    let e = (x[2] - s2 - c[2][3] * d) / c[2][2];
-                    let b = (x[1] - s1 - c[1][2] * e - c[1][3] * d) / c[1][1];
-                    let a = (x[0] - s0 - c[0][1] * b - c[0][2] * e - c[0][3] * d) / c[0][0];
-                    (x[0], x[1], x[2], x[3]) = (a, b, e, d);
-                }
+    dispatch(Backward::<SIDES> { block, height, columns, x });
+}
+
+/// The sides of a buffer.
+#[inline(always)]
+fn sides<const SIDES: usize>(x: &mut [f64], height: usize) -> [&mut [f64]; SIDES] {
+    let mut each = x.chunks_exact_mut(height);
+    std::array::from_fn(|_| each.next().unwrap_or_default())
+}
+
+/// Rows `first..` of W columns from column `j` on: whole registers, and what is left of each.
+#[inline(always)]
+fn rows_of<S: Simd, const W: usize>(
+    block: &[f64],
+    height: usize,
+    j: usize,
+    first: usize,
+) -> ([&[S::f64s]; W], [&[f64]; W]) {
+    let cut = |k| S::as_simd_f64s(&block[(j + k) * height + first..(j + k + 1) * height]);
+    let whole = cut(0).0.len();
+    (std::array::from_fn(|k| &cut(k).0[..whole]), std::array::from_fn(|k| cut(k).1))
+}
+
+struct Forward<'a, const SIDES: usize> {
+    block: &'a [f64],
+    height: usize,
+    columns: usize,
+    x: &'a mut [f64],
+}
+
+impl<const SIDES: usize> WithSimd for Forward<'_, SIDES> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { block, height, columns, x } = self;
+        let mut x = sides::<SIDES>(x, height);
+        let mut j = 0;
+        // four columns at a time: x is read and written once for the four, the columns once for all sides
+        while j + 4 <= columns {
+            forward_columns::<S, SIDES, 4>(simd, block, height, j, &mut x);
+            j += 4;
+        }
+        match columns - j {
+            1 => forward_columns::<S, SIDES, 1>(simd, block, height, j, &mut x),
+            2 => forward_columns::<S, SIDES, 2>(simd, block, height, j, &mut x),
+            3 => forward_columns::<S, SIDES, 3>(simd, block, height, j, &mut x),
+            _ => {}
+        }
+    }
+}
+
+#[inline(always)]
+fn forward_columns<S: Simd, const SIDES: usize, const W: usize>(
+    simd: S,
+    block: &[f64],
+    height: usize,
+    j: usize,
+    x: &mut [&mut [f64]; SIDES],
+) {
+    let mut done = [[simd.splat_f64s(0.0); W]; SIDES];
+    for (x, done) in x.iter_mut().zip(&mut done) {
+        let x = &mut x[j..j + W];
+        for c in 0..W {
+            let column = &block[(j + c) * height + j..][..W];
+            x[c] /= column[c];
+            for r in c + 1..W {
+                x[r] -= column[r] * x[c];
             }
-            while j > 0 {
-                j -= 1;
-                let c = &block[j * height + j..(j + 1) * height];
-                for k in 0..SIDES {
-                    let x = &mut x[k * height + j..(k + 1) * height];
-                    let sum: f64 = x[1..].iter().zip(&c[1..]).map(|(v, l)| v * l).sum();
-                    x[0] = (x[0] - sum) / c[0];
-                }
-            }
-        },
-    );
+            done[c] = simd.splat_f64s(x[c]);
+        }
+    }
+    let (whole, left) = rows_of::<S, W>(block, height, j, j + W);
+    let less = |l: [S::f64s; W], done: &[S::f64s; W], mut v: S::f64s| {
+        for c in 0..W {
+            v = simd.negate_mul_add_e_f64s(l[c], done[c], v);
+        }
+        v
+    };
+    let mut rows = x.each_mut().map(|x| S::as_mut_simd_f64s(&mut x[j + W..]));
+    for i in 0..whole[0].len() {
+        let l = whole.map(|c| c[i]);
+        for ((x, _), done) in rows.iter_mut().zip(&done) {
+            x[i] = less(l, done, x[i]);
+        }
+    }
+    if !left[0].is_empty() {
+        let l = left.map(|r| simd.partial_load_f64s(r));
+        for ((_, x), done) in rows.iter_mut().zip(&done) {
+            let v = less(l, done, simd.partial_load_f64s(x));
+            simd.partial_store_f64s(x, v);
+        }
+    }
+}
+
+struct Backward<'a, const SIDES: usize> {
+    block: &'a [f64],
+    height: usize,
+    columns: usize,
+    x: &'a mut [f64],
+}
+
+impl<const SIDES: usize> WithSimd for Backward<'_, SIDES> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { block, height, columns, x } = self;
+        let mut x = sides::<SIDES>(x, height);
+        let mut j = columns;
+        while j >= 4 {
+            j -= 4;
+            backward_columns::<S, SIDES, 4>(simd, block, height, j, &mut x);
+        }
+        match j {
+            1 => backward_columns::<S, SIDES, 1>(simd, block, height, 0, &mut x),
+            2 => backward_columns::<S, SIDES, 2>(simd, block, height, 0, &mut x),
+            3 => backward_columns::<S, SIDES, 3>(simd, block, height, 0, &mut x),
+            _ => {}
+        }
+    }
+}
+
+#[inline(always)]
+fn backward_columns<S: Simd, const SIDES: usize, const W: usize>(
+    simd: S,
+    block: &[f64],
+    height: usize,
+    j: usize,
+    x: &mut [&mut [f64]; SIDES],
+) {
+    let (whole, left) = rows_of::<S, W>(block, height, j, j + W);
+    let mut sums = [[simd.splat_f64s(0.0); W]; SIDES];
+    let more = |l: [S::f64s; W], x: S::f64s, sums: &mut [S::f64s; W]| {
+        for c in 0..W {
+            sums[c] = simd.mul_add_e_f64s(l[c], x, sums[c]);
+        }
+    };
+    let rows = x.each_ref().map(|x| S::as_simd_f64s(&x[j + W..]));
+    for i in 0..whole[0].len() {
+        let l = whole.map(|c| c[i]);
+        for ((x, _), sums) in rows.iter().zip(&mut sums) {
+            more(l, x[i], sums);
+        }
+    }
+    if !left[0].is_empty() {
+        let l = left.map(|r| simd.partial_load_f64s(r));
+        for ((_, x), sums) in rows.iter().zip(&mut sums) {
+            more(l, simd.partial_load_f64s(x), sums);
+        }
+    }
+    for (x, sums) in x.iter_mut().zip(&sums) {
+        let x = &mut x[j..j + W];
+        for c in (0..W).rev() {
+            let column = &block[(j + c) * height + j..][..W];
+            let above: f64 = (c + 1..W).map(|r| column[r] * x[r]).sum();
+            x[c] = (x[c] - simd.reduce_sum_f64s(sums[c]) - above) / column[c];
+        }
+    }
 }
 
 /// Takes the interleaved entries into `buffer`, side by side, each `height` long, zero after them.
