@@ -2,11 +2,15 @@
 
 use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, runs};
 use super::problem::{Problem, Program};
+use super::words;
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::flow::VelocityField;
+use crate::bounds::free_mechanism::{self, FreeMechanism};
+use crate::bounds::limit_certificate::certify_lower;
 use crate::bounds::limit_lower::{self, ApproximateStress, LowerError};
 use crate::bounds::limit_upper::{self, UpperError};
 use crate::bounds::recover::RecoverError;
+use crate::bounds::unlimited::{self, Unlimited};
 use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::math::vec3::V3;
 use crate::model::dofs::DofMap;
@@ -14,7 +18,6 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::resolve;
 use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
-use crate::solve::status::LIMIT_GAP;
 use crate::solve::{self, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
@@ -57,6 +60,12 @@ pub struct LimitPass {
     /// The lower bound without friction and the upper one with associated friction: the bracket of the structure under
     /// Coulomb's law.
     pub coulomb: Option<FactorBracket>,
+    /// A stress field that proves that the load factor has no limit. No program was solved then.
+    pub unlimited: Option<Unlimited>,
+    /// A mechanism at zero load. No program was solved then; `lower` is zero, from no stress at all or that of the dead loads.
+    pub free: Option<FreeMechanism>,
+    /// Which parts it moves, in words.
+    pub moves: Option<String>,
 }
 
 impl LimitPass {
@@ -72,6 +81,10 @@ impl LimitPass {
         options: &PassOptions,
         progress: &Progress,
     ) -> Result<(), PassError> {
+        if let Ok(Some(free)) = free_mechanism::find(smooth) {
+            self.slides = Some(moves(smooth, &free.field));
+            return Ok(());
+        }
         progress(Program::Static, Event::Frictionless);
         let (_, statics): Both<<Collapse as Problem>::Answer, _> =
             both::<Collapse, Resistance>(smooth, options, progress)?;
@@ -94,9 +107,49 @@ pub fn velocity(nodes: DisplacementField) -> VelocityField {
     VelocityField { nodes, flow: Flow::Split }
 }
 
-/// Runs both programs of limit analysis, and the static one without friction where there is friction.
+/// Which parts velocities move, in words.
+fn moves(model: &AnalysisModel, field: &VelocityField) -> String {
+    words::mechanism(model, model.node_parts().into_iter().zip(field.nodes.u.iter().copied()))
+}
+
+/// What can be told of a load factor without limit or of zero without any program; `None` where neither can be proved.
+fn extreme(model: &AnalysisModel) -> Result<Option<LimitPass>, PassError> {
+    model.check_limit_analysis()?;
+    let dead = || dead_stress(model).transpose();
+    // what cannot be proved is left to the programs
+    let proved = |e: RecoverError| match e {
+        RecoverError::Model(e) => Err(PassError::from(e)),
+        _ => Ok(None),
+    };
+    if let Some(unlimited) = unlimited::find(model, dead).or_else(|e| proved(e).map(|_: Option<()>| None))? {
+        return Ok(Some(LimitPass { unlimited: Some(unlimited), ..LimitPass::default() }));
+    }
+    let Some(free) = free_mechanism::find(model).or_else(|e| proved(e).map(|_: Option<()>| None))? else {
+        return Ok(None);
+    };
+    let mut pass = LimitPass { moves: Some(moves(model, &free.field)), free: Some(free), ..LimitPass::default() };
+    let rest = || StressField::none(model.mesh.tets.len());
+    let stress = if model.has_dead_loads() { dead().unwrap_or(None) } else { Some(rest()) };
+    if let Some(stress) = stress {
+        let lower = LowerFactor::new(certify_lower(model, &stress, 0.0));
+        if lower.is_strict() {
+            // without any stress friction makes no difference
+            if model.has_friction() && !model.has_dead_loads() {
+                (pass.frictionless, pass.frictionless_stress) = (Some(lower.clone()), Some(stress.clone()));
+            }
+            (pass.lower, pass.stress) = (Some(lower), Some(stress));
+        }
+    }
+    Ok(Some(pass))
+}
+
+/// Runs both programs of limit analysis, and the static one without friction where there is friction; none where a
+/// load factor without limit or of zero can be proved without them.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<LimitPass, PassError> {
     let start = Instant::now();
+    if let Some(pass) = extreme(model)? {
+        return Ok(pass);
+    }
     let (kinematic, statics): Both<_, _> = both::<Collapse, Resistance>(model, options, progress)?;
     let mut pass = LimitPass::default();
     if let Some(k) = kinematic {
@@ -133,7 +186,10 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
 impl<'a> Problem<'a> for Collapse {
     type Answer = (VelocityField, UpperFactor);
     const PROGRAM: Program = Program::Kinematic;
-    const GAP: f64 = LIMIT_GAP;
+
+    fn gap(asked: &SolveOptions) -> f64 {
+        asked.limit_gap
+    }
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         Kinematic::limit(model, Flow::Split).map(Self)
@@ -178,7 +234,10 @@ impl<'a> Problem<'a> for Collapse {
 impl<'a> Problem<'a> for Resistance<'a> {
     type Answer = (StressField, LowerFactor);
     const PROGRAM: Program = Program::Static;
-    const GAP: f64 = LIMIT_GAP;
+
+    fn gap(asked: &SolveOptions) -> f64 {
+        asked.limit_gap
+    }
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         Static::limit(model).map(Self)

@@ -401,7 +401,7 @@ impl<'a> Context<'a> {
         });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let gap = given.gap.max(P::GAP);
+        let gap = P::gap(given);
         let options = SolveOptions { progress: Some(tell), time_limit: left, gap, ..given.clone() };
         let mut solution = prepared.solve(&options);
         if stalled(solution.status) {

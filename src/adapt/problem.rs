@@ -10,7 +10,7 @@ use crate::model::dofs::DofMap;
 use crate::model::holds::ModelError;
 use crate::model::loads::Loads;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
-use crate::solve::Solution;
+use crate::solve::{Solution, SolveOptions};
 
 /// Which of the two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,9 +45,11 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     type Answer: Send;
     /// Which it is.
     const PROGRAM: Program;
-    /// Relative gap below which its solve need not go.
-    const GAP: f64 = 0.0;
 
+    /// Relative gap at which its solve ends, of what the caller asks for.
+    fn gap(asked: &SolveOptions) -> f64 {
+        asked.gap
+    }
     /// Builds it.
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError>;
     /// Its conic program.

@@ -25,9 +25,10 @@ impl LowerFactor {
     pub fn new(certificate: LowerCertificate) -> Self {
         Self { certificate }
     }
-    /// Its value, rounded down.
+    /// Its value, rounded down; zero is exact, no live load acts then.
     pub fn value(&self) -> f64 {
-        self.certificate.factor.next_down()
+        let factor = self.certificate.factor;
+        if factor == 0.0 { 0.0 } else { factor.next_down() }
     }
     /// What it rests on.
     pub fn certificate(&self) -> &LowerCertificate {

@@ -16,3 +16,10 @@ pub struct StressField {
     /// Stress of each macro tet, `[subtet][point]` as in [`crate::model::super_element`].
     pub points: Vec<PointStress>,
 }
+
+impl StressField {
+    /// No stress at all.
+    pub fn none(tets: usize) -> Self {
+        Self { points: vec![[[[0.0; 6]; 4]; 4]; tets] }
+    }
+}

@@ -30,6 +30,8 @@ use crate::solve::sparse::SparseCholesky;
 const RIGID: f64 = 1e8;
 /// How far inside their cones contact tractions are put, relative to the pressure: the first that can be balanced.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
+/// Utilisation below which a stress at the limit load is no stress.
+const NOTHING: f64 = 1e-3;
 /// Largest violation of a friction cone, over the largest traction, that rounding explains.
 const ROUNDING: f64 = 1e-12;
 
@@ -91,8 +93,28 @@ pub fn project(
     dead: Option<&StressField>,
 ) -> Result<Lower, LowerError> {
     let dead = if model.has_dead_loads() { Some(dead.ok_or(LowerError::NoDeadField)?) } else { None };
-    let (field, factor) = equilibrium(model, approximate, dead.is_some())?;
-    draw_inside(model, field, factor, dead)
+    let found = equilibrium(model, approximate, dead.is_some())
+        .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
+    match found {
+        // no stress of this mesh carries the live loads: none at all carries nothing, and that is a bound
+        Ok(lower) if dead.is_none() && lower.certificate.factor <= 0.0 => Ok(at_rest(model)),
+        Err(_) if dead.is_none() && is_nothing(model, approximate)? => Ok(at_rest(model)),
+        found => found,
+    }
+}
+
+/// No stress, no load.
+fn at_rest(model: &AnalysisModel) -> Lower {
+    let field = StressField::none(model.mesh.tets.len());
+    let certificate = LowerCertificate { scaled_by: 1.0, ..certify_lower(model, &field, 0.0) };
+    Lower { field, certificate }
+}
+
+/// True when the stress is nowhere near the yield surface: at a positive limit load it would reach it.
+fn is_nothing(model: &AnalysisModel, approximate: &ApproximateStress) -> Result<bool, LowerError> {
+    let elements = SuperElements::new(model).under(Loads::at(approximate.factor));
+    let field = stress_field(&elements, approximate.parameters).map_err(RecoverError::from)?;
+    Ok(utilisation(model, &field).0 < NOTHING)
 }
 
 /// A strictly admissible field of the dead loads alone, near an approximate one whose factor is zero.

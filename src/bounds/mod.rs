@@ -8,12 +8,14 @@ pub mod faces;
 pub mod factor;
 pub mod fields;
 pub mod flow;
+pub mod free_mechanism;
 pub mod limit_certificate;
 pub mod limit_lower;
 pub mod limit_upper;
 pub mod recover;
 pub mod sampling;
 mod settle;
+pub mod unlimited;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
 pub use factor::{FactorBracket, LowerFactor, UpperFactor};

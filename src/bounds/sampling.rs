@@ -112,14 +112,35 @@ pub fn sample_lower(model: &AnalysisModel, s: &StressField, factor: f64, points:
     let mut utilisation = 0.0f64;
     for _ in 0..points {
         let e = random.index(s.points.len());
-        let at = &s.points[e][random.index(4)];
-        let l = random.tetrahedron();
+        let stress = inside(&s.points[e][random.index(4)], random.tetrahedron());
         let Some(radius) = radii[model.mesh.tet_body[e] as usize] else { continue };
-        let stress: Mandel = std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum());
         let norm = mandel::deviator(&stress).iter().map(|x| x * x).sum::<f64>().sqrt();
         utilisation = utilisation.max(norm / radius);
     }
     SampledLower { traction_jump, traction_cone, utilisation }
+}
+
+/// Largest violation at `points` random points of each kind by a stress field that carries the live loads alone, over its
+/// largest stress: traction jumps, friction cones, deviators in bodies that yield.
+pub fn sample_live(model: &AnalysisModel, s: &StressField, points: usize) -> f64 {
+    let mut random = Random(SEED);
+    let jump = jumps(model, s, points, &mut random);
+    let cone = traction_cones(model, s, Loads::LIVE, points, &mut random);
+    let radii = model.yield_radii();
+    let mut deviator = 0.0f64;
+    for _ in 0..points {
+        let e = random.index(s.points.len());
+        let stress = inside(&s.points[e][random.index(4)], random.tetrahedron());
+        if radii[model.mesh.tet_body[e] as usize].is_some() {
+            deviator = deviator.max(mandel::deviator(&stress).iter().map(|x| x * x).sum::<f64>().sqrt());
+        }
+    }
+    relative(jump.max(cone).max(deviator), largest_stress(s))
+}
+
+/// A linear stress inside its subtet.
+fn inside(at: &[Mandel; 4], l: [f64; 4]) -> Mandel {
+    std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum())
 }
 
 /// Tries `points` random points of each kind on velocities.

@@ -194,7 +194,8 @@ pub fn finish(
             break;
         }
         let pass = run_pass(case, limits, &log)?;
-        if i == 0 && pass.runs().into_iter().all(|(_, run)| run.refusal.is_some()) {
+        let runs = pass.runs();
+        if i == 0 && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {
             return Err(too_large(case, &pass, &echo).into());
         }
         let mut entry = pass.entry(&case.name, &case.model, case.mesh_seconds);
@@ -283,11 +284,13 @@ pub fn finish(
     })
 }
 
-/// Every program that ran gave its bound.
+/// Every program that ran gave its bound; where none had to run, there is one.
 fn has_asked_bounds(c: &CaseResult) -> bool {
-    c.history
-        .last()
-        .is_some_and(|h| h.kinematic.is_some() == c.upper.is_some() && h.static_.is_some() == c.lower.is_some())
+    let told = |ran: bool, bound: bool| bound || !ran;
+    (c.upper.is_some() || c.lower.is_some())
+        && c.history.last().is_some_and(|h| {
+            told(h.kinematic.is_some(), c.upper.is_some()) && told(h.static_.is_some(), c.lower.is_some())
+        })
 }
 
 /// No program of a case fits into the memory.
@@ -322,7 +325,7 @@ fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<Outcome, Dia
     let left = limits.time.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
     let interrupt = Some(limits.interrupt.flag());
     let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
-    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(&case.model, solve.gap));
+    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(&case.model, &solve));
     let progress: pass::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;

@@ -14,6 +14,9 @@ pub fn answer(c: &CaseResult) -> String {
     let name = &c.name;
     let lower = |l| figures::significant(l, 7, Rounding::Down);
     let mut text = match (c.lower, c.upper) {
+        (_, Some(Upper::Finite(0.0))) if c.quantity == Quantity::LoadFactor => {
+            format!("{name}: {what} 0, a mechanism needs no load ({word})")
+        }
         (Some(l), Some(Upper::Finite(u))) => {
             let (l, u) = figures::bracket(l, u, digits);
             let gap = c.gap.map_or(String::new(), |g| format!(", gap {}", figures::percent_up(g)));
@@ -24,7 +27,7 @@ pub fn answer(c: &CaseResult) -> String {
             format!("{name}: {what} at most {}{unit} ({word})", figures::significant(u, 7, Rounding::Up))
         }
         (Some(l), Some(Upper::Unbounded(_))) => format!("{name}: {what} at least {}, without limit above", lower(l)),
-        (None, Some(Upper::Unbounded(_))) => format!("{name}: {what} without limit (ESTIMATE, not certified)"),
+        (None, Some(Upper::Unbounded(_))) => format!("{name}: {what} without limit ({word})"),
         (None, None) => format!("{name}: no bound"),
     };
     if let (true, Some(load), Some([l, u])) = (strict, c.load, c.load_displacement) {

@@ -17,7 +17,12 @@ use crate::report::limit_case::limit_case_result;
 use crate::report::page::PictureRef;
 use crate::report::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::vtu::VtuGrid;
-use crate::solve::status::LIMIT_GAP;
+use crate::solve::SolveOptions;
+
+/// Kind of the field file of a stress that carries the live loads alone, which the word `unbounded` stands on.
+pub const LIVE_FIELD: &str = "static_live";
+/// Kind of the one of the dead loads alone beside it.
+pub const DEAD_FIELD: &str = "static_dead";
 
 /// A pass of one kind of analysis.
 pub enum Outcome {
@@ -37,8 +42,8 @@ impl Outcome {
     }
 
     /// The gap at which a solve ends.
-    pub fn tolerance(model: &AnalysisModel, asked: f64) -> f64 {
-        if model.analysis == AnalysisKind::Limit { asked.max(LIMIT_GAP) } else { asked }
+    pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
+        if model.analysis == AnalysisKind::Limit { asked.limit_gap } else { asked.gap }
     }
 
     /// The programs that ran or were to run.
@@ -78,6 +83,16 @@ impl Outcome {
                     let densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
                     write("kinematic", velocity_grid(model, v, densities))?;
                 }
+                if let Some(free) = &p.free {
+                    let densities = vec![0.0; model.mesh.tets.len()];
+                    write("kinematic", velocity_grid(model, &free.field, densities))?;
+                }
+                if let Some(u) = &p.unlimited {
+                    write(LIVE_FIELD, stress_grid(model, &u.field))?;
+                    if let Some(dead) = &u.dead {
+                        write(DEAD_FIELD, lower_grid(model, dead, 0.0))?;
+                    }
+                }
                 for (kind, stress, bound) in
                     [("static", &p.stress, &p.lower), ("static_frictionless", &p.frictionless_stress, &p.frictionless)]
                 {
@@ -101,7 +116,10 @@ impl Outcome {
         let mesh = &case.model.mesh;
         let (field, u) = match self {
             Outcome::Energy(p) => (None, p.displacement.as_ref()),
-            Outcome::Factor(p) => (p.velocity.as_ref(), p.velocity.as_ref().map(|v| &v.nodes)),
+            Outcome::Factor(p) => {
+                let v = p.velocity.as_ref().or(p.free.as_ref().map(|f| &f.field));
+                (v, v.map(|v| &v.nodes))
+            }
         };
         let Some(u) = u else { return Ok(None) };
         let vertices = &u.u[..mesh.nodes.len()];

@@ -1,14 +1,18 @@
 //! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and mesh alone.
 
 use super::analysis::entry_stem;
+use super::outcome::{DEAD_FIELD, LIVE_FIELD};
 use super::{Common, Format, Outcome, out};
 use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::Pass;
 use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
 use crate::bounds::fields::StressField;
+use crate::bounds::flow::VelocityField;
+use crate::bounds::free_mechanism::{FreeMechanism, certify_free, is_free};
 use crate::bounds::limit_certificate::{certify_lower, certify_upper};
-use crate::bounds::sampling::{sample, sample_lower, sample_upper};
+use crate::bounds::sampling::{sample, sample_live, sample_lower, sample_upper};
+use crate::bounds::unlimited::{Unlimited, certify_unlimited};
 use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
@@ -207,14 +211,21 @@ impl Scene<'_> {
         if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
             let nodes = read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
             let field = limit::velocity(nodes);
-            let sampled = sample_upper(model, &field, POINTS);
-            let bound = UpperFactor::new(certify_upper(model, &field, limit::SUBDIVISIONS));
-            let c = bound.certificate();
-            let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)].into_iter().fold(0.0, f64::max);
-            let numbers = [claimed, bound.value(), worst, sampled.strain.max(sampled.gap_cone)];
-            findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
-            pass.upper = Some(bound);
-            pass.velocity = Some(field);
+            if claimed == 0.0 {
+                let certificate = certify_free(model, &field);
+                let free = is_free(&certificate);
+                let worst = certificate.rigid.max(certificate.compatibility).max(certificate.contact.unwrap_or(0.0));
+                // velocities that are no free mechanism prove nothing of zero
+                let recomputed = if free { 0.0 } else { f64::INFINITY };
+                let random = sample_upper(model, &field, POINTS).gap_cone;
+                findings.push(finding(case, "upper", [claimed, recomputed, worst, random], free, claims_strict));
+                pass.free = free.then_some(FreeMechanism { field, certificate });
+            } else {
+                let (found, bound) = self.upper_factor(&field, claimed, claims_strict);
+                findings.push(found);
+                pass.upper = Some(bound);
+                pass.velocity = Some(field);
+            }
         }
         for (lower, bracket) in [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)] {
             let (Some(l), Some(u)) = (lower, &pass.upper) else { continue };
@@ -223,12 +234,48 @@ impl Scene<'_> {
                 Err(e) => refuted.push(format!("{}: {e}", case.name)),
             }
         }
+        if let Some(Upper::Unbounded(_)) = case.upper
+            && claims_strict
+        {
+            let (found, unlimited) = self.no_limit()?;
+            findings.push(found);
+            pass.unlimited = Some(unlimited);
+        }
         let mut found = limit_case_result(&case.name, model, &pass, None);
         // nothing in the files proves it: the claim stands as the estimate it must be
         if let Some(Upper::Unbounded(_)) = case.upper {
             found.upper = case.upper;
         }
         Ok((findings, found))
+    }
+
+    /// The upper bound of stored velocities.
+    fn upper_factor(&self, field: &VelocityField, claimed: f64, claims_strict: bool) -> (Finding, UpperFactor) {
+        let sampled = sample_upper(self.model, field, POINTS);
+        let bound = UpperFactor::new(certify_upper(self.model, field, limit::SUBDIVISIONS));
+        let c = bound.certificate();
+        let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)].into_iter().fold(0.0, f64::max);
+        let numbers = [claimed, bound.value(), worst, sampled.strain.max(sampled.gap_cone)];
+        (finding(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
+    }
+
+    /// What the stored fields prove of a load factor that is claimed to have no limit. The finding's numbers are the
+    /// deviator that is left: nothing else is claimed.
+    fn no_limit(&self) -> Result<(Finding, Unlimited), Diagnostics> {
+        let model = self.model;
+        let field = read_stress(model, &self.field(LIVE_FIELD)?).map_err(Diagnostic::from)?;
+        let dead = match model.has_dead_loads() {
+            true => Some(read_lower(model, &self.field(DEAD_FIELD)?).map_err(Diagnostic::from)?.0),
+            false => None,
+        };
+        let certificate = certify_unlimited(model, &field, dead.as_ref());
+        let c = &certificate;
+        let residuals = [c.equilibrium, c.traction_jump, c.deviator, c.contact.unwrap_or(0.0)];
+        let worst = residuals.into_iter().fold(0.0, f64::max);
+        let sampled = sample_live(model, &field, POINTS);
+        let numbers = [0.0, 0.0, worst, sampled];
+        let found = finding(self.case, "no limit", numbers, certificate.is_strict(), true);
+        Ok((found, Unlimited { field, dead, certificate }))
     }
 
     /// The lower bound of a stored stress field of `model`.

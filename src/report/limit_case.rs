@@ -8,7 +8,7 @@ use crate::adapt::pass::ProgramRun;
 use crate::adapt::problem::Program;
 use crate::bounds::flow::VelocityField;
 use crate::bounds::limit_certificate::{dissipation_densities, utilisation};
-use crate::bounds::{FactorBracket, LowerFactor};
+use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
@@ -24,7 +24,19 @@ fn answer(pass: &LimitPass, problem: Problem) -> (Option<&LowerFactor>, Option<&
 
 /// The residuals of both fields, worst of the two where both have one.
 fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
-    let upper = pass.upper.as_ref();
+    if let Some(u) = &pass.unlimited {
+        let c = &u.certificate;
+        return Some(Certificate {
+            strict: c.is_strict(),
+            equilibrium: Some(c.equilibrium),
+            traction_jump: Some(c.traction_jump),
+            yield_: Some(c.deviator),
+            contact: c.contact,
+            ..Certificate::default()
+        });
+    }
+    let free = pass.free.as_ref().map(|f| UpperFactor::new(f.certificate.clone()));
+    let upper = pass.upper.as_ref().or(free.as_ref());
     if lower.is_none() && upper.is_none() {
         return None;
     }
@@ -80,6 +92,9 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
             })),
         }
     }
+    if let Some(parts) = &pass.moves {
+        tell(format!("the live loads move the structure freely: {parts}"));
+    }
     if let Some(parts) = &pass.slides {
         tell(format!("friction alone holds the structure, without it the load factor is 0: {parts}"));
     }
@@ -109,13 +124,15 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
     let lower = low.map(LowerFactor::value);
     let raw_upper = pass.upper.as_ref().map(|b| Upper::Finite(b.value()));
     // of two programs that both find no limit, the one of the stresses is what the word stands on
-    let upper = raw_upper.or_else(|| unbounded(pass.statics.as_ref()).then_some(Upper::UNBOUNDED));
+    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
+    let upper = raw_upper.or(pass.free.is_some().then_some(Upper::Finite(0.0)));
+    let upper = upper.or(no_limit.then_some(Upper::UNBOUNDED));
     let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
     let mut certificate = certificate(pass, low);
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
     // what a solver says of an upper bound no residual proves, and a result is strict only as a whole
-    if let (Some(c), Some(Upper::Unbounded(_))) = (&mut certificate, upper) {
+    if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
         c.strict = false;
     }
     // a raw value beside the answer has no certificate of its own there: it is told only where it is a bound

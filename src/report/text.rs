@@ -134,6 +134,12 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
         problem_words(case.problem, contact)
     );
     let text = match (case.lower, case.upper) {
+        (_, Some(Upper::Finite(0.0))) if case.quantity == Quantity::LoadFactor => {
+            let verb = if strict { "is" } else { "is estimated as" };
+            format!(
+                "{name}: the {what} {verb} **0**: a mechanism moves the structure freely, and the live loads drive it."
+            )
+        }
         (Some(lower), Some(Upper::Finite(upper))) => {
             let digits = if case.quantity == Quantity::PotentialEnergy { 4 } else { 3 };
             let (low, high) = bracket(lower, upper, digits);
@@ -157,7 +163,11 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
             let verb = if strict { "is at most" } else { "is estimated (from above) at" };
             format!("{name}: the {what} {verb} **{high}**{unit}; no lower value was computed.")
         }
-        (None, Some(Upper::Unbounded(_))) => format!("{name}: the loads can grow without limit."),
+        (None, Some(Upper::Unbounded(_))) => {
+            let proof =
+                if strict { ": the stress field of the live loads alone nowhere comes nearer to yield" } else { "" };
+            format!("{name}: the loads can grow without limit{proof}.")
+        }
         (None, None) => format!("{name}: no value was obtained; the history below says why."),
     };
     paragraph(page, &text);

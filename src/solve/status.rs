@@ -100,6 +100,8 @@ pub struct SolveOptions {
     pub solver: Solver,
     /// Relative duality gap at which to stop.
     pub gap: f64,
+    /// The same for passes of limit analysis, whose bounds are certified whatever the solver leaves.
+    pub limit_gap: f64,
     /// Relative residuals at which to stop.
     ///
     /// An iterate that stalls within a hundred times the gap and the residual asked for is taken.
@@ -126,6 +128,7 @@ impl Default for SolveOptions {
         Self {
             solver: Solver::default(),
             gap: 1e-8,
+            limit_gap: LIMIT_GAP,
             residual: 1e-8,
             max_iterations: 100,
             time_limit: f64::INFINITY,

@@ -181,18 +181,60 @@ fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
     assert!(case.get("lower").is_none() && case.get("certificate").is_none(), "{case}");
 }
 
-/// Pressed from one side and held on all others the bar has no mechanism.
+/// Pressed from one side and held on all others the bar has no mechanism: a pressure proves it, and `verify` repeats that.
 #[test]
-fn a_load_without_limit_is_called_unbounded_and_no_certificate_is_claimed() {
+fn a_load_without_limit_is_proved_by_a_pressure() {
     let held = BAR.replace("loads:", "  - {face: Y1, fix: [y]}\n  - {face: Z1, fix: [z]}\nloads:");
     let bench = bar(&held.replace("[100, 0, 0]", "[-100, 0, 0]"));
-    let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 3);
-    assert!(err.contains("the load factor has no limit") && err.contains("no certificate proves it"), "{err}");
-    assert_eq!(err.matches("has no limit").count(), 1, "{err}");
+    let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 0);
+    assert!(err.contains("bar: load factor without limit (certified)"), "{err}");
     let case = &result(&bench, "bar")["cases"][0];
     assert_eq!(case["upper"], "unbounded");
-    assert!(case.get("certificate").is_none() && case.get("gap").is_none(), "{case}");
-    expect(&bench, &["verify", "bar"], 0);
+    assert!(
+        case["certificate"]["strict"] == true && case.get("gap").is_none() && case.get("lower").is_none(),
+        "{case}"
+    );
+    let (found, _) = expect(&bench, &["verify", "bar"], 0);
+    assert!(found.contains("no limit") && found.matches("confirmed").count() == 1, "{found}");
+    // a field that is no pure pressure proves nothing
+    edit_field(&bench, "bar_static_live.vtu", "stress_mandel", 1.01);
+    let (found, _) = expect(&bench, &["verify", "bar"], 1);
+    assert!(found.contains("REFUTED"), "{found}");
+    // nor does a claim without a field
+    std::fs::remove_file(bench.path().join("bar/fields/bar_static_live.vtu")).expect("removed");
+    expect(&bench, &["verify", "bar"], 2);
+}
+
+/// A block that nothing but contact holds, lifted: no load at all is carried, and the motion that shows it is verified.
+#[test]
+fn what_moves_without_load_carries_nothing() {
+    for friction in ["associated", "coulomb"] {
+        let model = STACK
+            .replace("  - {face: X0, fix: [x]}\n  - {face: Y0, fix: [y]}\n", "")
+            .replace("[0, 0, -100]", "[2, 0, 5]")
+            .replace("associated", friction);
+        let bench = Bench::new().file("stack.yaml", model).file("m.msh", mesh(60.0));
+        let (_, err) = expect(&bench, &["analyse", "stack.yaml"], 0);
+        assert!(err.contains("load factor 0, a mechanism needs no load (certified)"), "{err}");
+        assert!(err.contains("part BLOCK moves along +z"), "{err}");
+        let case = &result(&bench, "stack")["cases"][0];
+        assert!(number(&case["lower"]) == 0.0 && number(&case["upper"]) == 0.0, "{case}");
+        assert!(case["certificate"]["strict"] == true && case.get("gap").is_none(), "{case}");
+        let report = bench.read("stack/report.md");
+        assert!(report.contains("is **0**: a mechanism moves the structure freely"), "{report}");
+        let (found, _) = expect(&bench, &["verify", "stack"], 0);
+        assert!(found.contains("confirmed") && !found.contains("REFUTED"), "{found}");
+        // velocities that press the block into its base prove nothing
+        let name = "stack_kinematic.vtu";
+        let path = bench.path().join("stack/fields").join(name);
+        let mut bytes = std::fs::read(&path).expect("field");
+        let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
+        let moved = grid.point_array("velocity").expect("velocities").2.iter().copied().fold(0.0, f64::max);
+        let at = bytes.windows(8).position(|w| w == moved.to_le_bytes()).expect("the value stands in the file");
+        bytes[at..at + 8].copy_from_slice(&(-moved).to_le_bytes());
+        std::fs::write(&path, bytes).expect("written");
+        expect(&bench, &["verify", "stack"], 1);
+    }
 }
 
 /// Coulomb's law is bracketed from below without friction, from above with associated friction; both stand beside it.

@@ -21,7 +21,7 @@ pub fn factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
 
 /// The same with the solver asked for a smaller gap than its default.
 pub fn sharp_factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
-    let solve = SolveOptions { gap: 1e-7, ..SolveOptions::default() };
+    let solve = SolveOptions { limit_gap: 1e-7, ..SolveOptions::default() };
     let options = PassOptions { solve, ..PassOptions::default() };
     factors_of(name, model, &limit::run(model, &options, &silent()).unwrap())
 }

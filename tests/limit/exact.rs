@@ -5,9 +5,12 @@
 use crate::certified::{run, sharp_factors};
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
+use bracket::bounds::free_mechanism::{certify_free, is_free};
+use bracket::bounds::limit_certificate::certify_upper;
+use bracket::bounds::unlimited::certify_unlimited;
 use bracket::mesh::TetMesh;
-use bracket::model::AnalysisModel;
-use bracket::solve::SolveStatus;
+use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::solve::{SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 
@@ -85,19 +88,116 @@ fn beam_in_pure_bending() {
     }
 }
 
-/// A7: all-round pressure never makes it flow: the load factor has no limit, and both programs say so within 15 iterations.
+fn pressed_all_round(seed: u64, more: &str) -> AnalysisModel {
+    let loads: String =
+        ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
+    model(&format!("bodies: {{B: s}}\nloads:\n{loads}{more}"), cuboid([2, 1, 2], [10.0; 3], seed))
+}
+
+/// A7: all-round pressure never makes it flow. The load factor has no limit: a pressure field proves it, and both programs say
+/// so within 15 iterations.
 #[test]
 fn cube_under_all_round_pressure() {
     for seed in SEEDS {
-        let loads: String =
-            ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
-        let m = model(&format!("bodies: {{B: s}}\nloads:\n{loads}"), cuboid([2, 1, 2], [10.0; 3], seed));
-        for (program, r) in run(&m).runs() {
-            println!("A7 {}: {} in {}", program.name(), r.status.words(), r.iterations);
-            assert_eq!(r.status, SolveStatus::Infeasible, "{}", program.name());
-            assert!(r.conflict.as_ref().is_some_and(|c| c.contains("no limit")), "{:?}", r.conflict);
-            assert!(r.iterations <= 15, "{}: {}", program.name(), r.iterations);
+        let m = pressed_all_round(seed, "");
+        let pass = run(&m);
+        let unlimited = pass.unlimited.as_ref().expect("proved");
+        assert!(pass.upper.is_none() && pass.lower.is_none() && pass.runs().count() == 0);
+        let again = certify_unlimited(&m, &unlimited.field, None);
+        assert!(again.is_strict() && again.deviator == 0.0 && again.traction_jump < 1e-12, "{again:?}");
+        let pressure = unlimited.field.points.iter().flatten().flatten().map(|s| s[0] + 1.0);
+        assert!(pressure.fold(0.0, |m: f64, p| m.max(p.abs())) < 1e-12);
+        let statics = Static::limit(&m).unwrap();
+        let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
+        let programs = [(&statics.program, &statics.map.block), (&kinematic.program, &kinematic.map.block)];
+        for (program, block) in programs {
+            let options = SolveOptions::default();
+            let s = condensed::Prepared::new(program, block).unwrap().solve(&options);
+            assert_eq!(s.status, SolveStatus::Infeasible);
+            assert!(s.iterations <= 15, "{}", s.iterations);
         }
+    }
+}
+
+/// A dead pull that the cube carries changes nothing; one beyond its strength leaves no proof, nor any bound.
+#[test]
+fn all_round_pressure_beside_a_dead_pull() {
+    let pull = |t: f64| {
+        format!("dead:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n- {{face: X0, traction: [{:?}, 0, 0]}}\n", -t)
+    };
+    let m = pressed_all_round(1, &pull(0.5 * FY));
+    let unlimited = run(&m).unlimited.expect("proved");
+    let dead = unlimited.certificate.dead.as_ref().expect("a field of the dead loads");
+    assert!(dead.factor == 0.0 && dead.utilisation > 0.49 && dead.utilisation < 1.0, "{dead:?}");
+    assert!(!certify_unlimited(&m, &unlimited.field, None).is_strict(), "the dead loads need their own field");
+    let pass = run(&pressed_all_round(1, &pull(1.5 * FY)));
+    assert!(pass.unlimited.is_none() && pass.bracket.is_none() && pass.lower.is_none());
+}
+
+/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, numbers that are none.
+#[test]
+fn what_proves_no_load_without_limit() {
+    let m = pressed_all_round(1, "");
+    let good = run(&m).unlimited.expect("proved").field;
+    assert!(certify_unlimited(&m, &good, None).is_strict());
+    let changed = |f: &dyn Fn(&mut [f64; 6])| {
+        let mut field = good.clone();
+        field.points.iter_mut().flatten().flatten().for_each(f);
+        certify_unlimited(&m, &field, None)
+    };
+    assert!(!changed(&|s| s[0] *= 1.0 + 1e-8).is_strict());
+    assert!(!changed(&|s| (0..3).for_each(|i| s[i] *= 1.0 + 1e-8)).is_strict());
+    assert!(!changed(&|s| s[3] = f64::NAN).is_strict());
+    assert!(!changed(&|s| *s = [0.0; 6]).is_strict());
+    // pressed on every face but one: no pressure carries that
+    let loads: String = ["X1", "Y0", "Y1", "Z0"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
+    let supports = "supports:\n- {face: X0, fix: [x, y, z]}\n";
+    let open = model(&format!("bodies: {{B: s}}\n{supports}loads:\n{loads}"), cuboid([2, 1, 2], [10.0; 3], 1));
+    assert!(run(&open).unlimited.is_none());
+}
+
+fn lifted(traction: &str, mu: f64, dead: &str) -> AnalysisModel {
+    let shape = Block { cells: [2, 2, 2], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.2, seed: 4 };
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 20.0), |d, x| d == 2 && (x - 20.0).abs() < 1e-9);
+    model(
+        &format!(
+            "bodies: {{A: s, B: s}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, friction: associated}}\n\
+             supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: {traction}}}\n{dead}"
+        ),
+        mesh,
+    )
+}
+
+/// A block that only contact holds: lifted, pushed out of its friction cone or turned over it moves without any load; pressed
+/// or pushed inside the cone it does not, and a dead weight holds it down.
+#[test]
+fn mechanisms_at_zero_load() {
+    for traction in ["[0, 0, 1]", "[1, 0, -1]", "[0.3, 0.6, 0.1]", "[0, 1, -1.9]"] {
+        let m = lifted(traction, 0.5, "");
+        let pass = run(&m);
+        let free = pass.free.as_ref().unwrap_or_else(|| panic!("{traction}"));
+        assert!(pass.moves.as_ref().unwrap().contains("part B"), "{:?}", pass.moves);
+        let lower = pass.lower.as_ref().unwrap();
+        assert!(lower.value() == 0.0 && lower.is_strict() && pass.upper.is_none());
+        let c = certify_free(&m, &free.field);
+        assert!(is_free(&c) && c.live_power > 0.0 && c.rigid < 1e-12 && c.contact.unwrap() < 1e-12, "{c:?}");
+        // the general certificate agrees: nothing is dissipated
+        let upper = certify_upper(&m, &free.field, 1);
+        assert!(upper.factor.abs() < 1e-9, "{traction}: {upper:?}");
+        // backwards, or with friction that holds, the same velocities prove nothing
+        let mut back = free.field.clone();
+        back.nodes.u.iter_mut().flatten().for_each(|u| *u = -*u);
+        assert!(!is_free(&certify_free(&m, &back)));
+        assert!(
+            run(&lifted(traction, 0.5, &format!("dead:\n- {{face: Z1, traction: [0, 0, {:?}]}}\n", -0.1 * FY)))
+                .free
+                .is_none()
+        );
+    }
+    for traction in ["[0, 0, -1]", "[0.2, 0.1, -1]"] {
+        let pass = run(&lifted(traction, 0.5, ""));
+        assert!(pass.free.is_none() && pass.bracket.as_ref().unwrap().is_strict(), "{traction}");
+        assert!(pass.lower.unwrap().value() > 1.0);
     }
 }
 

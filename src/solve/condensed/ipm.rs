@@ -26,6 +26,8 @@ const CORRECTORS: usize = 2;
 /// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a solve, with what goes with it,
 /// then costs less than a tenth of a factor.
 const DENSE_FACTOR: f64 = 1500.0;
+/// Parts of the second-order term that are tried.
+const SECOND_ORDER: [f64; 6] = [1.0, 0.75, 0.5, 0.25, 0.1, 0.0];
 /// Steps as long as this need no corrector.
 const LONG_STEP: f64 = 0.97;
 /// How much longer a step a corrector aims at, and the part of that it must gain.
@@ -37,6 +39,9 @@ const CENTRE: (f64, f64) = (0.1, 10.0);
 const NEARLY: f64 = 100.0;
 /// A certificate is accepted with residuals this many times larger once κ is so many times τ: the embedding has decided.
 const DECIDED: (f64, f64) = (100.0, 1e3);
+/// Part of the load factor at first yield below which a factor is as good as zero: gap and residuals are measured there by what
+/// they would be at that part. Where a mesh's stresses carry no load at all, forces and objective vanish together.
+const NOTHING: f64 = 1e-3;
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
 
@@ -127,6 +132,20 @@ struct Direction {
     kappa: f64,
 }
 
+impl Direction {
+    /// `self + part · other`.
+    fn plus(&self, part: f64, other: &Self) -> Self {
+        let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + part * b).collect();
+        Self {
+            x: sum(&self.x, &other.x),
+            s: sum(&self.s, &other.s),
+            z: sum(&self.z, &other.z),
+            tau: self.tau + part * other.tau,
+            kappa: self.kappa + part * other.kappa,
+        }
+    }
+}
+
 /// Residuals of the embedding at a point, and what the stopping rules need.
 struct Residuals {
     f1: Vec<f64>,
@@ -160,7 +179,8 @@ fn largest(a: &[f64]) -> f64 {
     a.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-fn residuals(problem: &Problem, p: &Point) -> Residuals {
+/// Residuals; `reference`: the load factor that a load factor of zero is told by, 0 without one.
+fn residuals(problem: &Problem, p: &Point, reference: f64) -> Residuals {
     let (q, h) = (&problem.program.q, &problem.program.h);
     let diagonal = problem.program.quadratic_diagonal(&p.x);
     let mut px = diagonal.clone();
@@ -177,11 +197,14 @@ fn residuals(problem: &Problem, p: &Point) -> Residuals {
     let yielding = dot(&h[problem.points..], &p.z[problem.points..]);
     let po = 0.5 * xpx / (t * t) + (cx - by + yielding) / t;
     let dual_objective = -0.5 * xpx / (t * t) - (hz - yielding + by) / t;
-    let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(1e-300);
+    let floor = NOTHING * reference;
+    let least = floor * q.last().map_or(0.0, |q| q.abs());
+    let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(least).max(1e-300);
     let sizes = [q, &px, &gz].map(|v| problem.largest_of_kinds(v));
     let off = problem.largest_of_kinds(&f1);
     let live = problem.live_force(&p.x);
-    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(1e-300);
+    let least = floor * largest(&problem.program.live);
+    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(least).max(1e-300);
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
@@ -247,7 +270,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let (x, z) = (vec![0.0; problem.program.unknowns()], vec![0.0; cones.rows]);
         return Outcome { status: SolveStatus::NumericalError, x, z, iterations: 0 };
     }
-    let mut p = starting_point(problem, system);
+    let (mut p, reference) = starting_point(problem, system);
     let mut last_step = 0.0;
     let degree = cones.degree() + 1.0;
     let (mut best, mut short, mut worse) = (p.clone(), 0, 0);
@@ -262,7 +285,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
-        let r = residuals(problem, &p);
+        let r = residuals(problem, &p, reference);
         // 1 is what was asked for
         let merit = (r.gap / options.gap).max(r.dual.max(r.primal) / options.residual);
         if let Some(tell) = &options.progress {
@@ -305,11 +328,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let (newton, affine) = Newton::new(problem, &scaling, system, &p, &r, &ll);
         let a = newton.step(&affine).min(1.0);
         let sigma = (1.0 - a).powi(3);
-        let cross = cones.product(&scaling.apply_inverse(cones, &affine.s), &scaling.apply(cones, &affine.z));
-        let identity = cones.identity();
-        let ds: Vec<f64> = (0..ll.len()).map(|i| ll[i] + cross[i] - sigma * mu * identity[i]).collect();
-        let dk = p.kappa * p.tau + affine.kappa * affine.tau - sigma * mu;
-        let d = newton.centred(newton.solve(&ds, dk, sigma), ds, dk, sigma, mu);
+        let d = newton.corrected(&affine, &ll, sigma, mu);
         let a = (TO_THE_SURFACE * newton.step(&d)).min(1.0);
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
@@ -335,13 +354,22 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
     stop(SolveStatus::IterationLimit, best, best_merit, options.max_iterations)
 }
 
-/// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside.
-fn starting_point(problem: &Problem, system: &CondensedSystem) -> Point {
+/// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside; and the load factor at which
+/// that elastic stress would reach the yield surface, 0 without a load factor.
+fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
     let cones = &problem.cones;
     let minus_q: Vec<f64> = problem.program.q.iter().map(|q| -q).collect();
     let [Solved { x, .. }] =
         system.solve::<1, false>(problem, &Scaling::identity(cones), [(&minus_q, &problem.program.h)]);
     let s = problem.program.slack(&x);
+    let reference = match (problem.program.live.is_empty(), x.last()) {
+        (false, Some(factor)) => {
+            let yields = cones.blocks.iter().filter(|b| b.0 >= problem.points);
+            let stress = yields.fold(0.0, |m: f64, &(at, d)| m.max(dot(&s[at + 1..at + d], &s[at + 1..at + d])));
+            factor.abs() / stress.sqrt().max(f64::MIN_POSITIVE)
+        }
+        _ => 0.0,
+    };
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
         let margins: Vec<f64> =
@@ -354,7 +382,7 @@ fn starting_point(problem: &Problem, system: &CondensedSystem) -> Point {
         }
         v
     };
-    Point { x, s: inside(s), z: inside(z), tau: 1.0, kappa: 1.0 }
+    (Point { x, s: inside(s), z: inside(z), tau: 1.0, kappa: 1.0 }, reference)
 }
 
 /// Newton's system of one iteration.
@@ -452,6 +480,34 @@ impl<'a> Newton<'a> {
         let (r1, r2) = self.right_hand_side(ds, sigma);
         let [(x1, z1)] = self.kkt([(&r1, &r2)]);
         self.direction(x1, z1, dk, sigma)
+    }
+
+    /// Mehrotra's direction: centred, and corrected for the second-order term of the affine direction. In limit analysis, where
+    /// affine steps are short and their second-order terms not to be trusted, only for as much of it as lengthens the step.
+    fn corrected(&self, affine: &Direction, ll: &[f64], sigma: f64, mu: f64) -> Direction {
+        let (cones, p) = (&self.problem.cones, self.point);
+        let cross = cones.product(&self.scaling.apply_inverse(cones, &affine.s), &self.scaling.apply(cones, &affine.z));
+        let identity = cones.identity();
+        let products = |part: f64| -> Vec<f64> {
+            (0..ll.len()).map(|i| ll[i] + part * cross[i] - sigma * mu * identity[i]).collect()
+        };
+        let scalar = |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - sigma * mu;
+        if self.problem.program.live.is_empty() {
+            let (ds, dk) = (products(1.0), scalar(1.0));
+            return self.centred(self.solve(&ds, dk, sigma), ds, dk, sigma, mu);
+        }
+        let ((a1, a2), (b1, b2)) = (self.right_hand_side(&products(0.0), sigma), self.right_hand_side(&cross, 1.0));
+        let [(xa, za), (xb, zb)] = self.kkt([(&a1, &a2), (&b1, &b2)]);
+        let centring = self.direction(xa, za, scalar(0.0), sigma);
+        let second = self.direction(xb, zb, affine.kappa * affine.tau, 1.0);
+        let mut best = (0.0, f64::NEG_INFINITY);
+        for part in SECOND_ORDER {
+            let step = self.step(&centring.plus(part, &second)).min(1.0);
+            if step > best.1 {
+                best = (part, step);
+            }
+        }
+        self.centred(centring.plus(best.0, &second), products(best.0), scalar(best.0), sigma, mu)
     }
 
     /// The direction with complementarity products brought back towards the target `σ μ` where a longer step would leave
