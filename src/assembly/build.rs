@@ -1,5 +1,6 @@
 //! Spec + template + catalogue → [`Assembly`].
 
+use super::end_plate::{EndPlate, end_plate};
 use super::error::AssemblyError;
 use super::joint::{
     Action, Assembly, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part, PartMaterial,
@@ -27,6 +28,9 @@ pub struct Joint {
     pub resolved: Vec<Resolved>,
     /// Catalogue entries used: role and name.
     pub catalogue: Vec<(String, String)>,
+    /// What the hand checks see of the connection, where the template says it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_plate: Option<EndPlate>,
 }
 
 /// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by path).
@@ -45,9 +49,10 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     inputs::rules(&template, &scope).map_err(&placed)?;
     let builder = Builder { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
     let assembly = builder.assembly().map_err(|e| placed(vec![e]))?;
+    let end_plate = end_plate(&spec.value, &template, &inputs, &scope).map_err(|e| placed(vec![e]))?;
     let mut resolved = resolved;
     resolved.push(inputs.friction_resolved(&spec.value));
-    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue() })
+    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate })
 }
 
 struct Builder<'a> {

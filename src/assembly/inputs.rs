@@ -1,6 +1,7 @@
 //! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
 
 use super::actions;
+use super::end_plate::Strength;
 use super::error::AssemblyError;
 use super::joint::PartMaterial;
 use super::scope::{Given, Resolved, Scope, path_of};
@@ -28,6 +29,7 @@ pub struct Inputs<'a> {
     /// Friction coefficient.
     pub mu: f64,
     gamma_m0: f64,
+    gamma_m1: f64,
     gamma_m2: f64,
 }
 
@@ -73,6 +75,7 @@ impl<'a> Inputs<'a> {
             }),
         };
         let gamma_m0 = factor(spec.code.gamma_m0, "gamma_M0");
+        let gamma_m1 = factor(None, "gamma_M1");
         let gamma_m2 = factor(spec.code.gamma_m2, "gamma_M2");
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
@@ -101,7 +104,11 @@ impl<'a> Inputs<'a> {
         numbers(spec, &mut faults);
         loads(spec, template, &mut faults);
         let given = given(spec, template, &mut faults);
-        if faults.is_empty() { Ok(Self { profiles, steels, bolt, given, mu, gamma_m0, gamma_m2 }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { profiles, steels, bolt, given, mu, gamma_m0, gamma_m1, gamma_m2 })
+        } else {
+            Err(faults)
+        }
     }
 
     /// The names that stand before any parameter: `role.h`, `bolt.d` and so on.
@@ -143,19 +150,39 @@ impl<'a> Inputs<'a> {
         thickness: f64,
         materials: &mut BTreeMap<String, PartMaterial>,
     ) -> Result<String, AssemblyError> {
-        let Some((path, steel)) = from.iter().find_map(|f| self.steels.get(f)) else {
-            let problem = format!("none of {} has a steel in the spec", from.join(", "));
-            return Err(AssemblyError::TemplateEntry { at: "steel".into(), problem });
-        };
-        let source = match spec.code.fy_source {
-            FySource::Table31 => catalog::FySource::Table31,
-            FySource::ProductStandard => catalog::FySource::ProductStandard,
-        };
+        let (path, steel) = self.steel(from)?;
         let fy = steel
-            .fy_by(source, thickness)
+            .fy_by(strength_table(spec), thickness)
             .map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause: cause.into() })?;
         let material = PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.gamma_m0) };
         Ok(insert(materials, &steel.grade, thickness, material))
+    }
+
+    /// The first steel that the spec gives, with its path.
+    fn steel(&self, from: &[String]) -> Result<&(String, &'a Steel), AssemblyError> {
+        from.iter().find_map(|f| self.steels.get(f)).ok_or_else(|| {
+            let problem = format!("none of {} has a steel in the spec", from.join(", "));
+            AssemblyError::TemplateEntry { at: "steel".into(), problem }
+        })
+    }
+
+    /// Nominal strengths of the first steel that the spec gives, at a thickness \[mm\].
+    pub fn strength(&self, spec: &ConnectionSpec, from: &[String], thickness: f64) -> Result<Strength, AssemblyError> {
+        let (path, steel) = self.steel(from)?;
+        let table = strength_table(spec);
+        let fault = |cause: CatalogError| AssemblyError::Catalog { path: path.clone(), cause: cause.into() };
+        Ok(Strength {
+            grade: steel.grade.clone(),
+            fy: steel.fy_by(table, thickness).map_err(fault)?,
+            fu: steel.fu_by(table, thickness).map_err(fault)?,
+            e: steel.e,
+            beta_w: steel.beta_w,
+        })
+    }
+
+    /// γ_M0, γ_M1, γ_M2.
+    pub fn partial_factors(&self) -> [f64; 3] {
+        [self.gamma_m0, self.gamma_m1, self.gamma_m2]
     }
 
     /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN 1993-1-8 Table 3.4.
@@ -193,6 +220,14 @@ impl<'a> Inputs<'a> {
             out.push(("bolts.grade".into(), g.grade.clone()));
         }
         out
+    }
+}
+
+/// Which table the spec takes strengths from.
+fn strength_table(spec: &ConnectionSpec) -> catalog::FySource {
+    match spec.code.fy_source {
+        FySource::Table31 => catalog::FySource::Table31,
+        FySource::ProductStandard => catalog::FySource::ProductStandard,
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod actions;
 pub mod build;
+pub mod end_plate;
 pub mod error;
 pub mod inputs;
 pub mod joint;
@@ -11,6 +12,7 @@ pub mod symmetry;
 pub mod template;
 
 pub use build::{Joint, build};
+pub use end_plate::EndPlate;
 pub use error::AssemblyError;
 pub use joint::Assembly;
 

@@ -96,6 +96,24 @@ impl Scope {
         e.eval_truth(&mut |n| self.get(n))
     }
 
+    /// The lengths of a list parameter \[mm\], in its order; otherwise why there is no such list.
+    pub fn list(&self, name: &str) -> Result<Vec<f64>, String> {
+        let length = |v: Value| match v {
+            Value::Quantity(q) if q.dim == Dim::LENGTH => Ok(q.value),
+            other => Err(format!("`{name}` holds {other}, which is no length")),
+        };
+        self.entries(name)?.into_iter().map(length).collect()
+    }
+
+    /// The entries of a list parameter.
+    fn entries(&self, name: &str) -> Result<Vec<Value>, String> {
+        let n = *self.lists.get(name).ok_or_else(|| {
+            let hint = did_you_mean(name, self.lists.keys().map(String::as_str));
+            format!("`{name}` is not a list parameter{hint}")
+        })?;
+        (1..=n).map(|i| self.get(&format!("{name}.{i}"))).collect()
+    }
+
     /// An interval \[mm\], lower end first.
     pub fn interval(&self, e: &[Expr; 2]) -> Result<[f64; 2], ExprError> {
         let (a, b) = (self.length(&e[0])?, self.length(&e[1])?);
@@ -168,13 +186,7 @@ impl Scope {
         let fault = |message: String| ExprError { message, text: l.each.clone(), span: 0..l.each.len() };
         match &l.list {
             Some(_) if !l.values.is_empty() => Err(fault("a loop has `values` or `list`, not both".into())),
-            Some(list) => {
-                let n = *self.lists.get(list).ok_or_else(|| {
-                    let hint = did_you_mean(list, self.lists.keys().map(String::as_str));
-                    fault(format!("`{list}` is not a list parameter{hint}"))
-                })?;
-                (1..=n).map(|i| self.get(&format!("{list}.{i}")).map_err(fault)).collect()
-            }
+            Some(list) => self.entries(list).map_err(fault),
             None => l.values.iter().map(|e| e.eval(&mut |n| self.get(n))).collect(),
         }
     }

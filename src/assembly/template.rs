@@ -2,6 +2,7 @@
 //!
 //! A template is data. Adding a connection type means adding a file; no line of Rust knows a template by name.
 
+use super::end_plate::EndPlateEntry;
 use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
 use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
@@ -78,6 +79,8 @@ pub struct Template {
     /// Distances to keep.
     #[serde(default)]
     pub clearances: Vec<ClearanceEntry>,
+    /// What the hand checks of the code see of it; absent: none are made.
+    pub hand_checks: Option<EndPlateEntry>,
     /// Load of the starter spec.
     pub starter_load: Option<LoadSpec>,
 }

@@ -7,9 +7,11 @@ pub mod check;
 pub mod classification;
 pub mod component_method;
 pub mod ductility;
+pub mod end_plate;
 pub mod error;
 pub mod eurocode;
 pub mod verdict;
 
 pub use check::{Check, Status, Step, Topic, Unit, Worked};
+pub use end_plate::{HandChecks, hand_checks};
 pub use error::CheckError;

@@ -2,6 +2,7 @@
 
 use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, file_stem, finish, use_threads};
 use super::{Common, Outcome, spec_file};
+use crate::checks::HandChecks;
 use crate::diag::Diagnostic;
 use crate::mesh::quality;
 use crate::model::file::ModelFile;
@@ -63,6 +64,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         target_gap: file.adapt.as_ref().map(|a| a.target_gap),
         finer: "a finer mesh file",
         coarser: "a coarser mesh file",
+        checks: HandChecks::default(),
     };
     let case = Case {
         name: file_stem(&name),

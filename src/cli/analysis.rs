@@ -9,6 +9,7 @@ use crate::adapt::pass::{self, PassOptions, Refusal};
 use crate::adapt::problem::Program;
 use crate::bounds::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
+use crate::checks::{HandChecks, Status};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
@@ -133,6 +134,8 @@ pub struct Echo {
     pub finer: &'static str,
     /// How the user gets a coarser one.
     pub coarser: &'static str,
+    /// Hand checks of the code.
+    pub checks: HandChecks,
 }
 
 /// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
@@ -184,6 +187,9 @@ pub fn finish(
     cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
+    let failed = echo.checks.failed();
+    result.checks.clone_from(&echo.checks.checks);
+    result.warnings.clone_from(&echo.checks.notes);
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
@@ -244,6 +250,9 @@ pub fn finish(
     if !complete && result.verdict == Verdict::Ok {
         result.verdict = Verdict::Undecided;
     }
+    if failed {
+        result.verdict = Verdict::NotOk;
+    }
     let json = result.to_json().map_err(Diagnostic::from)?;
     let data = ReportData {
         project: echo.project,
@@ -266,6 +275,10 @@ pub fn finish(
         log.line(answer(c));
     }
     data.result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
+    if failed {
+        let count = data.result.checks.iter().filter(|c| c.status == Status::Failed).count();
+        log.line(format!("NOT OK: {count} hand check{} failed, see the report", if count == 1 { "" } else { "s" }));
+    }
     if limits.interrupt.asked() && bare && folder.target().exists() {
         log.line(format!("interrupted before anything was certified: {} stays as it was", folder.target().display()));
         return Ok(3);

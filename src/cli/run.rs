@@ -7,6 +7,7 @@ use super::analysis::{
 use super::interrupt::Interrupt;
 use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
+use crate::checks::{HandChecks, Status, Topic, hand_checks};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
@@ -57,11 +58,13 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let kinds = analysis_kinds(&input)?;
     check_names(&input, &kinds)?;
     check_sizes(&input)?;
+    let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
     let mesher = Mesher::find()?;
     limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(common.quiet));
     let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    tell(&checks, &log);
     let start = Instant::now();
     let meshed = mesh(args, &input, mesher, &limits.interrupt, &folder, &log)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
@@ -105,9 +108,21 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         target_gap: Some(input.spec.value.analysis.target_gap),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
+        checks,
         input_text: input.text,
     };
     finish(cases, echo, &limits, folder, log, common)
+}
+
+/// What is wrong with the detailing, before anything is meshed.
+fn tell(hand: &HandChecks, log: &Log) {
+    for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
+        match c.status {
+            Status::Failed => log.line(format!("check failed: {}", c.sentence())),
+            Status::Warning => log.line(format!("detailing: {}", c.sentence())),
+            Status::Ok | Status::Information => {}
+        }
+    }
 }
 
 /// The kinds of analysis asked for, if this version has them.

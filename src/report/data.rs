@@ -4,6 +4,7 @@
 //! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
 
 use super::demand::Demand;
+use crate::checks::Check;
 pub use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;
@@ -33,6 +34,9 @@ pub struct ResultFile {
     pub verdict: Verdict,
     /// One entry a load case and kind of analysis.
     pub cases: Vec<CaseResult>,
+    /// Hand checks of the code.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub checks: Vec<Check>,
     /// What the user must know, beyond any one case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
@@ -407,8 +411,9 @@ impl From<ResultError> for Diagnostic {
 impl ResultFile {
     /// An empty result of this program.
     pub fn new(input_hash: impl Into<String>, symmetry: u32, verdict: Verdict) -> Self {
-        let input_hash = input_hash.into();
-        Self { schema: SCHEMA, tool: Tool::this(), input_hash, symmetry, verdict, cases: vec![], warnings: vec![] }
+        let (cases, checks, warnings) = (vec![], vec![], vec![]);
+        let (tool, input_hash) = (Tool::this(), input_hash.into());
+        Self { schema: SCHEMA, tool, input_hash, symmetry, verdict, cases, checks, warnings }
     }
 
     /// The text of `result.json`, the same for the same result.

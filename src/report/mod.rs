@@ -2,6 +2,7 @@
 
 mod canvas;
 pub mod case;
+mod checks_text;
 pub mod data;
 pub mod demand;
 pub mod field_files;

@@ -1,5 +1,6 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
+use super::checks_text;
 use super::data::{CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper};
 use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
@@ -13,6 +14,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     let mut page = String::new();
     title_block(&mut page, data);
     heading(&mut page, "Answer");
+    checks_text::verdict(&mut page, &data.result.checks);
     match data.result.verdict {
         Verdict::Ok => paragraph(&mut page, "Verdict: **OK**, verified."),
         Verdict::NotOk => paragraph(&mut page, "Verdict: **NOT OK**, verified."),
@@ -34,6 +36,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     heading(&mut page, "Input");
     input_echo(&mut page, data);
     values(&mut page, data);
+    checks_text::checks(&mut page, &data.result.checks);
     heading(&mut page, "Mesh and history");
     if !data.mesh_quality.rows.is_empty() {
         table(&mut page, &data.mesh_quality);
@@ -50,7 +53,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     page
 }
 
-fn heading(page: &mut String, text: &str) {
+pub(super) fn heading(page: &mut String, text: &str) {
     page.push_str(&format!("## {text}\n\n"));
 }
 

@@ -2,6 +2,7 @@
 //!
 //! After a wanted change: `BRACKET_UPDATE_GOLDEN=1 cargo test --test report golden`, then read the difference.
 
+use bracket::checks::{Check, Status, Topic, Unit, Worked};
 use bracket::model::file::AnalysisKind;
 use bracket::report::data::{
     CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile,
@@ -80,6 +81,20 @@ fn case(name: &str) -> CaseResult {
     }
 }
 
+fn checks() -> Vec<Check> {
+    let table = |title| ("EN 1993-1-8:2005 Table 3.3", title);
+    let plate = (Topic::Detailing, "end plate");
+    let formula = "F_t,Rd = k2 f_ub A_s / γ_M2 = 0.9 · 800 · 192 / 1.25";
+    let tension =
+        Worked::new("EN 1993-1-8:2005 Table 3.4", "tension resistance of a bolt", 110_592.0, Unit::Force, formula);
+    vec![
+        Check::at_least(plate, table("edge distance"), "e2", (24.0, "1.2 d0 = 1.2 · 20"), 22.0, Status::Failed),
+        Check::at_least(plate, table("pitch of the rows"), "p1", (44.0, "2.2 d0 = 2.2 · 20"), 90.0, Status::Failed),
+        Check::at_most(plate, table("exposed steel"), "p1", (200.0, "min(14 t, 200 mm)"), 235.0, Status::Warning),
+        tension.with("k2", 0.9, Unit::Number).with("A_s", 192.0, Unit::Area).information(Topic::Bolts, "M18 8.8"),
+    ]
+}
+
 fn result() -> ResultFile {
     let mut limit = case("ULS1");
     limit.analysis = AnalysisKind::Limit;
@@ -100,6 +115,7 @@ fn result() -> ResultFile {
     limit.warnings = vec!["the yield residual is above its tolerance".into()];
     ResultFile {
         cases: vec![case("TOP"), limit],
+        checks: checks(),
         tool: Tool { name: "bracket".into(), version: "0.0.0-golden".into() },
         ..ResultFile::new("0123456789abcdef", 4, Verdict::Undecided)
     }
@@ -195,6 +211,17 @@ fn golden_result_has_the_keys_of_the_contract_in_its_order() {
         "status",
         "mesh_seconds",
         "peak_memory_mib",
+        "checks",
+        "topic",
+        "subject",
+        "clause",
+        "title",
+        "formula",
+        "demand",
+        "resistance",
+        "utilisation",
+        "unit",
+        "status",
     ];
     let mut at = 0;
     for key in keys {

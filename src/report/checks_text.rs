@@ -1,0 +1,96 @@
+//! The hand checks on the page: one table a topic, with the numbers of every formula.
+
+use super::figures::{Rounding, significant};
+use super::page::Table;
+use super::text::{heading, inline, paragraph, strings, table};
+use crate::checks::{Check, Status, Topic};
+
+/// Under the answer: what failed. Nothing where no check failed.
+pub(super) fn verdict(page: &mut String, checks: &[Check]) {
+    let failed: Vec<&Check> = checks.iter().filter(|c| c.status == Status::Failed).collect();
+    if failed.is_empty() {
+        return;
+    }
+    let many = if failed.len() == 1 { "A check failed" } else { "Checks failed" };
+    paragraph(page, &format!("**{many}**, whatever the analysis says:"));
+    for c in failed {
+        page.push_str(&format!("- {}\n", inline(&c.sentence())));
+    }
+    page.push('\n');
+}
+
+/// The hand checks, below the input.
+pub(super) fn checks(page: &mut String, checks: &[Check]) {
+    if checks.is_empty() {
+        return;
+    }
+    heading(page, "Hand checks");
+    for (topic, title, words) in TOPICS {
+        let mine: Vec<&Check> = checks.iter().filter(|c| c.topic == topic).collect();
+        if mine.is_empty() {
+            continue;
+        }
+        paragraph(page, &format!("**{title}.** {words}"));
+        let decided = mine.iter().any(|c| c.utilisation.is_some());
+        let rows = mine.iter().map(|c| {
+            let mut row = vec![c.subject.clone(), c.title.clone(), formula(c), c.clause.clone()];
+            if decided {
+                let used = c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
+                row.extend([used, status(c.status).into()]);
+            }
+            row
+        });
+        let mut columns = strings(["of", "check", "numbers", "clause"]);
+        if decided {
+            columns.extend(strings(["utilisation", "status"]));
+        }
+        table(page, &Table { columns, rows: rows.collect() });
+    }
+}
+
+const TOPICS: [(Topic, &str, &str); 6] = [
+    (
+        Topic::Detailing,
+        "Detailing",
+        "Least distances decide the verdict. Greatest distances bind exposed or compressed steel alone, room for tools and \
+         washers is practice: passing them is a warning.",
+    ),
+    (Topic::Bolts, "Bolts", "Resistance of one bolt; what acts on it is not known before the analysis."),
+    (
+        Topic::Welds,
+        "Welds",
+        "The model ties beam and end plate, as a butt weld does; fillet welds on both sides need these throats to be as strong.",
+    ),
+    (
+        Topic::ComponentMethod,
+        "Component method",
+        "Information, for both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2, its prying \
+         forces decided by the length of the bolts.",
+    ),
+    (
+        Topic::Stiffness,
+        "Stiffness",
+        "Information; the class needs the system length of the beam and the kind of frame.",
+    ),
+    (
+        Topic::Ductility,
+        "Rotation capacity",
+        "Limit analysis takes every part to yield as long as it must. Where neither thickness rule holds for plate or flange, rows \
+         of bolts may fail before the others have yielded.",
+    ),
+];
+
+fn formula(c: &Check) -> String {
+    let values = c.values.iter().map(|s| format!("{} = {}", s.symbol, s.unit.show(s.value)));
+    let values: Vec<String> = values.collect();
+    if values.is_empty() { c.formula.clone() } else { format!("{}; {}", c.formula, values.join(", ")) }
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "OK",
+        Status::Failed => "**FAILED**",
+        Status::Warning => "warning",
+        Status::Information => "information",
+    }
+}
