@@ -10,3 +10,5 @@ mod common;
 mod exact;
 #[path = "limit/random.rs"]
 mod random;
+#[path = "limit/rigid_bodies.rs"]
+mod rigid_bodies;

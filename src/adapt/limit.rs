@@ -258,9 +258,9 @@ impl<'a> Problem<'a> for Resistance<'a> {
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
         let statics = &self.0;
         let parameters = statics.parameters(&solution.x)?;
-        let contact = &solution.z[..statics.program.g.nrows()];
+        let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
         let factor = solution.x.last().copied().unwrap_or(0.0);
-        let approximate = ApproximateStress { parameters: &parameters, contact, factor };
+        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, factor };
         let dead = dead_stress(model).transpose()?;
         let lower = limit_lower::project(model, &approximate, dead.as_ref()).map_err(in_words)?;
         Ok((lower.field, LowerFactor::new(lower.certificate)))
@@ -300,8 +300,8 @@ fn dead_stress(model: &AnalysisModel) -> Option<Result<StressField, RecoverError
             return Err(RecoverError::Factor(format!("the dead loads alone have no certified equilibrium ({status})")));
         }
         let parameters = statics.parameters(&solution.x)?;
-        let contact = &solution.z[..statics.program.g.nrows()];
-        let approximate = ApproximateStress { parameters: &parameters, contact, factor: 0.0 };
+        let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
+        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, factor: 0.0 };
         limit_lower::dead_field(model, &approximate).map_err(in_words)
     })
 }

@@ -41,7 +41,7 @@ pub struct ApproximateStress<'a> {
     /// Parameters of every super-element, as [`crate::model::super_element::SuperElement::stress`] takes them under
     /// `factor · live + dead`; those of bodies that never yield may be zero.
     pub parameters: &'a [[f64; PARAMETERS]],
-    /// Multipliers of the contact cones of [`Static::new`], in its order of rows \[MPa\].
+    /// Multipliers of every contact vertex of the model, see [`Static::spread_contact`] \[MPa\].
     pub contact: &'a [f64],
     /// Load factor.
     pub factor: f64,
@@ -195,8 +195,9 @@ fn balanced(
 ) -> Result<(Vec<f64>, f64), RecoverError> {
     let program = &statics.program;
     let factor = approximate.factor;
+    let contact = statics.gather_contact(approximate.contact);
     if motions.is_empty() || program.cones.is_empty() {
-        return Ok((inside(program, approximate.contact, INSIDE[0], 0.0), factor));
+        return Ok((inside(program, &contact, INSIDE[0], 0.0), factor));
     }
     let dot = |a: &[f64], b: &[f64]| crate::math::Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
     let forces = |loads: Loads| -> Result<Vec<f64>, RecoverError> {
@@ -216,11 +217,11 @@ fn balanced(
     let needed: Vec<f64> = motions.iter().map(|m| -dot(m, &dead)).collect();
     let mut cones = cone_ranges(program);
     cones.push((program.g.nrows(), 1));
-    let noise = 1e-7 * approximate.contact.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    let noise = 1e-7 * contact.iter().fold(0.0f64, |m, z| m.max(z.abs()));
     let mut outside = None;
     for shrink in INSIDE {
         for least in [0.0, noise] {
-            let mut z = inside(program, approximate.contact, shrink, least);
+            let mut z = inside(program, &contact, shrink, least);
             z.push(factor);
             let found = balance(&cones, &rows, &needed, &mut z);
             let factor = z.pop().unwrap_or(factor);

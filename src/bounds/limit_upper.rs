@@ -11,7 +11,7 @@ use super::factor::UpperFactor;
 use super::fields::DisplacementField;
 use super::flow::VelocityField;
 use super::limit_certificate::{UpperCertificate, certify_upper};
-use super::recover::{RecoverError, cone_ranges, into_cone, plus_rows, pseudo_solve};
+use super::recover::{RecoverError, cone_ranges, into_cone, plus_rows};
 use crate::math::Sum;
 use crate::math::mandel::Mandel;
 use crate::model::assemble::assemble;
@@ -19,15 +19,17 @@ use crate::model::holds::ModelError;
 use crate::model::kinematic::Flow;
 use crate::model::loads::Loads;
 use crate::model::program::cone_margin;
+use crate::model::rigid_motions::nearest_unknowns;
 use crate::model::{AnalysisModel, Kinematic, split_flow, tet10};
 use crate::solve::sparse::SparseCholesky;
-use faer::Mat;
 use rayon::prelude::*;
 
 /// Weight γ of the equations against the stiffness.
 const AUGMENTED: f64 = 1e6;
 /// Weight of the springs across contacts, in mean diagonal entries of the stiffness.
 const SPRING: f64 = 1e4;
+/// What moving a rigid body costs, in the stiffness it would have: little, but more than nothing.
+const RIGID_MOTION: f64 = 1e-6;
 /// Margin wanted in contact cones, over the largest velocity: what rounding of the nodal velocities cannot use up.
 const MARGIN: f64 = 1e-13;
 /// Power of the live loads, over that of the velocities given, below which the velocities were no mechanism at all.
@@ -68,11 +70,11 @@ pub enum UpperError {
 
 /// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`.
 pub fn project(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> Result<Upper, UpperError> {
-    let kinematic = Kinematic::new(model).map_err(RecoverError::from)?;
+    let kinematic = Kinematic::around_rigid_bodies(model).map_err(RecoverError::from)?;
     let projector = Projector::new(model, &kinematic, field.flow)?;
     let live = kinematic.limit_forces(model, field.flow, Loads::LIVE);
     let power_on = |x: &[f64]| Sum::of(live.iter().zip(x).map(|(f, u)| f * u));
-    let mut x = restrict(&kinematic, &field.nodes);
+    let mut x = nearest_unknowns(&kinematic.map, &kinematic.rigid, |i| field.nodes.u[i / 3][i % 3]);
     let before = power_on(&x);
     projector.keep_volume(&mut x);
     let power = power_on(&x);
@@ -92,38 +94,6 @@ pub fn project(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) 
         a_loose.cmp(&b_loose).then(a.total_cmp(&b))
     });
     best.ok_or(UpperError::NoPower { power, before })
-}
-
-/// The program's unknowns nearest to nodal velocities: held components are dropped, rigid faces get the motion that fits best.
-fn restrict(kinematic: &Kinematic, nodes: &DisplacementField) -> Vec<f64> {
-    let map = &kinematic.map;
-    let mut x = vec![0.0; map.n];
-    let mut fits: Vec<(Mat<f64>, Mat<f64>)> = kinematic
-        .rigid
-        .iter()
-        .map(|r| (Mat::zeros(r.basis.len(), r.basis.len()), Mat::zeros(r.basis.len(), 1)))
-        .collect();
-    for i in 0..map.full() {
-        let u = nodes.u[i / 3][i % 3];
-        if let Some(k) = map.own(i) {
-            x[k] = u;
-            continue;
-        }
-        let Some(&(k, _)) = map.terms(i).first() else { continue };
-        let face = kinematic.rigid.partition_point(|r| r.first <= k as usize) - 1;
-        let (first, (gram, rhs)) = (kinematic.rigid[face].first, &mut fits[face]);
-        for &(a, wa) in map.terms(i) {
-            rhs[(a as usize - first, 0)] += wa * u;
-            for &(b, wb) in map.terms(i) {
-                gram[(a as usize - first, b as usize - first)] += wa * wb;
-            }
-        }
-    }
-    for (r, (gram, rhs)) in kinematic.rigid.iter().zip(&fits) {
-        let motion = pseudo_solve(gram, rhs);
-        (0..r.basis.len()).for_each(|k| x[r.first + k] = motion[(k, 0)]);
-    }
-    x
 }
 
 /// What changes velocities least.
@@ -164,9 +134,16 @@ impl<'a> Projector<'a> {
         // both are assembled over all tets: one pattern
         debug_assert_eq!(p.row_idx, system.row_idx);
         system.values.iter_mut().zip(&p.values).for_each(|(a, b)| *a += b);
-        let diagonal = p.diagonal();
-        let spring = SPRING * diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
-        let system = plus_rows(&system, &kinematic.program.g, |_| spring);
+        let mean = |d: &[f64]| d.iter().sum::<f64>() / d.len().max(1) as f64;
+        // where all bodies are rigid nothing is elastic: their own stiffness measures the springs
+        let stiffness = &kinematic.program.stiffness;
+        let elastic = mean(&p.diagonal());
+        let spring = SPRING * if elastic > 0.0 { elastic } else { mean(stiffness) };
+        let mut system = plus_rows(&system, &kinematic.program.g, |_| spring);
+        if !stiffness.is_empty() {
+            let motions = kinematic.map.plain..kinematic.map.n;
+            motions.for_each(|k| system.add_diagonal(k, RIGID_MOTION * stiffness[k]));
+        }
         let factor = SparseCholesky::new(&system, &kinematic.map.block)?;
         Ok(Self { model, kinematic, split, yields, weight, factor, spring })
     }

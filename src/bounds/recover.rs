@@ -6,7 +6,7 @@
 
 use super::fields::{DisplacementField, StressField};
 use super::settle::settle;
-use crate::math::dense::null_space;
+use crate::math::dense::pseudo_solve;
 use crate::model::dofs::DofMap;
 use crate::model::holds::{self, ModelError};
 use crate::model::kinematic::{Kinematic, hold};
@@ -16,7 +16,6 @@ use crate::model::super_element::PARAMETERS;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, SparseCholesky};
 use faer::Mat;
-use faer::prelude::Solve;
 use rayon::prelude::*;
 
 /// Why a field could not be recovered.
@@ -282,23 +281,4 @@ pub(super) fn balance(cones: &[(usize, usize)], rows: &[Vec<f64>], needed: &[f64
         }
     }
     cones.iter().all(|&(s, d)| cone_margin(&z[s..s + d]) >= 0.0)
-}
-
-/// Minimum-norm solution of a small symmetric positive semidefinite system.
-pub(super) fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    // scale to unit diagonal, then drop directions below rounding
-    let n = a.nrows();
-    let d: Vec<f64> = (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
-    let scaled = Mat::from_fn(n, n, |i, j| d[i] * a[(i, j)] * d[j]);
-    let mut regular = scaled.clone();
-    for v in null_space(&scaled, 1e-14) {
-        for i in 0..n {
-            for j in 0..n {
-                regular[(i, j)] += v[i] * v[j];
-            }
-        }
-    }
-    let rhs = Mat::from_fn(n, 1, |i, _| d[i] * b[(i, 0)]);
-    let y = regular.partial_piv_lu().solve(&rhs);
-    Mat::from_fn(n, 1, |i, _| d[i] * y[(i, 0)])
 }

@@ -1,6 +1,7 @@
-//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors.
+//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors, systems that may be singular.
 
 use faer::Mat;
+use faer::prelude::Solve;
 
 /// Lower Cholesky factor of a symmetric positive definite matrix of order `N`.
 #[derive(Clone, Debug)]
@@ -81,4 +82,23 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
         .filter(|&i| largest == 0.0 || s[i] <= tolerance * largest)
         .map(|i| (0..n).map(|r| eig.U()[(r, i)]).collect())
         .collect()
+}
+
+/// Minimum-norm solution of a small symmetric positive semidefinite system.
+pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    // scale to unit diagonal, then drop directions below rounding
+    let n = a.nrows();
+    let d: Vec<f64> = (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scaled = Mat::from_fn(n, n, |i, j| d[i] * a[(i, j)] * d[j]);
+    let mut regular = scaled.clone();
+    for v in null_space(&scaled, 1e-14) {
+        for i in 0..n {
+            for j in 0..n {
+                regular[(i, j)] += v[i] * v[j];
+            }
+        }
+    }
+    let rhs = Mat::from_fn(n, 1, |i, _| d[i] * b[(i, 0)]);
+    let y = regular.partial_piv_lu().solve(&rhs);
+    Mat::from_fn(n, 1, |i, _| d[i] * y[(i, 0)])
 }

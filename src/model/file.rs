@@ -74,8 +74,8 @@ pub enum AnalysisKind {
     Elastic,
     /// Elastic, perfectly plastic (Hencky).
     Elastoplastic,
-    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Every material needs `fy`; E, nu, gaps and
-    /// preload do not matter.
+    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Bodies of a material without `fy` are rigid;
+    /// E, nu, gaps and preload do not matter.
     Limit,
 }
 

@@ -62,8 +62,7 @@ impl FlowingTet10 {
 
     /// Diagonal of the elastic stiffness on the outer displacements \[N/mm\].
     pub fn elastic_diagonal(&self) -> [f64; 30] {
-        let k = tet10::stiffness(&self.corners, self.volume, &self.material);
-        std::array::from_fn(|i| k[i][i])
+        tet10::diagonal(&self.corners, self.volume, &self.material)
     }
 
     /// The element; `columns` are its 30 outer displacements.

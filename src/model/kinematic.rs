@@ -10,9 +10,10 @@ use super::batch::Rule;
 use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
-use super::holds::{self, FacePoints, ModelError, RigidMotions};
+use super::holds::{self, FacePoints, ModelError};
 use super::loads::{Loads, face_corners, face_nodes};
 use super::program::{Cone, ConicProgram};
+use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::split_flow;
 use super::split_tet10;
 use super::tet10;
@@ -49,6 +50,11 @@ impl Tet10Space {
         Self { nodes, vertices: mesh.nodes.len(), edges }
     }
 
+    /// The vertex itself, or one end of the edge that carries the node.
+    pub fn a_vertex(&self, node: usize) -> usize {
+        node.checked_sub(self.vertices).map_or(node, |edge| self.edges.nodes[edge][0] as usize)
+    }
+
     /// The ten nodes of tet `e`.
     pub fn tet(&self, mesh: &TetMesh, e: usize) -> [usize; 10] {
         std::array::from_fn(|i| {
@@ -77,6 +83,9 @@ struct Points<'a> {
 impl FacePoints for Points<'_> {
     fn points(&self, face: &BoundaryFace) -> Vec<usize> {
         self.space.triangle(face_nodes(&self.model.mesh, face)).to_vec()
+    }
+    fn tet_points(&self, tet: usize) -> Vec<usize> {
+        self.space.tet(&self.model.mesh, tet).to_vec()
     }
     fn position(&self, point: usize) -> V3 {
         self.space.nodes[point]
@@ -132,7 +141,7 @@ pub struct Kinematic {
     pub space: Tet10Space,
     /// Full displacements from the program's unknowns.
     pub map: DofMap,
-    /// Unknowns of the rigid faces.
+    /// Unknowns of the rigid faces and bodies.
     pub rigid: Vec<RigidMotions>,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
@@ -153,6 +162,7 @@ pub enum Flow {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Elastic,
+    AroundRigidBodies,
     Hencky(Flow),
     Limit(Flow),
 }
@@ -273,7 +283,7 @@ fn shared_forces(
     loads: Loads,
 ) -> Vec<f64> {
     let mut f = map.reduce(&nodal_forces(model, space, inside, loads));
-    holds::add_rigid_actions(model, rigid, loads, &mut f);
+    rigid_motions::add_rigid_actions(model, rigid, loads, &mut f);
     f
 }
 
@@ -290,19 +300,29 @@ impl Kinematic {
     }
 
     /// Builds the program of limit analysis: the least dissipation at unit power of the live loads, less the power of the
-    /// dead ones. All bodies yield; initial gaps count as closed.
+    /// dead ones. Bodies without a yield strength are rigid; initial gaps count as closed.
     pub fn limit(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
         Self::build(model, Kind::Limit(flow))
     }
 
+    /// Builds the elastic program in which bodies without a yield strength are rigid: a measure of how far velocities of
+    /// limit analysis are apart.
+    pub fn around_rigid_bodies(model: &AnalysisModel) -> Result<Self, ModelError> {
+        Self::build(model, Kind::AroundRigidBodies)
+    }
+
     fn build(model: &AnalysisModel, kind: Kind) -> Result<Self, ModelError> {
         let space = Tet10Space::new(&model.mesh);
-        let (map, rigid) = holds::number_unknowns(model, &Points { model, space: &space })?;
+        let pieces = match kind {
+            Kind::Limit(_) | Kind::AroundRigidBodies => RigidPieces::unyielding(model),
+            Kind::Elastic | Kind::Hencky(_) => RigidPieces::default(),
+        };
+        let (map, rigid) = rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
         let materials = model.stiffnesses();
         let (radii, flow) = match kind {
             Kind::Hencky(flow) | Kind::Limit(flow) => (model.yield_radii(), flow),
-            Kind::Elastic => (vec![None; model.mesh.bodies.len()], Flow::Plain),
+            Kind::Elastic | Kind::AroundRigidBodies => (vec![None; model.mesh.bodies.len()], Flow::Plain),
         };
         let limit = matches!(kind, Kind::Limit(_));
         let yields = radii.iter().any(Option::is_some);
@@ -331,6 +351,7 @@ impl Kinematic {
             let body = model.mesh.tet_body[e] as usize;
             Ok(match flowing(e) {
                 Some(element) => element.outer_stiffness(),
+                None if pieces.contains(e) => Box::new([[0.0; 30]; 30]),
                 None => tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]),
             })
         })?;
@@ -339,17 +360,26 @@ impl Kinematic {
         let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
         let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         let mut stiffness = Vec::new();
-        if yields {
+        if yields || !pieces.is_empty() {
             stiffness = p.diagonal();
             let mut beside = vec![0.0; map.full()];
             for e in 0..model.mesh.tets.len() {
-                let Some(element) = flowing(e) else { continue };
-                let (elastic, kept) = (element.elastic_diagonal(), element.outer_stiffness());
-                dofs(e).into_iter().enumerate().for_each(|(i, d)| beside[d] += elastic[i] - kept[i][i]);
+                let missing: [f64; 30] = match flowing(e) {
+                    Some(element) => {
+                        let (elastic, kept) = (element.elastic_diagonal(), element.outer_stiffness());
+                        std::array::from_fn(|i| elastic[i] - kept[i][i])
+                    }
+                    None if pieces.contains(e) => {
+                        let body = model.mesh.tet_body[e] as usize;
+                        tet10::diagonal(&model.mesh.corners(e), model.mesh.volume(e), &materials[body])
+                    }
+                    None => continue,
+                };
+                dofs(e).into_iter().zip(missing).for_each(|(d, k)| beside[d] += k);
             }
             map.reduce_diagonal(&beside).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
         }
-        hold(&mut p, &free_mode_pins(model, &space, &map), &stiffness);
+        hold(&mut p, &free_mode_pins(model, &space, &map, &rigid, &pieces), &stiffness);
         let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
         let mut points = Vec::new();
@@ -391,17 +421,8 @@ impl Kinematic {
     /// The rigid motions that only contact resists.
     pub fn contact_modes(&self, model: &AnalysisModel) -> Vec<ContactMode> {
         let part = model.node_parts();
-        let points: Vec<(usize, V3)> = self
-            .space
-            .nodes
-            .iter()
-            .enumerate()
-            .map(|(i, x)| {
-                let vertex =
-                    if i < self.space.vertices { i as u32 } else { self.space.edges.nodes[i - self.space.vertices][0] };
-                (part[vertex as usize] as usize, *x)
-            })
-            .collect();
+        let points: Vec<(usize, V3)> =
+            self.space.nodes.iter().enumerate().map(|(i, x)| (part[self.space.a_vertex(i)] as usize, *x)).collect();
         contact_modes(model, &self.map, &points)
     }
 }
@@ -442,7 +463,13 @@ pub fn push_rows(program: &mut ConicProgram, rows: &[&Vec<(u32, f64)>; 3], mu: f
 }
 
 /// Holds one vertex displacement per free rigid motion.
-fn free_mode_pins(model: &AnalysisModel, space: &Tet10Space, map: &DofMap) -> Vec<usize> {
+fn free_mode_pins(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    map: &DofMap,
+    rigid: &[RigidMotions],
+    pieces: &RigidPieces,
+) -> Vec<usize> {
     if model.free_modes.is_empty() {
         return Vec::new();
     }
@@ -451,9 +478,18 @@ fn free_mode_pins(model: &AnalysisModel, space: &Tet10Space, map: &DofMap) -> Ve
         .free_modes
         .iter()
         .map(|mode| {
+            let motion = |node: usize| {
+                let vertex = space.a_vertex(node);
+                holds::rigid_displacement(&mode.motions[part[vertex] as usize], [0.0; 3], space.nodes[node])
+            };
             let mut x = vec![0.0; map.n];
+            if !pieces.is_empty() {
+                // a part may be rigid as a whole, with no unknown but its motion
+                let nearest = rigid_motions::nearest_unknowns(map, rigid, |i| motion(i / 3)[i % 3]);
+                x[map.plain..].copy_from_slice(&nearest[map.plain..]);
+            }
             for v in 0..space.vertices {
-                let u = holds::rigid_displacement(&mode.motions[part[v] as usize], [0.0; 3], space.nodes[v]);
+                let u = motion(v);
                 for d in 0..3 {
                     if let Some(k) = map.own(3 * v + d) {
                         x[k] = u[d];

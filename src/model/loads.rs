@@ -79,11 +79,12 @@ impl AnalysisModel {
             || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
     }
 
-    /// What limit analysis asks of a model: bodies that yield, a live load, and no live force per volume.
+    /// What limit analysis asks of a model: something that can give way, a live load, and no live force per volume. Bodies
+    /// without a yield strength are rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
-        if let Some(body) = self.yield_radii().iter().position(Option::is_none) {
-            return Err(ModelError::NeverYields(name(body)));
+        if self.yield_radii().iter().all(Option::is_none) && self.interfaces.is_empty() && self.ground.is_empty() {
+            return Err(ModelError::NothingYields);
         }
         if let Some(load) = self.body_loads.iter().find(|l| !l.dead) {
             return Err(ModelError::LiveBodyForce(name(load.body as usize)));

@@ -14,6 +14,7 @@ pub mod kinematic;
 pub mod loads;
 pub mod program;
 pub mod resolve;
+pub mod rigid_motions;
 pub mod split_flow;
 pub mod split_tet10;
 pub mod static_form;

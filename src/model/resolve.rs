@@ -83,7 +83,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     merge::check_matching(&mesh, &table)?;
     let scene = names::Scene { mesh: &mesh, table: &table };
 
-    limits::check(file, &scene, &mut faults);
+    limits::check(file, &scene, &mut faults, &mut notes);
     let claims = interfaces::claim(file, &scene, &mut faults, &mut notes);
     let (supports, ground) = held::supports(file, &scene, &claims, &mut faults, &mut notes);
     let rigid = held::rigid_faces(file, &scene, &claims, &mut faults);

@@ -8,10 +8,11 @@ use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
 use super::dofs::DofMap;
-use super::holds::{self, FacePoints, ModelError, RigidMotions};
+use super::holds::{self, FacePoints, ModelError};
 use super::kinematic::{hold, push_rows};
 use super::loads::{Loads, face_corners};
 use super::program::ConicProgram;
+use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::super_element::{self, PARAMETERS, SuperElement, TRACTIONS};
 use super::yielding_elements::{Columns, append};
 use super::yielding_super_element;
@@ -117,6 +118,9 @@ impl FacePoints for Points<'_> {
         let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
         vec![3 * f, 3 * f + 1, 3 * f + 2]
     }
+    fn tet_points(&self, tet: usize) -> Vec<usize> {
+        self.faces.of_tet[tet].iter().flat_map(|&f| [0, 1, 2].map(|p| 3 * f as usize + p)).collect()
+    }
     fn position(&self, point: usize) -> V3 {
         self.mesh.nodes[self.faces.nodes[point / 3][point % 3] as usize]
     }
@@ -149,6 +153,18 @@ pub struct ContactVertex {
     pub gap: f64,
 }
 
+impl ContactVertex {
+    /// True when it is the same vertex of the same face.
+    fn is_at(&self, other: &Self) -> bool {
+        (self.contact, self.a, self.index) == (other.contact, other.a, other.index)
+    }
+}
+
+/// Rows of a contact cone.
+fn contact_rows(mu: f64) -> usize {
+    if mu > 0.0 { 3 } else { 1 }
+}
+
 /// The static program of a model.
 pub struct Static<'a> {
     /// Its conic program.
@@ -157,7 +173,7 @@ pub struct Static<'a> {
     pub elements: SuperElements<'a>,
     /// Full face displacements from the program's unknowns.
     pub map: DofMap,
-    /// Unknowns of the rigid faces.
+    /// Unknowns of the rigid faces and bodies.
     pub rigid: Vec<RigidMotions>,
     /// The face vertex of each contact cone; the cones of yielding elements follow.
     pub vertices: Vec<ContactVertex>,
@@ -229,7 +245,7 @@ fn face_forces(elements: &SuperElements, loads: Loads) -> Vec<f64> {
 /// Surface loads and actions of rigid faces on the program's unknowns \[N\].
 fn forces(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], loads: Loads) -> Vec<f64> {
     let mut f = map.reduce(&face_forces(elements, loads));
-    holds::add_rigid_actions(elements.model, rigid, loads, &mut f);
+    rigid_motions::add_rigid_actions(elements.model, rigid, loads, &mut f);
     f
 }
 
@@ -247,7 +263,8 @@ impl<'a> Static<'a> {
     }
 
     /// Builds the program of limit analysis: the largest load factor whose loads, with the dead ones, some stress within
-    /// the yield strength balances. All bodies yield; initial gaps count as closed.
+    /// the yield strength balances. Bodies without a yield strength are rigid: their stress is left out, what acts on them is
+    /// balanced as a whole. Initial gaps count as closed.
     pub fn limit(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
         Self::build(model, model.yield_radii(), true)
@@ -257,9 +274,11 @@ impl<'a> Static<'a> {
     fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>, limit: bool) -> Result<Self, ModelError> {
         let counted = if limit { Loads::DEAD } else { Loads::ALL };
         let elements = SuperElements::new(model).under(counted);
-        let (map, rigid) = holds::number_unknowns(model, &Points { mesh: &model.mesh, faces: &elements.faces })?;
+        let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
+        let points = Points { mesh: &model.mesh, faces: &elements.faces };
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces)?;
         let radius = |e: usize| radii[model.mesh.tet_body[e] as usize];
-        let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| radius(e).is_none()).collect();
+        let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
         let mut p = assemble::<TRACTIONS, ModelError>(
             elastic.len(),
             &map,
@@ -274,7 +293,8 @@ impl<'a> Static<'a> {
                 .into_par_iter()
                 .map(|e| {
                     let element = elements.element(e)?;
-                    Ok(if radius(e).is_some() { element.particular_terms() } else { element.body_terms() })
+                    let dense = limit || radius(e).is_some();
+                    Ok(if dense { element.particular_terms() } else { element.body_terms() })
                 })
                 .collect::<Result<_, ModelError>>()?;
             let mut full = vec![0.0; map.full()];
@@ -286,7 +306,7 @@ impl<'a> Static<'a> {
             }
             map.reduce(&full).iter().zip(&mut q).for_each(|(x, q)| *q += x);
         }
-        let pinned = pinned(&elements, &map);
+        let pinned = pinned(&elements, &map, &rigid, &pieces);
         let yields = elastic.len() < model.mesh.tets.len();
         let stiffness = if yields { elastic_diagonal(&elements, &map)? } else { Vec::new() };
         hold(&mut p, &pinned, &stiffness);
@@ -363,9 +383,21 @@ pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl
 }
 
 /// One face displacement for each free rigid motion.
-fn pinned(elements: &SuperElements, map: &DofMap) -> Vec<usize> {
-    let modes = &elements.model.free_modes;
-    holds::pins(modes.iter().map(|m| part_motions(elements, map, |part| m.motions[part])).collect(), &[])
+fn pinned(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], pieces: &RigidPieces) -> Vec<usize> {
+    let modes = elements.model.free_modes.iter().map(|mode| {
+        let mut x = part_motions(elements, map, |part| mode.motions[part]);
+        if !pieces.is_empty() {
+            // a part may be rigid as a whole, with no unknown but its motion
+            let nearest = rigid_motions::nearest_unknowns(map, rigid, |i| {
+                let node = elements.faces.nodes[i / 9][i % 9 / 3] as usize;
+                let motion = &mode.motions[elements.part(i / 9)];
+                holds::rigid_displacement(motion, [0.0; 3], elements.model.mesh.nodes[node])[i % 3]
+            });
+            x[map.plain..].copy_from_slice(&nearest[map.plain..]);
+        }
+        x
+    });
+    holds::pins(modes.collect(), &[])
 }
 
 /// Diagonal of the stiffness of all elements, elastic: yielding ones have none in P.
@@ -418,6 +450,38 @@ impl Static<'_> {
             }
         }
         Ok(self.map.reduce(&full))
+    }
+
+    /// Multipliers of every contact vertex of the model from those of this program, which leaves out cones where nothing can
+    /// move: those are zero.
+    pub fn spread_contact(&self, z: &[f64]) -> Vec<f64> {
+        let mut rest = z;
+        let mut own = self.vertices.iter().peekable();
+        let all = contact_vertices(&self.elements).into_iter().flat_map(|v| {
+            let dim = contact_rows(v.mu);
+            if own.next_if(|o| o.is_at(&v)).is_none() {
+                return vec![0.0; dim];
+            }
+            let (mine, others) = rest.split_at(dim.min(rest.len()));
+            rest = others;
+            mine.to_vec()
+        });
+        all.collect()
+    }
+
+    /// The other way round: multipliers of this program's contact cones among those of every contact vertex of the model.
+    pub fn gather_contact(&self, all: &[f64]) -> Vec<f64> {
+        let mut rest = all;
+        let mut own = self.vertices.iter().peekable();
+        let mut out = Vec::with_capacity(self.program.g.nrows());
+        for v in contact_vertices(&self.elements) {
+            let (here, others) = rest.split_at(contact_rows(v.mu).min(rest.len()));
+            rest = others;
+            if own.next_if(|o| o.is_at(&v)).is_some() {
+                out.extend_from_slice(here);
+            }
+        }
+        out
     }
 
     /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the

@@ -75,6 +75,12 @@ pub fn strain_columns(corners: &[V3; 4]) -> [[Mandel; 30]; 4] {
     })
 }
 
+/// Diagonal of the elastic stiffness \[N/mm\].
+pub fn diagonal(corners: &[V3; 4], volume: f64, material: &Isotropic) -> [f64; 30] {
+    let k = stiffness(corners, volume, material);
+    std::array::from_fn(|i| k[i][i])
+}
+
 /// Elastic stiffness, exact for the linear strain.
 pub fn stiffness(corners: &[V3; 4], volume: f64, material: &Isotropic) -> Matrix30 {
     let b = strain_columns(corners);

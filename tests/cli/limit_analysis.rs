@@ -358,7 +358,7 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
 fn what_limit_analysis_cannot_take_is_refused_with_place_and_cure() {
     let body = "  - {body: B, force: [0.1, 0, 0]}\n";
     let rows = [
-        (BAR.replace(", fy: 235", ""), "model/never-yields", 3, "body `B` has no yield strength", "`steel` an `fy`"),
+        (BAR.replace(", fy: 235", ""), "model/never-yields", 3, "no body has a yield strength", "an `fy`"),
         (format!("{BAR}{body}"), "model/live-body-force", 11, "a force in the body `B`", "under `dead`"),
         (BAR.replace("loads:", "dead:"), "model/no-live-load", 1, "no load carries the load factor", "under `loads`"),
         (

@@ -51,7 +51,15 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "`friction: coulomb`",
         "associated",
     ),
-    ("analysis: elastic", "analysis: limit", "model/never-yields", 3, "body `A` has no yield strength", "an `fy`"),
+    (
+        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\ninterfaces:\n  \
+         - {between: [A, B], law: contact, mu: 0.3, friction: associated}\n",
+        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n",
+        "model/never-yields",
+        3,
+        "no body has a yield strength and no interface can open or slip",
+        "bodies without one are rigid",
+    ),
     ("analysis: elastic", "analysis: elastoplastic", "model/unavailable", 2, "elastoplastic", "`analysis: limit`"),
     ("mesh: m.msh", "mesh: n.msh", "model/no-mesh", 1, "no mesh file `n.msh`", "relative to the model file"),
     (

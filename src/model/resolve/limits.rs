@@ -1,21 +1,31 @@
-//! What limit analysis asks of a model beyond the rest: bodies that yield, a load to increase, no live force per volume.
+//! What limit analysis asks of a model beyond the rest: something that gives way, a load to increase, no live force per volume.
 
 use super::Faults;
 use super::names::Scene;
-use crate::model::file::{AnalysisKind, LoadEntry, ModelFile};
+use crate::mesh::TetMesh;
+use crate::model::file::{AnalysisKind, Law, LoadEntry, ModelFile};
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
-pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>) {
+pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) {
     if file.analysis != AnalysisKind::Limit {
         return;
     }
-    for (name, material) in &file.materials {
-        let of_it = |body: &&String| file.bodies.get(*body) == Some(name);
-        if let (None, Some(body)) = (material.fy, scene.mesh.bodies.iter().find(of_it)) {
-            let m = format!("body `{body}` has no yield strength: in limit analysis every body must be able to yield");
-            let help = format!("give its material `{name}` an `fy`; where nothing shall yield, a high one");
-            faults.add("model/never-yields", &format!("materials.{name}"), m, help);
+    let rigid = rigid_bodies(file, scene.mesh);
+    let contact = |law: &Option<Law>| *law == Some(Law::Contact);
+    let slips = file.interfaces.iter().any(|i| i.law != Law::Tied) || file.supports.iter().any(|s| contact(&s.law));
+    match &rigid[..] {
+        [] => {}
+        all if all.len() == scene.mesh.bodies.len() && !slips => {
+            let m = "no body has a yield strength and no interface can open or slip: nothing can collapse";
+            let help = "give the material of the bodies that can yield an `fy`; bodies without one are rigid";
+            faults.add("model/never-yields", "materials", m, help);
         }
+        some => notes.push(format!(
+            "limit analysis: {} without `fy` {} rigid: {}",
+            if some.len() == 1 { "the body" } else { "bodies" },
+            if some.len() == 1 { "is" } else { "are" },
+            some.join(", ")
+        )),
     }
     for (i, load) in file.loads.iter().enumerate() {
         if let Some(body) = &load.body {
@@ -31,6 +41,12 @@ pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
         let help = "write the load to be increased under `loads`; what stands under `dead` stays as it is";
         faults.add("model/no-live-load", "loads", m, help);
     }
+}
+
+/// The bodies whose material has no yield strength, in the order of the mesh.
+fn rigid_bodies<'a>(file: &ModelFile, mesh: &'a TetMesh) -> Vec<&'a str> {
+    let material = |body: &str| file.bodies.get(body).and_then(|m| file.materials.get(m));
+    mesh.bodies.iter().map(String::as_str).filter(|b| material(b).is_some_and(|m| m.fy.is_none())).collect()
 }
 
 /// Whether a load is more than zero.

@@ -5,12 +5,13 @@ use super::*;
 /// Old text, new text, code, line, part of the message, part of the cure.
 const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     (
-        "analysis: elastic",
-        "analysis: limit",
+        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n\
+         interfaces:\n  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n",
+        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n",
         "model/never-yields",
         3,
-        "body `A` has no yield strength",
-        "give its material `steel` an `fy`",
+        "no body has a yield strength and no interface can open or slip",
+        "bodies without one are rigid",
     ),
     ("analysis: elastic", "analysis: elastoplastic", "model/unavailable", 2, "elastoplastic", "elastic"),
     ("E: 210000", "E: -1", "model/value", 3, "`E` of material `steel` is -1, it must be > 0", "210000"),

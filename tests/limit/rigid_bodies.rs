@@ -1,0 +1,248 @@
+//! Bodies without a yield strength are rigid: platens, punches, blocks and plates, tied or in contact.
+
+use crate::certified::{factors, run, sharp_factors};
+use crate::common::yielding::{FY, model};
+use crate::common::{Block, triangles_where};
+use bracket::mesh::topology::FaceTable;
+use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::solve::SolveStatus;
+
+/// Yield strength in shear over that in tension.
+const K: f64 = 0.577_350_269_189_625_8;
+
+/// The mesh without the bodies called `VOID`.
+fn hollow(mesh: TetMesh) -> TetMesh {
+    let void = mesh.bodies.iter().position(|b| b == "VOID").unwrap() as u32;
+    without(mesh, void)
+}
+
+fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
+    let kept: Vec<usize> = (0..mesh.tets.len()).filter(|&e| mesh.tet_body[e] != gone).collect();
+    let mut number = vec![u32::MAX; mesh.nodes.len()];
+    let mut nodes = Vec::new();
+    for &e in &kept {
+        for n in mesh.tets[e] {
+            if number[n as usize] == u32::MAX {
+                number[n as usize] = nodes.len() as u32;
+                nodes.push(mesh.nodes[n as usize]);
+            }
+        }
+    }
+    mesh.tet_body = kept.iter().map(|&e| mesh.tet_body[e] - u32::from(mesh.tet_body[e] > gone)).collect();
+    mesh.tets = kept.iter().map(|&e| mesh.tets[e].map(|n| number[n as usize])).collect();
+    mesh.nodes = nodes;
+    mesh.bodies.remove(gone as usize);
+    // names stay with the faces that are left
+    let faces = FaceTable::new(&mesh.tets);
+    for f in &mut mesh.faces {
+        f.triangles = f.triangles.iter().map(|t| t.map(|n| number[n as usize])).collect();
+        f.triangles.retain(|t| t.iter().all(|n| *n != u32::MAX) && !faces.owners(*t).is_empty());
+    }
+    mesh.faces.retain(|f| !f.triangles.is_empty());
+    mesh
+}
+
+/// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top: the platen a body tied to it, or a rigid face.
+///
+/// ```text
+///   ↓↓↓↓↓
+///   [▓▓▓]   B, rigid
+///   |   |   A
+///   +---+
+/// ```
+fn platen(n: usize, body: bool) -> AnalysisModel {
+    let sides = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n";
+    if body {
+        let shape =
+            Block { cells: [n, n, n + 1], min: [0.0; 3], max: [1.0, 1.0, 1.0 + 1.0 / n as f64], jitter: 0.2, seed: 3 };
+        let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 1.0), |d, x| d == 2 && (x - 1.0).abs() < 1e-9);
+        model(
+            &format!("bodies: {{A: s, B: r}}\nsupports:\n{sides}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+            mesh,
+        )
+    } else {
+        let mesh = Block::new([n; 3], [1.0; 3]).jittered(3).mesh(&["A"], |_| 0, |_, _| false);
+        let face = "- {face: Z1, components: [x, y, z], free: [uz], at: [0, 0, 1], force: [0, 0, -1]}\n";
+        model(&format!("bodies: {{A: s}}\nsupports:\n{sides}rigid:\n{face}"), mesh)
+    }
+}
+
+/// A33 with the platen as a rigid body: strict bracket so far [1.0353, 1.0600] s0.
+#[test]
+fn cube_between_platens_that_are_bodies() {
+    let [low, up] = factors("A33", &platen(4, true));
+    assert!(low <= 1.0600 && up >= 1.0353, "[{low}, {up}]");
+    assert!(up / low - 1.0 < 0.06, "[{low}, {up}]");
+}
+
+/// The programs know nothing of the inside of a rigid body: as many cones and unknowns as without it, and six motions less what
+/// supports hold.
+#[test]
+fn rigid_bodies_leave_the_programs() {
+    let (with, without) = (platen(2, true), platen(2, false));
+    let tets = without.mesh.tets.len();
+    assert!(with.mesh.tets.len() > tets);
+    let k = [&with, &without].map(|m| Kinematic::limit(m, Flow::Split).unwrap());
+    let s = [&with, &without].map(|m| Static::limit(m).unwrap());
+    let cones = [&k[0].program, &k[1].program, &s[0].program, &s[1].program].map(|p| p.cones.len());
+    assert_eq!(cones, [40 * tets, 40 * tets, 16 * tets, 16 * tets]);
+    assert_eq!(k[0].program.shared(), k[1].program.shared());
+    assert_eq!(s[0].program.shared(), s[1].program.shared());
+    for motions in [&k[0].rigid, &s[0].rigid] {
+        assert_eq!(motions.iter().map(|m| m.count).collect::<Vec<_>>(), [1]);
+    }
+}
+
+/// A22: a strip of width w between rough platens at a distance h, plane strain, w/h = 1: 2k. The pressure 2k everywhere is a
+/// stress field that proves it from below.
+#[test]
+fn strip_between_platens() {
+    let n = 4;
+    let top = 1.0 + 1.0 / n as f64;
+    let shape = Block { cells: [n, 1, n + 1], min: [0.0; 3], max: [1.0, 1.0 / n as f64, top], jitter: 0.2, seed: 3 };
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 1.0), |d, x| d == 2 && (x - 1.0).abs() < 1e-9);
+    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [z]}\n";
+    let m = model(
+        &format!("bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+        mesh,
+    );
+    let [low, up] = factors("A22", &m);
+    assert!((low / (2.0 * K) - 1.0).abs() < 2e-4 && up >= 2.0 * K && up < 1.06 * 2.0 * K, "[{low}, {up}]");
+}
+
+/// A21: a rough rigid punch of half-width 1 on half of a block of 4 × 2, plane strain: (2 + π) k.
+///
+/// ```text
+///      ↓
+///    [▓▓]         B, rigid
+///   +----+------------+
+///   |                 |  A, deep and wide enough for Prandtl's mechanism
+///   +-----------------+
+/// ```
+#[test]
+fn punch() {
+    let shape =
+        Block { cells: [12, 1, 7], min: [0.0, 0.0, -2.0], max: [4.0, 1.0 / 3.0, 1.0 / 3.0], jitter: 0.15, seed: 5 };
+    let body = |c: [f64; 3]| {
+        if c[2] < 0.0 {
+            0
+        } else if c[0] < 1.0 {
+            1
+        } else {
+            2
+        }
+    };
+    let flat = |d: usize, x: f64| (d == 2 && x.abs() < 1e-9) || (d == 0 && (x - 1.0).abs() < 1e-9);
+    let mesh = hollow(shape.mesh(&["A", "B", "VOID"], body, flat));
+    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [x, z]}\n- {face: X1, fix: [x]}\n";
+    let m = model(
+        &format!("bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+        mesh,
+    );
+    let exact = (2.0 + std::f64::consts::PI) * K;
+    let [low, up] = factors("A21", &m);
+    assert!(low <= exact && up >= exact && up / low < 1.35, "[{low}, {up}] against {exact}");
+}
+
+/// A block pressed on another by a dead load and pushed; shear on the sides keeps the stress uniform (B5): T = μ N.
+fn pushed(lower: &str, upper: &str) -> AnalysisModel {
+    let shape = Block { cells: [4, 2, 3], min: [0.0, 0.0, -5.0], max: [20.0, 8.0, 10.0], jitter: 0.2, seed: 7 };
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 0.0), |d, x| d == 2 && x.abs() < 1e-9);
+    model(
+        &format!(
+            "bodies: {{A: {lower}, B: {upper}}}\ninterfaces:\n\
+             - {{between: [A, B], law: contact, mu: 0.3, gap: 0.1, friction: associated}}\n\
+             supports:\n- {{face: Z0, fix: [x, y, z]}}\ndead:\n- {{face: Z1, traction: [0, 0, -100]}}\n\
+             loads:\n- {{face: Z1, traction: [10, 0, 0]}}\n- {{face: X1, traction: [0, 0, 10]}}\n\
+             - {{face: X0, traction: [0, 0, -10]}}\n"
+        ),
+        mesh,
+    )
+}
+
+/// B5 in limit analysis, with a rigid block on a base that yields, the other way round, and both rigid: T = μ N.
+#[test]
+fn pushed_block() {
+    for (lower, upper) in [("s", "r"), ("r", "s"), ("r", "r")] {
+        let name = format!("B5, {lower} {upper}");
+        let [low, up] = sharp_factors(&name, &pushed(lower, upper)).map(|x| x * FY);
+        assert!((low / 3.0 - 1.0).abs() < 1e-5 && (up / 3.0 - 1.0).abs() < 1e-5, "{name}: [{low}, {up}]");
+        assert!(low <= 3.0 * (1.0 + 1e-9) && up >= 3.0 * (1.0 - 1e-9), "{name}: [{low}, {up}]");
+    }
+}
+
+/// B9: two rigid plates pressed together by a member that yields at N_b, one of them pulled along the joint, in its plane.
+/// Associated slip opens the joint, so that the member has to give way: T = μ N_b. No preload is written and none would matter.
+///
+/// ```text
+///  +-----------------+
+///  |▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓|   arm of the lower plate over the upper one
+///  |▓|     +--+            the member: frictionless ends, N_b = f_y A
+///  |▓|  +--------+         upper plate, pulled out of the picture
+///  |▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓▓|   lower plate
+/// ```
+#[test]
+fn lapped_plates() {
+    let shape = Block { cells: [5, 3, 4], min: [0.0; 3], max: [5.0, 3.0, 4.0], jitter: 0.0, seed: 1 };
+    let body = |c: [f64; 3]| match (c[0] as usize, c[1] as usize, c[2] as usize) {
+        (0, _, _) | (_, _, 0 | 3) => 0,
+        (2.., _, 1) => 1,
+        (3, 1, 2) => 2,
+        _ => 3,
+    };
+    let mut mesh = hollow(shape.mesh(&["LOWER", "UPPER", "MEMBER", "VOID"], body, |_, _| true));
+    let end = triangles_where(&mesh, |x| x[1] == 3.0 && (1.0..=2.0).contains(&x[2]) && x[0] >= 2.0);
+    mesh.faces.push(NamedFaces { name: "END".into(), triangles: end });
+    // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, the resultant lies in the joint
+    let m = model(
+        "bodies: {LOWER: r, UPPER: r, MEMBER: s}\ninterfaces:\n\
+         - {between: [LOWER, UPPER], law: contact, mu: 0.3, friction: associated}\n\
+         - {between: [LOWER, MEMBER], law: contact, mu: 0}\n- {between: [UPPER, MEMBER], law: contact, mu: 0}\n\
+         supports:\n- {face: Z0, fix: [x, y, z]}\n\
+         loads:\n- {face: END, linear: {traction0: [0, 20, 0], gradient: [[0, 0, 0], [0, 0, -12], [0, 0, 0]]}}\n",
+        mesh,
+    );
+    let exact = 0.3 * FY / 6.0;
+    let [low, up] = sharp_factors("B9", &m).map(|x| x * FY);
+    assert!((low / exact - 1.0).abs() < 1e-5 && (up / exact - 1.0).abs() < 1e-5, "[{low}, {up}] against {exact}");
+}
+
+/// A bar pressed by a rigid head that carries a rigid face: force and free motions of the face are the head's.
+#[test]
+fn rigid_face_on_a_rigid_body() {
+    let shape = Block { cells: [4, 2, 2], min: [0.0; 3], max: [40.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 30.0), |d, x| d == 0 && (x - 30.0).abs() < 1e-9);
+    let yaml = "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0}\n\
+         supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
+         rigid:\n- {face: X1, components: [x, y, z], free: [ux], at: [40, 5, 6], force: [-12000, 0, 0]}\n";
+    let [low, up] = sharp_factors("head", &model(yaml, mesh)).map(|x| x * FY);
+    let exact = FY / 100.0;
+    assert!((low / exact - 1.0).abs() < 1e-6 && (up / exact - 1.0).abs() < 1e-6, "[{low}, {up}] against {exact}");
+}
+
+/// A rigid body whose supports leave it no motion holds what is tied to it; one whose load only it bears has no limit.
+#[test]
+fn held_rigid_bodies() {
+    let shape = Block { cells: [3, 2, 2], min: [0.0; 3], max: [30.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
+    let mesh = || shape.mesh(&["A", "B"], |c| usize::from(c[0] < 10.0), |d, x| d == 0 && (x - 10.0).abs() < 1e-9);
+    let clamped = "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n";
+    let a = factors("clamp body", &model(&format!("bodies: {{A: s, B: r}}\n{clamped}"), mesh()));
+    // the same bar clamped in the plane x = 10
+    let mut cut = mesh();
+    let plane = triangles_where(&cut, |x| (x[0] - 10.0).abs() < 1e-9);
+    cut.faces.push(NamedFaces { name: "CUT".into(), triangles: plane });
+    let cut = without(cut, 1);
+    let b = factors("clamped", &model(&format!("bodies: {{A: s}}\n{}", clamped.replace("X0", "CUT")), cut));
+    assert!((a[0] / b[0] - 1.0).abs() < 1e-3 && (a[1] / b[1] - 1.0).abs() < 1e-3, "{a:?} {b:?}");
+    // pulled at the held rigid end alone
+    let pulled = "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: SIDE, traction: [0, 0, 1]}\n";
+    let mut mesh = mesh();
+    let side = triangles_where(&mesh, |x| x[2] == 12.0 && x[0] <= 10.0 + 1e-9);
+    mesh.faces.push(NamedFaces { name: "SIDE".into(), triangles: side });
+    let pass = run(&model(&format!("bodies: {{A: s, B: r}}\n{pulled}"), mesh));
+    for (program, r) in pass.runs() {
+        println!("held {}: {} {:?}", program.name(), r.status.words(), r.trouble);
+        assert_eq!(r.status, SolveStatus::Infeasible, "{}", program.name());
+    }
+}
