@@ -14,6 +14,8 @@ mod limit_analysis;
 mod limits;
 #[path = "cli/result_folder.rs"]
 mod result_folder;
+#[path = "cli/rigid_and_welds.rs"]
+mod rigid_and_welds;
 #[path = "cli/verify.rs"]
 mod verify;
 

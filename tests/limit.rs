@@ -10,5 +10,9 @@ mod common;
 mod exact;
 #[path = "limit/random.rs"]
 mod random;
+#[path = "limit/random_joints.rs"]
+mod random_joints;
 #[path = "limit/rigid_bodies.rs"]
 mod rigid_bodies;
+#[path = "limit/welds.rs"]
+mod welds;

@@ -24,3 +24,5 @@ mod slivers_in_contact;
 mod timoshenko_exact_bars;
 #[path = "literature/vdi2230_bolt_in_sleeve.rs"]
 mod vdi2230_bolt_in_sleeve;
+#[path = "literature/welds_between_blocks.rs"]
+mod welds_between_blocks;

@@ -259,8 +259,9 @@ impl<'a> Problem<'a> for Resistance<'a> {
         let statics = &self.0;
         let parameters = statics.parameters(&solution.x)?;
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
+        let welds = statics.weld_tractions(&solution.x);
         let factor = solution.x.last().copied().unwrap_or(0.0);
-        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, factor };
+        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor };
         let dead = dead_stress(model).transpose()?;
         let lower = limit_lower::project(model, &approximate, dead.as_ref()).map_err(in_words)?;
         Ok((lower.field, LowerFactor::new(lower.certificate)))
@@ -301,7 +302,8 @@ fn dead_stress(model: &AnalysisModel) -> Option<Result<StressField, RecoverError
         }
         let parameters = statics.parameters(&solution.x)?;
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
-        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, factor: 0.0 };
+        let welds = statics.weld_tractions(&solution.x);
+        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor: 0.0 };
         limit_lower::dead_field(model, &approximate).map_err(in_words)
     })
 }

@@ -91,7 +91,7 @@ impl<'a> Problem<'a> for Kinematic {
     }
 
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
-        let field = recover::displacement(self, solution)?;
+        let field = recover::displacement(model, self, solution)?;
         let bound = UpperBound::new(certify_displacement(model, &field), model.symmetry);
         Ok((field, bound))
     }

@@ -60,7 +60,7 @@ pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize
     let mut terms = program.g.clone();
     terms.values.iter_mut().for_each(|v| *v = v.abs());
     let terms = largest(&terms.mul_transpose(&z.iter().map(|z| z.abs()).collect::<Vec<_>>()));
-    let work: f64 = program.h.iter().zip(z).map(|(h, z)| h * z).sum();
+    let work: f64 = program.h.iter().zip(z).take(program.g.nrows()).map(|(h, z)| h * z).sum();
     let size = largest(z);
     // the share of each contact: the normal components of its multipliers, which z ∈ K makes the largest ones
     let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];

@@ -29,11 +29,12 @@ impl LowerBound {
     pub fn certificate(&self) -> &StaticCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`].
+    /// True when every residual is within [`TOLERANCE`] and no weld bears more than its strength.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         self.value.is_finite()
             && [Some(c.equilibrium), Some(c.traction_jump), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
+            && c.weld.is_none_or(|used| used <= 1.0)
     }
 }
 

@@ -4,8 +4,9 @@
 //! energy comes from Gauss points, work from direct quadrature, equilibrium, tractions and contact from the stored values,
 //! face by face. The identity Σ contributions = gap, asserted in every run, ties both certificates together.
 
-use super::faces::{ContactFace, FaceRole, contact_faces, roles};
+use super::faces::{FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
 use super::fields::{DisplacementField, StressField};
+use super::welds;
 use crate::math::Sum;
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{TETRAHEDRON_2, TRIANGLE_4, triangle_p2};
@@ -37,6 +38,8 @@ pub struct StaticCertificate {
     pub contact: Option<f64>,
     /// Largest contact pressure \[MPa\]; `None` without contact.
     pub peak_pressure: Option<f64>,
+    /// Largest traction of a weld over its strength; `None` without welds.
+    pub weld: Option<f64>,
 }
 
 /// What a displacement field proves.
@@ -56,6 +59,8 @@ pub struct KinematicCertificate {
     pub largest_gap: Option<f64>,
     /// Largest contact pressure of the displacement's stress at face vertices \[MPa\], an estimate.
     pub peak_pressure: Option<f64>,
+    /// Work that each weld dissipates, an upper bound \[N mm\]; it is part of the energy.
+    pub welds: Vec<f64>,
 }
 
 pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
@@ -81,11 +86,11 @@ fn stress_at(model: &AnalysisModel, field: &StressField, f: (u32, u8), nodes: [u
     nodes.map(|n| own.iter().position(|m| *m == n).map_or([0.0; 6], |p| s[p]))
 }
 
-/// Contact traction `r = −(σ n − load)` on side A at the face's vertices, pressure positive along the normal \[MPa\].
-pub fn contact_tractions(
+/// Traction of an interface `r = −(σ n − load)` on side A at the face's vertices, pressure positive along the normal \[MPa\].
+pub fn contact_tractions<L>(
     model: &AnalysisModel,
     field: &StressField,
-    face: &ContactFace,
+    face: &InterfaceFace<'_, L>,
     role: Option<&FaceRole>,
 ) -> [V3; 3] {
     let (n, _) = face.normal(model);
@@ -167,17 +172,14 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
     }
     let (mut cone, mut max_r, mut peak) = (0.0f64, 0.0f64, 0.0f64);
     let contacts = contact_faces(model);
+    for f in weld_faces(model) {
+        let r = contact_tractions(model, field, &f, roles.get(&(f.a.tet, f.a.local)));
+        jump = jump.max(sides_differ(model, field, &f, &r));
+    }
     for f in &contacts {
         let r = contact_tractions(model, field, f, roles.get(&(f.a.tet, f.a.local)));
         let (n, area) = f.normal(model);
-        if let Some((b, nodes_b)) = f.b {
-            let other = stress_at(model, field, (b.tet, b.local), nodes_b);
-            for i in 0..3 {
-                // t_B = σ_B (−n) must be +r
-                let t_b = mandel::traction(&other[i], vec3::scale(-1.0, n));
-                jump = jump.max(vec3::norm(vec3::sub(t_b, r[i])));
-            }
-        }
+        jump = jump.max(sides_differ(model, field, f, &r));
         for x in r {
             let rn = vec3::dot(x, n);
             let rt = vec3::norm(vec3::sub(x, vec3::scale(rn, n)));
@@ -199,7 +201,22 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
         // open contacts carry nothing but the rounding of the stress: measure against the larger of the two
         contact: contact.then(|| ratio(cone, max_r.max(max_traction))),
         peak_pressure: contact.then_some(peak),
+        weld: largest_of_each(&welds::utilisations(model, field)),
     }
+}
+
+/// The largest; `None` of nothing, not a number if any is none.
+pub(super) fn largest_of_each(values: &[f64]) -> Option<f64> {
+    values.iter().copied().reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+}
+
+/// Largest difference between the traction r of side A of an interface and that of side B \[MPa\].
+fn sides_differ<L>(model: &AnalysisModel, field: &StressField, face: &InterfaceFace<'_, L>, r: &[V3; 3]) -> f64 {
+    let Some((b, nodes_b)) = face.b else { return 0.0 };
+    let (n, _) = face.normal(model);
+    let other = stress_at(model, field, (b.tet, b.local), nodes_b);
+    // t_B = σ_B (−n) must be +r
+    largest((0..3).map(|i| vec3::norm(vec3::sub(mandel::traction(&other[i], vec3::scale(-1.0, n)), r[i]))))
 }
 
 fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
@@ -345,8 +362,11 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
         }
     }
     let contact = !contacts.is_empty();
+    let welds = welds::dissipations(model, u);
+    welds.iter().for_each(|d| strain_energy.add(*d));
     KinematicCertificate {
         energy: strain_energy.value() - work.value(),
+        welds,
         work: work.value(),
         compatibility: ratio(off, max_u),
         contact: contact.then(|| ratio((-margin).max(0.0), max_g)),

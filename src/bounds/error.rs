@@ -1,13 +1,15 @@
-//! Contributions to the gap: Fenchel's inequality element by element and contact face by contact face.
+//! Contributions to the gap: Fenchel's inequality element by element and interface face by interface face.
 //!
-//! `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T`, every term ≥ 0.
+//! `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T + Σ_weld (D − ∫ t·g)`, every term ≥ 0;
+//! D is the dissipation of a weld face, an upper bound of `∫ strength ‖g‖`.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
 
 use super::certificate::contact_tractions;
-use super::faces::{contact_faces, roles};
+use super::faces::{contact_faces, roles, weld_faces};
 use super::fields::{DisplacementField, StressField};
+use super::welds;
 use crate::math::Sum;
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
@@ -25,12 +27,14 @@ pub struct Contributions {
     pub elements: Vec<f64>,
     /// Of each contact face, in the order of [`contact_faces`].
     pub contacts: Vec<f64>,
+    /// Of each weld face, in the order of [`weld_faces`].
+    pub welds: Vec<f64>,
 }
 
 impl Contributions {
     /// Their sum: `Π_p + Π_c`.
     pub fn total(&self) -> f64 {
-        Sum::of(self.elements.iter().chain(&self.contacts).copied())
+        Sum::of(self.elements.iter().chain(&self.contacts).chain(&self.welds).copied())
     }
 }
 
@@ -72,5 +76,20 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
             terms.sum()
         })
         .collect();
-    Contributions { elements, contacts }
+    let welds = weld_faces(model)
+        .iter()
+        .map(|f| {
+            let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
+            let (_, area) = f.normal(model);
+            let g = welds::jumps(&space, f, &u.u);
+            let terms = TRIANGLE_4.iter().map(|(l, w)| {
+                let shape = triangle_p2(*l);
+                let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])));
+                let r: V3 = std::array::from_fn(|d| (0..3).map(|i| l[i] * r[i][d]).sum());
+                w * area * vec3::dot(r, g)
+            });
+            welds::dissipation_of(model, &space, f, &u.u) + terms.sum::<f64>()
+        })
+        .collect();
+    Contributions { elements, contacts, welds }
 }

@@ -3,7 +3,7 @@
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad};
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad, Weld};
 use crate::model::loads::Loads;
 
 /// Key of a boundary face: tet and local face.
@@ -16,7 +16,7 @@ pub struct FaceRole<'a> {
     pub reaction: [bool; 3],
     /// Loads on the face, and how much each counts.
     pub loads: Vec<(f64, &'a SurfaceLoad)>,
-    /// In contact: its traction is a contact traction.
+    /// In contact or welded: its traction is that of the interface.
     pub contact: bool,
 }
 
@@ -51,11 +51,10 @@ pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<
             roles.entry(key(f)).or_default().loads.push((loads.share(l.dead), l));
         }
     }
-    for i in &model.interfaces {
-        for f in &i.faces {
-            roles.entry(key(&f.a)).or_default().contact = true;
-            roles.entry(key(&f.b)).or_default().contact = true;
-        }
+    let contacts = model.interfaces.iter().flat_map(|i| &i.faces);
+    for f in contacts.chain(model.welds.iter().flat_map(|w| &w.faces)) {
+        roles.entry(key(&f.a)).or_default().contact = true;
+        roles.entry(key(&f.b)).or_default().contact = true;
     }
     for g in &model.ground {
         for f in &g.faces {
@@ -65,10 +64,12 @@ pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<
     roles
 }
 
-/// One contact face seen from side A.
-pub struct ContactFace<'a> {
+/// One face of an interface seen from side A.
+pub struct InterfaceFace<'a, L> {
     /// Its law.
-    pub law: &'a ContactLaw,
+    pub law: &'a L,
+    /// Which interface of its kind it belongs to; contacts with the ground follow those between parts.
+    pub of: usize,
     /// Side A.
     pub a: BoundaryFace,
     /// Vertices on side A, outward order.
@@ -77,13 +78,29 @@ pub struct ContactFace<'a> {
     pub b: Option<(BoundaryFace, [u32; 3])>,
 }
 
+/// A face in contact.
+pub type ContactFace<'a> = InterfaceFace<'a, ContactLaw>;
+/// A face of a weld of finite strength.
+pub type WeldFace<'a> = InterfaceFace<'a, Weld>;
+
+fn pair<'a, L>(law: &'a L, of: usize, f: &FacePair) -> InterfaceFace<'a, L> {
+    InterfaceFace { law, of, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) }
+}
+
+/// Every weld face of the model, weld by weld.
+pub fn weld_faces(model: &AnalysisModel) -> Vec<WeldFace<'_>> {
+    let welds = model.welds.iter().enumerate();
+    welds.flat_map(|(of, weld)| weld.faces.iter().map(move |f| pair(weld, of, f))).collect()
+}
+
 /// Every contact face of the model, interfaces first.
 pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
-    let pair = |law, f: &FacePair| ContactFace { law, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) };
-    let interfaces = model.interfaces.iter().flat_map(|i| i.faces.iter().map(move |f| pair(&i.law, f)));
-    let ground = model.ground.iter().flat_map(|g| {
+    let interfaces = model.interfaces.iter().enumerate();
+    let interfaces = interfaces.flat_map(|(of, i)| i.faces.iter().map(move |f| pair(&i.law, of, f)));
+    let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(of, g)| {
         g.faces.iter().map(move |f| ContactFace {
             law: &g.law,
+            of,
             a: *f,
             nodes_a: FACES[f.local as usize].map(|i| model.mesh.tets[f.tet as usize][i]),
             b: None,
@@ -92,7 +109,7 @@ pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
     interfaces.chain(ground).collect()
 }
 
-impl ContactFace<'_> {
+impl<L> InterfaceFace<'_, L> {
     /// Corners \[mm\].
     pub fn corners(&self, model: &AnalysisModel) -> [V3; 3] {
         self.nodes_a.map(|n| model.mesh.nodes[n as usize])

@@ -34,13 +34,13 @@ impl LowerFactor {
     pub fn certificate(&self) -> &LowerCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface, what the residuals may
-    /// hide included.
+    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface, tractions of welds within their
+    /// strength, what the residuals may hide included.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         c.factor.is_finite()
             && within([Some(c.equilibrium), Some(c.traction_jump), c.contact])
-            && c.utilisation + c.cover <= 1.0
+            && c.worst() + c.cover <= 1.0
     }
 }
 

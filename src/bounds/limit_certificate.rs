@@ -9,9 +9,10 @@
 
 use super::certificate::{add_work, certify_stress, fit_rigid, largest, off_supports, ratio};
 use super::dissipation::mean_norm;
-use super::faces::contact_faces;
+use super::faces::{contact_faces, weld_faces};
 use super::fields::StressField;
 use super::flow::{Piece, VelocityField, pieces};
+use super::welds;
 use crate::math::Sum;
 use crate::math::mandel::{self, Mandel, deviator};
 use crate::math::quadrature::TETRAHEDRON_2;
@@ -39,10 +40,22 @@ pub struct LowerCertificate {
     pub utilisation: f64,
     /// Part where that is reached.
     pub limiting_part: Option<u32>,
+    /// Largest traction of a weld over its strength; `None` without welds.
+    pub weld: Option<f64>,
     /// Utilisation that the residuals may hide: an exact equilibrium differs by no more.
     pub cover: f64,
     /// Part of the field given that is left after it was drawn into the yield surface; 1 when it was taken as it is.
     pub scaled_by: f64,
+}
+
+impl LowerCertificate {
+    /// The largest utilisation of yield surfaces and welds.
+    pub fn worst(&self) -> f64 {
+        match self.weld {
+            Some(weld) if weld.is_nan() || self.utilisation.is_nan() => f64::NAN,
+            weld => self.utilisation.max(weld.unwrap_or(0.0)),
+        }
+    }
 }
 
 /// What velocities prove of the load factor.
@@ -62,6 +75,8 @@ pub struct UpperCertificate {
     pub smallest_margin: Option<f64>,
     /// Dissipation of each part, an upper bound \[N mm per unit of time\].
     pub dissipation: Vec<f64>,
+    /// Dissipation of each weld, an upper bound \[N mm per unit of time\].
+    pub welds: Vec<f64>,
     /// Power of the live loads \[N mm per unit of time\].
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
@@ -107,7 +122,8 @@ pub fn certify_lower(model: &AnalysisModel, field: &StressField, factor: f64) ->
     // forces left over on every face, all of one sign, add up over L/h faces and bend a section one element deep with a lever L
     let residual = largest([base.equilibrium, base.traction_jump, base.contact.unwrap_or(0.0)]);
     let stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
-    let weakest = model.yield_radii().into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let strengths = model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
+    let weakest = strengths.fold(f64::INFINITY, f64::min);
     LowerCertificate {
         factor,
         equilibrium: base.equilibrium,
@@ -116,6 +132,7 @@ pub fn certify_lower(model: &AnalysisModel, field: &StressField, factor: f64) ->
         peak_pressure: base.peak_pressure,
         utilisation,
         limiting_part: tet.map(|e| model.tet_part[e]),
+        weld: base.weld,
         cover: 6.0 * slenderness(model).powi(2) * residual * stress / weakest,
         scaled_by: 1.0,
     }
@@ -210,14 +227,16 @@ pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions:
     let violation = margin.map(|m| (-m).max(0.0));
     let trace = largest(shares.iter().map(|s| s.trace));
     let strain = largest(shares.iter().map(|s| s.strain));
-    let total = Sum::of(dissipation.iter().map(|d| d.value()));
+    let welds = welds::dissipations(model, u);
+    let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(welds.iter().copied()));
     // a volume change is undone by a flow that is larger by the inf-sup constant, about 10 in a compact body and more by the
     // slenderness; every other residual moves a neighbouring element likewise
     let residual = trace + strain + off + violation.unwrap_or(0.0);
     let smallest = (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
     let capacity =
         Sum::of((0..mesh.tets.len()).map(|e| mesh.volume(e) * radii[mesh.tet_body[e] as usize].unwrap_or(0.0)));
-    let hidden = 10.0 * slenderness(model) * residual / smallest * capacity;
+    let weld_capacity = Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
+    let hidden = 10.0 * slenderness(model) * residual * (capacity / smallest + weld_capacity);
     let rounding = 1e-13 * (total + dead.value().abs());
     UpperCertificate {
         factor: if finite { (total - dead.value()) / live.value() } else { f64::NAN },
@@ -227,6 +246,7 @@ pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions:
         contact: violation.map(|v| ratio(v, max_u)),
         smallest_margin: margin,
         dissipation: dissipation.iter().map(|d| d.value()).collect(),
+        welds,
         live_power: live.value(),
         dead_power: dead.value(),
         cover: (hidden + rounding) / live.value().abs(),

@@ -10,17 +10,20 @@
 //! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every point is inside: `c σ +
 //!    (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead loads σ_d is zero.
 
-use super::certificate::{TOLERANCE, contact_tractions, largest};
-use super::faces::{contact_faces, roles};
+use super::certificate::{TOLERANCE, contact_tractions, largest, largest_of_each};
+use super::faces::{contact_faces, roles, weld_faces};
 use super::fields::StressField;
 use super::limit_certificate::{LowerCertificate, certify_lower, utilisation};
-use super::recover::{RecoverError, balance, balance_elements, cone_ranges, into_cone, stress_field};
+use super::recover::{
+    RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets, interface_work, into_cone,
+    stress_field,
+};
+use super::welds;
 use crate::math::mandel::{Mandel, deviator};
 use crate::math::vec3::{self, V3};
 use crate::model::holds;
 use crate::model::kinematic::hold;
 use crate::model::loads::Loads;
-use crate::model::program::ConicProgram;
 use crate::model::static_form::SuperElements;
 use crate::model::super_element::{PARAMETERS, PointStress};
 use crate::model::{AnalysisModel, Static};
@@ -43,6 +46,8 @@ pub struct ApproximateStress<'a> {
     pub parameters: &'a [[f64; PARAMETERS]],
     /// Multipliers of every contact vertex of the model, see [`Static::spread_contact`] \[MPa\].
     pub contact: &'a [f64],
+    /// Tractions of side A at the vertices of every weld face, see [`Static::weld_tractions`] \[MPa\]; empty without welds.
+    pub welds: &'a [f64],
     /// Load factor.
     pub factor: f64,
 }
@@ -127,9 +132,11 @@ pub fn dead_field(model: &AnalysisModel, approximate: &ApproximateStress) -> Res
 fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(), LowerError> {
     let c = certify_lower(model, field, 0.0);
     let residual = c.equilibrium.max(c.traction_jump);
-    let (balanced, below_yield) = (residual <= TOLERANCE, c.utilisation + c.cover < 1.0);
+    let used = c.worst();
+    let (balanced, below_yield) = (residual <= TOLERANCE, used + c.cover < 1.0);
     let what = match c.contact {
         _ if !balanced => format!("equilibrium is missed by {residual:.1e}"),
+        _ if !below_yield && used > c.utilisation => format!("{used:.4} times the strength of a weld"),
         _ if !below_yield => {
             let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
             format!("{:.4} times the yield strength in part {part}", c.utilisation)
@@ -169,15 +176,14 @@ fn equilibrium(
     let statics = Static::new(&stiff).map_err(RecoverError::from)?;
     let modes = statics.contact_modes();
     let motions: Vec<Vec<f64>> = modes.into_iter().map(|m| m.unknowns).collect();
-    let (z, factor) = balanced(&statics, approximate, &motions, lenient)?;
+    let (mut z, factor) = balanced(&statics, approximate, &motions, lenient)?;
+    let welds = z.split_off(statics.program.g.nrows());
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
     hold(&mut p, &holds::pins(motions, &statics.pinned), &[]);
     let cholesky = SparseCholesky::new(&p, &statics.map.block).map_err(RecoverError::from)?;
     let mut rhs = statics.forces(loads);
-    if !z.is_empty() {
-        statics.program.g.mul_transpose(&z).iter().zip(&mut rhs).for_each(|(a, b)| *b += a);
-    }
+    add_interface_forces(&statics, &z, &welds, &mut rhs);
     let elements = SuperElements::new(&stiff).under(loads);
     let mut parameters = approximate.parameters.to_vec();
     balance_elements(&elements, &statics.map, &cholesky, &rhs, &mut parameters).map_err(RecoverError::from)?;
@@ -185,19 +191,20 @@ fn equilibrium(
     Ok((field, factor))
 }
 
-/// Contact tractions inside their cones, in balance with the loads on every rigid motion that only contact resists, and the
-/// load factor that this leaves.
+/// Tractions of contacts inside their cones and of welds within their strength, in balance with the loads on every rigid motion
+/// that only they resist, and the load factor that this leaves.
 fn balanced(
     statics: &Static,
     approximate: &ApproximateStress,
     motions: &[Vec<f64>],
     lenient: bool,
 ) -> Result<(Vec<f64>, f64), RecoverError> {
-    let program = &statics.program;
     let factor = approximate.factor;
-    let contact = statics.gather_contact(approximate.contact);
-    if motions.is_empty() || program.cones.is_empty() {
-        return Ok((inside(program, &contact, INSIDE[0], 0.0), factor));
+    let mut sets = interface_sets(statics);
+    let mut tractions = statics.gather_contact(approximate.contact);
+    tractions.extend_from_slice(approximate.welds);
+    if motions.is_empty() || sets.is_empty() {
+        return Ok((inside(&sets, &tractions, INSIDE[0], 0.0), factor));
     }
     let dot = |a: &[f64], b: &[f64]| crate::math::Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
     let forces = |loads: Loads| -> Result<Vec<f64>, RecoverError> {
@@ -209,21 +216,21 @@ fn balanced(
     let rows: Vec<Vec<f64>> = motions
         .iter()
         .map(|m| {
-            let mut row = program.g.mul(m);
+            let mut row = interface_work(statics, m);
             row.push(dot(m, &live));
             row
         })
         .collect();
     let needed: Vec<f64> = motions.iter().map(|m| -dot(m, &dead)).collect();
-    let mut cones = cone_ranges(program);
-    cones.push((program.g.nrows(), 1));
-    let noise = 1e-7 * contact.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    let tied = sets.clone();
+    sets.push(Within::Cone { start: tractions.len(), dim: 1 });
+    let noise = 1e-7 * tractions.iter().fold(0.0f64, |m, z| m.max(z.abs()));
     let mut outside = None;
     for shrink in INSIDE {
         for least in [0.0, noise] {
-            let mut z = inside(program, &contact, shrink, least);
+            let mut z = inside(&tied, &tractions, shrink, least);
             z.push(factor);
-            let found = balance(&cones, &rows, &needed, &mut z);
+            let found = balance(&sets, &rows, &needed, &mut z);
             let factor = z.pop().unwrap_or(factor);
             if found {
                 return Ok((z, factor));
@@ -239,10 +246,15 @@ fn balanced(
     }
 }
 
-/// The nearest forces at least `shrink` times their pressure inside the cones; those with less pressure than `least` are dropped.
-fn inside(program: &ConicProgram, z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
+/// The nearest forces at least `shrink` times their pressure inside the cones, and times their strength within the balls;
+/// those with less pressure than `least` are dropped.
+fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
     let mut z = z.to_vec();
-    for (start, dim) in cone_ranges(program) {
+    for set in sets {
+        let Within::Cone { start, dim } = *set else {
+            set.draw_in(&mut z, shrink);
+            continue;
+        };
         let force = &mut z[start..start + dim];
         if least > 0.0 && force[0] < least {
             force.fill(0.0);
@@ -284,7 +296,7 @@ pub fn draw_inside(
         // as it is, when nothing has to be drawn in
         let drawn = if c < 1.0 { mixed(&field, dead, c) } else { field.clone() };
         let certificate = LowerCertificate { scaled_by: c, ..certify_lower(model, &drawn, c * factor) };
-        let over = certificate.utilisation + certificate.cover - 1.0;
+        let over = certificate.worst() + certificate.cover - 1.0;
         let done = over <= 0.0;
         result = Some(Lower { field: drawn, certificate });
         if done {
@@ -300,7 +312,8 @@ pub fn draw_inside(
 fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Option<&StressField>, room: f64) -> f64 {
     let radii = model.yield_radii();
     let Some(dead) = dead else {
-        let (worst, _) = utilisation(model, field);
+        let welds = largest_of_each(&welds::utilisations(model, field)).unwrap_or(0.0);
+        let worst = utilisation(model, field).0.max(welds);
         return if worst > room { room / worst } else { 1.0 };
     };
     let mut c = 1.0f64;
@@ -311,6 +324,16 @@ fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Op
             let slack = |c: f64| {
                 let norm = (0..5).map(|i| (c * s[i] + (1.0 - c) * d[i]).powi(2)).sum::<f64>().sqrt();
                 room * radius - norm
+            };
+            c = largest_part(c, slack);
+        }
+    }
+    for f in weld_faces(model) {
+        let (t, d) = (contact_tractions(model, field, &f, None), contact_tractions(model, dead, &f, None));
+        for (t, d) in t.iter().zip(&d) {
+            let slack = |c: f64| {
+                let mixed = vec3::add(vec3::scale(c, *t), vec3::scale(1.0 - c, *d));
+                room * f.law.strength - vec3::norm(mixed)
             };
             c = largest_part(c, slack);
         }
@@ -361,15 +384,15 @@ fn largest_part(c: f64, slack: impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::program::Cone;
-
-    /// Every force lands inside its cone, forces inside stay as they are, and no nearer force inside exists (compared with
+    /// Every force lands inside its cone or ball, forces inside stay as they are, and no nearer force inside exists (compared with
     /// random ones).
     #[test]
     fn nearest_forces_inside() {
-        let mut program = ConicProgram { cones: vec![Cone::SecondOrder(3), Cone::NonNegative], ..Default::default() };
-        program.g.ncols = 1;
-        (0..4).for_each(|_| program.g.push_row(&[(0, 1.0)]));
+        let sets = [
+            Within::Cone { start: 0, dim: 3 },
+            Within::Cone { start: 3, dim: 1 },
+            Within::Ball { start: 4, radius: 0.5 },
+        ];
         let mut seed = 1u64;
         let mut random = || {
             seed ^= seed << 13;
@@ -379,8 +402,12 @@ mod tests {
         };
         let shear = |z: &[f64]| z[1].hypot(z[2]);
         for _ in 0..100 {
-            let z: Vec<f64> = (0..4).map(|_| random()).collect();
-            let got = inside(&program, &z, 1e-3, 0.0);
+            let z: Vec<f64> = (0..7).map(|_| random()).collect();
+            let got = inside(&sets, &z, 1e-3, 0.0);
+            let length = |z: &[f64]| z[4].hypot(z[5]).hypot(z[6]);
+            let (before, after) = (length(&z), length(&got));
+            assert!((after - before.min(0.999 * 0.5)).abs() < 1e-15, "{before} {after}");
+            (4..7).for_each(|i| assert!((got[i] * before - z[i] * after).abs() < 1e-15));
             assert!(got[0] >= 0.0 && shear(&got) <= 0.999 * got[0] && got[3] == z[3].max(0.0), "{z:?} {got:?}");
             if shear(&z) <= 0.999 * z[0] {
                 assert_eq!(got[..3], z[..3]);
@@ -391,7 +418,7 @@ mod tests {
                 other[0] = other[0].abs() + other[1].hypot(other[2]) / 0.999;
                 assert!(distance(&got) <= distance(&other) + 1e-12, "{z:?} {got:?} {other:?}");
             }
-            assert_eq!(inside(&program, &z, 1e-3, 2.0), [0.0; 4]);
+            assert_eq!(inside(&sets, &z, 1e-3, 2.0)[..4], [0.0; 4]);
         }
     }
 }

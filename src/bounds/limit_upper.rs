@@ -140,6 +140,9 @@ impl<'a> Projector<'a> {
         let elastic = mean(&p.diagonal());
         let spring = SPRING * if elastic > 0.0 { elastic } else { mean(stiffness) };
         let mut system = plus_rows(&system, &kinematic.program.g, |_| spring);
+        if !model.welds.is_empty() {
+            system = plus_rows(&system, &kinematic.weld_rows(model), |_| spring);
+        }
         if !stiffness.is_empty() {
             let motions = kinematic.map.plain..kinematic.map.n;
             motions.for_each(|k| system.add_diagonal(k, RIGID_MOTION * stiffness[k]));

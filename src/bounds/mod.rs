@@ -16,6 +16,7 @@ pub mod recover;
 pub mod sampling;
 mod settle;
 pub mod unlimited;
+pub mod welds;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
 pub use factor::{FactorBracket, LowerFactor, UpperFactor};

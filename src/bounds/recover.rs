@@ -7,6 +7,7 @@
 use super::fields::{DisplacementField, StressField};
 use super::settle::settle;
 use crate::math::dense::pseudo_solve;
+use crate::model::AnalysisModel;
 use crate::model::dofs::DofMap;
 use crate::model::holds::{self, ModelError};
 use crate::model::kinematic::{Kinematic, hold};
@@ -17,6 +18,11 @@ use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, SparseCholesky};
 use faer::Mat;
 use rayon::prelude::*;
+
+/// How far inside its strength the traction of a weld is put, relative to it.
+const INSIDE: f64 = 1e-9;
+/// What rounding may use up of that.
+const ROOM: f64 = 1e-11;
 
 /// Why a field could not be recovered.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -36,15 +42,22 @@ pub enum RecoverError {
 }
 
 /// The displacement field of a kinematic solution, contacts opened where the solver left them violated.
-pub fn displacement(kinematic: &Kinematic, solution: &Solution) -> Result<DisplacementField, RecoverError> {
+///
+/// `model` is the one the program was made from.
+pub fn displacement(
+    model: &AnalysisModel,
+    kinematic: &Kinematic,
+    solution: &Solution,
+) -> Result<DisplacementField, RecoverError> {
     let mut x = solution.x.clone();
     let program = &kinematic.program;
+    let welds = (!model.welds.is_empty()).then(|| kinematic.weld_rows(model));
     for _ in 0..3 {
         let violation = smallest_margin(program, &program.slack(&x));
         if violation >= 0.0 {
             break;
         }
-        let opening = opening_field(program, &kinematic.map.block)?;
+        let opening = opening_field(program, welds.as_ref(), &kinematic.map.block)?;
         let gain = smallest_margin(program, &program.g.mul(&opening));
         if gain <= 0.0 {
             break;
@@ -56,20 +69,23 @@ pub fn displacement(kinematic: &Kinematic, solution: &Solution) -> Result<Displa
     Ok(DisplacementField { u: full.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
 }
 
-/// Smallest cone margin of the rows `s` \[mm\].
+/// Smallest margin of the contact cones in the rows `s` \[mm\].
 fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
-    let starts = program.cone_starts().into_iter();
-    starts.zip(&program.cones).map(|(at, c)| cone_margin(&s[at..at + c.dim()])).fold(f64::INFINITY, f64::min)
+    let cones = cone_ranges(program).into_iter();
+    cones.map(|(at, dim)| cone_margin(&s[at..at + dim])).fold(f64::INFINITY, f64::min)
 }
 
-/// A displacement that opens every contact by about 1 mm with little slip: least squares on the gaps, regularised by
-/// the stiffness.
-fn opening_field(program: &ConicProgram, block: &[u32]) -> Result<Vec<f64>, RecoverError> {
+/// A displacement that opens every contact by about 1 mm with little slip and opens no weld: least squares on the gaps and on the
+/// jumps of `welds`, regularised by the stiffness.
+fn opening_field(program: &ConicProgram, welds: Option<&Csr>, block: &[u32]) -> Result<Vec<f64>, RecoverError> {
     let diagonal = program.p.diagonal();
     let weight = 1e4 * diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
-    let system = plus_rows(&program.p, &program.g, |_| weight);
-    let mut target = vec![0.0; program.h.len()];
-    program.cone_starts().into_iter().for_each(|r| target[r] = weight);
+    let mut system = plus_rows(&program.p, &program.g, |_| weight);
+    if let Some(rows) = welds {
+        system = plus_rows(&system, rows, |_| weight);
+    }
+    let mut target = vec![0.0; program.g.nrows()];
+    cone_ranges(program).into_iter().for_each(|(at, _)| target[at] = weight);
     let factor = SparseCholesky::new(&system, block)?;
     Ok(factor.solve(&program.g.mul_transpose(&target)))
 }
@@ -112,15 +128,13 @@ pub(super) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
 /// The stress field of a static solution, in equilibrium to rounding.
 pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
     let modes = statics.contact_modes();
-    let z = balanced_tractions(statics, solution, &modes)?;
+    let (z, t) = balanced_tractions(statics, solution, &modes)?;
     let mut p = statics.program.p.clone();
     // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
     hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned), &[]);
     let factor = SparseCholesky::new(&p, &statics.map.block)?;
     let mut rhs = statics.loads.clone();
-    if !z.is_empty() {
-        statics.program.g.mul_transpose(&z).iter().zip(&mut rhs).for_each(|(a, b)| *b += a);
-    }
+    add_interface_forces(statics, &z, &t, &mut rhs);
     let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
     add_parameters(&statics.elements, &statics.map, &solution.x, true, &mut parameters)?;
     balance_elements(&statics.elements, &statics.map, &factor, &rhs, &mut parameters)?;
@@ -197,7 +211,34 @@ fn tractions(elements: &SuperElements, map: &DofMap, parameters: &[[f64; PARAMET
     Ok(map.reduce(&full))
 }
 
-/// The contact tractions, corrected so that they balance the loads on every rigid motion only contact resists.
+/// Adds the forces of contact tractions `z` (multipliers of the contact cones) and weld tractions `t` on the faces.
+pub(super) fn add_interface_forces(statics: &Static, z: &[f64], t: &[f64], forces: &mut [f64]) {
+    if !z.is_empty() {
+        statics.program.g.mul_transpose(z).iter().zip(&mut *forces).for_each(|(a, b)| *b += a);
+    }
+    if !t.is_empty() {
+        statics.welds.mul_transpose(t).iter().zip(forces).for_each(|(a, b)| *b -= a);
+    }
+}
+
+/// The work of contact and weld tractions of unit size on a motion.
+pub(super) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
+    let mut row = statics.program.g.mul(motion);
+    row.extend(statics.welds.mul(motion).iter().map(|x| -x));
+    row
+}
+
+/// Where interface tractions must stay: contact tractions in their cones, then those of welds within their strength.
+pub(super) fn interface_sets(statics: &Static) -> Vec<Within> {
+    let mut sets: Vec<Within> =
+        cone_ranges(&statics.program).into_iter().map(|(start, dim)| Within::Cone { start, dim }).collect();
+    let first = statics.program.g.nrows();
+    let strengths = statics.elements.model().weld_faces().flat_map(|(strength, _)| [strength; 3]);
+    sets.extend(strengths.enumerate().map(|(i, radius)| Within::Ball { start: first + 3 * i, radius }));
+    sets
+}
+
+/// Contact and weld tractions, corrected so that they balance the loads on every rigid motion only they resist.
 ///
 /// A contact whose force is lost in the solver's noise may have to carry none at all (a loose part that nothing loads):
 /// such forces are dropped when the balance cannot be found with them.
@@ -205,32 +246,109 @@ fn balanced_tractions(
     statics: &Static,
     solution: &Solution,
     modes: &[crate::model::contact_modes::ContactMode],
-) -> Result<Vec<f64>, RecoverError> {
+) -> Result<(Vec<f64>, Vec<f64>), RecoverError> {
     let program = &statics.program;
-    if modes.is_empty() || solution.z.is_empty() {
-        return Ok(solution.z.clone());
+    let contacts = program.g.nrows();
+    let sets = interface_sets(statics);
+    let mut found = solution.z[..contacts].to_vec();
+    found.extend(statics.weld_tractions(&solution.x));
+    sets.iter().for_each(|set| set.draw_in(&mut found, INSIDE));
+    let apart = |mut z: Vec<f64>| {
+        let t = z.split_off(contacts);
+        (z, t)
+    };
+    if modes.is_empty() || found.is_empty() {
+        return Ok(apart(found));
     }
-    let rows: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(&m.unknowns)).collect();
+    let rows: Vec<Vec<f64>> = modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
     let needed: Vec<f64> = modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
-    let noise = 1e-7 * solution.z.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    let noise = 1e-7 * found.iter().fold(0.0f64, |m, z| m.max(z.abs()));
     for least in [0.0, noise] {
-        let mut z = solution.z.clone();
-        for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
-            let force = &mut z[start..start + cone.dim()];
+        let mut z = found.clone();
+        for (start, dim) in cone_ranges(program) {
+            let force = &mut z[start..start + dim];
             if force[0] < least {
                 force.fill(0.0);
             }
         }
-        if balance(&cone_ranges(program), &rows, &needed, &mut z) {
-            return Ok(z);
+        if balance(&sets, &rows, &needed, &mut z) {
+            return Ok(apart(z));
         }
     }
     Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
 }
 
-/// First row and number of rows of each cone.
+/// First row and number of rows of each contact cone.
 pub(super) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
-    program.cone_starts().into_iter().zip(&program.cones).map(|(s, c)| (s, c.dim())).collect()
+    let contacts = program.g.nrows();
+    let all = program.cone_starts().into_iter().zip(&program.cones);
+    all.take_while(|(start, _)| *start < contacts).map(|(s, c)| (s, c.dim())).collect()
+}
+
+/// Where a force must stay.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Within {
+    /// The second-order cone, or the half-line, of `dim` rows from `start` on.
+    Cone { start: usize, dim: usize },
+    /// No longer than `radius`: three rows.
+    Ball { start: usize, radius: f64 },
+}
+
+impl Within {
+    /// First row and number of rows.
+    pub fn range(self) -> (usize, usize) {
+        match self {
+            Within::Cone { start, dim } => (start, dim),
+            Within::Ball { start, .. } => (start, 3),
+        }
+    }
+
+    /// Shortens the force in a ball to `1 − margin` of its radius at most; leaves cones alone.
+    pub fn draw_in(self, z: &mut [f64], margin: f64) {
+        if let Within::Ball { start, radius } = self {
+            let force = &mut z[start..start + 3];
+            let (size, room) = (norm(force), (1.0 - margin) * radius);
+            if size > room {
+                force.iter_mut().for_each(|x| *x *= room / size);
+            }
+        }
+    }
+
+    /// Least distance that is left to the surface.
+    fn margin(self, z: &[f64]) -> f64 {
+        let (start, dim) = self.range();
+        let force = &z[start..start + dim];
+        match self {
+            Within::Cone { .. } => cone_margin(force),
+            Within::Ball { radius, .. } => (1.0 - ROOM) * radius - norm(force),
+        }
+    }
+
+    /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z² of the half-line),
+    /// `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
+    fn metric(self, z: &[f64], r: &[f64], out: &mut [f64]) {
+        let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
+        match self {
+            Within::Cone { dim, .. } => {
+                let half_det =
+                    if dim == 1 { 0.0 } else { 0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z)) };
+                for i in 0..dim {
+                    let j = if i == 0 { 1.0 } else { -1.0 };
+                    out[i] = z[i] * along - half_det * j * r[i];
+                }
+            }
+            Within::Ball { radius, .. } => {
+                let size = norm(z);
+                let d = ((radius - size) * (radius + size)).max(0.0);
+                let taken = 2.0 * along / (d + 2.0 * size * size).max(f64::MIN_POSITIVE);
+                (0..3).for_each(|i| out[i] = 0.5 * d * (r[i] - taken * z[i]));
+            }
+        }
+    }
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// Moves `s` to the nearest point of the cone `‖s₁…‖ ≤ slope s₀`.
@@ -246,27 +364,21 @@ pub(super) fn into_cone(s: &mut [f64], slope: f64) {
     }
 }
 
-/// Corrects `z` by the smallest change, measured in each cone's own (Dikin) metric, that makes `rows · z = needed`; true
-/// when every force is still in its cone.
+/// Corrects `z` by the smallest change, measured in each set's own (Dikin) metric, that makes `rows · z = needed`; true
+/// when every force is still in its set.
 ///
-/// The inverse Hessian of a cone's barrier, `z zᵀ − ½ det(z) J` (z² on the half-line), lets a force near the cone's
-/// surface grow or shrink freely along itself but hardly leave; a change of length below 1 stays inside.
-pub(super) fn balance(cones: &[(usize, usize)], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
+/// The inverse Hessian of a cone's barrier lets a force near the cone's surface grow or shrink freely along itself but hardly
+/// leave; a change of length below 1 stays inside.
+pub(super) fn balance(sets: &[Within], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
     let n = rows.len();
     for _ in 0..3 {
         let weighted: Vec<Vec<f64>> = rows
             .iter()
             .map(|row| {
                 let mut w = vec![0.0; z.len()];
-                for &(s, d) in cones {
-                    let (z, r) = (&z[s..s + d], &row[s..s + d]);
-                    let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
-                    let half_det =
-                        if d == 1 { 0.0 } else { 0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z)) };
-                    for i in 0..d {
-                        let j = if i == 0 { 1.0 } else { -1.0 };
-                        w[s + i] = z[i] * along - half_det * j * r[i];
-                    }
+                for set in sets {
+                    let (s, d) = set.range();
+                    set.metric(&z[s..s + d], &row[s..s + d], &mut w[s..s + d]);
                 }
                 w
             })
@@ -280,5 +392,5 @@ pub(super) fn balance(cones: &[(usize, usize)], rows: &[Vec<f64>], needed: &[f64
             z[r] += (0..n).map(|i| weighted[i][r] * multipliers[(i, 0)]).sum::<f64>();
         }
     }
-    cones.iter().all(|&(s, d)| cone_margin(&z[s..s + d]) >= 0.0)
+    sets.iter().all(|set| set.margin(z) >= 0.0)
 }

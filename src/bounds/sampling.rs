@@ -1,7 +1,7 @@
 //! Random points inside elements and on faces: the fields must be admissible there too, with no exception.
 
 use super::certificate::contact_tractions;
-use super::faces::{contact_faces, roles};
+use super::faces::{contact_faces, roles, weld_faces};
 use super::fields::{DisplacementField, StressField};
 use super::flow::{VelocityField, pieces};
 use crate::math::mandel::{self, Mandel};
@@ -22,6 +22,8 @@ pub struct Sampled {
     pub traction_jump: f64,
     /// Violation of a friction cone by the stress / largest traction of the field.
     pub traction_cone: f64,
+    /// Largest traction of a weld over its strength.
+    pub weld: f64,
     /// Violation of the contact law by the displacement / largest displacement of the field.
     pub gap_cone: f64,
 }
@@ -67,7 +69,7 @@ pub struct SampledLower {
     pub traction_jump: f64,
     /// Violation of a friction cone by the stress / largest stress of the field.
     pub traction_cone: f64,
-    /// Largest ‖dev σ‖ / (√(2/3) f_y).
+    /// Largest ‖dev σ‖ / (√(2/3) f_y), or traction of a weld over its strength.
     pub utilisation: f64,
 }
 
@@ -95,6 +97,7 @@ pub fn sample(
         let stress = largest_stress(s);
         out.traction_jump = relative(jumps(model, s, points, &mut random), stress);
         out.traction_cone = relative(traction_cones(model, s, Loads::ALL, points, &mut random), stress);
+        out.weld = welds(model, s, points, &mut random);
     }
     if let Some(u) = displacement {
         out.gap_cone = relative(gap_cones(model, u, true, points, &mut random), largest_length(u));
@@ -109,7 +112,7 @@ pub fn sample_lower(model: &AnalysisModel, s: &StressField, factor: f64, points:
     let traction_jump = relative(jumps(model, s, points, &mut random), stress);
     let traction_cone = relative(traction_cones(model, s, Loads::at(factor), points, &mut random), stress);
     let radii = model.yield_radii();
-    let mut utilisation = 0.0f64;
+    let mut utilisation = welds(model, s, points, &mut random);
     for _ in 0..points {
         let e = random.index(s.points.len());
         let stress = inside(&s.points[e][random.index(4)], random.tetrahedron());
@@ -184,6 +187,18 @@ fn traction_cones(model: &AnalysisModel, s: &StressField, loads: Loads, points: 
         let rn = vec3::dot(r, n);
         let rt = vec3::norm(vec3::sub(r, vec3::scale(rn, n)));
         worst = worst.max(rt - f.law.mu * rn).max(-rn);
+    }
+    worst
+}
+
+/// Largest traction of a weld over its strength.
+fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Random) -> f64 {
+    let faces = weld_faces(model);
+    let mut worst = 0.0f64;
+    for _ in 0..points * usize::from(!faces.is_empty()) {
+        let f = &faces[random.index(faces.len())];
+        let t = at(&contact_tractions(model, s, f, None), random.barycentric());
+        worst = worst.max(vec3::norm(t) / f.law.strength);
     }
     worst
 }

@@ -157,11 +157,13 @@ impl Scene<'_> {
             let sampled = sample(model, None, Some(&stress), POINTS);
             let bound = LowerBound::new(certify_stress(model, &stress, Loads::ALL), model.symmetry);
             let c = bound.certificate();
-            let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0));
-            let random = sampled.traction_jump.max(sampled.traction_cone);
+            let over = c.weld.map_or(0.0, |used| (used - 1.0).max(0.0));
+            let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0)).max(over);
+            let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.weld - 1.0);
             let numbers = [claimed, bound.value(), worst, random];
             findings.push(finding(case, "lower", numbers, bound.is_strict(), claims_strict));
             pass.lower = Some(bound);
+            pass.stress = Some(stress);
         }
         if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
             let displacement = read_displacement(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
@@ -290,7 +292,7 @@ impl Scene<'_> {
         let sampled = sample_lower(model, &stress, factor, POINTS);
         let bound = LowerFactor::new(certify_lower(model, &stress, factor));
         let c = bound.certificate();
-        let outside = (c.utilisation + c.cover - 1.0).max(0.0);
+        let outside = (c.worst() + c.cover - 1.0).max(0.0);
         let residuals = [c.equilibrium, c.traction_jump, c.contact.unwrap_or(0.0), outside];
         let worst = residuals.into_iter().fold(0.0, f64::max);
         let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
@@ -323,6 +325,10 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
             .iter()
             .zip(&found.dissipation)
             .all(|(a, b)| a.part == b.part && near(Some(a.share), Some(b.share)));
+    let welds = claimed.welds.len() == found.welds.len()
+        && claimed.welds.iter().zip(&found.welds).all(|(a, b)| {
+            a.weld == b.weld && near(a.utilisation, b.utilisation) && near(a.share, b.share) && near(a.work, b.work)
+        });
     let agree = [
         ("gap", near(claimed.gap, found.gap)),
         // results of earlier versions do not tell it
@@ -339,6 +345,7 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         ("frictionless", raw(claimed.frictionless, found.frictionless)),
         ("associated", raw(claimed.associated, found.associated)),
         ("dissipation", shares),
+        ("welds", welds),
         ("limiting_part", claimed.limiting_part == found.limiting_part),
         ("certificate.strict", !strict(claimed) || strict(found)),
         ("the last row of history", history),

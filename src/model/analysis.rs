@@ -69,6 +69,17 @@ pub struct Interface {
     pub faces: Vec<FacePair>,
 }
 
+/// A weld of finite strength: its two sides move together until the traction between them reaches the strength.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weld {
+    /// For messages: `WEB-PLATE` or the face's name.
+    pub name: String,
+    /// Largest length of the traction, in any direction \[MPa on the interface\].
+    pub strength: f64,
+    /// Its face pairs.
+    pub faces: Vec<FacePair>,
+}
+
 /// Contact with the rigid ground (side B, at rest).
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroundContact {
@@ -175,6 +186,8 @@ pub struct AnalysisModel {
     pub parts: Vec<String>,
     /// Open interfaces.
     pub interfaces: Vec<Interface>,
+    /// Welds of finite strength.
+    pub welds: Vec<Weld>,
     /// Contacts with rigid ground.
     pub ground: Vec<GroundContact>,
     /// Supports.
@@ -191,4 +204,11 @@ pub struct AnalysisModel {
     pub symmetry: u32,
     /// What the reader decided or noticed, for the report.
     pub notes: Vec<String>,
+}
+
+impl AnalysisModel {
+    /// The faces of all welds, weld by weld, each with the strength of its weld \[MPa\].
+    pub fn weld_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
+        self.welds.iter().flat_map(|w| w.faces.iter().map(|f| (w.strength, f)))
+    }
 }

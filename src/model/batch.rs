@@ -34,6 +34,8 @@ pub enum Rule {
     Hencky,
     /// Rigid-plastic, dissipation by the rule of the 8 sub-subtets: 4 vertices, 6 mid-sides.
     TenPoints,
+    /// Rigid-plastic at the vertices: faces of welds, see [`super::weld_face`].
+    Vertices,
 }
 
 /// The ten points as means of the vertices times their weights: `V/32` at vertices, `7 V/48` at mid-sides.
@@ -61,7 +63,7 @@ impl Rule {
     /// Weight of each vertex value at each point.
     pub fn points(self) -> &'static [[f64; 4]] {
         match self {
-            Rule::Hencky => &FOUR_POINTS,
+            Rule::Hencky | Rule::Vertices => &FOUR_POINTS,
             Rule::TenPoints => &TEN_POINTS,
         }
     }

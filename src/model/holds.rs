@@ -27,6 +27,9 @@ pub enum ModelError {
     /// A force per volume that the load factor multiplies.
     #[error("a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only")]
     LiveBodyForce(String),
+    /// What the load factor multiplies can do no work.
+    #[error("every load that carries the load factor acts on what supports hold: it can grow without limit")]
+    LiveLoadsHeld,
     /// Nothing is multiplied by the load factor.
     #[error("no load carries the load factor: there is nothing for limit analysis to increase")]
     NoLiveLoad,
@@ -38,6 +41,7 @@ impl From<ModelError> for crate::diag::Diagnostic {
             ModelError::RigidFacesTouch(..) => "join the two faces into one physical surface, or move only one of them",
             ModelError::NothingYields => "give the material of the bodies that can yield an `fy`",
             ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
+            ModelError::LiveLoadsHeld => "load a face that can move, or free what the load is to move",
             ModelError::NoLiveLoad => "write the load to be increased under `loads`",
             ModelError::FlatTet { .. } => "improve the mesh there (a coarser size, an optimised mesh), then try again",
         };
@@ -63,6 +67,11 @@ pub trait FacePoints {
     fn count(&self) -> usize;
     /// Block of a point for orderings.
     fn block(&self, point: usize) -> u32;
+}
+
+/// The live loads on the unknowns of a program, if any of them can do work.
+pub fn that_work(live: Vec<f64>) -> Result<Vec<f64>, ModelError> {
+    if live.iter().all(|f| *f == 0.0) { Err(ModelError::LiveLoadsHeld) } else { Ok(live) }
 }
 
 /// Unknowns to hold so that none of the given motions remains: one per motion, by complete pivoting. Unknowns in `held`

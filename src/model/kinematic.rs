@@ -4,7 +4,7 @@
 //! face; a quadratic polynomial lies in a convex cone wherever its six Bernstein coefficients do, so the contact law
 //! holds at every point of the interface, not only at nodes.
 
-use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
+use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, FacePair};
 use super::assemble::assemble;
 use super::batch::Rule;
 use super::contact_modes::{ContactMode, contact_modes};
@@ -12,11 +12,12 @@ use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError};
 use super::loads::{Loads, face_corners, face_nodes};
-use super::program::{Cone, ConicProgram};
+use super::program::{Cone, ConicProgram, Csr};
 use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::split_flow;
 use super::split_tet10;
 use super::tet10;
+use super::weld_face;
 use super::yielding_elements::{Columns, append};
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
@@ -145,7 +146,8 @@ pub struct Kinematic {
     pub rigid: Vec<RigidMotions>,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
-    /// Where the unknowns of each element's own start, after those that elements share; empty without plasticity.
+    /// Where the unknowns of each element's own start, after those that elements share, and of each weld face behind them;
+    /// empty without plasticity and welds.
     pub own: Vec<usize>,
 }
 
@@ -360,7 +362,11 @@ impl Kinematic {
         let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
         let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         let mut stiffness = Vec::new();
-        if yields || !pieces.is_empty() {
+        let weld_faces: Vec<(f64, &FacePair)> = match kind {
+            Kind::AroundRigidBodies => Vec::new(),
+            _ => model.weld_faces().collect(),
+        };
+        if yields || !pieces.is_empty() || !weld_faces.is_empty() {
             stiffness = p.diagonal();
             let mut beside = vec![0.0; map.full()];
             for e in 0..model.mesh.tets.len() {
@@ -392,20 +398,31 @@ impl Kinematic {
             }
         }
         let mut own = Vec::new();
-        if yields {
-            own = append(&mut program, model.mesh.tets.len(), |e| {
+        let tets = model.mesh.tets.len();
+        if yields || !weld_faces.is_empty() {
+            own = append(&mut program, tets + weld_faces.len(), |e| {
+                if let Some(weld) = e.checked_sub(tets) {
+                    let (strength, face) = weld_faces[weld];
+                    return Ok(weld_face::element(&map, strength, &weld_face::kinematic_jumps(&space, face, true)));
+                }
                 let columns = || Columns::new(&map, &dofs(e));
                 Ok::<_, ModelError>(flowing(e).map(|element| element.element(&columns())))
             })?;
         }
         if limit {
-            program.add_load_factor(forces_of(Loads::LIVE));
+            program.add_load_factor(holds::that_work(forces_of(Loads::LIVE))?);
         }
         Ok(Self { program, space, map, rigid, points, own })
     }
 }
 
 impl Kinematic {
+    /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns that elements share.
+    pub fn weld_rows(&self, model: &AnalysisModel) -> Csr {
+        let faces = model.weld_faces();
+        weld_face::rows(&self.map, faces.flat_map(|(_, f)| weld_face::kinematic_jumps(&self.space, f, false)))
+    }
+
     /// Loads on the unknowns that elements share, in limit analysis: their product with velocities is the power \[N\].
     ///
     /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones as in [`split_flow`].

@@ -83,7 +83,8 @@ impl AnalysisModel {
     /// without a yield strength are rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
-        if self.yield_radii().iter().all(Option::is_none) && self.interfaces.is_empty() && self.ground.is_empty() {
+        let slips = !(self.interfaces.is_empty() && self.welds.is_empty() && self.ground.is_empty());
+        if self.yield_radii().iter().all(Option::is_none) && !slips {
             return Err(ModelError::NothingYields);
         }
         if let Some(load) = self.body_loads.iter().find(|l| !l.dead) {

@@ -21,6 +21,7 @@ pub mod static_form;
 pub mod stress_basis;
 pub mod super_element;
 pub mod tet10;
+pub mod weld_face;
 pub mod yielding_elements;
 pub mod yielding_super_element;
 

@@ -95,7 +95,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
 
     let open: Vec<[TetFace; 2]> = claims.open.iter().flat_map(|o| o.faces.iter().copied()).collect();
     let cut = split(&mesh, &table, &open);
-    let interfaces = interfaces::pairs(&claims, &cut.pairs);
+    let (interfaces, welds) = interfaces::pairs(&claims, &cut.pairs);
     let parts = parts::names(&cut, &mut notes);
     if surface_loads.is_empty() && body_loads.is_empty() && rigid.iter().all(no_action) {
         notes.push("there is no load".to_string());
@@ -109,6 +109,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
         tet_part: cut.tet_part,
         parts,
         interfaces,
+        welds,
         ground,
         supports,
         rigid,

@@ -11,9 +11,10 @@ use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError};
 use super::kinematic::{hold, push_rows};
 use super::loads::{Loads, face_corners};
-use super::program::ConicProgram;
+use super::program::{ConicProgram, Csr};
 use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::super_element::{self, PARAMETERS, SuperElement, TRACTIONS};
+use super::weld_face::{self, Jump};
 use super::yielding_elements::{Columns, append};
 use super::yielding_super_element;
 use crate::math::mandel::Isotropic;
@@ -177,8 +178,11 @@ pub struct Static<'a> {
     pub rigid: Vec<RigidMotions>,
     /// The face vertex of each contact cone; the cones of yielding elements follow.
     pub vertices: Vec<ContactVertex>,
-    /// Where the unknowns of each element's own start, after those of the faces; empty without plasticity.
+    /// Where the unknowns of each element's own start, after those of the faces, and of each weld face behind them; empty
+    /// without plasticity and welds.
     pub own: Vec<usize>,
+    /// The mass-weighted jumps at the vertices of every weld face, three rows each, on the unknowns of the faces.
+    pub welds: Csr,
     /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions must balance.
     pub loads: Vec<f64>,
     /// Unknowns held against free rigid motions.
@@ -308,7 +312,13 @@ impl<'a> Static<'a> {
         }
         let pinned = pinned(&elements, &map, &rigid, &pieces);
         let yields = elastic.len() < model.mesh.tets.len();
-        let stiffness = if yields { elastic_diagonal(&elements, &map)? } else { Vec::new() };
+        let weld_faces: Vec<(f64, Vec<Jump>)> =
+            model.weld_faces().map(|(strength, f)| (strength, weld_face::static_jumps(&elements, f))).collect();
+        let stiffness = match (yields, weld_faces.is_empty()) {
+            (true, _) => elastic_diagonal(&elements, &map)?,
+            (false, false) => p.diagonal(),
+            (false, true) => Vec::new(),
+        };
         hold(&mut p, &pinned, &stiffness);
         let mut program = ConicProgram { p, q, c, stiffness, ..ConicProgram::default() };
         program.g.ncols = map.n;
@@ -322,8 +332,13 @@ impl<'a> Static<'a> {
             }
         }
         let mut own = Vec::new();
-        if yields {
-            own = append(&mut program, model.mesh.tets.len(), |e| {
+        let tets = model.mesh.tets.len();
+        if yields || !weld_faces.is_empty() {
+            own = append(&mut program, tets + weld_faces.len(), |e| {
+                if let Some(weld) = e.checked_sub(tets) {
+                    let (strength, jumps) = &weld_faces[weld];
+                    return Ok(weld_face::element(&map, *strength, jumps));
+                }
                 let Some(radius) = radius(e) else { return Ok(None) };
                 let columns = Columns::new(&map, &elements.dofs(e));
                 Ok::<_, ModelError>(Some(yielding_super_element::element(
@@ -337,9 +352,10 @@ impl<'a> Static<'a> {
         if limit {
             // the constant belongs to the elastic energy of body forces
             program.c = 0.0;
-            program.add_load_factor(forces(&elements, &map, &rigid, Loads::LIVE));
+            program.add_load_factor(holds::that_work(forces(&elements, &map, &rigid, Loads::LIVE))?);
         }
-        Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own })
+        let welds = weld_face::rows(&map, weld_faces.into_iter().flat_map(|f| f.1));
+        Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own, welds })
     }
 }
 
@@ -417,14 +433,14 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
-    /// Stress parameters of every element from the unknowns of a program in which all bodies yield, as
-    /// [`SuperElement::stress`] takes them.
+    /// Stress parameters of every element from the unknowns of a program, as [`SuperElement::stress`] takes them; zero in bodies
+    /// that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
         let radii = self.elements.model.yield_radii();
-        (0..self.own.len().saturating_sub(1))
+        (0..self.elements.model.mesh.tets.len())
             .into_par_iter()
             .map(|e| {
-                let own = &x[self.own[e]..self.own[e + 1]];
+                let own = self.own.get(e..e + 2).map_or(&[][..], |own| &x[own[0]..own[1]]);
                 let radius = radii[self.elements.model.mesh.tet_body[e] as usize];
                 let (Some(radius), false) = (radius, own.is_empty()) else { return Ok([0.0; PARAMETERS]) };
                 let unit = yielding_super_element::parameter_unit(&self.elements.element(e)?, radius);
@@ -450,6 +466,16 @@ impl Static<'_> {
             }
         }
         Ok(self.map.reduce(&full))
+    }
+
+    /// Tractions `σ n` of side A at the vertices of every weld face, from the program's unknowns, three components each
+    /// \[MPa\].
+    pub fn weld_tractions(&self, x: &[f64]) -> Vec<f64> {
+        let model = self.elements.model;
+        let first = model.mesh.tets.len();
+        let own = |face: usize| self.own.get(first + face..first + face + 2).map_or(&[][..], |own| &x[own[0]..own[1]]);
+        let faces = model.weld_faces().enumerate();
+        faces.flat_map(|(i, (strength, _))| weld_face::tractions(strength, 3, own(i))).collect()
     }
 
     /// Multipliers of every contact vertex of the model from those of this program, which leaves out cones where nothing can

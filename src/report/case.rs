@@ -1,13 +1,14 @@
 //! From a pass to the entry of its load case in `result.json`.
 
 use super::data::{
-    self, CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, Quantity, TraceRow, Upper,
+    self, CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, Quantity, TraceRow, Upper, WeldUse,
 };
 use super::progress::refusal_words;
 use crate::adapt::memory::peak_memory_mib;
 use crate::adapt::pass::{Pass, ProgramRun};
 use crate::bounds::certificate::TOLERANCE;
 use crate::bounds::faces::contact_faces;
+use crate::bounds::welds::utilisations;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
@@ -53,7 +54,7 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
         strict: l.is_none_or(|b| b.is_strict()) && u.is_none_or(|b| b.is_strict()),
         equilibrium: sc.map(|c| c.equilibrium),
         traction_jump: sc.map(|c| c.traction_jump),
-        yield_: None,
+        yield_: sc.and_then(|c| c.weld).map(|used| used - 1.0),
         contact,
         compatibility: kc.map(|c| c.compatibility),
         volume: None,
@@ -73,10 +74,11 @@ pub(super) fn problem(model: &AnalysisModel) -> Problem {
 }
 
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
-/// dead load, no initial gap.
+/// dead load, no initial gap, no weld that may give way.
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
-    if model.has_dead_loads() || gaps || !model.body_loads.is_empty() { None } else { only_load(model) }
+    let bent = model.has_dead_loads() || gaps || !model.body_loads.is_empty() || !model.welds.is_empty();
+    if bent { None } else { only_load(model) }
 }
 
 /// The resultant of the only load that carries the load factor: a force \[N\] on a plane face, or one force or moment on a
@@ -167,6 +169,17 @@ pub(super) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
     })
 }
 
+/// Each weld, given largest tractions over strengths, shares and works where there are any.
+pub(super) fn weld_uses(model: &AnalysisModel, used: Vec<f64>, share: Vec<f64>, work: Vec<f64>) -> Vec<WeldUse> {
+    let weld = |(i, name): (usize, String)| WeldUse {
+        weld: name,
+        utilisation: used.get(i).copied(),
+        share: share.get(i).copied(),
+        work: work.get(i).copied(),
+    };
+    model.welds.iter().map(|w| w.name.clone()).enumerate().map(weld).collect()
+}
+
 /// The entry of a load case after one pass.
 pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());
@@ -215,6 +228,12 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         }],
         dissipation: Vec::new(),
         limiting_part: None,
+        welds: weld_uses(
+            model,
+            pass.stress.as_ref().map_or(Vec::new(), |s| utilisations(model, s)),
+            Vec::new(),
+            pass.upper.as_ref().map_or(Vec::new(), |b| b.certificate().welds.clone()),
+        ),
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
     }

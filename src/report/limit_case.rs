@@ -1,6 +1,6 @@
 //! From a pass of limit analysis to the entry of its load case in `result.json`.
 
-use super::case::{estimate_warning, only_load, problem, program_run, run_warning};
+use super::case::{estimate_warning, only_load, problem, program_run, run_warning, weld_uses};
 use super::data::{CaseResult, Certificate, HistoryRow, PartShare, PeakPressure, Problem, Quantity, RawBracket, Upper};
 use crate::adapt::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::adapt::memory::peak_memory_mib;
@@ -8,7 +8,8 @@ use crate::adapt::pass::ProgramRun;
 use crate::adapt::problem::Program;
 use crate::bounds::flow::VelocityField;
 use crate::bounds::limit_certificate::{dissipation_densities, utilisation};
-use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
+
+use crate::bounds::{FactorBracket, LowerFactor, UpperFactor, welds};
 use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
@@ -46,7 +47,7 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
         strict: lower.is_none_or(|b| b.is_strict()) && upper.is_none_or(|b| b.is_strict()),
         equilibrium: sc.map(|c| c.equilibrium),
         traction_jump: sc.map(|c| c.traction_jump),
-        yield_: sc.map(|c| c.utilisation + c.cover - 1.0),
+        yield_: sc.map(|c| c.worst() + c.cover - 1.0),
         contact,
         compatibility: kc.map(|c| c.compatibility.max(c.rigid)),
         volume: kc.map(|c| c.volume),
@@ -105,16 +106,19 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
     warnings
 }
 
-/// What each body adds to the dissipation of a mechanism.
-fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Vec<PartShare> {
+/// What each body and each weld adds to the dissipation of a mechanism.
+fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
     let mesh = &model.mesh;
     let mut bodies = vec![Sum::default(); mesh.bodies.len()];
     for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate() {
         bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
     }
-    let total = Sum::of(bodies.iter().map(|d| d.value()));
-    let share = |d: &Sum| if total > 0.0 { d.value() / total } else { 0.0 };
-    mesh.bodies.iter().zip(&bodies).map(|(name, d)| PartShare { part: name.clone(), share: share(d) }).collect()
+    let welds = welds::dissipations(model, &velocity.nodes.u);
+    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(welds.iter().copied()));
+    let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
+    let bodies = mesh.bodies.iter().zip(&bodies);
+    let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
+    (bodies.collect(), welds.into_iter().map(share).collect())
 }
 
 /// The entry of a load case after one pass of limit analysis.
@@ -142,7 +146,10 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         .then(|| RawBracket { lower: strict(&pass.lower), upper });
     let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
     let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
-    let limiting_part = stress.as_ref().and_then(|s| utilisation(model, s).1).map(body);
+    let used = stress.as_ref().map_or(Vec::new(), |s| welds::utilisations(model, s));
+    let nearest = stress.as_ref().map(|s| utilisation(model, s));
+    let limiting_part = nearest.filter(|(most, _)| used.iter().all(|w| w <= most)).and_then(|n| n.1).map(body);
+    let (dissipation, weld_shares) = pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
         name: name.into(),
@@ -173,8 +180,9 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],
-        dissipation: pass.velocity.as_ref().map_or(Vec::new(), |v| shares(model, v)),
+        dissipation,
         limiting_part,
+        welds: weld_uses(model, used, weld_shares, Vec::new()),
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,
     }

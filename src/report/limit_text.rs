@@ -1,6 +1,6 @@
 //! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
 
-use super::data::{CaseResult, Problem, Upper};
+use super::data::{CaseResult, Problem, Quantity, Upper};
 use super::figures::{Rounding, bracket, significant};
 use super::page::Table;
 use super::text::{inline, is_strict, paragraph, strings, table};
@@ -51,7 +51,10 @@ pub(super) fn collapse(page: &mut String, case: &CaseResult) {
 
 /// Where the mechanism works and what limits the lower bound.
 pub(super) fn mechanism(page: &mut String, case: &CaseResult) {
-    if case.dissipation.is_empty() && case.limiting_part.is_none() {
+    if case.quantity != Quantity::LoadFactor {
+        return welds(page, case);
+    }
+    if case.dissipation.is_empty() && case.limiting_part.is_none() && case.welds.is_empty() {
         return;
     }
     page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
@@ -61,9 +64,37 @@ pub(super) fn mechanism(page: &mut String, case: &CaseResult) {
     }
     if !case.dissipation.is_empty() {
         paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
-        let mut parts: Vec<_> = case.dissipation.iter().collect();
-        parts.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let rows = parts.iter().map(|p| vec![p.part.clone(), format!("{:.1}", 100.0 * p.share)]);
-        table(page, &Table { columns: strings(["body", "share of the dissipation [%]"]), rows: rows.collect() });
+        let mut parts: Vec<(String, f64)> = case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
+        parts.extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
+        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let rows = parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
+        let of = if case.welds.is_empty() { "body" } else { "body or weld" };
+        table(page, &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() });
     }
+    welds(page, case);
+}
+
+/// What each weld bears.
+fn welds(page: &mut String, case: &CaseResult) {
+    let rows: Vec<Vec<String>> = case
+        .welds
+        .iter()
+        .filter_map(|w| {
+            let work = w.work.map(|w| significant(w, 4, Rounding::Up));
+            Some(vec![w.weld.clone(), format!("{:.1}", 100.0 * w.utilisation?), work.unwrap_or_default()])
+        })
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    let name = inline(&case.name);
+    paragraph(page, &format!("What the stress of the lower bound asks of the welds ({name}):"));
+    let with_work = case.welds.iter().any(|w| w.work.is_some());
+    let columns = strings(["weld", "largest traction over strength [%]", "work dissipated, upper bound [N mm]"]);
+    let kept = if with_work { 3 } else { 2 };
+    let cut = |mut row: Vec<String>| {
+        row.truncate(kept);
+        row
+    };
+    table(page, &Table { columns: cut(columns), rows: rows.into_iter().map(cut).collect() });
 }

@@ -16,6 +16,10 @@ const VIOLATION: f64 = 1e-7;
 
 /// A direction along which the program falls without limit, among the given motions (`P m = 0`); `None` when none is found.
 pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOptions) -> Option<Vec<f64>> {
+    // interfaces of finite strength resist as well, and are not among the cones
+    if !program.elements.batches.is_empty() {
+        return None;
+    }
     let n = modes.len();
     let q: Vec<f64> = modes.iter().map(|m| m.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
     let size = q.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -96,7 +96,7 @@ impl Prepared<'_> {
             Way::Singular => failed(self.program),
             Way::Rest => Solution {
                 status: SolveStatus::Optimal,
-                x: vec![0.0; self.program.p.n],
+                x: vec![0.0; self.program.unknowns()],
                 z: vec![0.0; self.program.h.len()],
                 iterations: 0,
                 seconds: 0.0,

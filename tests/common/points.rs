@@ -144,7 +144,20 @@ pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &Displa
     volume(name, &fields, &mut random, tolerance);
     inner_faces(name, &fields, &mut random, tolerance);
     contacts(name, &fields, &mut random, tolerance);
+    welds(name, &fields, &mut random, tolerance);
     supports(name, &fields, &mut random);
+}
+
+fn welds(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
+    let all: Vec<_> = f.model.welds.iter().flat_map(|w| w.faces.iter().map(move |p| (w, p))).collect();
+    for _ in 0..POINTS * usize::from(!all.is_empty()) {
+        let (weld, p) = all[random.below(all.len())];
+        let x = f.positions(p.nodes_a);
+        let (at, n) = (combine(&x, &random.simplex::<3>()), outward(&x));
+        let (a, b) = (f.traction(&p.a, at, n), f.traction(&p.b, at, n));
+        assert!(norm(sub(a, b)) <= tolerance, "{name}: {a:?} on one side of a weld, {b:?} on the other at {at:?}");
+        assert!(norm(a) <= weld.strength + tolerance, "{name}: {a:?} in a weld of {} at {at:?}", weld.strength);
+    }
 }
 
 fn volume(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
@@ -218,11 +231,10 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     f.model.supports.iter().for_each(|s| s.faces.iter().for_each(|b| hold(b, s.fix)));
     f.model.rigid.iter().for_each(|s| s.faces.iter().for_each(|b| hold(b, s.components)));
     f.model.ground.iter().for_each(|s| s.faces.iter().for_each(|b| hold(b, [true; 3])));
-    f.model.interfaces.iter().for_each(|s| {
-        s.faces.iter().for_each(|p| {
-            hold(&p.a, [true; 3]);
-            hold(&p.b, [true; 3]);
-        });
+    let contacts = f.model.interfaces.iter().flat_map(|s| &s.faces);
+    contacts.chain(f.model.welds.iter().flat_map(|w| &w.faces)).for_each(|p| {
+        hold(&p.a, [true; 3]);
+        hold(&p.b, [true; 3]);
     });
     for _ in 0..POINTS {
         let b = &outer[random.below(outer.len())];

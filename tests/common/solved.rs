@@ -18,7 +18,12 @@ pub struct Solved {
 
 /// Reads the model; `yaml` without its `mesh` and `analysis: elastic` lines.
 pub fn resolve(yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
-    let text = format!("mesh: in memory\nanalysis: elastic\n{yaml}");
+    resolve_as("elastic", yaml, mesh)
+}
+
+/// The same for another kind of analysis.
+pub fn resolve_as(kind: &str, yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
+    let text = format!("mesh: in memory\nanalysis: {kind}\n{yaml}");
     let parsed = bracket::spec::yaml::parse::<ModelFile>(&text, Path::new("test.yaml"))?;
     bracket::model::resolve::resolve(&parsed.value, mesh, &|_| Place::default())
 }
@@ -71,7 +76,7 @@ impl Solved {
             (total - gap).abs() <= 1e-8 * scale,
             "{name}: Σ contributions {total:e} against {gap:e}, scale {scale:e}"
         );
-        let least = c.elements.iter().chain(&c.contacts).copied().fold(0.0, f64::min);
+        let least = c.elements.iter().chain(&c.contacts).chain(&c.welds).copied().fold(0.0, f64::min);
         assert!(least >= -1e-12 * scale, "{name}: contribution {least:e}, scale {scale:e}");
         points::check(name, &self.model, p.stress.as_ref().unwrap(), p.displacement.as_ref().unwrap());
         [lower, upper]

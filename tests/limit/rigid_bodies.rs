@@ -1,12 +1,12 @@
 //! Bodies without a yield strength are rigid: platens, punches, blocks and plates, tied or in contact.
 
-use crate::certified::{factors, run, sharp_factors};
+use crate::certified::{factors, sharp_factors};
 use crate::common::yielding::{FY, model};
-use crate::common::{Block, triangles_where};
+use crate::common::{Block, solved, triangles_where};
 use bracket::mesh::topology::FaceTable;
 use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::model::holds::ModelError;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::SolveStatus;
 
 /// Yield strength in shear over that in tension.
 const K: f64 = 0.577_350_269_189_625_8;
@@ -122,8 +122,7 @@ fn strip_between_platens() {
 /// ```
 #[test]
 fn punch() {
-    let shape =
-        Block { cells: [12, 1, 7], min: [0.0, 0.0, -2.0], max: [4.0, 1.0 / 3.0, 1.0 / 3.0], jitter: 0.15, seed: 5 };
+    let shape = Block { cells: [16, 1, 9], min: [0.0, 0.0, -2.0], max: [4.0, 0.25, 0.25], jitter: 0.15, seed: 5 };
     let body = |c: [f64; 3]| {
         if c[2] < 0.0 {
             0
@@ -240,9 +239,40 @@ fn held_rigid_bodies() {
     let mut mesh = mesh();
     let side = triangles_where(&mesh, |x| x[2] == 12.0 && x[0] <= 10.0 + 1e-9);
     mesh.faces.push(NamedFaces { name: "SIDE".into(), triangles: side });
-    let pass = run(&model(&format!("bodies: {{A: s, B: r}}\n{pulled}"), mesh));
-    for (program, r) in pass.runs() {
-        println!("held {}: {} {:?}", program.name(), r.status.words(), r.trouble);
-        assert_eq!(r.status, SolveStatus::Infeasible, "{}", program.name());
+    let m = model(&format!("bodies: {{A: s, B: r}}\n{pulled}"), mesh);
+    for refused in [Kinematic::limit(&m, Flow::Split).err(), Static::limit(&m).err()] {
+        assert_eq!(refused, Some(ModelError::LiveLoadsHeld));
     }
+}
+
+/// What a rigid body cannot mend is refused with a word for it.
+#[test]
+fn wrong_rigid_bodies_are_refused() {
+    let good = "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\nbodies: {A: s, B: r}\ninterfaces: []\n\
+                supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n";
+    let contact = "[{between: [A, B], law: contact, mu: 0}]";
+    let rows: [(&str, &str, &str); 12] = [
+        ("A: s", "A: r", "no body has a yield strength"),
+        ("A: s", "A: t", "material `t`, which is not defined"),
+        (", fy: 235", ", fy: 0", "`fy` of material `s` is 0"),
+        ("r: {E: 210000, nu: 0.3}", "r: {nu: 0.3}", "`E`"),
+        ("r: {E: 210000, nu: 0.3}", "r: {E: 210000, nu: 0.3, rigid: true}", "unknown key `rigid`"),
+        ("B: r", "C: r", "no physical volume `C`"),
+        ("loads:", "dead:", "no load carries the load factor"),
+        ("face: X1, traction: [0, 0, 1]", "body: B, force: [0, 0, 1]", "force in the body `B` carries the load factor"),
+        ("face: X1, traction", "face: X1, force", "needs exactly one of `traction`"),
+        ("interfaces: []", &format!("interfaces: {contact}"), "part B can move"),
+        ("fix: [x, y, z]", "fix: [x, y]", "can move along z"),
+        ("loads:", "rigid: [{face: X0, components: [x], free: [ux]}]\nloads:", "is rigid and also fixed"),
+    ];
+    let shape = Block { cells: [2, 1, 1], min: [0.0; 3], max: [20.0, 10.0, 10.0], jitter: 0.0, seed: 1 };
+    for (old, new, words) in rows {
+        assert_eq!(good.matches(old).count(), 1, "{old}");
+        let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);
+        let d = solved::resolve_as("limit", &good.replace(old, new), mesh).expect_err(new);
+        assert!(d.0.iter().any(|d| d.message.contains(words)), "{new}: {d:?}");
+    }
+    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);
+    let sound = solved::resolve_as("limit", good, mesh).unwrap();
+    assert_eq!(sound.notes, ["limit analysis: the body without `fy` is rigid: B"]);
 }

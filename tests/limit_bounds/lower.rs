@@ -17,14 +17,15 @@ use bracket::solve::SolveOptions;
 fn dead_field(case: &Case, noise: f64, random: &mut Random) -> Option<StressField> {
     let stress = case.dead?;
     let a = case.static_field_of(stress, 0.0, noise, true, random);
-    let approximate = ApproximateStress { parameters: &a.parameters, contact: &a.contact, factor: 0.0 };
+    let approximate = ApproximateStress { parameters: &a.parameters, contact: &a.contact, welds: &[], factor: 0.0 };
     Some(limit_lower::dead_field(&case.model, &approximate).unwrap())
 }
 
 fn project(case: &Case, factor: f64, noise: f64, bare: bool, random: &mut Random) -> Result<Lower, LowerError> {
     let dead = dead_field(case, noise, random);
     let a = case.static_field(factor, noise, bare, random);
-    let approximate = ApproximateStress { parameters: &a.parameters, contact: &a.contact, factor: a.factor };
+    let approximate =
+        ApproximateStress { parameters: &a.parameters, contact: &a.contact, welds: &[], factor: a.factor };
     limit_lower::project(&case.model, &approximate, dead.as_ref())
 }
 
@@ -99,7 +100,7 @@ fn admissible_by_other_code() {
 }
 
 fn given<'a>(a: &'a cases::Approximate) -> ApproximateStress<'a> {
-    ApproximateStress { parameters: &a.parameters, contact: &a.contact, factor: a.factor }
+    ApproximateStress { parameters: &a.parameters, contact: &a.contact, welds: &[], factor: a.factor }
 }
 
 /// A field at twice the limit is no bound as it stands, and is drawn back to the limit.

@@ -33,7 +33,7 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
     assert_eq!(s.status, SolveStatus::Optimal, "{name}");
     let parameters = stress_parameters(at, &statics, &s.x);
     let contact = &s.z[..Static::new(at).unwrap().program.g.nrows()];
-    let approximate = ApproximateStress { parameters: &parameters, contact, factor: 1.0 };
+    let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor: 1.0 };
     let lower = limit_lower::project(at, &approximate, None).unwrap();
     println!("{name}: {:?}", lower.certificate);
     let kinematic = Kinematic::with_plasticity(further, Flow::Split).unwrap();
@@ -85,7 +85,7 @@ fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBra
     let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&options);
     let (parameters, factor) = (stress_parameters(m, &statics, &s.x), s.x[s.x.len() - 1]);
     let contact = &s.z[..statics.program.g.nrows()];
-    let approximate = ApproximateStress { parameters: &parameters, contact, factor };
+    let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor };
     let lower = limit_lower::project(m, &approximate, dead).unwrap();
     let kinematic = Kinematic::limit(m, Flow::Split).unwrap();
     let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block).unwrap().solve(&options);

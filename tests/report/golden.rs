@@ -76,6 +76,7 @@ fn case(name: &str) -> CaseResult {
         }],
         dissipation: vec![],
         limiting_part: None,
+        welds: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }

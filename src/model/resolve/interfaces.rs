@@ -4,14 +4,21 @@ use super::Faults;
 use super::names::Scene;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
-use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface};
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
 use crate::model::file::{Friction, Gap, InterfaceEntry, Law, ModelFile};
 use std::collections::BTreeMap;
+
+/// The law of an interface whose sides have nodes of their own.
+pub(super) enum OpenLaw {
+    Contact(ContactLaw),
+    /// A weld with its strength \[MPa on the interface\].
+    Weld(f64),
+}
 
 /// An interface before the nodes are split: side A, side B of each face.
 pub(super) struct OpenInterface {
     pub name: String,
-    pub law: ContactLaw,
+    pub law: OpenLaw,
     pub faces: Vec<[TetFace; 2]>,
 }
 
@@ -24,7 +31,7 @@ pub(super) struct Claims {
 }
 
 impl Claims {
-    /// True when the face (its first side in the table) is in contact.
+    /// True when the face (its first side in the table) is in contact or welded.
     pub fn is_open(&self, first: TetFace) -> bool {
         self.by_face.get(&first).is_some_and(|(_, open)| *open)
     }
@@ -45,7 +52,7 @@ pub(super) fn claim(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
         let mut twice = None;
         for rows in &found {
             let first = TetFace::from(&rows[0]).min(TetFace::from(&rows[1]));
-            if let Some((other, _)) = claims.by_face.insert(first, (i, entry.law == Law::Contact)) {
+            if let Some((other, _)) = claims.by_face.insert(first, (i, entry.law != Law::Tied)) {
                 twice = Some(other);
             }
         }
@@ -55,7 +62,9 @@ pub(super) fn claim(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
             faults.add("model/face-twice", &path, m, help);
         }
         let Some(law) = law else { continue };
-        check_gap(&law.gap, &name, &path, scene, found.iter().map(|r| r[0].key), faults);
+        if let OpenLaw::Contact(law) = &law {
+            check_gap(&law.gap, &name, &path, scene, found.iter().map(|r| r[0].key), faults);
+        }
         let faces = found.iter().map(|rows| [TetFace::from(&rows[0]), TetFace::from(&rows[1])]).collect();
         claims.open.push(OpenInterface { name, law, faces });
     }
@@ -138,12 +147,7 @@ fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Fau
 }
 
 /// The law of an entry that opens its faces; `None` when tied, or after a fault.
-fn read_law(
-    entry: &InterfaceEntry,
-    path: &str,
-    faults: &mut Faults<'_>,
-    notes: &mut Vec<String>,
-) -> Option<ContactLaw> {
+fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: &mut Vec<String>) -> Option<OpenLaw> {
     let contact_keys =
         [("mu", entry.mu.is_some()), ("gap", entry.gap.is_some()), ("friction", entry.friction.is_some())];
     let weld_keys = [
@@ -167,27 +171,51 @@ fn read_law(
         }
         Law::Weld => {
             useless(&mut given_contact, "weld", faults);
-            for (key, value) in weld_keys {
-                if let Some(v) = value
-                    && !(v.is_finite() && v > 0.0)
-                {
-                    let m = format!("`{key}` of the weld is {v}, it must be > 0");
-                    faults.add("model/value", &format!("{path}.{key}"), m, "mm and MPa, positive");
-                }
-            }
-            let throat = entry.throat.is_some() && entry.thickness.is_some() && entry.strength.is_some();
-            if throat == entry.strength_traction.is_some() {
-                let m = "a weld needs either `throat`, `thickness` and `strength`, or `strength_traction`";
-                faults.add("model/interface", path, m, "give one of the two");
-            }
-            faults.unavailable(&format!("{path}.law"), "`law: weld`");
-            None
+            weld_strength(entry, path, faults).map(OpenLaw::Weld)
         }
         Law::Contact => {
             useless(&mut given_weld, "contact", faults);
-            contact_law(entry.mu, &entry.gap, entry.friction, path, faults, notes)
+            contact_law(entry.mu, &entry.gap, entry.friction, path, faults, notes).map(OpenLaw::Contact)
         }
     }
+}
+
+/// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along a plate,
+/// `2 · throat · strength / thickness`.
+fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) -> Option<f64> {
+    let throat = [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
+    let mut sound = true;
+    for (key, value) in throat.into_iter().chain([("strength_traction", entry.strength_traction)]) {
+        if let Some(v) = value
+            && !(v.is_finite() && v > 0.0)
+        {
+            let m = format!("`{key}` of the weld is {v}, it must be > 0");
+            faults.add("model/value", &format!("{path}.{key}"), m, "mm and MPa, positive");
+            sound = false;
+        }
+    }
+    let strength = match (entry.throat, entry.thickness, entry.strength, entry.strength_traction) {
+        (Some(throat), Some(thickness), Some(strength), None) => 2.0 * throat * strength / thickness,
+        (None, None, None, Some(traction)) => traction,
+        _ => {
+            let absent: Vec<&str> = throat.iter().filter(|k| k.1.is_none()).map(|k| k.0).collect();
+            let m = match (entry.strength_traction, absent.len()) {
+                (Some(_), _) => "a weld has either `throat`, `thickness` and `strength`, or `strength_traction`".into(),
+                (None, 3) => "a weld needs `throat`, `thickness` and `strength`, or `strength_traction`".into(),
+                (None, _) => format!("the weld lacks `{}`", absent.join("` and `")),
+            };
+            let help = "write `throat` and `thickness` in mm with `strength` in MPa on the throat, or `strength_traction` \
+                        in MPa on the interface alone";
+            faults.add("model/interface", path, m, help);
+            return None;
+        }
+    };
+    if sound && !(strength.is_finite() && strength > 0.0) {
+        let m = format!("2 throat strength / thickness of the weld is {strength} MPa, out of all range");
+        faults.add("model/value", path, m, "check the units: mm and MPa");
+        return None;
+    }
+    sound.then_some(strength)
 }
 
 /// The law of a contact, of an interface or with the ground.
@@ -262,21 +290,20 @@ pub(super) fn check_gap(
     }
 }
 
-/// The interfaces once the nodes are split; `pairs` are in the order of the claims.
-pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> Vec<Interface> {
+/// The contacts and the welds once the nodes are split; `pairs` are in the order of the claims.
+pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> (Vec<Interface>, Vec<Weld>) {
     let mut rest = pairs;
     let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
-    claims
-        .open
-        .iter()
-        .map(|open| {
-            let (mine, others) = rest.split_at(open.faces.len());
-            rest = others;
-            let faces = mine
-                .iter()
-                .map(|p| FacePair { a: face(p.a), b: face(p.b), nodes_a: p.nodes_a, nodes_b: p.nodes_b })
-                .collect();
-            Interface { name: open.name.clone(), law: open.law.clone(), faces }
-        })
-        .collect()
+    let (mut interfaces, mut welds) = (Vec::new(), Vec::new());
+    for open in &claims.open {
+        let (mine, others) = rest.split_at(open.faces.len());
+        rest = others;
+        let pair = |p: &OpenPair| FacePair { a: face(p.a), b: face(p.b), nodes_a: p.nodes_a, nodes_b: p.nodes_b };
+        let (name, faces) = (open.name.clone(), mine.iter().map(pair).collect());
+        match &open.law {
+            OpenLaw::Contact(law) => interfaces.push(Interface { name, law: law.clone(), faces }),
+            OpenLaw::Weld(strength) => welds.push(Weld { name, strength: *strength, faces }),
+        }
+    }
+    (interfaces, welds)
 }

@@ -2,7 +2,7 @@
 //!
 //! Unknowns: for each part, and for each rigid face, the displacement of a reference point and the rotation times the
 //! size of the model, so that all columns have one unit. Rows: supports, held motions and followed components of rigid
-//! faces, contacts. A contact counts as holding in its normal direction, and with friction in every direction. The rows
+//! faces, contacts, welds. A contact counts as holding in its normal direction, with friction and welds in every one. The rows
 //! between the same two unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
 use crate::diag::{Diagnostic, Diagnostics};
@@ -136,14 +136,15 @@ fn constraint_groups(model: &AnalysisModel, frame: &Frame) -> Groups {
             add(None, part(f), &x, &contact_directions(g.law.mu, &x));
         }
     }
-    for i in &model.interfaces {
-        for f in &i.faces {
-            let (a, b) = (part(&f.a), part(&f.b));
-            // a crack around which the part hangs together holds nothing
-            if a != b {
-                let x = vertices(model, &f.a);
-                add(Some(a.min(b)), a.max(b), &x, &contact_directions(i.law.mu, &x));
-            }
+    let contacts = model.interfaces.iter().flat_map(|i| i.faces.iter().map(|f| (f, Some(i.law.mu))));
+    let welds = model.welds.iter().flat_map(|w| w.faces.iter().map(|f| (f, None)));
+    for (f, mu) in contacts.chain(welds) {
+        let (a, b) = (part(&f.a), part(&f.b));
+        // a crack around which the part hangs together holds nothing
+        if a != b {
+            let x = vertices(model, &f.a);
+            let held = mu.map_or(UNIT.to_vec(), |mu| contact_directions(mu, &x));
+            add(Some(a.min(b)), a.max(b), &x, &held);
         }
     }
     for (i, r) in model.rigid.iter().enumerate() {

@@ -75,11 +75,11 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("friction: associated", "throat: 5", "model/interface", 6, "`throat` means nothing for `law: contact`", "remove"),
     (
         "contact, mu: 0.3, friction: associated",
-        "weld, strength_traction: 100",
-        "model/unavailable",
+        "weld, throat: 5",
+        "model/interface",
         6,
-        "`law: weld`",
-        "tied",
+        "the weld lacks `thickness` and `strength`",
+        "strength_traction",
     ),
     (
         "contact, mu: 0.3, friction: associated",
