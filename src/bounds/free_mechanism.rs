@@ -99,7 +99,7 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let gram = Mat::from_fn(n, n, |i, j| dot(&modes[i], &modes[j]));
     let rhs = Mat::from_fn(n, 1, |i, _| dot(&modes[i], x));
-    let found = super::recover::pseudo_solve(&gram, &rhs);
+    let found = crate::math::dense::pseudo_solve(&gram, &rhs);
     let mut c: Vec<f64> = (0..n).map(|i| found[(i, 0)]).collect();
     let s = slacks(&c);
     let size = s.iter().fold(0.0f64, |m, v| m.max(v.abs()));
@@ -140,7 +140,7 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
         let over = |f: &dyn Fn(usize) -> f64| near.iter().flat_map(|r| r.0..r.0 + r.1).map(f).sum::<f64>();
         let gram = Mat::from_fn(m, m, |i, j| over(&|r| rows[i][r] * rows[j][r]));
         let rhs = Mat::from_fn(m, 1, |i, _| near.iter().map(|r| rows[i][r.0]).sum::<f64>());
-        let y = super::recover::pseudo_solve(&gram, &rhs);
+        let y = crate::math::dense::pseudo_solve(&gram, &rhs);
         let mut w = vec![0.0; n];
         for (i, v) in free.iter().enumerate() {
             w.iter_mut().zip(v).for_each(|(w, v)| *w += y[(i, 0)] * v);

@@ -12,7 +12,7 @@ use super::certificate::{TOLERANCE, certify_stress, largest, ratio};
 use super::faces::{FaceRole, contact_faces, roles};
 use super::fields::StressField;
 use super::limit_certificate::{LowerCertificate, certify_lower};
-use super::recover::pseudo_solve;
+use crate::math::dense::pseudo_solve;
 use crate::math::mandel::{self, deviator};
 use crate::math::quadrature::TRIANGLE_4;
 use crate::math::vec3::{self, V3};
