@@ -5,6 +5,8 @@
 mod bench;
 #[path = "common/mod.rs"]
 mod common;
+#[path = "cli/coulomb.rs"]
+mod coulomb;
 #[cfg(unix)]
 #[path = "cli/interrupts.rs"]
 mod interrupts;

@@ -1,6 +1,8 @@
 //! Cases with known answers, named after their source.
 #![allow(clippy::unwrap_used)]
 
+#[path = "literature/acary_lap_joint.rs"]
+mod acary_lap_joint;
 mod common;
 #[path = "literature/coulomb_block_on_ground.rs"]
 mod coulomb_block_on_ground;

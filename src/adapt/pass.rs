@@ -1,5 +1,6 @@
 //! One pass: both programs on one mesh, their fields, certificates and bracket.
 
+use super::coulomb::{self, FixedPointRun};
 use super::memory::{Limit, Room, RoomSource, plan, room};
 use super::problem::{Problem, Program};
 use super::words;
@@ -9,6 +10,7 @@ use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::recover::RecoverError;
 use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
+use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::status::Iterations;
 use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse};
@@ -59,7 +61,8 @@ pub struct ProgramRun {
     pub certify_seconds: f64,
     /// What the solve was expected to cost, where that could be told.
     pub forecast: Option<Forecast>,
-    /// Every iteration, seconds counted from the start of the solve. Numbers begin again where another solver took over.
+    /// Every iteration, seconds counted from the start of the solve. Numbers begin again where another solver took over or
+    /// another problem of a sequence began.
     pub trace: Vec<Iteration>,
     /// For a program too large for the memory: how much it lacks.
     pub refusal: Option<Refusal>,
@@ -90,6 +93,10 @@ pub struct Pass {
     pub bracket: Option<Bracket>,
     /// Contributions to the gap of the meshed part, when both fields exist.
     pub contributions: Option<Contributions>,
+    /// Coulomb friction: how its fixed point went.
+    pub fixed_point: Option<FixedPointRun>,
+    /// Coulomb friction: the shift of the contact cones in the problem that the bounds belong to.
+    pub shift: ConeShift,
 }
 
 /// Why a pass could not run, or contradicts itself.
@@ -149,6 +156,13 @@ pub enum Event<'a> {
     },
     /// The solver's next iterate.
     Iteration(&'a Iteration),
+    /// Coulomb friction: it is solved once more, its contact cones shifted by the slips so far.
+    Slips {
+        /// How many times it was solved.
+        solves: usize,
+        /// Largest change of the shift at the last of them, part of the largest shift.
+        change: f64,
+    },
     /// Its field is being recovered and certified.
     Certify,
     /// The static program of limit analysis is solved once more, every friction coefficient zero.
@@ -205,7 +219,13 @@ struct Turns {
 }
 
 /// Runs both programs: side by side where the memory allows it, else in turn; one that does not fit is not started.
+///
+/// With Coulomb friction the kinematic program is solved a few times first, and both bounds are of the problem with shifted
+/// contact cones that this ends with.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+    if model.has_coulomb_friction() {
+        return coulomb::run(model, options, progress);
+    }
     let (kinematic, statics) = both::<Kinematic, Static>(model, options, progress)?;
     let mut pass = Pass::default();
     if let Some(k) = kinematic {
@@ -215,21 +235,8 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             pass.upper = Some(bound);
         }
     }
-    if let Some(s) = statics {
-        pass.statics = Some(s.run);
-        if let Some((field, bound)) = s.answer {
-            pass.stress = Some(field);
-            pass.lower = Some(bound);
-        }
-    }
-    if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
-        pass.bracket = Some(Bracket::new(l.clone(), u.clone())?);
-    }
-    if let (Some(u), Some(s)) = (&pass.displacement, &pass.stress) {
-        let c = contributions(model, u, s);
-        check_identity(model, pass.bracket.as_ref(), c.total())?;
-        pass.contributions = Some(c);
-    }
+    pass.add_static(statics);
+    pass.join(model)?;
     Ok(pass)
 }
 
@@ -269,6 +276,29 @@ pub(super) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
 }
 
 impl Pass {
+    /// Takes in what the static program left.
+    pub(super) fn add_static(&mut self, statics: Option<Done<(StressField, LowerBound)>>) {
+        let Some(s) = statics else { return };
+        self.statics = Some(s.run);
+        if let Some((field, bound)) = s.answer {
+            self.stress = Some(field);
+            self.lower = Some(bound);
+        }
+    }
+
+    /// Joins the two bounds, and checks that the contributions to the gap add up to it.
+    pub(super) fn join(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
+        if let (Some(l), Some(u)) = (&self.lower, &self.upper) {
+            self.bracket = Some(Bracket::new(l.clone(), u.clone())?);
+        }
+        if let (Some(u), Some(s)) = (&self.displacement, &self.stress) {
+            let c = contributions(model, u, s);
+            check_identity(model, self.bracket.as_ref(), c.total())?;
+            self.contributions = Some(c);
+        }
+        Ok(())
+    }
+
     /// The programs that ran or were to run.
     pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
         runs(&self.kinematic, &self.statics)
@@ -388,7 +418,7 @@ impl<'a> Context<'a> {
     }
 
     /// Solves a program, telling and keeping its iterations.
-    fn solve<P: Problem<'a>>(&self, problem: &P, prepared: Prepared<'_>, run: &mut ProgramRun) -> Solution {
+    fn solve<P: Problem<'a>>(&self, problem: &P, mut prepared: Prepared<'_>, run: &mut ProgramRun) -> Solution {
         self.tell(P::PROGRAM, Event::Solve { forecast: run.forecast.as_ref() });
         let start = Instant::now();
         let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
@@ -402,8 +432,18 @@ impl<'a> Context<'a> {
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
         let gap = P::gap(given);
-        let options = SolveOptions { progress: Some(tell), time_limit: left, gap, ..given.clone() };
-        let mut solution = prepared.solve(&options);
+        let mut options = SolveOptions { progress: Some(tell), time_limit: left, gap, ..given.clone() };
+        let mut solution = prepared.solve_first(&options);
+        run.iterations = solution.iterations;
+        while solution.status == SolveStatus::Optimal
+            && let Some(next) = problem.another(self.model, &solution)
+        {
+            self.tell(P::PROGRAM, Event::Slips { solves: next.number, change: next.change });
+            options.time_limit = (left - start.elapsed().as_secs_f64()).max(0.0);
+            solution = prepared.solve_at(&next.offsets, &options);
+            run.iterations += solution.iterations;
+        }
+        drop(prepared);
         if stalled(solution.status) {
             let modes = problem.contact_modes(self.model);
             let direction = || collapse::direction(problem.program(), &modes, &options);
@@ -413,7 +453,6 @@ impl<'a> Context<'a> {
             }
         }
         run.status = solution.status;
-        run.iterations = solution.iterations;
         run.solve_seconds += start.elapsed().as_secs_f64();
         run.trace = std::mem::take(&mut *trace.lock().unwrap_or_else(PoisonError::into_inner));
         solution

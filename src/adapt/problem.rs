@@ -39,6 +39,16 @@ impl Program {
     }
 }
 
+/// The next of a sequence of programs that differ in the offsets of their rows.
+pub(super) struct Another {
+    /// All offsets.
+    pub offsets: Vec<f64>,
+    /// How many were solved.
+    pub number: usize,
+    /// Largest change that the last of them brought, as a fraction.
+    pub change: f64,
+}
+
 /// What a pass asks of a program.
 pub(super) trait Problem<'a>: Sized + Send + Sync {
     /// The field its solution stands for, and the bound that follows.
@@ -58,7 +68,11 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     fn map(&self) -> &DofMap;
     /// The rigid motions that only contact resists, in its unknowns.
     fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>>;
-    /// Field and certified bound of an optimal solution.
+    /// What to solve after this optimal solution; `None`: it was the last.
+    fn another(&self, _: &AnalysisModel, _: &Solution) -> Option<Another> {
+        None
+    }
+    /// Field and certified bound of an optimal solution, the last of its sequence.
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError>;
     /// Displacements of points along a direction of its unknowns, each with its part.
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)>;

@@ -18,6 +18,7 @@ use crate::model::analysis::SurfaceLoad;
 use crate::model::holds::rigid_displacement;
 use crate::model::kinematic::{FACE_EDGES, Tet10Space};
 use crate::model::loads::{Loads, face_corners, face_nodes};
+use crate::model::opening::bernstein_at;
 use crate::model::super_element::{SuperElement, gradients, integrate};
 use crate::model::tet10;
 
@@ -187,10 +188,9 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
             max_r = max_r.max(vec3::norm(x));
             peak = peak.max(rn);
         }
-        let corners = f.corners(model);
+        let opening = f.opening(model);
         for (l, w) in TRIANGLE_4 {
-            let x = combine(&corners, l);
-            energy.add(w * area * vec3::dot(combine(&r, l), n) * f.law.gap.at(x));
+            energy.add(w * area * vec3::dot(combine(&r, l), n) * bernstein_at(&opening, l));
         }
     }
     let contact = !contacts.is_empty();
@@ -338,19 +338,17 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
     for f in &contacts {
         // the Bernstein coefficients of every face with its own normal
         let (n, _) = f.normal(model);
-        let x = f.corners(model);
+        let opening = f.opening(model);
         let a = space.triangle(f.nodes_a);
         let b = f.b.map(|(_, nodes)| space.triangle(nodes));
         let jump = |i: usize| vec3::sub(b.map_or([0.0; 3], |b| u[b[i]]), u[a[i]]);
         for i in 0..6 {
             let (g, gap) = if i < 3 {
-                (jump(i), f.law.gap.at(x[i]))
+                (jump(i), opening[i])
             } else {
                 let [p, q] = FACE_EDGES[i - 3];
-                let mid = vec3::scale(0.5, vec3::add(x[p], x[q]));
                 let ends = vec3::scale(0.5, vec3::add(jump(p), jump(q)));
-                let gap = 2.0 * f.law.gap.at(mid) - 0.5 * (f.law.gap.at(x[p]) + f.law.gap.at(x[q]));
-                (vec3::sub(vec3::scale(2.0, jump(i)), ends), gap)
+                (vec3::sub(vec3::scale(2.0, jump(i)), ends), opening[i])
             };
             let gn = vec3::dot(g, n);
             let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));

@@ -17,6 +17,7 @@ use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
 use crate::model::loads::Loads;
+use crate::model::opening::bernstein_at;
 use crate::model::super_element::{PointStress, integrate};
 use crate::model::tet10;
 
@@ -63,7 +64,7 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
         .map(|f| {
             let r = contact_tractions(model, s, f, roles.get(&(f.a.tet, f.a.local)));
             let (n, area) = f.normal(model);
-            let corners = f.corners(model);
+            let opening = f.opening(model);
             let a = space.triangle(f.nodes_a).map(|n| u.u[n]);
             let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
             let terms = TRIANGLE_4.iter().map(|(l, w)| {
@@ -71,7 +72,7 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
                 let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
                 let at = |v: &[V3; 3]| -> V3 { std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum()) };
                 let r = at(&r);
-                w * area * (vec3::dot(r, g) + vec3::dot(r, n) * f.law.gap.at(at(&corners)))
+                w * area * (vec3::dot(r, g) + vec3::dot(r, n) * bernstein_at(&opening, *l))
             });
             terms.sum()
         })

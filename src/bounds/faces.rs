@@ -5,6 +5,7 @@ use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad, Weld};
 use crate::model::loads::Loads;
+use crate::model::opening::Bernstein;
 
 /// Key of a boundary face: tet and local face.
 pub type FaceKey = (u32, u8);
@@ -66,6 +67,8 @@ pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<
 
 /// One face of an interface seen from side A.
 pub struct InterfaceFace<'a, L> {
+    /// Its number among the faces of its kind: of contact faces, interfaces first.
+    pub index: usize,
     /// Its law.
     pub law: &'a L,
     /// Which interface of its kind it belongs to; contacts with the ground follow those between parts.
@@ -84,13 +87,13 @@ pub type ContactFace<'a> = InterfaceFace<'a, ContactLaw>;
 pub type WeldFace<'a> = InterfaceFace<'a, Weld>;
 
 fn pair<'a, L>(law: &'a L, of: usize, f: &FacePair) -> InterfaceFace<'a, L> {
-    InterfaceFace { law, of, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) }
+    InterfaceFace { index: 0, law, of, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) }
 }
 
 /// Every weld face of the model, weld by weld.
 pub fn weld_faces(model: &AnalysisModel) -> Vec<WeldFace<'_>> {
     let welds = model.welds.iter().enumerate();
-    welds.flat_map(|(of, weld)| weld.faces.iter().map(move |f| pair(weld, of, f))).collect()
+    numbered(welds.flat_map(|(of, weld)| weld.faces.iter().map(move |f| pair(weld, of, f))))
 }
 
 /// Every contact face of the model, interfaces first.
@@ -99,6 +102,7 @@ pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
     let interfaces = interfaces.flat_map(|(of, i)| i.faces.iter().map(move |f| pair(&i.law, of, f)));
     let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(of, g)| {
         g.faces.iter().map(move |f| ContactFace {
+            index: 0,
             law: &g.law,
             of,
             a: *f,
@@ -106,7 +110,11 @@ pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
             b: None,
         })
     });
-    interfaces.chain(ground).collect()
+    numbered(interfaces.chain(ground))
+}
+
+fn numbered<'a, L>(faces: impl Iterator<Item = InterfaceFace<'a, L>>) -> Vec<InterfaceFace<'a, L>> {
+    faces.enumerate().map(|(index, f)| InterfaceFace { index, ..f }).collect()
 }
 
 impl<L> InterfaceFace<'_, L> {
@@ -120,5 +128,12 @@ impl<L> InterfaceFace<'_, L> {
         let a = vec3::area_vector(&self.corners(model));
         let size = vec3::norm(a);
         (vec3::scale(1.0 / size, a), size)
+    }
+}
+
+impl ContactFace<'_> {
+    /// Bernstein coefficients of initial gap and shift \[mm\].
+    pub fn opening(&self, model: &AnalysisModel) -> Bernstein {
+        model.opening(self.index, self.law, &self.corners(model))
     }
 }

@@ -15,6 +15,7 @@ pub mod limit_upper;
 pub mod recover;
 pub mod sampling;
 mod settle;
+pub mod slip;
 pub mod unlimited;
 pub mod welds;
 

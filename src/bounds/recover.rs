@@ -36,6 +36,17 @@ pub enum RecoverError {
     /// Contact forces could not be balanced inside their cones.
     #[error("the contact forces of part(s) {0} cannot be balanced inside their friction cones")]
     Unbalanced(String),
+    /// The fixed point for Coulomb friction was not found.
+    #[error(
+        "the fixed point for Coulomb friction did not converge: after {solves} solves the slips still change by {change:.1e} \
+         of the largest; `friction: associated` needs none"
+    )]
+    NotConverged {
+        /// Problems solved.
+        solves: usize,
+        /// Largest change of the last of them.
+        change: f64,
+    },
     /// A field that proves no load factor, in words.
     #[error("{0}")]
     Factor(String),
@@ -49,11 +60,22 @@ pub fn displacement(
     kinematic: &Kinematic,
     solution: &Solution,
 ) -> Result<DisplacementField, RecoverError> {
+    displacement_at(model, kinematic, &kinematic.program.h, solution)
+}
+
+/// The same for a solution with other offsets of the rows than the program's own.
+pub fn displacement_at(
+    model: &AnalysisModel,
+    kinematic: &Kinematic,
+    offsets: &[f64],
+    solution: &Solution,
+) -> Result<DisplacementField, RecoverError> {
     let mut x = solution.x.clone();
     let program = &kinematic.program;
     let welds = (!model.welds.is_empty()).then(|| kinematic.weld_rows(model));
     for _ in 0..3 {
-        let violation = smallest_margin(program, &program.slack(&x));
+        let slack: Vec<f64> = program.rows(&x).iter().zip(offsets).map(|(a, b)| a + b).collect();
+        let violation = smallest_margin(program, &slack);
         if violation >= 0.0 {
             break;
         }

@@ -12,6 +12,7 @@ use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
 use crate::model::loads::Loads;
+use crate::model::opening::bernstein_at;
 use crate::model::super_element::gradients;
 use crate::model::tet10;
 
@@ -203,7 +204,8 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     worst
 }
 
-/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps, else they count as closed.
+/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps and shifts, else they count as
+/// closed.
 fn gap_cones(model: &AnalysisModel, u: &DisplacementField, initial: bool, points: usize, random: &mut Random) -> f64 {
     let contacts = contact_faces(model);
     let space = Tet10Space::new(&model.mesh);
@@ -218,7 +220,7 @@ fn gap_cones(model: &AnalysisModel, u: &DisplacementField, initial: bool, points
         let (n, _) = f.normal(model);
         let gn = vec3::dot(g, n);
         let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
-        let gap = if initial { f.law.gap.at(at(&f.corners(model), l)) } else { 0.0 };
+        let gap = if initial { bernstein_at(&f.opening(model), l) } else { 0.0 };
         worst = worst.max(f.law.mu * gt - gn - gap);
     }
     worst

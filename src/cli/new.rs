@@ -175,7 +175,7 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     }
     out.push_str(
         "\nfriction:\n  mu: 0.3  # friction coefficient of all contact surfaces, 0 to 2; or `class: C` (A, B, C, D of EN 1090-2)\n  \
-         law: associated  # slip dilates: both bounds are strict; coulomb (the default) is available with `kind: limit` alone\n\n",
+         law: associated  # slip dilates: both bounds are strict for this law; coulomb (the default): no dilation, by a fixed point\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     if !sections.is_empty() {

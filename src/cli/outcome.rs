@@ -11,7 +11,7 @@ use crate::model::AnalysisModel;
 use crate::model::file::AnalysisKind;
 use crate::report::case::case_result;
 use crate::report::data::CaseResult;
-use crate::report::field_files::{displacement_grid, lower_grid, stress_grid, velocity_grid};
+use crate::report::field_files::{displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid};
 use crate::report::folder::ResultFolder;
 use crate::report::limit_case::limit_case_result;
 use crate::report::page::PictureRef;
@@ -76,6 +76,9 @@ impl Outcome {
                 }
                 if let Some(s) = &p.stress {
                     write("static", stress_grid(model, s))?;
+                }
+                if !p.shift.faces.is_empty() {
+                    write("shift", shift_grid(model, &p.shift))?;
                 }
             }
             Outcome::Factor(p) => {

@@ -12,6 +12,7 @@ use crate::bounds::flow::VelocityField;
 use crate::bounds::free_mechanism::{FreeMechanism, certify_free, is_free};
 use crate::bounds::limit_certificate::{certify_lower, certify_upper};
 use crate::bounds::sampling::{sample, sample_live, sample_lower, sample_upper};
+use crate::bounds::slip::distance_from_coulomb;
 use crate::bounds::unlimited::{Unlimited, certify_unlimited};
 use crate::bounds::{FactorBracket, LowerFactor, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
@@ -21,10 +22,14 @@ use crate::model::loads::Loads;
 use crate::model::resolve::load_model;
 use crate::report::case::case_result;
 use crate::report::data::{CaseResult, Problem, RESULT_FILE, RawBracket, ResultFile, Upper};
-use crate::report::field_files::{read_displacement, read_lower, read_stress, read_velocity};
+use crate::report::field_files::{read_displacement, read_lower, read_shift, read_stress, read_velocity};
 use crate::report::limit_case::limit_case_result;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+
+/// How far the shift of the contact cones may be from the slips of the displacement, part of the largest. The fixed point ends
+/// far below; a shift that has nothing to do with Coulomb's law is not missed.
+const FAR_FROM_COULOMB: f64 = 0.02;
 
 /// Random points tried per field.
 const POINTS: usize = 10_000;
@@ -148,10 +153,15 @@ impl Scene<'_> {
 
     /// The bounds of the energy, and the entry they make.
     fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
-        let Self { model, case, .. } = *self;
+        let Self { model: given, case, .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let mut findings = Vec::new();
-        let mut pass = Pass::default();
+        let mut pass = Pass { fixed_point: case.fixed_point.clone(), ..Pass::default() };
+        let bounded = case.lower.is_some() || case.upper.is_some();
+        if given.has_coulomb_friction() && bounded {
+            pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
+        }
+        let model = &AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
         if let Some(claimed) = case.lower {
             let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
             let sampled = sample(model, None, Some(&stress), POINTS);
@@ -167,6 +177,13 @@ impl Scene<'_> {
         }
         if let Some(claimed) = case.upper.and_then(|u| u.finite()) {
             let displacement = read_displacement(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let off = distance_from_coulomb(model, &pass.shift, &displacement);
+            if off > FAR_FROM_COULOMB {
+                refuted.push(format!(
+                    "{}: the shift of the contact cones is off the slips of Coulomb's law by {off:.1e} of the largest",
+                    case.name
+                ));
+            }
             let random = sample(model, Some(&displacement), None, POINTS).gap_cone;
             let bound = UpperBound::new(certify_displacement(model, &displacement), model.symmetry);
             let c = bound.certificate();
@@ -181,7 +198,7 @@ impl Scene<'_> {
                 Err(e) => refuted.push(format!("{}: {e}", case.name)),
             }
         }
-        Ok((findings, case_result(&case.name, model, &pass, None)))
+        Ok((findings, case_result(&case.name, given, &pass, None)))
     }
 
     /// The bounds of the load factor, and the entry they make.

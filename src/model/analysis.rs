@@ -3,6 +3,7 @@
 //! This is where the two ways in meet: a connection spec becomes one, a user's `MODEL.yaml` is one.
 
 use super::file::{AnalysisKind, Bounds, Friction, Gap};
+use super::opening::ConeShift;
 use crate::mesh::TetMesh;
 
 /// An isotropic material.
@@ -190,6 +191,8 @@ pub struct AnalysisModel {
     pub welds: Vec<Weld>,
     /// Contacts with rigid ground.
     pub ground: Vec<GroundContact>,
+    /// Shift of the contact cones, frozen: a step of the fixed point for Coulomb friction.
+    pub shift: ConeShift,
     /// Supports.
     pub supports: Vec<Support>,
     /// Rigid faces.

@@ -125,7 +125,7 @@ pub enum Friction {
     /// Slip dilates; both programs are convex duals of each other.
     Associated,
     /// Coulomb's law without dilation. Limit analysis: the lower bound without friction, the upper one with associated
-    /// friction. Elastic kinds (not available yet): a fixed point over associated problems.
+    /// friction. Elastic analysis: a fixed point over associated problems with shifted cones.
     Coulomb,
 }
 

@@ -4,7 +4,7 @@
 //! face; a quadratic polynomial lies in a convex cone wherever its six Bernstein coefficients do, so the contact law
 //! holds at every point of the interface, not only at nodes.
 
-use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, FacePair};
+use super::analysis::{AnalysisModel, BoundaryFace, FacePair};
 use super::assemble::assemble;
 use super::batch::Rule;
 use super::contact_modes::{ContactMode, contact_modes};
@@ -12,6 +12,7 @@ use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError};
 use super::loads::{Loads, face_corners, face_nodes};
+use super::opening::{Bernstein, ConeShift};
 use super::program::{Cone, ConicProgram, Csr};
 use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::split_flow;
@@ -23,7 +24,7 @@ use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::numbering::EdgeNumbering;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Ends of the edges of a face, by position: mid-side nodes 3, 4, 5 of a 6-node triangle.
 pub const FACE_EDGES: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
@@ -108,7 +109,7 @@ pub struct ControlPoint {
     pub normal: V3,
     /// Friction coefficient.
     pub mu: f64,
-    /// Coefficient of the initial gap \[mm\].
+    /// Coefficient of the initial gap, and of the shift where there is one \[mm\].
     pub gap: f64,
     /// Nodes on side A: vertex, or mid-side and ends.
     pub a: [usize; 3],
@@ -122,6 +123,19 @@ impl ControlPoint {
     /// Node weights of the coefficient.
     pub fn weights(&self) -> &'static [f64] {
         if self.edge { &[2.0, -0.5, -0.5] } else { &[1.0] }
+    }
+
+    /// Its identity: contact, nodes on both sides and the normal, rounded so that faces of one plane share it.
+    fn key(&self) -> (usize, usize, usize, [i64; 3]) {
+        // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a bound would not be one
+        let rounded = self.normal.map(|x| (x * 1e12).round() as i64);
+        (self.contact, self.a[0], self.b.map_or(usize::MAX, |b| b[0]), rounded)
+    }
+
+    /// The coefficient of the slip of nodal displacements, its size \[mm\].
+    pub fn slip(&self, u: &[V3]) -> f64 {
+        let jump = self.jump(u);
+        vec3::norm(vec3::sub(jump, vec3::scale(vec3::dot(jump, self.normal), self.normal)))
     }
 
     /// The coefficient of the jump `u_B − u_A` of nodal displacements.
@@ -169,60 +183,52 @@ enum Kind {
     Limit(Flow),
 }
 
-/// Every distinct control point of the model's contacts.
-pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
-    let mut out = Vec::new();
-    for (contact, interface) in model.interfaces.iter().enumerate() {
-        let mut seen = BTreeSet::new();
-        for f in &interface.faces {
+/// The six control points of every contact face, interfaces first; neighbours in one plane repeat each other's.
+fn points_of_faces(model: &AnalysisModel, space: &Tet10Space) -> Vec<[ControlPoint; 6]> {
+    let interfaces = model.interfaces.iter().enumerate().flat_map(|(contact, interface)| {
+        interface.faces.iter().map(move |f| {
             let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
-            let b = Some(space.triangle(f.nodes_b));
-            points_of_face(contact, &interface.law, &corners, space.triangle(f.nodes_a), b, &mut seen, &mut out);
-        }
-    }
-    for (contact, ground) in (model.interfaces.len()..).zip(&model.ground) {
-        let mut seen = BTreeSet::new();
-        for f in &ground.faces {
-            let corners = face_corners(&model.mesh, f);
+            (contact, corners, space.triangle(f.nodes_a), Some(space.triangle(f.nodes_b)))
+        })
+    });
+    let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(contact, ground)| {
+        ground.faces.iter().map(move |f| {
             let a = space.triangle(face_nodes(&model.mesh, f));
-            points_of_face(contact, &ground.law, &corners, a, None, &mut seen, &mut out);
-        }
-    }
-    out
+            (contact, face_corners(&model.mesh, f), a, None)
+        })
+    });
+    interfaces
+        .chain(ground)
+        .enumerate()
+        .map(|(face, (contact, corners, a, b))| {
+            let law = model.contact_law(contact);
+            points_of_face(contact, law.mu, model.opening(face, law, &corners), &corners, a, b)
+        })
+        .collect()
 }
 
-/// A control point's identity: nodes on both sides and the normal, rounded so that faces of one plane share it.
-type Key = (usize, usize, [i64; 3]);
+/// Every distinct control point of the model's contacts.
+pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
+    let mut seen = BTreeSet::new();
+    points_of_faces(model, space).into_iter().flatten().filter(|p| seen.insert(p.key())).collect()
+}
 
 fn points_of_face(
     contact: usize,
-    law: &ContactLaw,
+    mu: f64,
+    opening: Bernstein,
     corners: &[V3; 3],
     a: [usize; 6],
     b: Option<[usize; 6]>,
-    seen: &mut BTreeSet<Key>,
-    out: &mut Vec<ControlPoint>,
-) {
+) -> [ControlPoint; 6] {
     let area = vec3::area_vector(corners);
     let normal = vec3::scale(1.0 / vec3::norm(area), area);
-    // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a bound would not be one
-    let rounded = normal.map(|x| (x * 1e12).round() as i64);
-    for i in 0..6 {
-        if !seen.insert((a[i], b.map_or(usize::MAX, |b| b[i]), rounded)) {
-            continue;
-        }
+    std::array::from_fn(|i| {
         // a vertex stands for itself, an edge for its mid-side node and its two ends
-        let (picked, gap) = if i < 3 {
-            ([i; 3], law.gap.at(corners[i]))
-        } else {
-            let [p, q] = FACE_EDGES[i - 3];
-            let mid = vec3::scale(0.5, vec3::add(corners[p], corners[q]));
-            let ends = 0.5 * (law.gap.at(corners[p]) + law.gap.at(corners[q]));
-            ([i, p, q], 2.0 * law.gap.at(mid) - ends)
-        };
+        let picked = if i < 3 { [i; 3] } else { [i, FACE_EDGES[i - 3][0], FACE_EDGES[i - 3][1]] };
         let pick = |n: [usize; 6]| picked.map(|k| n[k]);
-        out.push(ControlPoint { contact, normal, mu: law.mu, gap, a: pick(a), b: b.map(pick), edge: i >= 3 });
-    }
+        ControlPoint { contact, normal, mu, gap: opening[i], a: pick(a), b: b.map(pick), edge: i >= 3 }
+    })
 }
 
 /// What a body force does to the nodes of an element.
@@ -433,6 +439,13 @@ impl Kinematic {
         };
         let inside: Vec<Inside> = model.yield_radii().iter().map(kind).collect();
         shared_forces(model, &self.space, &self.map, &self.rigid, &inside, loads)
+    }
+
+    /// The shift with the given values at the control points, face by face; points that cannot move have none.
+    pub fn cone_shift(&self, model: &AnalysisModel, values: &[f64]) -> ConeShift {
+        let of: BTreeMap<_, f64> = self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
+        let value = |p: ControlPoint| of.get(&p.key()).copied().unwrap_or(0.0);
+        ConeShift { faces: points_of_faces(model, &self.space).into_iter().map(|f| f.map(value)).collect() }
     }
 
     /// The rigid motions that only contact resists.

@@ -12,6 +12,7 @@ pub mod from_joint;
 pub mod holds;
 pub mod kinematic;
 pub mod loads;
+pub mod opening;
 pub mod program;
 pub mod resolve;
 pub mod rigid_motions;

@@ -11,6 +11,7 @@ mod parts;
 
 use super::analysis::AnalysisModel;
 use super::file::{AnalysisKind, ModelFile, Nodes};
+use super::opening::ConeShift;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::TetMesh;
 use crate::mesh::merge;
@@ -47,7 +48,7 @@ pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
 pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -> Result<AnalysisModel, Diagnostics> {
     let mut mesh = mesh;
     let mut notes = Vec::new();
-    let mut faults = Faults { place, limit: file.analysis == AnalysisKind::Limit, all: Vec::new() };
+    let mut faults = Faults { place, all: Vec::new() };
 
     unavailable(file, &mut faults);
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
@@ -111,6 +112,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
         interfaces,
         welds,
         ground,
+        shift: ConeShift::default(),
         supports,
         rigid,
         surface_loads,
@@ -142,8 +144,6 @@ fn no_action(r: &super::analysis::RigidFace) -> bool {
 /// The faults found so far, each with its place.
 pub(crate) struct Faults<'a> {
     place: &'a dyn Fn(&str) -> Place,
-    /// The analysis is a limit analysis.
-    limit: bool,
     all: Vec<Diagnostic>,
 }
 
@@ -157,8 +157,8 @@ impl Faults<'_> {
     /// A thing of the contract that this version does not do yet.
     fn unavailable(&mut self, path: &str, what: &str) {
         let m = format!("{what} is not available yet in this version");
-        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces and contact that is \
-                    frictionless (`mu: 0`) or has `friction: associated`; in limit analysis also `friction: coulomb`";
+        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces and contact, frictionless \
+                    (`mu: 0`) or with `friction: associated` or `coulomb`";
         self.add("model/unavailable", path, m, help);
     }
 }

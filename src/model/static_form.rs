@@ -11,6 +11,7 @@ use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError};
 use super::kinematic::{hold, push_rows};
 use super::loads::{Loads, face_corners};
+use super::opening::bernstein_at;
 use super::program::{ConicProgram, Csr};
 use super::rigid_motions::{self, RigidMotions, RigidPieces};
 use super::super_element::{self, PARAMETERS, SuperElement, TRACTIONS};
@@ -150,7 +151,7 @@ pub struct ContactVertex {
     pub index: usize,
     /// Area of the face \[mm²\].
     pub area: f64,
-    /// `∫ φ_a g₀` \[mm³\].
+    /// `∫ φ_a (g₀ + s)`, s the shift where there is one \[mm³\].
     pub gap: f64,
 }
 
@@ -192,17 +193,14 @@ pub struct Static<'a> {
 fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
     let model = elements.model;
     let mut out = Vec::new();
+    let mut number = 0;
     let mut face = |contact: usize, law: &ContactLaw, corners: &[V3; 3], a: [usize; 3], b: Option<[usize; 3]>| {
         let vector = vec3::area_vector(corners);
         let area = vec3::norm(vector);
+        let opening = model.opening(number, law, corners);
+        number += 1;
         for index in 0..3 {
-            let gap = TRIANGLE_4
-                .iter()
-                .map(|(l, w)| {
-                    let x = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
-                    w * area * l[index] * law.gap.at(x)
-                })
-                .sum();
+            let gap = TRIANGLE_4.iter().map(|(l, w)| w * area * l[index] * bernstein_at(&opening, *l)).sum();
             let normal = vec3::scale(1.0 / area, vector);
             out.push(ContactVertex { contact, normal, mu: law.mu, a, b, index, area, gap });
         }

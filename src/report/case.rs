@@ -12,7 +12,7 @@ use crate::bounds::welds::utilisations;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
-use crate::model::file::Friction;
+use crate::model::file::AnalysisKind;
 use crate::model::loads::face_corners;
 use crate::solve::{Iteration, SolveStatus};
 
@@ -66,18 +66,20 @@ pub(super) fn problem(model: &AnalysisModel) -> Problem {
     let laws: Vec<_> = contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
         Problem::Frictionless
-    } else if laws.iter().any(|l| l.friction == Friction::Coulomb) {
-        Problem::Coulomb
+    } else if laws.iter().any(|l| l.is_coulomb()) {
+        // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed point
+        if model.analysis == AnalysisKind::Limit { Problem::Coulomb } else { Problem::ShiftedCones }
     } else {
         Problem::Associated
     }
 }
 
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
-/// dead load, no initial gap, no weld that may give way.
+/// dead load, no initial gap, no shifted cones, no weld that may give way.
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
-    let bent = model.has_dead_loads() || gaps || !model.body_loads.is_empty() || !model.welds.is_empty();
+    let shifted = model.has_coulomb_friction();
+    let bent = model.has_dead_loads() || gaps || shifted || !model.body_loads.is_empty() || !model.welds.is_empty();
     if bent { None } else { only_load(model) }
 }
 
@@ -210,6 +212,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        fixed_point: pass.fixed_point.clone(),
         load,
         load_displacement,
         certificate: certificate(pass),

@@ -4,6 +4,7 @@
 //! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
 
 use super::demand::Demand;
+use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::Check;
 pub use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
@@ -165,6 +166,9 @@ pub struct CaseResult {
     /// Value of the fixed point for Coulomb friction: an estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
+    /// Coulomb friction in elastic analysis: how the fixed point went.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fixed_point: Option<FixedPointRun>,
     /// The only load, at load factor 1, of the whole structure: the one whose displacement or collapse is bracketed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<LoadSize>,

@@ -1,11 +1,14 @@
 //! The two fields as `.vtu` files: written for ParaView, read back exactly for `bracket verify`.
 
-use super::vtu::{Array, QUADRATIC_TETRA, TETRA, VtuError, VtuGrid};
+use super::vtu::{Array, QUADRATIC_TETRA, QUADRATIC_TRIANGLE, TETRA, VtuError, VtuGrid};
+use crate::bounds::faces::{ContactFace, contact_faces};
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::flow::VelocityField;
 use crate::math::mandel::{self, Mandel};
+use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::model::kinematic::Tet10Space;
+use crate::model::kinematic::{FACE_EDGES, Tet10Space};
+use crate::model::opening::ConeShift;
 use crate::model::super_element::SuperElement;
 
 /// Name of the displacement array \[mm\].
@@ -16,6 +19,10 @@ const VELOCITY: &str = "velocity";
 const FACTOR: &str = "load_factor";
 /// Name of the stress array, Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]` \[MPa\].
 const STRESS: &str = "stress_mandel";
+
+/// Name of the array of Bernstein coefficients of the shift of contact cones on each face: of the vertices, then of the edges
+/// \[mm\].
+const SHIFT: &str = "shift_bernstein";
 
 /// Why a field file does not fit its model.
 #[derive(Debug, thiserror::Error)]
@@ -118,6 +125,47 @@ pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> Vt
     grid.cell_data.push(array("utilisation", 1, values.collect()));
     grid.field_data.push(array(FACTOR, 1, vec![factor]));
     grid
+}
+
+/// The shift of the contact cones on the contact faces, quadratic triangles in the order of the faces; vertices in outward order
+/// of side A.
+pub fn shift_grid(model: &AnalysisModel, shift: &ConeShift) -> VtuGrid {
+    let mut values = Vec::new();
+    for c in &shift.faces {
+        values.extend(&c[..3]);
+        values.extend(FACE_EDGES.iter().zip(&c[3..]).map(|([p, q], edge)| 0.25 * (c[*p] + c[*q]) + 0.5 * edge));
+    }
+    let points = shift_points(model);
+    VtuGrid {
+        cells: (0..points.len() as u32).collect(),
+        points,
+        cell_type: QUADRATIC_TRIANGLE,
+        point_data: vec![array("shift", 1, values)],
+        cell_data: vec![array(SHIFT, 6, shift.faces.iter().flatten().copied().collect())],
+        field_data: vec![],
+    }
+}
+
+/// Vertices and mid-sides of every contact face \[mm\].
+fn shift_points(model: &AnalysisModel) -> Vec<[f64; 3]> {
+    let of_face = |f: ContactFace<'_>| {
+        let x = f.corners(model);
+        let middles = FACE_EDGES.map(|[p, q]| vec3::scale(0.5, vec3::add(x[p], x[q])));
+        x.into_iter().chain(middles)
+    };
+    contact_faces(model).into_iter().flat_map(of_face).collect()
+}
+
+/// Reads a shift of contact cones and checks that it belongs to the model's contact faces.
+pub fn read_shift(model: &AnalysisModel, bytes: &[u8]) -> Result<ConeShift, FieldFileError> {
+    let grid = VtuGrid::from_bytes(bytes)?;
+    let wanted = shift_points(model);
+    check_points(&grid.points, &wanted)?;
+    let a = grid.cell_array(SHIFT).ok_or(FieldFileError::Missing(SHIFT))?;
+    if a.1 != 6 || a.2.len() != wanted.len() {
+        return Err(FieldFileError::Missing(SHIFT));
+    }
+    Ok(ConeShift { faces: a.2.chunks_exact(6).map(|c| std::array::from_fn(|i| c[i])).collect() })
 }
 
 fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFileError> {

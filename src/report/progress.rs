@@ -1,6 +1,6 @@
 //! The events of a pass as lines and bars.
 
-use super::figures::{Rounding, fixed, significant};
+use super::figures::{Rounding, fixed, percent_up, significant};
 use super::log::Log;
 use super::pace::{Pace, about};
 use crate::adapt::memory::{Limit, Room};
@@ -65,6 +65,10 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             // with bar and time left it fits into 80 columns
             log.iteration(program, i, &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"));
         }
+        Event::Slips { solves, change } => log.line(format!(
+            "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed them by {} of the largest",
+            percent_up(change)
+        )),
         Event::Certify => {
             log.end(program);
             log.stage(format!("{case}: certifying the {name} field"));

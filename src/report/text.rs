@@ -6,6 +6,7 @@ use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
+use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
 
@@ -205,11 +206,16 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             );
         }
         (Quantity::PotentialEnergy, None) => {
-            let why = match (data.model.preload, data.model.initial_gap) {
-                (true, true) => ": with preload and initial gaps it does not bracket a displacement",
-                (true, false) => ": with preload it does not bracket a displacement",
-                (false, true) => ": with initial gaps it does not bracket a displacement",
-                (false, false) => "",
+            let shifted = case.problem == Problem::ShiftedCones;
+            let all = [
+                (data.model.preload, "preload"),
+                (data.model.initial_gap, "initial gaps"),
+                (shifted, "Coulomb friction"),
+            ];
+            let with: Vec<&str> = all.into_iter().filter(|(is, _)| *is).map(|(_, what)| what).collect();
+            let why = match with.len() {
+                0 => String::new(),
+                _ => format!(": with {} it does not bracket a displacement", with.join(" and ")),
             };
             paragraph(page, &format!("The bracket is one of the energy only{why}."));
         }
@@ -224,6 +230,9 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(page, &format!("{label} alone: {}.", raw_bracket(raw)));
         }
     }
+    if let Some(run) = &case.fixed_point {
+        paragraph(page, &fixed_point_words(run));
+    }
     if let Some(estimate) = case.coulomb_estimate {
         let value = significant(estimate, 4, Rounding::Nearest);
         paragraph(page, &format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound)."));
@@ -237,6 +246,20 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(page, &format!("Peak contact pressure: {}; local values are estimates.", sides.join(", ")));
         }
     }
+}
+
+/// How near the problem of the bracket is to Coulomb's law.
+fn fixed_point_words(run: &FixedPointRun) -> String {
+    let problems = if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
+    let contraction = match run.contraction {
+        Some(c) => format!("; a plain step leaves {} of the error", percent_up(c)),
+        None => String::new(),
+    };
+    format!(
+        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} of the largest{contraction}. The \
+         bracket is strict for that last problem.",
+        percent_up(run.change)
+    )
 }
 
 fn raw_bracket(raw: RawBracket) -> String {

@@ -86,32 +86,55 @@ impl Prepared<'_> {
     ///
     /// A program without cones is a linear system and is solved as one. When the condensed method ends without an answer,
     /// Clarabel is asked.
-    pub fn solve(self, options: &SolveOptions) -> Solution {
+    pub fn solve(mut self, options: &SolveOptions) -> Solution {
+        self.run(None, options)
+    }
+
+    /// Solves it and keeps what was prepared, for [`Self::solve_at`].
+    pub fn solve_first(&mut self, options: &SolveOptions) -> Solution {
+        self.run(None, options)
+    }
+
+    /// Solves it with other offsets of its rows; all that was prepared stays as it is.
+    pub fn solve_at(&mut self, offsets: &[f64], options: &SolveOptions) -> Solution {
+        self.start = Instant::now();
+        self.run(Some(offsets), options)
+    }
+
+    fn run(&mut self, offsets: Option<&[f64]>, options: &SolveOptions) -> Solution {
         let start = self.start;
-        let solution = match self.way {
-            Way::Linear(mut factor) => match factor.refactor(&self.program.p) {
-                Ok(()) => linear_solution(self.program, &factor),
-                Err(_) => failed(self.program),
+        let solution = match &mut self.way {
+            Way::Linear(factor) => match factor.refactor(&self.program.p) {
+                Ok(()) => Some(linear_solution(self.program, factor)),
+                Err(_) => Some(failed(self.program)),
             },
-            Way::Singular => failed(self.program),
-            Way::Rest => Solution {
+            Way::Singular => Some(failed(self.program)),
+            Way::Rest => Some(Solution {
                 status: SolveStatus::Optimal,
                 x: vec![0.0; self.program.unknowns()],
                 z: vec![0.0; self.program.h.len()],
                 iterations: 0,
                 seconds: 0.0,
-            },
+            }),
             Way::Condensed(prepared) => {
                 use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
                 let bytes = prepared.forecast().bytes;
-                let solution = prepared.solve(options);
+                let solution = prepared.solve_at(offsets.unwrap_or(&self.program.h), options);
                 let answered = matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
                 // Clarabel takes about twice as much memory
                 let fits = available_memory().is_none_or(|there| there / CLARABEL_MEMORY > bytes);
-                if answered || !fits { solution } else { clarabel::solve(self.program, options) }
+                (answered || !fits).then_some(solution)
             }
-            Way::Clarabel => clarabel::solve(self.program, options),
+            Way::Clarabel => None,
         };
+        let solution = solution.unwrap_or_else(|| {
+            // frees the factor
+            self.way = Way::Clarabel;
+            match offsets {
+                Some(h) => clarabel::solve(&ConicProgram { h: h.to_vec(), ..self.program.clone() }, options),
+                None => clarabel::solve(self.program, options),
+            }
+        });
         // preparing and an attempt in vain count as well
         Solution { seconds: start.elapsed().as_secs_f64(), ..solution }
     }

@@ -79,7 +79,6 @@ impl Scales {
         }
         let factor = self.columns.last().copied().unwrap_or(1.0);
         let conjugate = |i: usize| if self.maximised[i] { self.motion } else { self.force };
-        let offset = |r: usize| if r < self.points { self.motion } else { self.force };
         let scaled = |(i, (q, c)): (usize, (&f64, &f64))| q * c / conjugate(i);
         let yields = !program.elements.batches.is_empty();
         ConicProgram {
@@ -87,7 +86,7 @@ impl Scales {
             q: program.q.iter().zip(&self.columns).enumerate().map(scaled).collect(),
             c: 0.0,
             g,
-            h: program.h.iter().zip(&self.rows).enumerate().map(|(i, (h, r))| h * r / offset(i)).collect(),
+            h: self.scale_offsets(&program.h),
             cones: program.cones.clone(),
             elements: Elements {
                 batches: program.elements.batches.clone(),
@@ -96,6 +95,12 @@ impl Scales {
             live: program.live.iter().zip(&self.columns).map(|(f, c)| f * c * factor).collect(),
             stiffness: Vec::new(),
         }
+    }
+
+    /// Offsets of the rows, scaled.
+    pub fn scale_offsets(&self, h: &[f64]) -> Vec<f64> {
+        let offset = |r: usize| if r < self.points { self.motion } else { self.force };
+        h.iter().zip(&self.rows).enumerate().map(|(i, (h, r))| h * r / offset(i)).collect()
     }
 
     /// Unknowns in the program's units.

@@ -44,14 +44,6 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("nu: 0.3}", "nu: 0.3, E: 1}", "yaml/duplicate-key", 3, "`E`", "keep one"),
     ("nu: 0.3}", "nu: 0.3, density: 1}", "yaml/unknown-key", 3, "`density`", "E, nu, fy"),
     (
-        "mu: 0.3, friction: associated",
-        "mu: 0.3, friction: coulomb",
-        "model/unavailable",
-        6,
-        "`friction: coulomb`",
-        "associated",
-    ),
-    (
         "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\ninterfaces:\n  \
          - {between: [A, B], law: contact, mu: 0.3, friction: associated}\n",
         "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n",

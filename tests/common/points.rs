@@ -257,7 +257,8 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     }
     let size = f.u.u.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     for _ in 0..POINTS {
-        let (law, a, nodes, pair) = &all[random.below(all.len())];
+        let index = random.below(all.len());
+        let (law, a, nodes, pair) = &all[index];
         let x = f.positions(*nodes);
         let l = random.simplex::<3>();
         let (at, n) = (combine(&x, &l), outward(&x));
@@ -273,7 +274,13 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
             let ub = f.displacement(p.nodes_b, l);
             (0..3).for_each(|d| g[d] += ub[d]);
         }
-        let g0 = law.gap.at(at);
+        // the shift of the cone by its Bernstein coefficients, written out
+        let s = f.model.shift.faces.get(index).copied().unwrap_or_default();
+        let shift = s[0] * l[0] * l[0]
+            + s[1] * l[1] * l[1]
+            + s[2] * l[2] * l[2]
+            + 2.0 * (s[3] * l[0] * l[1] + s[4] * l[1] * l[2] + s[5] * l[0] * l[2]);
+        let g0 = law.gap.at(at) + shift;
         let gn = dot(g, n);
         let gt = norm(sub(g, n.map(|c| gn * c)));
         let slack = 1e-12 * size.max(g0.abs());

@@ -35,12 +35,14 @@ pub fn solve(yaml: &str, mesh: TetMesh) -> Solved {
 
 /// The same with other solver limits.
 pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
-    let model = match resolve(yaml, mesh) {
+    let mut model = match resolve(yaml, mesh) {
         Ok(model) => model,
         Err(e) => panic!("{e:?}"),
     };
     let pass =
         pass::run(&model, &PassOptions { solve: options.clone(), ..PassOptions::default() }, &pass::silent()).unwrap();
+    // the problem that the bounds belong to
+    model.shift = pass.shift.clone();
     Solved { model, pass }
 }
 
@@ -53,7 +55,8 @@ impl Solved {
         for r in runs {
             assert_eq!(r.status, SolveStatus::Optimal, "{name}: {r:?}");
             assert_eq!(r.trouble, None, "{name}");
-            assert!(r.iterations <= oracle::MOST_ITERATIONS, "{name}: {r:?}");
+            let solves = p.fixed_point.as_ref().map_or(1, |f| f.solves as u32);
+            assert!(r.iterations <= solves * oracle::MOST_ITERATIONS, "{name}: {r:?}");
         }
         self.agree_with_clarabel(name);
         let b = p.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
@@ -116,6 +119,11 @@ impl Solved {
     pub fn no_equilibrium(&self, name: &str, part: &str) {
         assert!(self.pass.bracket.is_none() && self.pass.lower.is_none() && self.pass.upper.is_none(), "{name}");
         for (which, r) in [("kinematic", &self.pass.kinematic), ("static", &self.pass.statics)] {
+            // under Coulomb's law the static program waits for the slips of the kinematic one
+            if which == "static" && self.model.has_coulomb_friction() {
+                assert!(r.is_none(), "{name}: {r:?}");
+                continue;
+            }
             let r = r.as_ref().unwrap();
             println!("{name}: {which} {:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
             assert_eq!(r.status, SolveStatus::Unbounded, "{name}: {which}");

@@ -238,11 +238,6 @@ pub(super) fn contact_law(
         return None;
     }
     let friction = match friction {
-        // limit analysis brackets Coulomb's law by the bounds without friction and with associated friction
-        Some(Friction::Coulomb) if mu > 0.0 && !faults.limit => {
-            faults.unavailable(&format!("{path}.friction"), "`friction: coulomb`");
-            return None;
-        }
         Some(f) => f,
         None => {
             if mu > 0.0 {

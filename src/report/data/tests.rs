@@ -14,6 +14,7 @@ fn case() -> CaseResult {
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        fixed_point: None,
         load: None,
         load_displacement: None,
         certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),

@@ -60,6 +60,16 @@ impl Prepared {
 
     /// Solves the program.
     pub fn solve(mut self, options: &SolveOptions) -> Solution {
+        self.run(options)
+    }
+
+    /// Solves it with other offsets of its rows; scales, ordering and pattern stay.
+    pub fn solve_at(&mut self, offsets: &[f64], options: &SolveOptions) -> Solution {
+        self.problem.program.h = self.scales.scale_offsets(offsets);
+        self.run(options)
+    }
+
+    fn run(&mut self, options: &SolveOptions) -> Solution {
         let start = Instant::now();
         let outcome = ipm::iterate(&self.problem, &mut self.system, options, start);
         Solution {

@@ -64,14 +64,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "(20, 10, ",
         "overlap",
     ),
-    (
-        "friction: associated",
-        "friction: coulomb",
-        "model/unavailable",
-        6,
-        "`friction: coulomb`",
-        "friction: associated",
-    ),
+    ("friction: associated", "friction: columb", "yaml/type", 6, "columb", "coulomb"),
     ("friction: associated", "throat: 5", "model/interface", 6, "`throat` means nothing for `law: contact`", "remove"),
     (
         "contact, mu: 0.3, friction: associated",

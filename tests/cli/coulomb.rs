@@ -1,0 +1,65 @@
+//! Coulomb friction in elastic analysis through the real program: the result, the report, `bracket verify`.
+
+use crate::bench::Bench;
+use crate::{bench, expect, opening};
+use bracket::report::vtu::VtuGrid;
+use serde_json::Value;
+
+/// The blocks with a gap that closes, pushed sideways: parts of the joint slip.
+fn solved() -> Bench {
+    let bench = bench(&opening().replace("associated", "coulomb"));
+    expect(&bench, &["analyse", "block.yaml", "-q"], 0);
+    bench
+}
+
+fn case(bench: &Bench) -> Value {
+    let result: Value = serde_json::from_str(&bench.read("block/result.json")).expect("JSON");
+    result["cases"][0].clone()
+}
+
+/// Replaces the shift of the cones by a multiple of it.
+fn scale_shift(bench: &Bench, factor: f64) {
+    let path = bench.path().join("block/fields/block_shift.vtu");
+    let mut grid = VtuGrid::from_bytes(&std::fs::read(&path).expect("written")).expect("our own file");
+    grid.cell_data[0].2.iter_mut().for_each(|s| *s *= factor);
+    std::fs::write(&path, grid.to_bytes().expect("sound")).expect("written");
+}
+
+#[test]
+fn the_bracket_is_one_of_shifted_cones_and_is_confirmed_from_the_files() {
+    let bench = solved();
+    let c = case(&bench);
+    assert_eq!(c["problem"], "shifted_cones", "{c}");
+    assert_eq!(c["certificate"]["strict"], true, "{c}");
+    let run = &c["fixed_point"];
+    assert!(
+        run["solves"].as_u64().expect("a number") > 1 && run["change"].as_f64().expect("a number") <= 1e-3,
+        "{run}"
+    );
+    // its energy says nothing rigorous of the load's displacement
+    assert!(c.get("load_displacement").is_none() && c.get("load").is_none(), "{c}");
+    let report = bench.read("block/report.md");
+    for words in
+        ["Coulomb's law was reached through", "strict for that last problem", "they are not bounds of Coulomb's"]
+    {
+        assert!(report.contains(words), "{words}: {report}");
+    }
+    assert!(report.contains("with initial gaps and Coulomb friction it does not bracket a displacement"), "{report}");
+    let (out, _) = expect(&bench, &["verify", "block"], 0);
+    assert_eq!(out.matches("confirmed").count(), 2, "{out}");
+}
+
+#[test]
+fn another_shift_is_refuted() {
+    // a larger shift keeps the displacement admissible, a smaller one changes the energy of the stress as well
+    for factor in [1.1, 0.9, 0.0] {
+        let bench = solved();
+        scale_shift(&bench, factor);
+        let (out, _) = expect(&bench, &["verify", "block"], 1);
+        assert!(out.contains("off the slips of Coulomb's law"), "{factor}: {out}");
+    }
+    let bench = solved();
+    std::fs::remove_file(bench.path().join("block/fields/block_shift.vtu")).expect("written");
+    let (_, err) = expect(&bench, &["verify", "block"], 2);
+    assert!(err.contains("block_shift.vtu"), "{err}");
+}
