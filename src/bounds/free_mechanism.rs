@@ -5,15 +5,19 @@
 //! Rigid motions are the only ones without strain, so that the search has a handful of unknowns; the certificate is that of
 //! an upper bound with every body rigid, and asks nobody how the motion was found.
 
+use super::certificate::{largest, ratio};
+use super::faces::weld_faces;
 use super::factor::UpperFactor;
 use super::fields::DisplacementField;
 use super::flow::VelocityField;
 use super::limit_certificate::{UpperCertificate, certify_upper};
 use super::recover::RecoverError;
+use super::welds::jumps;
 use crate::math::dense::null_space;
-use crate::model::kinematic::Flow;
+use crate::math::vec3;
+use crate::model::kinematic::{Flow, Tet10Space};
 use crate::model::loads::Loads;
-use crate::model::program::{Cone, ConicProgram, cone_margin};
+use crate::model::program::{Cone, ConicProgram, Csr, cone_margin};
 use crate::model::{AnalysisModel, Kinematic};
 use crate::solve::{SolveOptions, collapse};
 use faer::Mat;
@@ -34,11 +38,19 @@ pub struct FreeMechanism {
     pub certificate: UpperCertificate,
 }
 
-/// Certifies velocities as a mechanism at zero load: an upper bound with every body rigid, nothing dissipates.
+/// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld rigid, nothing dissipates.
+/// A weld's jump over the largest velocity counts among the strains of rigid bodies.
 pub fn certify_free(model: &AnalysisModel, field: &VelocityField) -> UpperCertificate {
     let mut rigid = model.clone();
     rigid.materials.iter_mut().for_each(|m| m.fy = None);
-    certify_upper(&rigid, field, 0)
+    rigid.welds.clear();
+    let mut certificate = certify_upper(&rigid, field, 0);
+    let u = &field.nodes.u;
+    let space = Tet10Space::new(&model.mesh);
+    let jumps = weld_faces(model).into_iter().flat_map(|f| jumps(&space, &f, u).map(vec3::norm));
+    let jump = ratio(largest(jumps), largest(u.iter().map(|x| vec3::norm(*x))));
+    certificate.rigid = certificate.rigid.max(jump);
+    certificate
 }
 
 /// True when the certificate proves that no positive load factor can be carried.
@@ -53,7 +65,10 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
         return Ok(None);
     }
     let kinematic = Kinematic::new(model)?;
-    let modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
+    let mut modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
+    if !model.welds.is_empty() {
+        modes = without_jumps(&kinematic.weld_rows(model), &modes);
+    }
     if modes.is_empty() {
         return Ok(None);
     }
@@ -80,6 +95,21 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     Ok(is_free(&certificate).then_some(FreeMechanism { field, certificate }))
 }
 
+/// The combinations of motions that leave the given rows zero: those that strain no weld.
+fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let jumps: Vec<Vec<f64>> = modes.iter().map(|m| rows.mul(m)).collect();
+    let n = modes.len();
+    let gram = Mat::from_fn(n, n, |i, j| jumps[i].iter().zip(&jumps[j]).map(|(a, b)| a * b).sum::<f64>());
+    let combine = |c: Vec<f64>| -> Vec<f64> {
+        let mut x = vec![0.0; modes[0].len()];
+        for (mode, c) in modes.iter().zip(c) {
+            x.iter_mut().zip(mode).for_each(|(x, m)| *x += c * m);
+        }
+        x
+    };
+    null_space(&gram, 1e-12).into_iter().map(combine).collect()
+}
+
 /// The motion with its closed cones closed to rounding and the others not violated: the small program is solved to its
 /// tolerance only.
 fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
@@ -104,8 +134,8 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let s = slacks(&c);
     let size = s.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     let ranges = super::recover::cone_ranges(program);
-    let largest = |(at, d): (usize, usize)| s[at..at + d].iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let (closed, open): (Vec<_>, Vec<_>) = ranges.into_iter().partition(|r| largest(*r) <= CLOSED * size);
+    let size_of = |(at, d): (usize, usize)| s[at..at + d].iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let (closed, open): (Vec<_>, Vec<_>) = ranges.into_iter().partition(|r| size_of(*r) <= CLOSED * size);
     let mut held = Mat::<f64>::zeros(n, n);
     for r in closed.iter().flat_map(|&(at, d)| at..at + d) {
         for i in 0..n {

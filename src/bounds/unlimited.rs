@@ -1,15 +1,15 @@
 //! Load factors without limit: a stress field that carries the live loads alone and nowhere comes nearer to yield.
 //!
 //! Let a field be in equilibrium with the live loads alone, its contact tractions inside their cones and its deviator zero in
-//! every body that yields. Any multiple of it may then be added to an admissible field of the dead loads: the yield surface
+//! every body that yields, and no traction in any weld of finite strength. Any multiple of it may then be added to an admissible field of the dead loads: the yield surface
 //! sees no difference and cones are convex. So every load factor can be carried, under Coulomb's law as well, for such
 //! a field presses contacts without any shear.
 //!
 //! Without a deviator `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live body force. Tractions are continuous, so that
 //! c is one number in each body and its connected pieces: all that is to be found, by least squares on the faces.
 
-use super::certificate::{TOLERANCE, certify_stress, largest, ratio};
-use super::faces::{FaceRole, contact_faces, roles};
+use super::certificate::{TOLERANCE, certify_stress, contact_tractions, largest, ratio};
+use super::faces::{FaceRole, contact_faces, roles, weld_faces};
 use super::fields::StressField;
 use super::limit_certificate::{LowerCertificate, certify_lower};
 use crate::math::dense::pseudo_solve;
@@ -34,6 +34,8 @@ pub struct UnlimitedCertificate {
     pub contact: Option<f64>,
     /// max ‖dev σ‖ / max |σ| in bodies that yield.
     pub deviator: f64,
+    /// max |t| / max |σ| over welds of finite strength, which must carry nothing; `None` without welds.
+    pub weld: Option<f64>,
     /// What the field of the dead loads alone proves; `None` where there are none, or no field of theirs is given.
     pub dead: Option<LowerCertificate>,
     /// Dead loads without a field of theirs: nothing is proved.
@@ -43,7 +45,8 @@ pub struct UnlimitedCertificate {
 impl UnlimitedCertificate {
     /// True when every residual is within [`TOLERANCE`] and the dead loads are carried.
     pub fn is_strict(&self) -> bool {
-        let residuals = [Some(self.equilibrium), Some(self.traction_jump), self.contact, Some(self.deviator)];
+        let residuals =
+            [Some(self.equilibrium), Some(self.traction_jump), self.contact, Some(self.deviator), self.weld];
         let dead = self.dead.as_ref().is_none_or(|d| super::LowerFactor::new(d.clone()).is_strict());
         residuals.into_iter().flatten().all(|r| r <= TOLERANCE) && dead && !self.unproved
     }
@@ -73,11 +76,19 @@ pub fn certify_unlimited(
     let shear = largest(of_tets.flat_map(|(s, _)| s.iter().flatten()).map(|s| deviator(s).iter().map(|x| x * x).sum()));
     let finite = field.points.iter().flatten().flatten().flatten().all(|x| x.is_finite());
     let loaded = model.has_dead_loads();
+    let roles = roles(model, Loads::LIVE);
     UnlimitedCertificate {
         equilibrium: if finite { base.equilibrium } else { f64::NAN },
         traction_jump: base.traction_jump,
         contact: base.contact,
         deviator: ratio(shear.sqrt(), size),
+        weld: (!model.welds.is_empty()).then(|| {
+            let tractions = weld_faces(model).into_iter().flat_map(|f| {
+                let role = roles.get(&(f.a.tet, f.a.local));
+                contact_tractions(model, field, &f, role).map(vec3::norm)
+            });
+            ratio(largest(tractions), size)
+        }),
         dead: dead.filter(|_| loaded).map(|d| certify_lower(model, d, 0.0)),
         unproved: loaded && dead.is_none(),
     }
@@ -193,6 +204,18 @@ fn pressures(model: &AnalysisModel) -> StressField {
         for x in f.corners(model) {
             let load = vec3::dot(role.map_or([0.0; 3], |r| r.load(x, n)), n);
             normal.add(area, &[(piece[a], 1.0), (piece[b], -1.0)], own(b, x) - own(a, x) - load);
+        }
+    }
+    // a weld may carry no multiple of anything: no pressure on either side, but for loads on the face itself
+    for f in weld_faces(model) {
+        let (n, area) = f.normal(model);
+        for (side, sign) in [Some((f.a, 1.0)), f.b.map(|b| (b.0, -1.0))].into_iter().flatten() {
+            let role = roles.get(&(side.tet, side.local));
+            let tet = side.tet as usize;
+            for x in f.corners(model) {
+                let load = sign * vec3::dot(role.map_or([0.0; 3], |r| r.load(x, vec3::scale(sign, n))), n);
+                normal.add(area, &[(piece[tet], 1.0)], -own(tet, x) - load);
+            }
         }
     }
     for rigid in &model.rigid {

@@ -3,7 +3,9 @@
 use crate::certified::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, triangles_where};
+use bracket::bounds::StressField;
 use bracket::bounds::limit_certificate::certify_upper;
+use bracket::bounds::unlimited::certify_unlimited;
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 
@@ -148,4 +150,34 @@ fn turned_weld() {
     });
     // the traction jumps at mid-height, which is a mesh line: exact on both sides but for the solver's tolerance
     assert!(bounds.iter().all(|gap| *gap < 1e-4), "{bounds:?}");
+}
+
+/// All-round pressure goes through the weld: it is no load without limit, and no pressure field proves it one.
+#[test]
+fn pressure_through_a_weld_is_limited() {
+    let faces = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"];
+    let loads: String = faces.iter().map(|f| format!("- {{face: {f}, pressure: 1}}\n")).collect();
+    let m = welded(cubes(1), "strength_traction: 100", &format!("loads:\n{loads}"));
+    let field = StressField { points: vec![[[[-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]; 4]; 4]; m.mesh.tets.len()] };
+    let certificate = certify_unlimited(&m, &field, None);
+    assert!(certificate.traction_jump < 1e-12 && certificate.deviator == 0.0, "{certificate:?}");
+    assert!(!certificate.is_strict() && certificate.weld.unwrap() > 0.5, "{certificate:?}");
+    let pass = run(&m);
+    assert!(pass.unlimited.is_none());
+    let [low, up] = pass.bracket.map(|b| [b.lower().value(), b.upper().value()]).unwrap();
+    assert!(low <= 100.0 * (1.0 + 1e-9) && up >= 100.0 * (1.0 - 1e-9) && up < 101.0, "[{low}, {up}]");
+}
+
+/// Welded cubes that stand on the ground are lifted together without any load; held beside, the weld holds both.
+#[test]
+fn what_a_weld_holds_is_no_mechanism() {
+    let lifted = |support: &str| {
+        let floor = "- {face: Z0, law: contact, mu: 0.3, friction: associated}\n";
+        let rest = format!("supports:\n{floor}{support}loads:\n- {{face: Z1, traction: [0, 0, 1]}}\n");
+        run(&welded(cubes(1), "strength_traction: 100", &rest))
+    };
+    let free = lifted("").free.expect("nothing holds them");
+    assert!(free.certificate.rigid < 1e-12 && free.certificate.live_power > 0.0, "{:?}", free.certificate);
+    let held = lifted("- {face: X1, fix: [x, y, z]}\n");
+    assert!(held.free.is_none() && held.lower.unwrap().value() > 1.0);
 }
