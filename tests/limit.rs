@@ -8,11 +8,19 @@ mod certified;
 mod common;
 #[path = "limit/exact.rs"]
 mod exact;
+#[path = "limit/hollow_sphere.rs"]
+mod hollow_sphere;
+#[path = "limit/plane_strain.rs"]
+mod plane_strain;
 #[path = "limit/random.rs"]
 mod random;
 #[path = "limit/random_joints.rs"]
 mod random_joints;
 #[path = "limit/rigid_bodies.rs"]
 mod rigid_bodies;
+#[path = "limit/strip_with_hole.rs"]
+mod strip_with_hole;
+#[path = "limit/t_stubs.rs"]
+mod t_stubs;
 #[path = "limit/welds.rs"]
 mod welds;

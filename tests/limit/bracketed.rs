@@ -2,6 +2,7 @@
 
 use crate::certified::factors;
 use crate::common::Block;
+use crate::common::grid::{Grid, even, finer_at_start, name};
 use crate::common::yielding::{block, model};
 use bracket::mesh::TetMesh;
 
@@ -23,6 +24,24 @@ fn clamped_plate() {
         up / low - 1.0
     });
     assert!(gaps[1] < 0.6 * gaps[0], "{gaps:?}");
+}
+
+/// C1 on a mesh finer towards the clamp: at most 8 % wide with at most 12 000 macro tets.
+#[test]
+#[ignore = "heavy: minutes"]
+fn clamped_plate_fine() {
+    let x = finer_at_start(0.0, 5.0, 0.12, 1.1);
+    let mesh = Grid::new([x, even(0.0, 2.0, 10), even(0.0, 1.0, 8)]).jittered(0.2, 2);
+    let mut mesh = mesh.mesh(&["B"], |_| Some(0), |axis, z| axis == 2 && (z - 0.5).abs() < 1e-9);
+    name(&mut mesh, "X0", "B", |p| p[0] == 0.0);
+    name(&mut mesh, "X1", "B", |p| p[0] == 5.0);
+    let m = model(
+        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n",
+        mesh,
+    );
+    let [low, up] = factors(&format!("C1, {} tets", m.mesh.tets.len()), &m);
+    assert!(low <= 0.0628 && up >= 0.0578, "[{low}, {up}]");
+    assert!(m.mesh.tets.len() <= 12_000 && up / low - 1.0 <= 0.08, "[{low}, {up}]");
 }
 
 /// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top.

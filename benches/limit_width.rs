@@ -1,0 +1,343 @@
+//! Where the width of a limit load's bracket comes from, and what makes it smaller.
+//!
+//! `cargo bench --bench limit_width -- [OPTIONS] (SPEC.yaml | cantilever | grid NX NY NZ LAYERS)`
+//!
+//! The joint of a spec; an I-beam of 900 mm (IPE360 without fillets), clamped at one end and sheared at the other, meshed by
+//! gmsh or as a structured grid (NX along the span, NY across half a flange, NZ over the web's height, LAYERS in a flange).
+//! Options: `--size-factor F`, `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S` (elements
+//! of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--bins MM`, `--static`, `--threads N`.
+//!
+//! Prints both bounds, seconds, and a table by body and place along x: share of the tets, of the dissipation, and of the
+//! width `∫ π(ε) − σ:ε`, which is positive tet by tet and adds up to the bracket's width at unit power.
+#![allow(missing_docs, clippy::unwrap_used)]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use bracket::adapt::limit::{self, LimitPass, SUBDIVISIONS};
+use bracket::adapt::pass::{Event, PassOptions, Progress};
+use bracket::assembly::Assembly;
+use bracket::assembly::joint::{FaceRule, MidPlane, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane};
+use bracket::bounds::flow::pieces;
+use bracket::bounds::limit_certificate::dissipation_densities;
+use bracket::math::mandel;
+use bracket::math::quadrature::tetrahedron_mass;
+use bracket::mesh::TetMesh;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::model::file::{AnalysisKind, Bounds};
+use bracket::model::kinematic::Tet10Space;
+use bracket::model::resolve::resolve;
+use bracket::model::{AnalysisModel, from_joint, tet10};
+use bracket::solve::SolveOptions;
+use common::grid::{Grid, even, joined, name};
+use common::solved;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// Spans `from ≤ |x| ≤ to` that are meshed `factor` times shorter and stretched afterwards.
+#[derive(Clone, Copy)]
+struct Stretch {
+    from: f64,
+    to: f64,
+    factor: f64,
+}
+
+#[derive(Default)]
+struct Options {
+    factor: Option<f64>,
+    sizes: Vec<(String, f64)>,
+    layers: Option<usize>,
+    stretch: Vec<Stretch>,
+    growth: Option<f64>,
+    foot: Option<f64>,
+    bins: f64,
+    bounds: Option<Bounds>,
+}
+
+fn main() {
+    let mut o = Options { bins: 100.0, ..Options::default() };
+    let mut words = Vec::new();
+    let mut threads = 2;
+    let mut args = std::env::args().skip(1);
+    let number = |s: Option<String>| s.and_then(|s| s.parse::<f64>().ok()).expect("a number");
+    while let Some(arg) = args.next() {
+        match arg.as_str() {
+            "--bench" => {}
+            "--size-factor" => o.factor = Some(number(args.next())),
+            "--layers" => o.layers = Some(number(args.next()) as usize),
+            "--span-growth" => o.growth = Some(number(args.next())),
+            "--foot" => o.foot = Some(number(args.next())),
+            "--bins" => o.bins = number(args.next()),
+            "--threads" => threads = number(args.next()) as usize,
+            "--static" => o.bounds = Some(Bounds::Static),
+            "--size" => {
+                let text = args.next().unwrap();
+                let (part, size) = text.split_once('=').expect("PART=MM");
+                o.sizes.push((part.into(), size.parse().expect("mm")));
+            }
+            "--stretch" => {
+                let v: Vec<f64> = args.next().unwrap().split(',').map(|s| s.parse().unwrap()).collect();
+                o.stretch.push(Stretch { from: v[0], to: v[1], factor: v[2] });
+            }
+            word => words.push(word.to_string()),
+        }
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the pool is built once");
+    faer::set_global_parallelism(faer::Par::Seq);
+    let mut model = match words[0].as_str() {
+        "cantilever" => cantilever(&o),
+        "grid" => {
+            let n: Vec<usize> = words[1..].iter().map(|w| w.parse().unwrap()).collect();
+            grid(n[0], n[1], n[2], n[3])
+        }
+        spec => joint(Path::new(spec), &o),
+    };
+    if let Some(b) = o.bounds {
+        model.bounds = b;
+    }
+    let start = Instant::now();
+    // the third program, without friction, is not asked for
+    let enough = Arc::new(AtomicBool::new(false));
+    let stop = enough.clone();
+    let progress: Progress = Arc::new(move |_, event| {
+        if matches!(event, Event::Frictionless) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    });
+    let solve = SolveOptions { interrupt: Some(enough), ..SolveOptions::default() };
+    let pass = limit::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress).expect("the pass runs");
+    println!("{} tets, {:.1} s", model.mesh.tets.len(), start.elapsed().as_secs_f64());
+    for (program, r) in pass.runs() {
+        let trouble = r.trouble.clone().unwrap_or_default();
+        println!(
+            "  {} {} {} iterations {:.1} s {trouble}",
+            program.name(),
+            r.status.words(),
+            r.iterations,
+            r.solve_seconds
+        );
+    }
+    println!("  lower {:?} upper {:?}", pass.lower.as_ref().map(|b| b.value()), pass.upper.as_ref().map(|b| b.value()));
+    table(&model, &pass, o.bins);
+}
+
+fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
+    let (Some(velocity), Some(stress), Some(b)) = (&pass.velocity, &pass.stress, &pass.bracket) else { return };
+    let space = Tet10Space::new(&model.mesh);
+    let power = b.upper().certificate().live_power;
+    let mut rows: BTreeMap<(u32, i64), [f64; 3]> = BTreeMap::new();
+    let mut all = [0.0; 3];
+    for (e, d) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate() {
+        let volume = model.mesh.volume(e);
+        let mut work = 0.0;
+        for (k, p) in pieces(model, &space, velocity, true, e).iter().enumerate() {
+            let strains = tet10::vertex_strains(&p.corners, &p.velocities);
+            for i in 0..4 {
+                for j in 0..4 {
+                    work += p.volume * tetrahedron_mass(i, j) * mandel::dot(&stress.points[e][k][i], &strains[j]);
+                }
+            }
+        }
+        let x = model.mesh.corners(e).iter().map(|c| 0.25 * c[0]).sum::<f64>();
+        let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
+        for (i, value) in [1.0, d * volume / power, (d * volume - work) / power].into_iter().enumerate() {
+            row[i] += value;
+            all[i] += value;
+        }
+    }
+    println!(
+        "  dissipation {:.4}, width {:.4} of which in tets {:.4}",
+        all[1],
+        b.upper().value() - b.lower().value(),
+        all[2]
+    );
+    println!("  body            x from   tets   dissipation %   width %   width/dissipation");
+    for ((body, bin), r) in rows {
+        let name = &model.mesh.bodies[body as usize];
+        let at = bin as f64 * width;
+        let parts = [r[1] / all[1] * 100.0, r[2] / all[2] * 100.0, r[2] / r[1]];
+        println!("  {name:12} {at:9.0} {:6.0} {:15.1} {:9.1} {:12.3}", r[0], parts[0], parts[1], parts[2]);
+    }
+}
+
+impl Stretch {
+    fn short(&self) -> f64 {
+        (self.to - self.from) / self.factor
+    }
+}
+
+/// Coordinate in the shortened joint.
+fn shorten(stretch: &[Stretch], x: f64) -> f64 {
+    let cut = |s: &Stretch| ((x.abs().min(s.to) - s.from).max(0.0)) * (1.0 - 1.0 / s.factor);
+    x.signum() * (x.abs() - stretch.iter().map(cut).sum::<f64>())
+}
+
+/// The coordinate a shortened one stands for; stretches in ascending order.
+fn lengthen(stretch: &[Stretch], x: f64) -> f64 {
+    let mut at = x.abs();
+    for s in stretch {
+        at += (at - s.from).clamp(0.0, s.short()) * (s.factor - 1.0);
+    }
+    x.signum() * at
+}
+
+fn shorten_solid(s: &[Stretch], solid: &mut Solid) {
+    match solid {
+        Solid::Box { min, max } => [min, max].into_iter().for_each(|c| c[0] = shorten(s, c[0])),
+        Solid::Prism { origin, u, v, length, .. } => {
+            let along = bracket::math::vec3::cross(*u, *v)[0];
+            let end = origin[0] + along * *length;
+            let start = origin[0];
+            origin[0] = shorten(s, start);
+            if along.abs() > 0.5 {
+                *length = (shorten(s, end) - origin[0]).abs();
+            }
+        }
+        Solid::Cylinder { base, .. } => assert_eq!(shorten(s, base[0]), base[0], "bolts lie outside stretched spans"),
+        Solid::Union(list) | Solid::Difference(list) => list.iter_mut().for_each(|x| shorten_solid(s, x)),
+    }
+}
+
+fn changed(assembly: &Assembly, o: &Options) -> Assembly {
+    let mut a = assembly.clone();
+    for p in &mut a.parts {
+        shorten_solid(&o.stretch, &mut p.solid);
+        p.convex.iter_mut().for_each(|s| shorten_solid(&o.stretch, s));
+        if let Some((_, size)) = o.sizes.iter().find(|(name, _)| p.name.starts_with(name)) {
+            p.size = *size;
+        }
+        if o.layers == Some(4) {
+            more_planes(p);
+        }
+        for m in &mut p.mid_planes {
+            (m.min[0], m.max[0]) = (shorten(&o.stretch, m.min[0]), shorten(&o.stretch, m.max[0]));
+            if m.axis == 0 {
+                m.at = shorten(&o.stretch, m.at);
+            }
+        }
+    }
+    for f in &mut a.faces {
+        if let Surface::Plane { axis, at, min, max } = &mut f.surface {
+            (min[0], max[0]) = (shorten(&o.stretch, min[0]), shorten(&o.stretch, max[0]));
+            if *axis == 0 {
+                *at = shorten(&o.stretch, *at);
+            }
+        }
+    }
+    a
+}
+
+/// Planes at the quarters of what has one at its middle: half the thickness is the distance along the normal to the surface.
+fn more_planes(p: &mut Part) {
+    let solid = bracket::geometry::FlatSolid::from_solid(&p.solid);
+    let planes = p.mid_planes.clone();
+    for m in planes {
+        let mut direction = [0.0; 3];
+        direction[m.axis] = 1.0;
+        // a point of the plane away from edges, webs and holes
+        let mut start: [f64; 3] = std::array::from_fn(|d| m.min[d] + 0.137 * (m.max[d] - m.min[d]));
+        start[m.axis] = m.at;
+        let line = bracket::geometry::line::Line { start, direction };
+        let inside = line.through(&solid);
+        let Some(s) = inside.iter().find(|s| s[0] < 0.0 && s[1] > 0.0) else { panic!("{}: {m:?} {inside:?}", p.name) };
+        let half = s[1].min(-s[0]);
+        if half > 20.0 {
+            continue;
+        }
+        for side in [-0.5, 0.5] {
+            p.mid_planes.push(MidPlane { at: m.at + side * half, ..m });
+        }
+    }
+}
+
+fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
+    let folder = tempfile::tempdir().unwrap();
+    let mut options = MeshOptions::new(folder.path());
+    options.layers = o.layers != Some(1);
+    options.sizes.factor = o.factor.unwrap_or(1.0);
+    options.sizes.span_growth = o.growth.unwrap_or(options.sizes.span_growth);
+    options.sizes.across_footprint = o.foot.unwrap_or(options.sizes.across_footprint);
+    let mut m = mesh_joint(&changed(assembly, o), &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
+    m.mesh.nodes.iter_mut().for_each(|x| x[0] = lengthen(&o.stretch, x[0]));
+    m
+}
+
+fn joint(path: &Path, o: &Options) -> AnalysisModel {
+    let input = bracket::cli::spec_file::read(path).expect("the spec is sound");
+    let assembly = &input.joint.assembly;
+    let meshed = meshed(assembly, o);
+    let case = &from_joint::cases(assembly)[0];
+    let file =
+        from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", case, AnalysisKind::Limit);
+    resolve(&file, meshed.mesh, &|path| input.spec.index.place(path)).expect("the model is sound")
+}
+
+const SPAN: f64 = 900.0;
+const CANTILEVER: &str = "bodies: {BEAM: s}\nsupports:\n- {face: CLAMP, fix: [x, z]}\n- {face: SYM_Y0, fix: [y]}\n";
+
+/// The factor is the moment at the clamp over `f_y (b t_f (h − t_f) + t_w (h − 2 t_f)²/4)`.
+fn loaded(mesh: TetMesh) -> AnalysisModel {
+    let plastic = 235.0 * (170.0 * 12.7 * 347.3 + 8.0 * 334.6 * 334.6 / 4.0);
+    let materials = common::yielding::MATERIALS;
+    let load =
+        format!("rigid:\n- {{face: END, components: [z], free: [uz], force: [0, 0, {:?}]}}\n", -0.5 * plastic / SPAN);
+    solved::resolve(&format!("{materials}{CANTILEVER}{load}"), mesh).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+fn cantilever(o: &Options) -> AnalysisModel {
+    let boxed = |min, max| Solid::Box { min, max };
+    let solids = vec![
+        boxed([0.0, -4.0, -167.3], [SPAN, 4.0, 167.3]),
+        boxed([0.0, -85.0, 167.3], [SPAN, 85.0, 180.0]),
+        boxed([0.0, -85.0, -180.0], [SPAN, 85.0, -167.3]),
+    ];
+    let mid = |axis, at: f64, z: [f64; 2]| MidPlane { axis, at, min: [0.0, -85.0, z[0]], max: [SPAN, 85.0, z[1]] };
+    let mid_planes = vec![mid(2, -173.65, [0.0; 2]), mid(2, 173.65, [0.0; 2]), mid(1, 0.0, [-167.3, 167.3])];
+    let part = Part {
+        name: "BEAM".into(),
+        label: "beam".into(),
+        role: PartRole::Member,
+        material: "s".into(),
+        solid: Solid::Union(solids.clone()),
+        convex: solids,
+        mid_planes,
+        size: 25.4,
+    };
+    let face = |name: &str, at| FaceRule {
+        name: name.into(),
+        part: "BEAM".into(),
+        surface: Surface::Plane { axis: 0, at, min: [at, -85.0, -180.0], max: [at, 85.0, 180.0] },
+        imprint: false,
+    };
+    let assembly = Assembly {
+        name: "cantilever".into(),
+        parts: vec![part],
+        materials: BTreeMap::from([("s".into(), PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) })]),
+        interfaces: vec![],
+        faces: vec![face("CLAMP", 0.0), face("END", SPAN)],
+        supports: vec![],
+        loads: vec![],
+        symmetry: vec![SymmetryPlane { axis: 1 }],
+        clearances: vec![],
+    };
+    loaded(meshed(&assembly, o).mesh)
+}
+
+fn grid(nx: usize, ny: usize, nz: usize, layers: usize) -> AnalysisModel {
+    let x = even(0.0, SPAN, nx);
+    let y = joined(&[even(0.0, 4.0, layers.div_ceil(2)), even(4.0, 85.0, ny)]);
+    let z = joined(&[even(-180.0, -167.3, layers), even(-167.3, 167.3, nz), even(167.3, 180.0, layers)]);
+    let flat = |axis: usize, c: f64| axis == 2 && (c.abs() - 173.65).abs() < 1e-9;
+    let mut mesh = Grid::new([x, y, z]).jittered(0.1, 1).mesh(
+        &["BEAM"],
+        |c| (c[1] < 4.0 || c[2].abs() > 167.3).then_some(0),
+        flat,
+    );
+    name(&mut mesh, "CLAMP", "BEAM", |p| p[0] == 0.0);
+    name(&mut mesh, "END", "BEAM", |p| p[0] == SPAN);
+    name(&mut mesh, "SYM_Y0", "BEAM", |p| p[1] == 0.0);
+    loaded(mesh)
+}
