@@ -157,7 +157,7 @@ impl Faults<'_> {
     /// A thing of the contract that this version does not do yet.
     fn unavailable(&mut self, path: &str, what: &str) {
         let m = format!("{what} is not available yet in this version");
-        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces and contact, frictionless \
+        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces, welds and contact, frictionless \
                     (`mu: 0`) or with `friction: associated` or `coulomb`";
         self.add("model/unavailable", path, m, help);
     }

@@ -108,6 +108,8 @@ impl Mover {
 
 /// Which movers each component of a point belongs to: rigid faces by their position, then pieces.
 type Claims = BTreeMap<(usize, usize), Vec<usize>>;
+/// One entry of them.
+type Claim<'a> = ((usize, usize), &'a [usize]);
 
 fn claims(model: &AnalysisModel, points: &impl FacePoints, pieces: &RigidPieces) -> Result<Claims, ModelError> {
     let mut claims = Claims::new();
@@ -189,7 +191,7 @@ pub fn number_unknowns(
     let movers = movers(model, points, pieces, &claims);
     let group_of = groups(movers.len(), &claims);
     let groups = group_of.iter().map(|g| g + 1).max().unwrap_or(0);
-    let mut of_group: Vec<Vec<((usize, usize), &[usize])>> = vec![Vec::new(); groups];
+    let mut of_group: Vec<Vec<Claim<'_>>> = vec![Vec::new(); groups];
     claims.iter().for_each(|(at, owners)| of_group[group_of[owners[0]]].push((*at, owners)));
     let mut out = Vec::with_capacity(groups);
     for (g, claims) in of_group.iter().enumerate() {
@@ -242,7 +244,7 @@ fn groups(movers: usize, claims: &Claims) -> Vec<usize> {
 fn common_motions(
     members: &[usize],
     movers: &[Mover],
-    claims: &[((usize, usize), &[usize])],
+    claims: &[Claim<'_>],
     points: &impl FacePoints,
     fixed: &[[bool; 3]],
 ) -> Vec<Vec<[f64; 6]>> {

@@ -13,8 +13,9 @@ fn stack(seed: u64) -> Option<AnalysisModel> {
     let mut r = Random::new(seed + 100);
     (0..8).for_each(|_| _ = r.unit());
     let mut between = |a: f64, b: f64| a + (b - a) * r.unit();
-    let size = [between(5.0, 40.0), between(5.0, 40.0), between(15.0, 60.0)];
-    let third = size[2] / 3.0;
+    // quarters of a millimetre: the planes of the grid are where they are looked for
+    let third = 0.25 * (4.0 * between(5.0, 20.0)).round();
+    let size = [between(5.0, 40.0), between(5.0, 40.0), 3.0 * third];
     let shape = Block { cells: [2, 1, 3], min: [0.0; 3], max: size, jitter: 0.2, seed };
     let level = |x: f64| (x / third).round() * third;
     let mesh = shape.mesh(
