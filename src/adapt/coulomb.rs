@@ -37,7 +37,7 @@ const NOISE: f64 = 1e-7;
 pub struct FixedPointRun {
     /// Problems solved, the one with associated friction included.
     pub solves: usize,
-    /// Largest change of the shift at the last of them, part of the largest shift; 0 where nothing slips.
+    /// Largest change of the shift at the last of them, part of the largest shift; 0 where all that slips is noise.
     pub change: f64,
     /// Part of the change that a plain step leaves, where two of them show it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -128,7 +128,7 @@ impl<'a> Problem<'a> for Sliding {
         let slow = state.contraction.unwrap_or(0.0).clamp(0.0, 0.99);
         state.run = FixedPointRun {
             solves: state.fixed_point.changes().len(),
-            change: if shift > 0.0 { change / shift } else { 0.0 },
+            change: if change > NOISE * moved { change / shift.max(change) } else { 0.0 },
             contraction: state.contraction,
         };
         state.converged = change <= TOLERANCE * (1.0 - slow) * shift || change <= NOISE * moved;

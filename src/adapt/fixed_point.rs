@@ -24,6 +24,7 @@ pub struct FixedPoint {
     /// `max |G(s) − s|` of each step, over what counts.
     changes: Vec<f64>,
     accelerated: bool,
+    contraction: Option<f64>,
 }
 
 impl FixedPoint {
@@ -44,8 +45,7 @@ impl FixedPoint {
 
     /// The part of the change that a plain step leaves, as the last two plain steps have it; `None` before the second.
     pub fn contraction(&self) -> Option<f64> {
-        let [.., a, b] = self.changes[..] else { return None };
-        (!self.accelerated && a > 0.0).then_some(b / a)
+        self.contraction
     }
 
     /// Tells the image `G(s)` of the point; entries that do not `count` neither measure the change nor steer the
@@ -57,7 +57,12 @@ impl FixedPoint {
             self.past.clear();
         }
         self.changes.push(size);
-        self.accelerated |= self.contraction().is_some_and(|c| c > SLOW);
+        if let ([.., a, b], false) = (&self.changes[..], self.accelerated)
+            && *a > 0.0
+        {
+            self.contraction = Some(b / a);
+            self.accelerated = b / a > SLOW;
+        }
         self.past.push_back((self.point.clone(), change));
         if self.past.len() > DEPTH + 1 {
             self.past.pop_front();
