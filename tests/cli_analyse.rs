@@ -1,6 +1,8 @@
 //! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes: what they leave, under which
 //! limits, and when they are interrupted.
 
+#[path = "cli/adaptive.rs"]
+mod adaptive;
 #[path = "cli/bench.rs"]
 mod bench;
 #[path = "common/mod.rs"]

@@ -1,8 +1,9 @@
 //! One pass of limit analysis: both programs on one mesh, their strict bounds of the load factor.
 
-use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, runs};
+use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, check_identity, runs};
 use super::problem::{Problem, Program};
 use super::words;
+use crate::bounds::error::{Contributions, LimitPair, limit_contributions};
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::flow::VelocityField;
 use crate::bounds::free_mechanism::{self, FreeMechanism};
@@ -66,12 +67,33 @@ pub struct LimitPass {
     pub free: Option<FreeMechanism>,
     /// Which parts it moves, in words.
     pub moves: Option<String>,
+    /// Contributions to the gap of the bracket that answers: under Coulomb's law that with the bound without friction.
+    pub contributions: Option<Contributions>,
 }
 
 impl LimitPass {
     /// The programs that ran or were to run.
     pub fn runs(&self) -> impl Iterator<Item = (Program, &ProgramRun)> {
         runs(&self.kinematic, &self.statics)
+    }
+
+    /// Contributions to the gap of the bracket that answers; their sum is asserted where both fields are admissible.
+    fn add_contributions(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
+        let smooth = model.has_coulomb().then(|| model.without_friction());
+        let (stress, lower) = match &smooth {
+            Some(_) => (&self.frictionless_stress, &self.frictionless),
+            None => (&self.stress, &self.lower),
+        };
+        let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
+        let (Some(stress), Some(lower)) = (stress, lower) else { return Ok(()) };
+        let (low, up) = (lower.certificate().factor, upper.certificate());
+        let pair = LimitPair { velocity, live_power: up.live_power, subdivisions: SUBDIVISIONS, stress, factor: low };
+        let c = limit_contributions(smooth.as_ref().unwrap_or(model), &pair);
+        if lower.is_strict() && upper.is_strict() {
+            check_identity([low, up.factor], c.total())?;
+        }
+        self.contributions = Some(c);
+        Ok(())
     }
 
     /// The lower bound of the model without friction.
@@ -180,6 +202,7 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
         }
     }
+    pass.add_contributions(model)?;
     Ok(pass)
 }
 

@@ -78,6 +78,12 @@ fn resident() -> u64 {
     own("VmRSS:").unwrap_or(0)
 }
 
+/// Makes [`peak_memory_mib`] count from now on, where the system can (Linux).
+pub fn forget_peak() {
+    // where it cannot, the peak stays that of the whole process
+    let _ = std::fs::write("/proc/self/clear_refs", "5");
+}
+
 /// Peak resident memory of this process so far \[MiB\]; `None` where the system does not tell.
 pub fn peak_memory_mib() -> Option<u64> {
     own("VmHWM:").map(|b| b >> 20)

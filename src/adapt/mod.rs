@@ -1,9 +1,12 @@
-//! Passes of dual analysis over meshes.
+//! Passes of dual analysis over meshes, and which mesh comes next.
 
 pub mod coulomb;
 pub mod fixed_point;
 pub mod limit;
 pub mod memory;
+pub mod optimum;
 pub mod pass;
+pub mod plan;
 pub mod problem;
+pub mod rates;
 pub mod words;

@@ -1,16 +1,19 @@
 //! `bracket analyse`: the engine on a mesh the user brings.
 
 use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, file_stem, finish, use_threads};
+use super::remesh::{ByBisection, Remesh};
 use super::{Common, Outcome, spec_file};
+use crate::adapt::plan;
 use crate::checks::HandChecks;
 use crate::diag::Diagnostic;
-use crate::mesh::quality;
-use crate::model::file::ModelFile;
+use crate::mesh::{merge, msh, quality};
+use crate::model::file::{ModelFile, Nodes};
 use crate::model::resolve::load_model;
 use crate::report::data::input_hash;
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::Table;
+use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,7 +45,8 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
     };
     let text = std::fs::read_to_string(&args.model).map_err(|e| unread(&args.model, e))?;
-    let mut file = yaml::parse::<ModelFile>(&text, &args.model)?.value;
+    let parsed = yaml::parse::<ModelFile>(&text, &args.model)?;
+    let mut file = parsed.value;
     let mesh_path = args.model.parent().unwrap_or(Path::new("")).join(&file.mesh);
     let mesh_bytes = std::fs::read(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
     let log = Arc::new(Log::new(common.quiet));
@@ -52,6 +56,8 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     file.mesh = "mesh.msh".into();
     let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
     let name = if stem == "model" { folder_name(&args.model).unwrap_or(stem) } else { stem };
+    // a model file says nothing else than a spec where both are silent
+    let defaults = AnalysisSpec::default();
     let echo = Echo {
         project: vec![("title".into(), name.clone())],
         input_name: args.model.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
@@ -61,15 +67,31 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         catalogue_rows: Vec::new(),
         mesh_quality: quality_table(&quality::table(&model.mesh)),
         mirror: Vec::new(),
-        target_gap: file.adapt.as_ref().map(|a| a.target_gap),
+        adapt: file.adapt.as_ref().map(|a| plan::Limits {
+            target_gap: a.target_gap,
+            max_passes: a.max_passes.unwrap_or(defaults.max_passes),
+            max_macro_tets: a.max_macro_tets.unwrap_or(defaults.max_macro_tets),
+        }),
         finer: "a finer mesh file",
         coarser: "a coarser mesh file",
         checks: HandChecks::default(),
     };
+    let place = |path: &str| parsed.index.place(path);
+    let remesh = match &file.adapt {
+        Some(_) => {
+            let mut mesh = msh::read(&mesh_path)?;
+            if file.nodes == Nodes::Split {
+                merge::merge_coincident(&mut mesh)?;
+            }
+            Some(Box::new(ByBisection::new(&file, &place, mesh)) as Box<dyn Remesh>)
+        }
+        None => None,
+    };
     let case = Case {
         name: file_stem(&name),
         model,
-        model_file: ("model.yaml".into(), yaml::to_string(&file)?),
+        model_file: ("model.yaml".into(), file.clone()),
+        remesh,
         mesh_seconds: None,
         demand: None,
     };

@@ -1,29 +1,34 @@
 //! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
 
+use super::adaptive::{self, Adapted, Kept, Share};
 use super::answer::answer;
 use super::interrupt::Interrupt;
 use super::outcome::Outcome;
+use super::remesh::Remesh;
 use super::{Common, Format, memory_limit, out};
 use crate::adapt::memory::{Limit, room};
 use crate::adapt::pass::{self, PassOptions, Refusal};
+use crate::adapt::plan;
 use crate::adapt::problem::Program;
 use crate::bounds::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::checks::{HandChecks, Status};
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
-use crate::model::file::{AnalysisKind, Friction};
-use crate::report::data::{CaseResult, Quantity, ResultFile};
+use crate::model::file::{AnalysisKind, ModelFile};
+use crate::report::data::{CaseResult, HistoryRow, Quantity, ResultFile};
 use crate::report::demand::{Demand, EndAction};
-use crate::report::figures;
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::plot::{Plot, Series};
 use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
 use crate::report::text::report_markdown;
 use crate::solve::{SolveOptions, Solver};
+use crate::spec::yaml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -97,13 +102,15 @@ pub fn use_threads(common: &Common) -> Result<(), Diagnostics> {
 }
 
 /// One load case ready to be analysed.
-pub struct Case {
+pub struct Case<'a> {
     /// Name, used in file names.
     pub name: String,
     /// The model.
     pub model: AnalysisModel,
     /// Its `MODEL.yaml`, written into the folder under this name.
-    pub model_file: (String, String),
+    pub model_file: (String, ModelFile),
+    /// What makes its further meshes; `None`: there are none.
+    pub remesh: Option<Box<dyn Remesh + 'a>>,
     /// Seconds the mesh took, where this run made it.
     pub mesh_seconds: Option<f64>,
     /// The forces and moments that the loads demand of a joint; `None`: the loads are a model's, there is no demand.
@@ -111,6 +118,7 @@ pub struct Case {
 }
 
 /// What the report says about the input.
+#[derive(Clone, Debug, Default)]
 pub struct Echo {
     /// Title block.
     pub project: Vec<(String, String)>,
@@ -128,8 +136,8 @@ pub struct Echo {
     pub mesh_quality: Table,
     /// Symmetry planes used (axes).
     pub mirror: Vec<usize>,
-    /// The gap asked for, a fraction.
-    pub target_gap: Option<f64>,
+    /// Where adaptation ends; `None`: one mesh, and no gap is asked for.
+    pub adapt: Option<plan::Limits>,
     /// How the user gets a finer mesh.
     pub finer: &'static str,
     /// How the user gets a coarser one.
@@ -186,6 +194,7 @@ pub fn finish(
 ) -> super::Outcome {
     cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
+    let mut echo = echo;
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
     let failed = echo.checks.failed();
     result.checks.clone_from(&echo.checks.checks);
@@ -193,59 +202,63 @@ pub fn finish(
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
-    for (i, case) in cases.iter().enumerate() {
+    let names: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
+    let stems = stems(&cases);
+    for (i, case) in cases.into_iter().enumerate() {
         if limits.interrupt.asked() && i > 0 {
-            let names: Vec<&str> = cases[i..].iter().map(|c| &c.name[..]).collect();
-            result.warnings.push(format!("interrupted: not analysed were {}", names.join(", ")));
+            result.warnings.push(format!("interrupted: not analysed were {}", names[i..].join(", ")));
             break;
         }
-        let pass = run_pass(case, limits, &log)?;
-        let runs = pass.runs();
-        if i == 0 && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {
-            return Err(too_large(case, &pass, &echo).into());
-        }
-        let mut entry = pass.entry(&case.name, &case.model, case.mesh_seconds);
-        if let (Some(gap), Some(target)) = (entry.gap, echo.target_gap)
-            && gap > target
-        {
-            entry.warnings.push(format!(
-                "the gap is {}, the target {}: a finer mesh is needed ({})",
-                figures::percent_up(gap),
-                figures::percent_up(target),
-                echo.finer
-            ));
-        }
-        if pass.runs().into_iter().any(|(_, run)| run.refusal.is_some()) {
-            entry.warnings.push(format!(
-                "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
-                echo.coarser
-            ));
-        }
-        if let (Quantity::LoadFactor, Some(actions)) = (entry.quantity, &case.demand) {
-            let (lower, upper) = entry.safe_bounds();
-            entry.utilisation = verdict::utilisation(lower, upper);
-            entry.demand = Some(Demand { verdict: Verdict::of(lower, upper), actions: actions.clone() });
-        }
-        let stem = entry_stem(&result.cases, &entry);
-        if pictures.is_empty() {
-            pictures.push(mesh_picture(&case.model, &echo.mirror, &folder)?);
-        }
-        pass.write_fields(&case.model, &stem, &folder)?;
-        pictures.extend(pass.picture(case, &echo.mirror, &stem, &folder)?);
-        folder.write(&case.model_file.0, case.model_file.1.as_bytes())?;
         let contacts = contact_faces(&case.model);
         traits.contact |= !contacts.is_empty();
-        traits.friction |= contacts.iter().any(|f| f.law.mu > 0.0);
-        traits.coulomb |= contacts.iter().any(|f| f.law.mu > 0.0 && f.law.friction == Friction::Coulomb);
+        traits.friction |= case.model.has_friction();
+        traits.coulomb |= case.model.has_coulomb();
         traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
         for note in &case.model.notes {
             if !notes.contains(note) {
                 notes.push(note.clone());
             }
         }
+        drop(contacts);
+        let (file_name, file) = case.model_file.clone();
+        let demand = case.demand.clone();
+        let now = log.seconds();
+        let until = limits.time.map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (names.len() - i) as f64);
+        let Adapted { mut entry, upper, lower } =
+            adaptive::analyse(case, i == 0, &Share { until }, &echo, limits, &log)?;
+        let refused = |k: &Kept| k.outcome.runs().iter().any(|(_, run)| run.refusal.is_some());
+        if refused(&upper) {
+            entry.warnings.push(format!(
+                "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
+                echo.coarser
+            ));
+        }
+        if let (Quantity::LoadFactor, Some(actions)) = (entry.quantity, demand) {
+            let (lower, upper) = entry.safe_bounds();
+            entry.utilisation = verdict::utilisation(lower, upper);
+            entry.demand = Some(Demand { verdict: Verdict::of(lower, upper), actions });
+        }
+        let stem = &stems[i];
+        if pictures.is_empty() {
+            pictures.push(mesh_picture(&upper.model, &echo.mirror, &folder)?);
+            if let Some((_, _, quality)) = &upper.made {
+                echo.mesh_quality = quality.clone();
+            }
+        }
+        let mesh_name = if names.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        write_model(&upper, &file, ["", &file_name, &mesh_name], &folder)?;
+        upper.outcome.write_fields(&upper.model, stem, &folder, [true, lower.is_none()])?;
+        if let Some(lower) = &lower {
+            // the better lower bound is of another mesh: its model stands beside its field
+            let [model, mesh] = ["yaml", "msh"].map(|kind| format!("{stem}_static.{kind}"));
+            write_model(lower, &file, ["fields/", &model, &mesh], &folder)?;
+            lower.outcome.write_fields(&lower.model, stem, &folder, [false, true])?;
+        }
+        pictures.extend(upper.outcome.picture(&names[i], &upper.model, &echo.mirror, stem, &folder)?);
+        pictures.extend(convergence(&entry, echo.adapt.map(|a| a.target_gap), stem, &folder)?);
         result.cases.push(entry);
     }
-    let complete = result.cases.len() == cases.len();
+    let complete = result.cases.len() == names.len();
     result.verdict = Verdict::worst(result.cases.iter().filter_map(|c| c.demand.as_ref()).map(|d| d.verdict));
     if !complete && result.verdict == Verdict::Ok {
         result.verdict = Verdict::Undecided;
@@ -297,53 +310,85 @@ pub fn finish(
     })
 }
 
-/// Every program that ran gave its bound; where none had to run, there is one.
+/// Every program that ran gave its bound, on one mesh or another; where none had to run, there is one.
 fn has_asked_bounds(c: &CaseResult) -> bool {
+    let ran = |program: fn(&HistoryRow) -> bool| c.history.iter().any(program);
     let told = |ran: bool, bound: bool| bound || !ran;
     (c.upper.is_some() || c.lower.is_some())
-        && c.history.last().is_some_and(|h| {
-            told(h.kinematic.is_some(), c.upper.is_some()) && told(h.static_.is_some(), c.lower.is_some())
-        })
+        && told(ran(|h| h.kinematic.is_some()), c.upper.is_some())
+        && told(ran(|h| h.static_.is_some()), c.lower.is_some())
+}
+
+/// The file names of the cases: with the kind of analysis where an earlier case has the same name.
+fn stems(cases: &[Case]) -> Vec<String> {
+    let again = |i: usize| cases[..i].iter().any(|c| c.name == cases[i].name);
+    cases.iter().enumerate().map(|(i, c)| stem_of(&c.name, c.model.analysis, again(i))).collect()
+}
+
+/// Writes the model file of a pass, and its mesh where it is not the first one, which stands in the folder already.
+fn write_model(
+    pass: &Kept,
+    first: &ModelFile,
+    [place, file, mesh]: [&str; 3],
+    folder: &ResultFolder,
+) -> Result<(), Diagnostics> {
+    let text = match &pass.made {
+        Some((tets, model, _)) => {
+            folder.write(&format!("{place}{mesh}"), msh_write::text(tets).as_bytes())?;
+            yaml::to_string(&ModelFile { mesh: mesh.into(), ..model.clone() })?
+        }
+        // beside the fields the first mesh is one step up
+        None if place.is_empty() => yaml::to_string(first)?,
+        None => yaml::to_string(&ModelFile { mesh: format!("../{}", first.mesh), ..first.clone() })?,
+    };
+    Ok(folder.write(&format!("{place}{file}"), text.as_bytes())?)
 }
 
 /// No program of a case fits into the memory.
-fn too_large(case: &Case, pass: &Outcome, echo: &Echo) -> Diagnostic {
+pub fn too_large(name: &str, pass: &Outcome, echo: &Echo) -> Diagnostic {
     let refused: Vec<(Program, Refusal)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
     let each = refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
-    let message = format!("`{}` does not fit into the memory: {}", case.name, each.collect::<Vec<_>>().join("; "));
+    let message = format!("`{name}` does not fit into the memory: {}", each.collect::<Vec<_>>().join("; "));
     let asked = refused.iter().any(|(_, r)| r.room.limit != Limit::Machine);
     let larger = if asked { ", a larger --memory-limit" } else { "" };
     Diagnostic::environment("run/memory", message)
         .help(format!("use {}{larger} or a machine with more memory; nothing was written", echo.coarser))
 }
 
-fn run_pass(case: &Case, limits: &Limits, log: &Arc<Log>) -> Result<Outcome, Diagnostics> {
+/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves end.
+pub fn run_pass(
+    name: &str,
+    model: &AnalysisModel,
+    until: f64,
+    limits: &Limits,
+    log: &Arc<Log>,
+) -> Result<Outcome, Diagnostics> {
     // one load case may be analysed in several ways
-    let kind = if case.model.analysis == AnalysisKind::Limit { " (limit)" } else { "" };
-    let name = format!("{}{kind}", case.name);
+    let kind = if model.analysis == AnalysisKind::Limit { " (limit)" } else { "" };
+    let name = format!("{name}{kind}");
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part{}",
         name,
-        case.model.mesh.tets.len(),
-        contact_faces(&case.model).len(),
-        case.model.parts.len(),
-        if case.model.parts.len() == 1 { "" } else { "s" }
+        model.mesh.tets.len(),
+        contact_faces(model).len(),
+        model.parts.len(),
+        if model.parts.len() == 1 { "" } else { "s" }
     ));
     let solver = match limits.solver {
         SolverChoice::Condensed => Solver::Condensed,
         SolverChoice::Clarabel => Solver::Clarabel,
     };
     // what is left of the time asked for; a solve that cannot finish in it ends with status `time limit`
-    let left = limits.time.map_or(f64::INFINITY, |t| (t - log.seconds()).max(0.0));
+    let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
     let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
-    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(&case.model, &solve));
+    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(model, &solve));
     let progress: pass::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
-    Outcome::run(&case.model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+    Outcome::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 
 pub(super) fn png(picture: &crate::report::Picture) -> Result<Vec<u8>, Diagnostics> {
@@ -357,6 +402,30 @@ fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) 
     folder.write("mesh.png", &png(&picture)?)?;
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
     Ok(PictureRef { file: "mesh.png".into(), caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()) })
+}
+
+/// The gap against the size of the mesh, where there was more than one.
+fn convergence(
+    entry: &CaseResult,
+    target: Option<f64>,
+    stem: &str,
+    folder: &ResultFolder,
+) -> Result<Option<PictureRef>, Diagnostics> {
+    let row = |h: &HistoryRow| Some([h.macro_tets as f64, 100.0 * h.gap?]);
+    let points: Vec<[f64; 2]> = entry.history.iter().filter_map(row).collect();
+    if points.len() < 2 {
+        return Ok(None);
+    }
+    let plot = Plot {
+        title: format!("{}: gap between the bounds, mesh after mesh", entry.name),
+        x: "macro tets".into(),
+        y: "gap [%]".into(),
+        series: vec![Series { name: "adaptive".into(), points }],
+        level: target.map(|t| (100.0 * t, "target".into())),
+    };
+    let file = format!("convergence_{stem}.png");
+    folder.write(&file, &png(&plot.picture())?)?;
+    Ok(Some(PictureRef { file, caption: format!("Case {}: gap against the size of the mesh", entry.name) }))
 }
 
 /// Values of a catalogue row as the report shows them.

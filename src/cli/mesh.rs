@@ -1,15 +1,16 @@
 //! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
+use super::aside::Folder;
 use super::interrupt::Interrupt;
 use super::{Common, Format, Outcome};
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::mesh::gmsh::{Mesher, MesherError};
+use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::log::Log;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The file that marks a folder as written by `bracket mesh`.
@@ -54,7 +55,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
     let mesher = Mesher::find()?;
     let log = Arc::new(Log::new(common.quiet));
-    let folder = Folder::new(&out)?;
+    let folder = Folder::new(&out, MARK, "mesh")?;
     interrupt.begin(&log, "the mesher is stopped", folder.give_up());
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
@@ -122,59 +123,4 @@ fn load(path: &Path) -> Result<(Assembly, bool), Diagnostics> {
             .help("give a connection spec (YAML), or the assembly as `bracket run --keep` writes it")
             .into()
     })
-}
-
-/// The output folder: filled aside, then renamed; removed if anything fails.
-struct Folder {
-    wanted: PathBuf,
-    aside: PathBuf,
-    /// Locked while the folder moves into place.
-    moving: Arc<Mutex<()>>,
-}
-
-impl Folder {
-    fn new(wanted: &Path) -> Result<Self, Diagnostics> {
-        let free = match std::fs::read_dir(wanted) {
-            Ok(mut entries) => entries.next().is_none() || wanted.join(MARK).exists(),
-            Err(_) => !wanted.exists(),
-        };
-        if !free {
-            return Err(Diagnostic::input(
-                "cli/out-exists",
-                format!("`{}` exists and was not written by `bracket mesh`", wanted.display()),
-            )
-            .help("choose another folder with `--out`, or remove this one")
-            .into());
-        }
-        let mut name = wanted.file_name().unwrap_or("out".as_ref()).to_os_string();
-        name.push(format!(".part{}", std::process::id()));
-        let aside = wanted.with_file_name(name);
-        std::fs::create_dir_all(&aside).map_err(|e| MesherError::write(&aside, e))?;
-        Ok(Folder { wanted: wanted.to_path_buf(), aside, moving: Arc::default() })
-    }
-
-    /// For a program that ends right after, from whatever thread: removes what is written so far.
-    fn give_up(&self) -> impl Fn() + Send + 'static {
-        let (aside, moving) = (self.aside.clone(), self.moving.clone());
-        move || {
-            // never given back: nothing may begin to move from now on
-            std::mem::forget(moving.lock().unwrap_or_else(PoisonError::into_inner));
-            let _ = std::fs::remove_dir_all(&aside);
-        }
-    }
-
-    fn finish(self) -> Result<(), MesherError> {
-        let _moving = self.moving.lock().unwrap_or_else(PoisonError::into_inner);
-        if self.wanted.exists() {
-            std::fs::remove_dir_all(&self.wanted).map_err(|e| MesherError::write(&self.wanted, e))?;
-        }
-        std::fs::rename(&self.aside, &self.wanted).map_err(|e| MesherError::write(&self.wanted, e))
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // After `finish` nothing is left to remove.
-        let _ = std::fs::remove_dir_all(&self.aside);
-    }
 }

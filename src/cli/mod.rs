@@ -1,8 +1,10 @@
 //! The command line: a file per subcommand.
 
+pub mod adaptive;
 pub mod analyse;
 pub mod analysis;
 pub mod answer;
+pub mod aside;
 pub mod catalog;
 pub mod doctor;
 pub mod interrupt;
@@ -11,9 +13,11 @@ pub mod mesh;
 pub mod new;
 pub mod out;
 pub mod outcome;
+pub mod remesh;
 pub mod run;
 pub mod schema;
 pub mod spec_file;
+pub mod study;
 pub mod templates;
 pub mod verify;
 
@@ -70,6 +74,8 @@ pub enum Command {
     Analyse(analyse::AnalyseArgs),
     /// Geometry and mesh only.
     Mesh(mesh::MeshArgs),
+    /// Speed against error: meshes and solvers side by side.
+    Study(study::StudyArgs),
     /// Recompute the certificate of a finished result.
     Verify(verify::VerifyArgs),
     /// List and show catalogue data.
@@ -89,6 +95,7 @@ pub fn dispatch(cli: &Cli) -> Outcome {
         Command::Run(args) => run::run(args, &cli.common),
         Command::Analyse(args) => analyse::run(args, &cli.common),
         Command::Mesh(args) => mesh::run(args, &cli.common),
+        Command::Study(args) => study::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),
         Command::Catalog(args) => catalog::run(args, &cli.common),
         Command::Templates(args) => templates::run(args, &cli.common),

@@ -199,13 +199,14 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     let _ = write!(
         out,
         "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), or both: [elastic, limit]; elastoplastic is not available yet\n  \
-         target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; a wider one is told, a finer mesh narrows it\n  \
+         target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; meshes are refined where it comes from until it is reached\n  \
+         # max_passes: {}  # meshes at most; 1: the first one alone\n  \
          # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
          # time_limit: 20 min  # s, min, h; no limit by default\n  mesh:\n    \
          size: auto  # auto, or a length from 0.5 mm to 1000 mm\n    \
          # layers: true  # a mesh plane at mid-thickness of every plate, flange, web and stiffener\n    \
          # segments: {}  # sides of the meshed bolt circles; even, 12 to 48\n",
-        a.target_gap, a.max_macro_tets, a.mesh.segments
+        a.target_gap, a.max_passes, a.max_macro_tets, a.mesh.segments
     );
     Ok(out)
 }

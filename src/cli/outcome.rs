@@ -1,9 +1,10 @@
 //! What a pass of either kind leaves, and what becomes of it in the result folder.
 
-use super::analysis::{Case, png};
+use super::analysis::png;
 use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::{self, Pass, PassError, PassOptions, ProgramRun, Progress};
 use crate::adapt::problem::Program;
+use crate::bounds::error::Contributions;
 use crate::bounds::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};
@@ -54,6 +55,14 @@ impl Outcome {
         }
     }
 
+    /// Contributions to the gap of the bracket that answers, where there is one.
+    pub fn contributions(&self) -> Option<&Contributions> {
+        match self {
+            Outcome::Energy(p) => p.contributions.as_ref(),
+            Outcome::Factor(p) => p.contributions.as_ref(),
+        }
+    }
+
     /// The entry of the result.
     pub fn entry(&self, name: &str, model: &AnalysisModel, mesh_seconds: Option<f64>) -> CaseResult {
         match self {
@@ -62,19 +71,25 @@ impl Outcome {
         }
     }
 
-    /// Writes the fields.
-    pub fn write_fields(&self, model: &AnalysisModel, stem: &str, folder: &ResultFolder) -> Result<(), Diagnostics> {
+    /// Writes the fields of the kinematic program and those of the static one, as far as they are wanted.
+    pub fn write_fields(
+        &self,
+        model: &AnalysisModel,
+        stem: &str,
+        folder: &ResultFolder,
+        [kinematic, statics]: [bool; 2],
+    ) -> Result<(), Diagnostics> {
         let write = |kind: &str, grid: VtuGrid| -> Result<(), Diagnostics> {
             let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
             Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
         };
         match self {
             Outcome::Energy(p) => {
-                if let Some(u) = &p.displacement {
+                if let Some(u) = p.displacement.as_ref().filter(|_| kinematic) {
                     let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
                     write("kinematic", displacement_grid(model, u, contributions))?;
                 }
-                if let Some(s) = &p.stress {
+                if let Some(s) = p.stress.as_ref().filter(|_| statics) {
                     write("static", stress_grid(model, s))?;
                 }
                 if !p.shift.faces.is_empty() {
@@ -82,7 +97,7 @@ impl Outcome {
                 }
             }
             Outcome::Factor(p) => {
-                if let Some(v) = &p.velocity {
+                if let Some(v) = p.velocity.as_ref().filter(|_| kinematic) {
                     let densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
                     write("kinematic", velocity_grid(model, v, densities))?;
                 }
@@ -99,7 +114,7 @@ impl Outcome {
                 for (kind, stress, bound) in
                     [("static", &p.stress, &p.lower), ("static_frictionless", &p.frictionless_stress, &p.frictionless)]
                 {
-                    if let (Some(s), Some(b)) = (stress, bound) {
+                    if let (true, Some(s), Some(b)) = (statics, stress, bound) {
                         write(kind, lower_grid(model, s, b.certificate().factor))?;
                     }
                 }
@@ -111,12 +126,13 @@ impl Outcome {
     /// The deformed shape with the size of the displacement as colours, or the mechanism with its dissipation.
     pub fn picture(
         &self,
-        case: &Case,
+        name: &str,
+        model: &AnalysisModel,
         mirror: &[usize],
         stem: &str,
         folder: &ResultFolder,
     ) -> Result<Option<PictureRef>, Diagnostics> {
-        let mesh = &case.model.mesh;
+        let mesh = &model.mesh;
         let (field, u) = match self {
             Outcome::Energy(p) => (None, p.displacement.as_ref()),
             Outcome::Factor(p) => {
@@ -133,15 +149,14 @@ impl Outcome {
             None => (
                 Field { name: "displacement", unit: "mm", values: &size, range: None },
                 format!("deformed_{stem}.png"),
-                format!("Case {}: deformed shape, {factor} times enlarged", case.name),
+                format!("Case {}: deformed shape, {factor} times enlarged", name),
             ),
             Some(v) => {
-                (values, range) =
-                    plastic_zones(&case.model, &dissipation_densities(&case.model, v, limit::SUBDIVISIONS));
+                (values, range) = plastic_zones(model, &dissipation_densities(model, v, limit::SUBDIVISIONS));
                 (
                     Field { name: "dissipation, relative", unit: "", values: &values, range },
                     format!("mechanism_{stem}.png"),
-                    format!("Case {}: mechanism of the upper bound, coloured by its dissipation", case.name),
+                    format!("Case {}: mechanism of the upper bound, coloured by its dissipation", name),
                 )
             }
         };

@@ -5,8 +5,10 @@ use super::analysis::{
     AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, stem_of, use_threads,
 };
 use super::interrupt::Interrupt;
+use super::remesh::{self, ByMap};
 use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
+use crate::adapt::plan;
 use crate::checks::{HandChecks, Status, Topic, hand_checks};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::Mesher;
@@ -24,7 +26,7 @@ use crate::spec::connection;
 use crate::spec::loads::LoadSpec;
 use crate::spec::yaml;
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -66,7 +68,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     tell(&checks, &log);
     let start = Instant::now();
-    let meshed = mesh(args, &input, mesher, &limits.interrupt, &folder, &log)?;
+    let options = mesh_options(args.full, args.size_factor, &input, &mesher, &limits.interrupt, folder.path());
+    let meshed = mesh(&options, &input, &log)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
     let mesh_file = folder.path().join("mesh.msh");
     msh_write::write(&meshed.mesh, &mesh_file)?;
@@ -76,7 +79,16 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         folder.write("joint.json", text.as_bytes())?;
         folder.write("joint.geo", meshed.geo.as_bytes())?;
     }
-    let cases = cases(&input, &meshed, &kinds, mesh_seconds)?;
+    let place = |path: &str| input.spec.index.place(path);
+    let mut cases = cases(&input, &meshed, &kinds, mesh_seconds)?;
+    let asked = &input.spec.value.analysis;
+    if asked.max_passes > 1 {
+        for case in &mut cases {
+            let kind = (case.name.clone(), case.model.analysis);
+            let by_map = ByMap::new(&input.joint.assembly, options.clone(), kind, &place, meshed.mesh.clone());
+            case.remesh = Some(Box::new(by_map));
+        }
+    }
     limits.interrupt.check("meshing")?;
     let project = &input.spec.value.project;
     let title =
@@ -96,7 +108,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     block.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
     // the models hold what the catalogue and the template gave, the script what the mesher was told
     let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
-    pieces.extend(cases.iter().map(|c| ("model", c.model_file.1.as_bytes())));
+    let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
+    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
     let echo = Echo {
         project: block,
         input_name: args.spec.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
@@ -105,11 +118,15 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         catalogue_rows: catalogue_rows(&input),
         mesh_quality: quality_table(&meshed.quality),
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
-        target_gap: Some(input.spec.value.analysis.target_gap),
+        adapt: Some(plan::Limits {
+            target_gap: asked.target_gap,
+            max_passes: asked.max_passes,
+            max_macro_tets: asked.max_macro_tets,
+        }),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
-        input_text: input.text,
+        input_text: input.text.clone(),
     };
     finish(cases, echo, &limits, folder, log, common)
 }
@@ -126,7 +143,7 @@ fn tell(hand: &HandChecks, log: &Log) {
 }
 
 /// The kinds of analysis asked for, if this version has them.
-fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
+pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
     let place = |path: &str| input.spec.index.place(path);
     let kinds = &input.spec.value.analysis.kind.0;
     let mut wanted = Vec::new();
@@ -154,7 +171,7 @@ fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
 }
 
 /// Load cases become names of files: they must have one, and a different one each.
-fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+pub fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     let loads = &input.spec.value.loads;
     let stems =
         |name: &str| -> Vec<String> { kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect() };
@@ -176,7 +193,7 @@ fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnosti
 
 /// A case without load has nothing to answer, one of 1e300 MPa no number that a computer holds: both are told before the
 /// mesher starts.
-fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
+pub fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     let refuse = |path: String, code, message: String, help: &str| {
         let mut d = Diagnostic::input(code, message).help(help);
         d.place = input.spec.index.place(&path);
@@ -223,25 +240,30 @@ fn quantities(load: &LoadSpec) -> Vec<Quantity> {
     out
 }
 
-fn mesh(
-    args: &RunArgs,
+/// How the mesher is asked; it works in a folder of its own below `folder`.
+pub fn mesh_options(
+    full: bool,
+    size_factor: f64,
     input: &SpecFile,
-    mesher: Mesher,
+    mesher: &Mesher,
     interrupt: &Interrupt,
-    folder: &ResultFolder,
-    log: &Log,
-) -> Result<JointMesh, Diagnostics> {
-    let work = folder.path().join("mesher");
-    let mut options = MeshOptions::new(&work);
-    options.full = args.full;
+    folder: &Path,
+) -> MeshOptions {
+    let mut options = MeshOptions::new(folder.join("mesher"));
+    options.full = full;
     options.layers = input.spec.value.analysis.mesh.layers;
-    options.sizes.factor = args.size_factor;
-    options.mesher = Some(mesher);
+    options.sizes.factor = size_factor;
+    options.mesher = Some(mesher.clone());
     options.interrupt = Some(interrupt.flag());
     if let Some(limit) = input.spec.value.analysis.time_limit {
         options.time_limit = Duration::from_secs_f64(limit.0.min(600.0));
     }
-    let meshed = mesh_joint(&input.joint.assembly, &options, &mut |stage| log.stage(stage))?;
+    options
+}
+
+/// Meshes the joint of a spec.
+pub fn mesh(options: &MeshOptions, input: &SpecFile, log: &Log) -> Result<JointMesh, Diagnostics> {
+    let meshed = mesh_joint(&input.joint.assembly, options, &mut |stage| log.stage(stage))?;
     let limit = input.spec.value.analysis.max_macro_tets;
     if meshed.mesh.tets.len() > limit {
         let mut d = Diagnostic::undecided(
@@ -252,18 +274,17 @@ fn mesh(
         d.place = input.spec.index.place("analysis.max_macro_tets");
         return Err(d.into());
     }
-    // script and log of the mesher are of use only when it fails; then they are in the message
-    std::fs::remove_dir_all(&work)
-        .map_err(|e| Diagnostic::environment("run/clean", format!("`{}` cannot be removed: {e}", work.display())))?;
+    remesh::clean(options)?;
     Ok(meshed)
 }
 
-fn cases(
+/// A case for each load case and kind of analysis.
+pub fn cases<'a>(
     input: &SpecFile,
     meshed: &JointMesh,
     kinds: &[AnalysisKind],
     mesh_seconds: f64,
-) -> Result<Vec<Case>, Diagnostics> {
+) -> Result<Vec<Case<'a>>, Diagnostics> {
     let names = from_joint::cases(&input.joint.assembly);
     names
         .iter()
@@ -280,7 +301,8 @@ fn cases(
             Ok(Case {
                 name: name.clone(),
                 model,
-                model_file: (file_name, yaml::to_string(&file)?),
+                model_file: (file_name, file),
+                remesh: None,
                 mesh_seconds: Some(mesh_seconds),
                 demand: Some(end_actions(&input.spec.value.loads, name)),
             })

@@ -10,6 +10,18 @@ use crate::assembly::joint::{MidPlane, OutlineEdge, Solid};
 use crate::math::vec3::{V3, along};
 use std::fmt::Write;
 
+/// Name of the file with wanted sizes, beside the script.
+pub const SIZES_FILE: &str = "sizes.pos";
+
+/// Where element sizes come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sizing {
+    /// From the parts.
+    Rule(SizeRule),
+    /// From the view in [`SIZES_FILE`].
+    View,
+}
+
 /// What the script is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
@@ -18,7 +30,7 @@ pub enum Purpose {
         /// Cut plates, flanges, webs and stiffeners at mid-thickness.
         layers: bool,
         /// Element sizes.
-        sizes: SizeRule,
+        sizes: Sizing,
     },
     /// A CAD file: true circles and arcs, every part on its own.
     Cad,
@@ -39,7 +51,14 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
         w.footprints(scene);
         w.fragments(scene.bodies.len());
         w.groups(scene);
-        w.text.push_str(&size::fields(scene, &sizes));
+        match sizes {
+            Sizing::Rule(rule) => w.text.push_str(&size::fields(scene, &rule)),
+            Sizing::View => {
+                w.put(format_args!("Merge \"{SIZES_FILE}\";"));
+                w.line("Field[1] = PostView;");
+                w.line("Background Field = 1;");
+            }
+        }
         w.line("Mesh.MeshSizeFromPoints = 0;");
         w.line("Mesh.MeshSizeFromCurvature = 0;");
         w.line("Mesh.MeshSizeExtendFromBoundary = 0;");
@@ -286,7 +305,13 @@ mod tests {
 
     const MESH: Purpose = Purpose::Mesh {
         layers: true,
-        sizes: SizeRule { factor: 1.0, growth: 0.5, across_footprint: 2.0, span_growth: 0.1, span_limit: 2.0 },
+        sizes: Sizing::Rule(SizeRule {
+            factor: 1.0,
+            growth: 0.5,
+            across_footprint: 2.0,
+            span_growth: 0.1,
+            span_limit: 2.0,
+        }),
     };
 
     #[test]
@@ -304,7 +329,7 @@ mod tests {
         for p in &mut joint.parts {
             p.label = "evil; System(\"rm\")".into();
         }
-        for purpose in [MESH, Purpose::Cad] {
+        for purpose in [MESH, Purpose::Mesh { layers: true, sizes: Sizing::View }, Purpose::Cad] {
             let text = script(&Scene::new(&joint, false), purpose);
             assert!(!text.contains("System") && !text.contains("evil"));
         }
@@ -326,7 +351,7 @@ mod tests {
     fn mid_planes_on_a_symmetry_plane_are_not_cut_again() {
         let joint = paper_joint();
         let cuts = |full: bool, layers: bool| {
-            let purpose = Purpose::Mesh { layers, sizes: SizeRule::default() };
+            let purpose = Purpose::Mesh { layers, sizes: Sizing::Rule(SizeRule::default()) };
             script(&Scene::new(&joint, full), purpose).matches("BooleanIntersection{ Surface").count()
         };
         // column flange, two stiffeners; plate; two beam flanges, support stiffener

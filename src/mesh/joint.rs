@@ -8,7 +8,7 @@ use crate::assembly::Assembly;
 use crate::assembly::joint::SymmetryPlane;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::geometry::Scene;
-use crate::geometry::geo_script::{self, Purpose};
+use crate::geometry::geo_script::{self, Purpose, SIZES_FILE, Sizing};
 use crate::geometry::size::SizeRule;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -24,6 +24,8 @@ pub struct MeshOptions {
     pub layers: bool,
     /// Element sizes; `sizes.factor` scales them all.
     pub sizes: SizeRule,
+    /// A view of gmsh with wanted sizes, which then rule instead.
+    pub size_view: Option<String>,
     /// Time the mesher may take.
     pub time_limit: Duration,
     /// Folder for the script, the mesher's file and its log; created if absent.
@@ -41,6 +43,7 @@ impl MeshOptions {
             full: false,
             layers: true,
             sizes: SizeRule::default(),
+            size_view: None,
             time_limit: Duration::from_secs(600),
             work_dir: work_dir.into(),
             mesher: None,
@@ -82,9 +85,13 @@ pub fn mesh_joint(
     progress("checking clashes and clearances");
     crate::geometry::proximity::check(assembly)?;
     let scene = Scene::new(assembly, options.full);
-    let geo = geo_script::script(&scene, Purpose::Mesh { layers: options.layers, sizes: options.sizes });
+    let sizes = if options.size_view.is_some() { Sizing::View } else { Sizing::Rule(options.sizes) };
+    let geo = geo_script::script(&scene, Purpose::Mesh { layers: options.layers, sizes });
     let dir = &options.work_dir;
     std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
+    if let Some(view) = &options.size_view {
+        msh_write::write_whole(&dir.join(SIZES_FILE), view)?;
+    }
     msh_write::write_whole(&dir.join("joint.geo"), &geo)?;
     let mesher = mesher(options)?;
     progress("meshing");

@@ -1,5 +1,6 @@
 //! From a mesher's file to a mesh whose interfaces match triangle to triangle.
 
+pub mod bisect;
 pub mod error;
 #[cfg(test)]
 pub(crate) mod fixtures;
@@ -11,6 +12,7 @@ pub mod msh_write;
 pub mod naming;
 pub mod numbering;
 pub mod quality;
+pub mod size_field;
 pub mod split;
 pub mod tet;
 pub mod topology;

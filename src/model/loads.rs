@@ -1,6 +1,7 @@
 //! Loads: which of them count and how much, tractions on faces, forces in bodies.
 
-use super::analysis::{AnalysisModel, BoundaryFace, RigidFace, SurfaceLoad, Traction};
+use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, RigidFace, SurfaceLoad, Traction};
+use super::file::Friction;
 use super::holds::ModelError;
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
@@ -100,6 +101,12 @@ impl AnalysisModel {
     /// True when some contact has friction.
     pub fn has_friction(&self) -> bool {
         self.interfaces.iter().any(|i| i.law.mu > 0.0) || self.ground.iter().any(|g| g.law.mu > 0.0)
+    }
+
+    /// Whether some contact with friction follows Coulomb's law.
+    pub fn has_coulomb(&self) -> bool {
+        let coulomb = |l: &ContactLaw| l.mu > 0.0 && l.friction == Friction::Coulomb;
+        self.interfaces.iter().any(|i| coulomb(&i.law)) || self.ground.iter().any(|g| coulomb(&g.law))
     }
 
     /// The model with every contact smooth.

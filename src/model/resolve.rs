@@ -62,7 +62,15 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
             let m = format!("`target_gap` is {}, it must lie between 0 and 1", adapt.target_gap);
             faults.add("model/value", "adapt.target_gap", m, "write a fraction such as 0.05");
         }
-        notes.push("mesh adaptation is not available yet in this version: the given mesh only is analysed".to_string());
+        for (key, value) in [
+            ("max_passes", adapt.max_passes.map(u64::from)),
+            ("max_macro_tets", adapt.max_macro_tets.map(|n| n as u64)),
+        ] {
+            if value == Some(0) {
+                let m = format!("`{key}` is 0, it must be at least 1");
+                faults.add("model/value", &format!("adapt.{key}"), m, "leave it out for its usual value");
+            }
+        }
     }
     if file.nodes == Nodes::Split {
         let gone = merge::merge_coincident(&mut mesh)?;

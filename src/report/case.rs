@@ -226,6 +226,8 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
             kinematic: pass.kinematic.as_ref().map(program_run),
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: None,
+            seconds: None,
+            predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],

@@ -178,6 +178,8 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
             kinematic: pass.kinematic.as_ref().map(program_run),
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: pass.frictionless_run.as_ref().map(program_run),
+            seconds: None,
+            predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],

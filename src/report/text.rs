@@ -374,6 +374,7 @@ fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
         ]
     });
     table(page, &Table { columns, rows: rows.collect() });
+    expectations(page, case);
     let columns = strings([
         "mesh",
         "program",
@@ -389,6 +390,31 @@ fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     if !rows.is_empty() {
         table(page, &Table { columns, rows });
     }
+}
+
+/// What was expected of each further mesh, beside what came.
+fn expectations(page: &mut String, case: &CaseResult) {
+    let further = case.history.iter().enumerate().filter_map(|(i, h)| Some((i, h, h.predicted?)));
+    let rows: Vec<Vec<String>> = further
+        .map(|(i, h, p)| {
+            vec![
+                (i + 1).to_string(),
+                count(Some(p.macro_tets)),
+                count(Some(h.macro_tets)),
+                percent_up(p.gap),
+                h.gap.map_or_else(dash, percent_up),
+                seconds(Some(p.seconds)),
+                seconds(h.seconds),
+            ]
+        })
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    paragraph(page, "What was expected of each further mesh before it was made, and what came:");
+    let columns =
+        strings(["mesh", "tets expected", "tets", "gap expected", "gap", "expected in all [s]", "in all [s]"]);
+    table(page, &Table { columns, rows });
 }
 
 fn programs(mesh: usize, h: &HistoryRow) -> Vec<Vec<String>> {

@@ -170,6 +170,24 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ),
     ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2 or 4"),
     ("loads:", "adapt: {target_gap: 5}\nloads:", "model/value", 9, "`target_gap` is 5", "0.05"),
+    ("loads:", "adapt: {target_gap: 0}\nloads:", "model/value", 9, "`target_gap` is 0", "0.05"),
+    ("loads:", "adapt: {target_gap: .nan}\nloads:", "yaml/not-finite", 9, "adapt.target_gap", "finite"),
+    (
+        "loads:",
+        "adapt: {target_gap: 0.1, max_passes: 0}\nloads:",
+        "model/value",
+        9,
+        "`max_passes` is 0",
+        "leave it out",
+    ),
+    (
+        "loads:",
+        "adapt: {target_gap: 0.1, max_macro_tets: 0}\nloads:",
+        "model/value",
+        9,
+        "`max_macro_tets` is 0",
+        "leave it out",
+    ),
     ("loads:", "load: []\nloads:", "yaml/unknown-key", 9, "did you mean `loads`?", "loads, dead"),
 ];
 

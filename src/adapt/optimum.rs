@@ -1,0 +1,236 @@
+//! The mesh with the fewest elements for a gap, or the least gap for a number of elements.
+//!
+//! A tet that is split into n parts keeps `η n^(−2q/3)` of its contribution. The sum of these is least for its `Σ n` where
+//! the last part made helps everywhere alike, `n = (μ q η)^(3 / (2q + 3))`: with one q everywhere the formula of the paper. The
+//! mesher then grades and rounds, so what it will really make is asked for, and μ is set by that.
+//!
+//! # Source
+//! Ladevèze and Pelle, optimal meshes; paper, section 4.1.
+
+/// Bounds of the parts a tet is split into in one pass: sizes change by ¼ to 2.
+const PARTS: [f64; 2] = [0.125, 64.0];
+
+/// Step of the price along a curve, in `ln μ`: a third more tets where solutions are smooth.
+const STEP: f64 = 0.7;
+
+/// Most points of a curve.
+const POINTS: usize = 80;
+
+/// How near to the tets asked for a design must come.
+const NEAR: f64 = 0.01;
+
+/// What is known of the last mesh: each tet's contribution to the gap and the rate at which refinement lessens it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Contributions, in any unit.
+    pub contributions: Vec<f64>,
+    /// Rates q.
+    pub rates: Vec<f64>,
+}
+
+/// A mesh to be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Parts wanted of each tet, before grading.
+    pub wanted: Vec<f64>,
+    /// Tets it will have.
+    pub tets: f64,
+    /// Its gap over the present one.
+    pub gap: f64,
+}
+
+/// A point of the curve of gap against tets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// `ln μ`.
+    pub price: f64,
+    /// Tets.
+    pub tets: f64,
+    /// Gap over the present one.
+    pub gap: f64,
+}
+
+/// What a next mesh could give: designs from coarse to fine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    points: Vec<Point>,
+}
+
+impl Estimate {
+    /// Sum of the contributions; those that rounding made negative count as none.
+    fn total(&self) -> f64 {
+        self.contributions.iter().map(|c| c.max(0.0)).sum()
+    }
+
+    /// The parts that a price μ of a tet is worth.
+    fn wanted(&self, mu: f64) -> Vec<f64> {
+        let one = |c: &f64, q: &f64| (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(PARTS[0], PARTS[1]);
+        self.contributions.iter().zip(&self.rates).map(|(c, q)| one(c, q)).collect()
+    }
+
+    /// Gap over the present one, each tet split into so many parts.
+    pub fn gap_after(&self, parts: &[f64]) -> f64 {
+        let left = |((c, q), n): ((&f64, &f64), &f64)| c.max(0.0) * n.powf(-2.0 * q / 3.0);
+        let sum: f64 = self.contributions.iter().zip(&self.rates).zip(parts).map(left).sum();
+        let total = self.total();
+        if total > 0.0 { sum / total } else { 0.0 }
+    }
+
+    fn design(&self, mu: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Design {
+        let wanted = self.wanted(mu);
+        let parts = realised(&wanted);
+        Design { tets: parts.iter().sum(), gap: self.gap_after(&parts), wanted }
+    }
+
+    /// Designs from a third of the tets there are to `most`, as far as one pass may go; `realised`: the parts a mesher makes of
+    /// those wanted.
+    pub fn curve(&self, most: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Curve {
+        let total = self.total();
+        let mut points = Vec::new();
+        if total <= 0.0 {
+            return Curve { points };
+        }
+        let raw = |price: f64| self.wanted(price.exp());
+        // the price of a third of the tets, by the wants alone
+        let few = 0.35 * self.contributions.len() as f64;
+        let (mut low, mut high) = (-40.0 - total.ln(), 60.0 - total.ln());
+        while high - low > 0.1 {
+            let middle = 0.5 * (low + high);
+            if raw(middle).iter().sum::<f64>() < few { low = middle } else { high = middle }
+        }
+        let mut price = low;
+        while points.len() < POINTS {
+            let design = self.design(price.exp(), realised);
+            points.push(Point { price, tets: design.tets, gap: design.gap });
+            let clipped = design.wanted.iter().zip(&self.contributions).all(|(n, c)| *c <= 0.0 || *n >= PARTS[1]);
+            if design.tets > most || clipped {
+                break;
+            }
+            price += STEP;
+        }
+        Curve { points }
+    }
+
+    /// The design with so many tets, as near as one pass can come.
+    pub fn with_tets(&self, curve: &Curve, tets: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Design {
+        let mut curve = curve.clone();
+        let mut best: Option<Design> = None;
+        let miss = |d: &Design| (d.tets / tets).ln().abs();
+        for _ in 0..4 {
+            let Some(price) = curve.price_of(tets) else { break };
+            let design = self.design(price.exp(), realised);
+            curve.insert(Point { price, tets: design.tets, gap: design.gap });
+            if best.as_ref().is_none_or(|b| miss(&design) < miss(b)) {
+                best = Some(design);
+            }
+            if best.as_ref().is_some_and(|b| miss(b) < NEAR) {
+                break;
+            }
+        }
+        best.unwrap_or_else(|| self.design(0.0, realised))
+    }
+}
+
+impl Curve {
+    fn insert(&mut self, point: Point) {
+        let at = self.points.partition_point(|p| p.price < point.price);
+        self.points.insert(at, point);
+    }
+
+    /// A quantity of the points against their tets, straight between points on the scales given, constant beyond the ends.
+    fn at(&self, tets: f64, quantity: impl Fn(&Point) -> f64) -> Option<f64> {
+        let after = self.points.partition_point(|p| p.tets < tets);
+        let (a, b) = match (after.checked_sub(1).and_then(|i| self.points.get(i)), self.points.get(after)) {
+            (Some(a), Some(b)) => (a, b),
+            (a, b) => return a.or(b).map(quantity),
+        };
+        let share = if b.tets > a.tets { (tets / a.tets).ln() / (b.tets / a.tets).ln() } else { 0.0 };
+        Some(quantity(a) + share * (quantity(b) - quantity(a)))
+    }
+
+    /// The gap over the present one with so many tets.
+    pub fn gap_at(&self, tets: f64) -> f64 {
+        self.at(tets, |p| p.gap.max(1e-30).ln()).map_or(0.0, f64::exp)
+    }
+
+    fn price_of(&self, tets: f64) -> Option<f64> {
+        self.at(tets, |p| p.price)
+    }
+
+    /// The tets of its coarsest and finest design; `None`: there is nothing to design.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        Some([self.points.first()?.tets, self.points.last()?.tets])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn same(parts: &[f64]) -> Vec<f64> {
+        parts.to_vec()
+    }
+
+    fn design(estimate: &Estimate, tets: f64) -> Design {
+        estimate.with_tets(&estimate.curve(10.0 * tets, &same), tets, &same)
+    }
+
+    /// With one rate everywhere and no clipping, the paper's closed formula: `h' = h e₀^(1/q) / (e^(2/(2q+3)) [Σ e^(6/(2q+3))]^(1/2q))`
+    /// with e² the contributions and e₀² the target.
+    #[test]
+    fn the_formula_of_the_paper() {
+        let q = 2.0;
+        let contributions: Vec<f64> = (0..200).map(|i| 1.0 + 0.5 * f64::from(i % 7)).collect();
+        let total: f64 = contributions.iter().sum();
+        let estimate = Estimate { contributions: contributions.clone(), rates: vec![q; 200] };
+        let design = design(&estimate, 700.0);
+        assert!((design.tets / 700.0 - 1.0).abs() < 0.01, "{}", design.tets);
+        let e0 = (design.gap * total).sqrt();
+        let sum: f64 = contributions.iter().map(|c| c.sqrt().powf(6.0 / (2.0 * q + 3.0))).sum();
+        for (c, n) in contributions.iter().zip(&design.wanted) {
+            let ratio = e0.powf(1.0 / q) / (c.sqrt().powf(2.0 / (2.0 * q + 3.0)) * sum.powf(1.0 / (2.0 * q)));
+            assert!((ratio.powi(-3) / n - 1.0).abs() < 1e-9, "{} {n}", ratio.powi(-3));
+        }
+    }
+
+    /// No other distribution of as many parts leaves a smaller gap (compared with random ones), rates different.
+    #[test]
+    fn nothing_beats_it() {
+        let mut seed = 7u64;
+        let mut random = || {
+            seed ^= seed << 13;
+            seed ^= seed >> 7;
+            seed ^= seed << 17;
+            (seed >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let contributions: Vec<f64> = (0..60).map(|_| 1.0 + 3.0 * random()).collect();
+        let rates: Vec<f64> = (0..60).map(|i| if i % 5 == 0 { 0.55 } else { 2.0 }).collect();
+        let estimate = Estimate { contributions, rates };
+        let design = design(&estimate, 180.0);
+        assert!(design.wanted.iter().all(|n| *n > PARTS[0] && *n < PARTS[1]), "not clipped");
+        for _ in 0..200 {
+            let mut other: Vec<f64> = design.wanted.iter().map(|n| n * (1.0 + 0.2 * (random() - 0.5))).collect();
+            let scale = design.tets / other.iter().sum::<f64>();
+            other.iter_mut().for_each(|n| *n *= scale);
+            assert!(estimate.gap_after(&other) >= design.gap * (1.0 - 1e-12));
+        }
+    }
+
+    /// Finer meshes leave smaller gaps; more than one pass can give is answered with all it can; no contribution, no curve.
+    #[test]
+    fn goals_out_of_reach() {
+        let estimate = Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10] };
+        let curve = estimate.curve(1e9, &same);
+        let [few, many] = curve.range().expect("a curve");
+        assert!(few < 4.0 && many == 640.0, "{few} {many}");
+        assert!([4.0, 10.0, 40.0, 640.0, 1e9].map(|n| curve.gap_at(n)).windows(2).all(|g| g[1] <= g[0]));
+        // h^(2q) with twice the tets along each side
+        assert!((curve.gap_at(80.0) - 0.5).abs() < 0.01, "{}", curve.gap_at(80.0));
+        assert!(estimate.with_tets(&curve, 1e9, &same).wanted.iter().all(|n| *n == PARTS[1]));
+        let nothing = Estimate { contributions: vec![0.0; 10], rates: vec![2.0; 10] };
+        assert_eq!(nothing.curve(1e9, &same).range(), None);
+        // a contribution that rounding made negative asks for nothing
+        let estimate = Estimate { contributions: vec![1.0, -1e-17], rates: vec![2.0; 2] };
+        assert_eq!(design(&estimate, 8.0).wanted[1], PARTS[0]);
+    }
+}

@@ -1,0 +1,238 @@
+//! The rows of a study of speed against error, as table, CSV and plots.
+
+use super::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
+use super::figures::{Rounding, fixed, percent_up};
+use super::plot::{Plot, Series};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::mesh::gmsh::MesherError;
+use crate::mesh::msh_write::write_whole;
+use crate::model::file::AnalysisKind;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::Path;
+
+/// The file that marks a folder as a study.
+pub const MARK: &str = "study.csv";
+
+/// Where the meshes of a row come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Meshes {
+    /// Refined everywhere alike; every row stands alone.
+    Uniform,
+    /// Refined where the gap comes from; a row pays for the ones before it.
+    Adaptive,
+}
+
+/// One mesh under one solver.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// Load case.
+    pub case: String,
+    /// Kind of analysis.
+    pub analysis: AnalysisKind,
+    /// Where the mesh comes from.
+    pub meshes: Meshes,
+    /// Solver.
+    pub solver: String,
+    /// Number of the mesh, from 1.
+    pub mesh: usize,
+    /// Tetrahedra.
+    pub macro_tets: usize,
+    /// Unknowns of both programs.
+    pub dofs: usize,
+    /// Largest certified lower bound so far, of the meshes that the row pays for.
+    pub lower: Option<f64>,
+    /// Smallest certified upper bound so far.
+    pub upper: Option<f64>,
+    /// Gap of these two, a fraction; absent unless they are certified.
+    pub gap: Option<f64>,
+    /// Gap expected before the mesh was made.
+    pub expected_gap: Option<f64>,
+    /// Wall time of everything on this mesh, the mesher included \[s\].
+    pub seconds: f64,
+    /// Wall time of all meshes up to this one that led to it \[s\].
+    pub total_seconds: f64,
+    /// Peak resident memory \[MiB\].
+    pub peak_memory_mib: Option<u64>,
+}
+
+/// All rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Study {
+    /// The gap asked for.
+    pub target_gap: f64,
+    /// Its rows.
+    pub rows: Vec<Row>,
+}
+
+/// The rows of an entry's history.
+pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> {
+    let strict = entry.certificate.is_some_and(|c| c.strict);
+    let (mut lower, mut upper, mut total) = (None::<f64>, None::<f64>, 0.0);
+    let mut one = |(i, h): (usize, &HistoryRow)| {
+        let own = h.kinematic.as_ref().map_or(0.0, |r| r.seconds) + h.static_.as_ref().map_or(0.0, |r| r.seconds);
+        let seconds = h.seconds.unwrap_or(own);
+        total += seconds;
+        if strict {
+            lower = h.lower.into_iter().chain(lower).reduce(f64::max);
+            upper = h.upper.and_then(Upper::finite).into_iter().chain(upper).reduce(f64::min);
+        }
+        let gap = match (lower, upper) {
+            (Some(l), Some(u)) if l != 0.0 => Some((u - l) / l.abs()),
+            _ => None,
+        };
+        Row {
+            case: entry.name.clone(),
+            analysis: entry.analysis,
+            meshes,
+            solver: solver.into(),
+            mesh: i + 1,
+            macro_tets: h.macro_tets,
+            dofs: h.kinematic_dofs.unwrap_or(0) + h.static_dofs.unwrap_or(0),
+            lower,
+            upper,
+            gap,
+            expected_gap: h.predicted.map(|p| p.gap),
+            seconds,
+            total_seconds: total,
+            peak_memory_mib: h.peak_memory_mib,
+        }
+    };
+    entry.history.iter().enumerate().map(&mut one).collect()
+}
+
+impl Row {
+    fn analysis_word(&self) -> &'static str {
+        match self.analysis {
+            AnalysisKind::Elastic => "elastic",
+            AnalysisKind::Elastoplastic => "elastoplastic",
+            AnalysisKind::Limit => "limit",
+        }
+    }
+
+    fn series(&self) -> String {
+        let meshes = match self.meshes {
+            Meshes::Uniform => "uniform",
+            Meshes::Adaptive => "adaptive",
+        };
+        format!("{meshes}, {}", self.solver)
+    }
+}
+
+impl Study {
+    /// The table, in Markdown.
+    pub fn markdown(&self) -> String {
+        let head =
+            ["case", "meshes", "mesh", "macro tets", "unknowns", "gap", "this mesh [s]", "in all [s]", "memory [MiB]"];
+        let mut text = format!("| {} |\n|{}\n", head.join(" | "), " ---: |".repeat(head.len()));
+        let dash = || "–".to_string();
+        for r in &self.rows {
+            let cells = [
+                format!("{} ({})", r.case.replace('|', "\\|"), r.analysis_word()),
+                r.series(),
+                r.mesh.to_string(),
+                fixed(r.macro_tets as f64, 0, Rounding::Nearest),
+                fixed(r.dofs as f64, 0, Rounding::Nearest),
+                r.gap.map_or_else(dash, percent_up),
+                format!("{:.1}", r.seconds),
+                format!("{:.1}", r.total_seconds),
+                r.peak_memory_mib.map_or_else(dash, |m| m.to_string()),
+            ];
+            // writing to a String cannot fail
+            let _ = writeln!(text, "| {} |", cells.join(" | "));
+        }
+        text
+    }
+
+    /// The rows as CSV; what is absent is an empty cell.
+    pub fn csv(&self) -> String {
+        let mut text = "case,analysis,meshes,solver,mesh,macro_tets,dofs,lower,upper,gap,expected_gap,seconds,\
+                        total_seconds,peak_memory_mib\n"
+            .to_string();
+        let number = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
+        for r in &self.rows {
+            let meshes = if r.meshes == Meshes::Uniform { "uniform" } else { "adaptive" };
+            let cells = [
+                format!("\"{}\"", r.case.replace('"', "\"\"")),
+                r.analysis_word().into(),
+                meshes.into(),
+                r.solver.clone(),
+                r.mesh.to_string(),
+                r.macro_tets.to_string(),
+                r.dofs.to_string(),
+                number(r.lower),
+                number(r.upper),
+                number(r.gap),
+                number(r.expected_gap),
+                format!("{:.3}", r.seconds),
+                format!("{:.3}", r.total_seconds),
+                r.peak_memory_mib.map_or(String::new(), |m| m.to_string()),
+            ];
+            text.push_str(&cells.join(","));
+            text.push('\n');
+        }
+        text
+    }
+
+    /// A plot for each load case, kind of analysis and abscissa, with the stem of its file.
+    fn plots(&self) -> Vec<(String, Plot)> {
+        let mut cases: Vec<(&str, &str)> = Vec::new();
+        for r in &self.rows {
+            let case = (&r.case[..], r.analysis_word());
+            if !cases.contains(&case) {
+                cases.push(case);
+            }
+        }
+        type Abscissa = (&'static str, &'static str, fn(&Row) -> Option<f64>);
+        let abscissas: [Abscissa; 4] = [
+            ("time", "wall time, all meshes [s]", |r| Some(r.total_seconds)),
+            ("tets", "macro tets", |r| Some(r.macro_tets as f64)),
+            ("dofs", "unknowns of both programs", |r| Some(r.dofs as f64)),
+            ("memory", "peak memory [MiB]", |r| r.peak_memory_mib.map(|m| m as f64)),
+        ];
+        let mut plots = Vec::new();
+        for (i, case) in cases.iter().enumerate() {
+            for (name, x, of) in &abscissas {
+                let mut series: Vec<Series> = Vec::new();
+                for r in self.rows.iter().filter(|r| (&r.case[..], r.analysis_word()) == *case) {
+                    let Some(point) = of(r).zip(r.gap).map(|(x, g)| [x, 100.0 * g]) else { continue };
+                    match series.iter_mut().find(|s| s.name == r.series()) {
+                        Some(s) => s.points.push(point),
+                        None => series.push(Series { name: r.series(), points: vec![point] }),
+                    }
+                }
+                let plot = Plot {
+                    title: format!("{} ({})", case.0, case.1),
+                    x: x.to_string(),
+                    y: "certified gap [%]".into(),
+                    series,
+                    level: Some((100.0 * self.target_gap, "target".into())),
+                };
+                let stem = if cases.len() == 1 { name.to_string() } else { format!("{name}_{}", i + 1) };
+                plots.push((stem, plot));
+            }
+        }
+        plots
+    }
+
+    /// Writes `study.csv`, `study.md` and the plots into a folder.
+    pub fn write(&self, folder: &Path) -> Result<(), Diagnostics> {
+        let mut page = format!(
+            "# Speed against error\n\nGaps are certified: residuals at most {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes \
+             takes the best bounds of the meshes before it, and its time in all is theirs too.\n\n{}\n",
+            self.markdown()
+        );
+        for (stem, plot) in self.plots() {
+            write_whole(&folder.join(format!("{stem}.svg")), &plot.svg())?;
+            let path = folder.join(format!("{stem}.png"));
+            let bytes = plot.picture().to_png().map_err(|e| {
+                Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}"))
+            })?;
+            std::fs::write(&path, bytes).map_err(|e| MesherError::write(&path, e))?;
+            let _ = writeln!(page, "![Certified gap against {}]({stem}.png)\n", plot.x);
+        }
+        write_whole(&folder.join("study.md"), &page)?;
+        Ok(write_whole(&folder.join(MARK), &self.csv())?)
+    }
+}

@@ -1,0 +1,128 @@
+//! Mesh after mesh from the command line: the target, every limit, what is left in the folder, and `bracket study`.
+
+use crate::bench::{Told, refusal};
+use crate::{MODEL, bench, expect, opening};
+use serde_json::Value;
+
+fn case(json: &str) -> Value {
+    serde_json::from_str::<Value>(json).expect("JSON")["cases"][0].clone()
+}
+
+fn number(v: &Value) -> f64 {
+    v.as_f64().unwrap_or_else(|| panic!("{v}"))
+}
+
+/// A gap below the first mesh's is reached; the answer is the best of its history, which tells what was expected; `verify`
+/// confirms it from the refined mesh; the report shows it.
+#[test]
+fn a_target_is_reached_and_verified() {
+    for (name, model) in [("elastic", opening()), ("limit", limit())] {
+        let first = bench(&model);
+        expect(&first, &["analyse", "block.yaml", "--quiet"], 0);
+        let gap = number(&case(&first.read("block/result.json"))["gap"]);
+        let target = 0.6 * gap;
+        let adaptive = bench(&format!("{model}adapt: {{target_gap: {target}, max_macro_tets: 4000}}\n"));
+        let (_, talk) = expect(&adaptive, &["analyse", "block.yaml"], 0);
+        let c = case(&adaptive.read("block/result.json"));
+        assert!(number(&c["gap"]) <= target, "{name}: {talk}");
+        let history = c["history"].as_array().expect("rows");
+        assert!(history.len() > 1 && history[0]["gap"] == gap && talk.contains("the next one is to have"), "{talk}");
+        let best = |key: &str, better: fn(f64, f64) -> f64| history.iter().map(|h| number(&h[key])).reduce(better);
+        assert_eq!((best("lower", f64::max), best("upper", f64::min)), (c["lower"].as_f64(), c["upper"].as_f64()));
+        for h in &history[1..] {
+            let [found, told] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
+            assert!((found / told - 1.0).abs() < 0.15, "{name}: {found} tets, {told} expected");
+        }
+        let (found, _) = expect(&adaptive, &["verify", "block"], 0);
+        assert!(found.contains("confirmed") && !found.contains("REFUTED"), "{found}");
+        let report = adaptive.read("block/report.md");
+        assert!(
+            report.contains("What was expected of each further mesh") && report.contains("convergence_"),
+            "{report}"
+        );
+        // a tampered bound in the history is found
+        let text = adaptive.read("block/result.json").replace(&c["upper"].to_string(), "1.0e99");
+        std::fs::write(adaptive.path().join("block/result.json"), text).expect("written");
+        expect(&adaptive, &["verify", "block"], 1);
+    }
+}
+
+/// [`MODEL`] at collapse.
+fn limit() -> String {
+    MODEL.replace("analysis: elastic", "analysis: limit").replace("nu: 0.3}", "nu: 0.3, fy: 235}")
+}
+
+/// What ends it is told, and the best of what there is stays.
+#[test]
+fn limits_are_told() {
+    for (adapt, why) in [
+        ("{target_gap: 0.0001, max_passes: 2}", "2 meshes were allowed"),
+        ("{target_gap: 0.0001, max_macro_tets: 200}", "no mesh within `max_macro_tets`"),
+        ("{target_gap: 0.0001, max_passes: 1}", "a finer mesh is needed"),
+    ] {
+        let b = bench(&format!("{}adapt: {adapt}\n", opening()));
+        let (_, talk) = expect(&b, &["analyse", "block.yaml"], 0);
+        assert!(talk.contains(why), "{adapt}: {talk}");
+        let c = case(&b.read("block/result.json"));
+        assert_eq!(c["certificate"]["strict"], true);
+        assert!(c["history"].as_array().expect("rows").iter().all(|h| number(&h["gap"]) >= number(&c["gap"])));
+    }
+}
+
+/// Uniform and adaptive meshes, both solvers: rows, CSV and plots are there, gaps fall with the meshes, a solver does not change
+/// them.
+#[test]
+fn a_study_is_a_table_and_plots() {
+    let b = bench(&opening());
+    let args = ["study", "block.yaml", "--solver", "condensed,clarabel", "--uniform", "2", "--target-gap", "0.1"];
+    let (table, _) = expect(&b, &[&args[..], &["--max-macro-tets", "600"]].concat(), 0);
+    assert!(table.contains("uniform, clarabel") && table.contains("adaptive, condensed"), "{table}");
+    let csv = b.read("block_study/study.csv");
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|l| l.split(',').collect()).collect();
+    let gaps = |meshes: &str, solver: &str| -> Vec<f64> {
+        let mine = rows.iter().filter(|r| r[2] == meshes && r[3] == solver);
+        mine.map(|r| r[9].parse().unwrap_or_else(|_| panic!("{csv}"))).collect()
+    };
+    for meshes in ["uniform", "adaptive"] {
+        let (a, b) = (gaps(meshes, "condensed"), gaps(meshes, "clarabel"));
+        assert!(a.len() == b.len() && a.len() > 1 && a.windows(2).all(|g| g[1] < g[0]), "{csv}");
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-4), "{csv}");
+    }
+    for name in ["time", "tets", "dofs", "memory"] {
+        assert!(b.read(&format!("block_study/{name}.svg")).ends_with("</svg>\n"));
+        assert!(b.path().join(format!("block_study/{name}.png")).is_file());
+    }
+    // a study is replaced, what is none is not
+    expect(&b, &["study", "block.yaml", "--uniform", "1", "--max-passes", "1", "--quiet"], 0);
+    std::fs::create_dir(b.path().join("other")).expect("folder");
+    let b = b.file("other/notes.txt", "mine");
+    let told = Told { exit: 2, code: "cli/out-exists", place: "", message: "was not written by", cure: "--out" };
+    let mut run = b.command(&["study", "block.yaml", "--out", "other"]);
+    refusal(&b, &mut run, &told).unwrap_or_else(|e| panic!("{e}"));
+}
+
+#[test]
+fn wrong_options_of_a_study_are_refused() {
+    let mut results = Vec::new();
+    for (args, message, cure) in [
+        (["--uniform", "11"], "at most 10 meshes", "3 to 5"),
+        (["--uniform", "two"], "invalid value 'two'", "--uniform"),
+        (["--target-gap", "0"], "--target-gap is 0", "0.02"),
+        (["--target-gap", "1"], "--target-gap is 1", "0.02"),
+        (["--target-gap", "nan"], "--target-gap is NaN", "0.02"),
+        (["--max-macro-tets", "0"], "--max-macro-tets is 0", "leave the option out"),
+        (["--max-passes", "0"], "--max-passes is 0", "leave the option out"),
+        (["--size-factor", "0"], "--size-factor is 0", "1 is the usual size"),
+        (["--size-factor", "inf"], "--size-factor is inf", "1 is the usual size"),
+        (["--memory-limit", "8"], "it has no unit", "8GiB"),
+        (["--solver", "fast"], "invalid value 'fast'", "condensed, clarabel"),
+    ] {
+        let b = bench(MODEL);
+        let run = b.command(&["study", "block.yaml", args[0], args[1]]).output().expect("runs");
+        let talk = String::from_utf8_lossy(&run.stderr).into_owned();
+        let right = run.status.code() == Some(2) && talk.contains(message) && talk.contains(cure);
+        results.push((args.join(" "), if right { None } else { Some(talk) }));
+    }
+    let wrong: Vec<_> = results.into_iter().filter_map(|(args, talk)| Some((args, talk?))).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
