@@ -74,7 +74,7 @@ fn limits_are_told() {
 #[test]
 fn a_study_is_a_table_and_plots() {
     let b = bench(&opening());
-    let args = ["study", "block.yaml", "--solver", "condensed,clarabel", "--uniform", "2", "--target-gap", "0.1"];
+    let args = ["study", "block.yaml", "--solver", "condensed,clarabel", "--uniform", "2", "--target-gap", "0.006"];
     let (table, _) = expect(&b, &[&args[..], &["--max-macro-tets", "600"]].concat(), 0);
     assert!(table.contains("uniform, clarabel") && table.contains("adaptive, condensed"), "{table}");
     let csv = b.read("block_study/study.csv");
