@@ -454,12 +454,12 @@ impl<'a> Newton<'a> {
                 (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect()
             });
             let sides = std::array::from_fn::<_, SIDES, _>(|k| (solution[k].error.as_slice(), slack[k].as_slice()));
-            // what the correction leaves of the error is the error of the sum
-            let correction = self.system.solve::<SIDES, true>(problem, scaling, sides);
-            for (solution, correction) in solution.iter_mut().zip(correction) {
+            let correction = self.system.solve::<SIDES, false>(problem, scaling, sides);
+            for ((solution, correction), (r1, _)) in solution.iter_mut().zip(&correction).zip(rhs) {
                 solution.x.iter_mut().zip(&correction.x).for_each(|(a, b)| *a += b);
                 solution.z.iter_mut().zip(&correction.z).for_each(|(a, b)| *a += b);
-                solution.error = correction.error;
+                // anew: what the correction leaves of the error would hide the rounding of the sum
+                solution.error = self.system.stationarity_error(problem, r1, &solution.x, &solution.z);
             }
         }
         solution.map(|s| (s.x, s.z))

@@ -122,6 +122,21 @@ impl CondensedSystem {
         self.factor.flops() / self.factor.nonzeros().max(1) as f64
     }
 
+    /// What a solution leaves of the stationarity rows: `r₁ − P x + Gᵀ z`, with the proximal terms that the factor holds.
+    pub fn stationarity_error(&self, problem: &Problem, r1: &[f64], x: &[f64], z: &[f64]) -> Vec<f64> {
+        let program = &problem.program;
+        let [px] = program.quadratic([x]);
+        let gz = program.rows_transposed(z);
+        let mut error: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[i] + gz[i]).collect();
+        if self.elements.proximal > 0.0 {
+            let factor = program.unknowns() - usize::from(!program.live.is_empty());
+            for i in (program.shared()..factor).filter(|&i| problem.maximised[i]) {
+                error[i] += self.elements.proximal * x[i];
+            }
+        }
+        error
+    }
+
     /// Factors the matrix with unit scaling, for the starting point.
     pub fn factor_start(&mut self, problem: &Problem) -> Result<(), LinearError> {
         let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..problem.cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
