@@ -49,11 +49,11 @@ pub struct LowerCertificate {
 }
 
 impl LowerCertificate {
-    /// The largest utilisation of yield surfaces and welds.
+    /// The largest utilisation of yield surfaces and welds; not a number if one of them is none.
     pub fn worst(&self) -> f64 {
         match self.weld {
-            Some(weld) if weld.is_nan() || self.utilisation.is_nan() => f64::NAN,
-            weld => self.utilisation.max(weld.unwrap_or(0.0)),
+            Some(weld) if weld.is_nan() || weld > self.utilisation => weld,
+            _ => self.utilisation,
         }
     }
 }

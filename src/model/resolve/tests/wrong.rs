@@ -64,7 +64,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "(20, 10, ",
         "overlap",
     ),
-    ("friction: associated", "friction: columb", "yaml/type", 6, "columb", "coulomb"),
+    ("friction: associated", "friction: columb", "yaml/unknown-value", 6, "columb", "coulomb"),
     ("friction: associated", "throat: 5", "model/interface", 6, "`throat` means nothing for `law: contact`", "remove"),
     (
         "contact, mu: 0.3, friction: associated",
