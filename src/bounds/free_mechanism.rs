@@ -74,7 +74,9 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     }
     let forces = |loads| kinematic.limit_forces(model, Flow::Split, loads);
     let mut program = ConicProgram { g: kinematic.program.g.clone(), ..ConicProgram::default() };
-    program.cones.clone_from(&kinematic.program.cones);
+    // behind the contacts stand the cones of welds, which the motions leave alone
+    let (starts, rows) = (kinematic.program.cone_starts(), program.g.nrows());
+    program.cones = kinematic.program.cones[..starts.partition_point(|s| *s < rows)].to_vec();
     program.p.n = kinematic.map.n;
     program.q = forces(Loads::LIVE).iter().map(|f| -f).collect();
     if model.has_dead_loads() {
