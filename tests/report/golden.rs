@@ -72,6 +72,8 @@ fn case(name: &str) -> CaseResult {
             kinematic: Some(run(18)),
             static_: Some(run(26)),
             static_frictionless: None,
+            seconds: None,
+            predicted: None,
             mesh_seconds: Some(3.0),
             peak_memory_mib: Some(1024),
         }],
