@@ -149,15 +149,12 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     } else {
         null_space(&held, 1e-12)
     };
-    let project = |c: &[f64]| -> Vec<f64> {
-        let mut out = vec![0.0; n];
-        for v in &free {
-            let along = dot(v, c);
-            out.iter_mut().zip(v).for_each(|(o, v)| *o += along * v);
-        }
-        out
-    };
-    c = project(&c);
+    let mut projected = vec![0.0; n];
+    for v in &free {
+        let along = dot(v, &c);
+        projected.iter_mut().zip(v).for_each(|(o, v)| *o += along * v);
+    }
+    c = projected;
     for _ in 0..OPENINGS {
         let s = slacks(&c);
         let margin = |s: &[f64], &(at, d): &(usize, usize)| cone_margin(&s[at..at + d]);

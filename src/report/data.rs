@@ -4,9 +4,9 @@
 //! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
 
 use super::demand::Demand;
+pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::Check;
-pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 pub use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;

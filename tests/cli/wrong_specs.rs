@@ -127,7 +127,7 @@ const ROWS: &[Row] = &[
         "kind: limit",
     ),
     ("kind: elastic", "kind: [limit, limit]", "spec/value", "joint.yaml:11:", "the same kind twice", "each kind once"),
-    ("law: associated", "law: columb", "yaml/type", "joint.yaml:9:", "columb", "coulomb"),
+    ("law: associated", "law: columb", "yaml/unknown-value", "joint.yaml:9:", "columb", "coulomb"),
     (
         "section: column_top",
         "section: colunm_top",

@@ -105,7 +105,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-            let options = SolveOptions { max_iterations: 100, gap: 1e-7, ..SolveOptions::default() };
+            let options = SolveOptions { max_iterations: 100, gap: 1e-8, ..SolveOptions::default() };
             for (name, program, block) in [
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),

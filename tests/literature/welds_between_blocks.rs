@@ -45,7 +45,8 @@ fn pulled_below_the_strength() {
         let solved = pulled(p, 101.0, seed);
         solved.exact("weld, pulled", tied, 1e-6);
         let used = solved.pass.lower.as_ref().unwrap().certificate().weld.unwrap();
-        assert!((used - 100.0 / 101.0).abs() < 1e-6, "{used}");
+        // a field is as exact as the root of the gap (1e-8) at which its energy is taken
+        assert!((used - 100.0 / 101.0).abs() < 1e-4, "{used}");
     }
 }
 
