@@ -187,7 +187,7 @@ mod tests {
         let mut mesh = cubes(&cells);
         name(&mut mesh, "BASE", |x| x[2] == 0.0);
         name(&mut mesh, "BETWEEN", |x| x[0] == 30.0);
-        let corner = |e: usize| mesh.corners(e).iter().any(|x| *x == [30.0, 0.0, 0.0]);
+        let corner = |e: usize| mesh.corners(e).contains(&[30.0, 0.0, 0.0]);
         let wanted: Vec<f64> = (0..mesh.tets.len()).map(|e| if corner(e) { 300.0 } else { 1.0 }).collect();
         let refined = refine(&mesh, &wanted);
         (mesh, refined)
@@ -233,7 +233,7 @@ mod tests {
     fn refines_where_wanted() {
         let (old, refined) = refined();
         let parts = refined.parts(old.tets.len());
-        let corner = |e: usize| old.corners(e).iter().any(|x| *x == [30.0, 0.0, 0.0]);
+        let corner = |e: usize| old.corners(e).contains(&[30.0, 0.0, 0.0]);
         for (e, n) in parts.iter().enumerate().filter(|(e, _)| corner(*e)) {
             assert!(*n >= 300.0 / std::f64::consts::SQRT_2, "tet {e}: {n}");
         }
