@@ -23,7 +23,7 @@ use crate::math::mandel::{Mandel, deviator};
 use crate::math::vec3::{self, V3};
 use crate::model::holds;
 use crate::model::kinematic::hold;
-use crate::model::loads::Loads;
+use crate::model::loads::{Loads, face_corners};
 use crate::model::static_form::SuperElements;
 use crate::model::super_element::{PARAMETERS, PointStress};
 use crate::model::{AnalysisModel, Static};
@@ -33,8 +33,8 @@ use crate::solve::sparse::SparseCholesky;
 const RIGID: f64 = 1e8;
 /// How far inside their cones contact tractions are put, relative to the pressure: the first that can be balanced.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
-/// Utilisation below which a stress at the limit load is no stress.
-const NOTHING: f64 = 1e-3;
+/// Live tractions over the yield radius that count as none.
+const NOTHING: f64 = 1e-6;
 /// Largest violation of a friction cone, over the largest traction, that rounding explains.
 const ROUNDING: f64 = 1e-12;
 
@@ -103,7 +103,7 @@ pub fn project(
     match found {
         // no stress of this mesh carries the live loads: none at all carries nothing, and that is a bound
         Ok(lower) if dead.is_none() && lower.certificate.factor <= 0.0 => Ok(at_rest(model)),
-        Err(_) if dead.is_none() && is_nothing(model, approximate)? => Ok(at_rest(model)),
+        Err(_) if dead.is_none() && is_nothing(model, approximate.factor) => Ok(at_rest(model)),
         found => found,
     }
 }
@@ -115,11 +115,30 @@ fn at_rest(model: &AnalysisModel) -> Lower {
     Lower { field, certificate }
 }
 
-/// True when the stress is nowhere near the yield surface: at a positive limit load it would reach it.
-fn is_nothing(model: &AnalysisModel, approximate: &ApproximateStress) -> Result<bool, LowerError> {
-    let elements = SuperElements::new(model).under(Loads::at(approximate.factor));
-    let field = stress_field(&elements, approximate.parameters).map_err(RecoverError::from)?;
-    Ok(utilisation(model, &field).0 < NOTHING)
+/// True when the live loads at the factor are nothing beside the strength: no structure of the slenderness that a mesh can show
+/// collapses under so little, unless it carries nothing at all.
+fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
+    let mut traction = 0.0f64;
+    for load in model.surface_loads.iter().filter(|l| !l.dead) {
+        for f in &load.faces {
+            let corners = face_corners(&model.mesh, f);
+            let n = vec3::unit(vec3::area_vector(&corners));
+            traction = traction.max(largest(corners.map(|x| vec3::norm(load.at(x, n)))));
+        }
+    }
+    for r in &model.rigid {
+        let corners = r.faces.iter().map(|f| face_corners(&model.mesh, f));
+        let (area, reach) = corners.fold((0.0, 0.0f64), |(area, reach), c| {
+            let far = largest(c.map(|x| vec3::norm(vec3::sub(x, r.at))));
+            (area + vec3::norm(vec3::area_vector(&c)), reach.max(far))
+        });
+        let [x, y, z, mx, my, mz] = r.action;
+        let per = [vec3::norm([x, y, z]) / area, vec3::norm([mx, my, mz]) / (area * reach)];
+        traction = traction.max(largest(per));
+    }
+    let weakest = model.yield_radii().into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let bodies = model.body_loads.iter().any(|l| !l.dead);
+    weakest.is_finite() && !bodies && factor.abs() * traction < NOTHING * weakest
 }
 
 /// A strictly admissible field of the dead loads alone, near an approximate one whose factor is zero.
