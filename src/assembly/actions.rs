@@ -1,4 +1,4 @@
-//! Forces and moments at member ends: from the member's own axes to a force and a moment in global axes.
+//! Forces and moments at member ends: from the member's own axes to a force and a moment in global axes, and to the bolt plane.
 
 use super::build::{entry_fault, identifier, rectangle, within};
 use super::error::AssemblyError;
@@ -8,6 +8,7 @@ use super::template::{EndEntry, SHIPPED, Template};
 use crate::diag::did_you_mean;
 use crate::math::vec3::{self, V3};
 use crate::spec::loads::{ActionPoint, LoadSpec};
+use serde::Serialize;
 
 /// A member end at one turn of its loops.
 pub(super) struct End<'a> {
@@ -147,6 +148,73 @@ pub(super) fn on_end(
             dead,
         })
         .collect())
+}
+
+/// What a load case puts on the bolt plane of a member end, in the member's own axes: x′ out of the joint, y′ across, z′ up its
+/// section.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaneActions {
+    /// Load case.
+    pub case: String,
+    /// Member end.
+    pub end: String,
+    /// N, Vy, Vz \[N\] and T, My, Mz \[N mm\] that the load factor multiplies; My about y′ pulls the top of the section.
+    pub live: [V3; 2],
+    /// The same of what stays fixed.
+    pub dead: [V3; 2],
+    /// From the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
+    pub from_node: f64,
+}
+
+impl PlaneActions {
+    /// Forces and moments under a load factor.
+    pub fn at(&self, factor: f64) -> [V3; 2] {
+        [0, 1].map(|i| vec3::along(self.dead[i], factor, self.live[i]))
+    }
+
+    /// My at the node under load factor 1 \[N mm\]: `My − d Vz`.
+    pub fn moment_at_node(&self) -> f64 {
+        let [force, moment] = self.at(1.0);
+        moment[1] - self.from_node * force[2]
+    }
+}
+
+/// The actions of every load case on the bolt planes of the member ends `wanted`.
+pub(super) fn on_planes(
+    loads: &[LoadSpec],
+    ends: &[End<'_>],
+    wanted: &[String],
+) -> Result<Vec<PlaneActions>, AssemblyError> {
+    let mut out = Vec::new();
+    for end in ends.iter().filter(|e| wanted.contains(&e.name)) {
+        let at = end.entry.name.as_str();
+        let Some(plane) = end.entry.points.get(&ActionPoint::BoltPlane) else {
+            return entry_fault(at, "`hand_checks.ends` names it, but it has no point `bolt_plane`");
+        };
+        let plane = within(at, end.scope.point(plane))?;
+        let axes = member_axes(at, end)?;
+        let own = |v: V3| axes.map(|a| vec3::dot(v, a));
+        let node = end.entry.points.get(&ActionPoint::Node);
+        let from_node = match node {
+            Some(p) => own(vec3::sub(plane, within(at, end.scope.point(p))?))[0],
+            None => 0.0,
+        };
+        for load in loads.iter().filter(|l| l.end.as_deref() == Some(&end.name)) {
+            // check() has refused a load without a point, on_end() one that the end does not have
+            let Some(point) = load.at.and_then(|p| end.entry.points.get(&p)) else { continue };
+            let arm = own(vec3::sub(within(at, end.scope.point(point))?, plane));
+            let mut sums = [[[0.0; 3]; 2]; 2];
+            for (action, size) in load.actions() {
+                let (axis, is_moment) = action.direction();
+                sums[usize::from(!load.multiplies(action))][usize::from(is_moment)][axis] += size;
+            }
+            let [live, dead] = sums.map(|[f, m]| [f, vec3::along(m, 1.0, vec3::cross(arm, f))]);
+            let (case, end) = (load.name.clone(), end.name.clone());
+            out.push(PlaneActions { case, end, live, dead, from_node });
+        }
+    }
+    out.sort_by_key(|a| loads.iter().position(|l| l.name == a.case));
+    Ok(out)
 }
 
 /// The member's own axes x′, y′, z′ in global ones.

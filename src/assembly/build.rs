@@ -49,7 +49,13 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     inputs::rules(&template, &scope).map_err(&placed)?;
     let builder = Builder { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
     let assembly = builder.assembly().map_err(|e| placed(vec![e]))?;
-    let end_plate = end_plate(&spec.value, &template, &inputs, &scope).map_err(|e| placed(vec![e]))?;
+    let actions = match &template.hand_checks {
+        Some(entry) => actions::ends(&template, &scope)
+            .and_then(|ends| actions::on_planes(&spec.value.loads, &ends, &entry.ends))
+            .map_err(|e| placed(vec![e]))?,
+        None => Vec::new(),
+    };
+    let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(|e| placed(vec![e]))?;
     let mut resolved = resolved;
     resolved.push(inputs.friction_resolved(&spec.value));
     Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate })

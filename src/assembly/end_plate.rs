@@ -1,5 +1,6 @@
 //! What the hand checks of a code see of a bolted end plate: the template's `hand_checks` with its values.
 
+use super::actions::PlaneActions;
 use super::error::AssemblyError;
 use super::inputs::Inputs;
 use super::scope::Scope;
@@ -13,8 +14,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EndPlateEntry {
-    /// Member role of the column.
-    pub column: String,
+    /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the other beam.
+    pub column: Option<String>,
     /// Member role of the beam.
     pub beam: String,
     /// Whose steel the plate has: the first of these that the spec gives (`plate` or a member role).
@@ -34,17 +35,26 @@ pub struct EndPlateEntry {
     /// Diameter of the holes.
     pub hole: Expr,
     /// From the beam's axis to the upper end of the column.
-    pub column_above: Expr,
+    pub column_above: Option<Expr>,
     /// From the beam's axis to the lower end of the column.
-    pub column_below: Expr,
-    /// Thickness of the stiffeners of the column level with both beam flanges; zero for none.
-    pub stiffener: Expr,
+    pub column_below: Option<Expr>,
+    /// Thickness of the stiffeners of the column level with both beam flanges; zero or absent for none.
+    pub stiffener: Option<Expr>,
+    /// Thickness of a supplementary plate on one side of the column web, as wide as the web is flat and as high as the end
+    /// plate; zero or absent for none.
+    pub doubler: Option<Expr>,
+    /// Thickness of a rib between the beam flange and the plate; zero or absent for none.
+    pub rib: Option<Expr>,
     /// Throat of the fillet welds of the beam's flanges; absent: butt welds.
     pub flange_throat: Option<Expr>,
     /// Throat of the fillet welds of the beam's web; absent: butt welds.
     pub web_throat: Option<Expr>,
-    /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on one side alone.
-    pub beta: Expr,
+    /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on one side alone. Load cases
+    /// with actions at `ends` have their own.
+    pub beta: Option<Expr>,
+    /// Member ends that are joined by such a plate each; every one has a point `bolt_plane`.
+    #[serde(default)]
+    pub ends: Vec<String>,
 }
 
 /// Nominal strengths of a steel at the thickness it is used in.
@@ -63,15 +73,33 @@ pub struct Strength {
     pub beta_w: Option<f64>,
 }
 
-/// A bolted end plate between a beam and the flange of a column. Lengths in mm, z from the beam's axis, up positive.
+/// The column an end plate is bolted to. Lengths in mm, z from the beam's axis, up positive.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ColumnSide {
+    /// Section.
+    pub section: IProfile,
+    /// Steel at the thickness of its flange.
+    pub steel: Strength,
+    /// From the beam's axis to the upper end.
+    pub above: f64,
+    /// From the beam's axis to the lower end.
+    pub below: f64,
+    /// Thickness of the stiffeners; 0 for none.
+    pub stiffener: f64,
+    /// Thickness of a supplementary web plate; 0 for none.
+    pub doubler: f64,
+    /// β where a load case has none of its own.
+    pub beta: f64,
+}
+
+/// A bolted end plate between a beam and the flange of a column, or the same plate on another beam. Lengths in mm, z from the
+/// beam's axis, up positive.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EndPlate {
-    /// Section of the column.
-    pub column: IProfile,
+    /// The column; `None` in a splice.
+    pub column: Option<ColumnSide>,
     /// Section of the beam.
     pub beam: IProfile,
-    /// Steel of the column at the thickness of its flange.
-    pub column_steel: Strength,
     /// Steel of the beam at the thickness of its flange.
     pub beam_steel: Strength,
     /// Steel of the plate.
@@ -94,18 +122,14 @@ pub struct EndPlate {
     pub rows: Vec<f64>,
     /// Diameter of the holes.
     pub hole: f64,
-    /// From the beam's axis to the upper end of the column.
-    pub column_above: f64,
-    /// From the beam's axis to the lower end of the column.
-    pub column_below: f64,
-    /// Thickness of the stiffeners of the column; 0 for none.
-    pub stiffener: f64,
+    /// Thickness of a rib on the beam's upper flange; 0 for none.
+    pub rib: f64,
     /// Throat of the welds of the beam's flanges; 0 for butt welds.
     pub flange_throat: f64,
     /// Throat of the welds of the beam's web; 0 for butt welds.
     pub web_throat: f64,
-    /// β.
-    pub beta: f64,
+    /// What the load cases put on the plates, a load case and member end each.
+    pub actions: Vec<PlaneActions>,
     /// γ_M0.
     pub gamma_m0: f64,
     /// γ_M1.
@@ -120,6 +144,7 @@ pub fn end_plate(
     template: &Template,
     inputs: &Inputs<'_>,
     scope: &Scope,
+    actions: Vec<PlaneActions>,
 ) -> Result<Option<EndPlate>, AssemblyError> {
     let Some(entry) = &template.hand_checks else { return Ok(None) };
     let wrong = |key: &str, problem: String| AssemblyError::TemplateEntry { at: format!("hand_checks.{key}"), problem };
@@ -142,25 +167,46 @@ pub fn end_plate(
         let found = inputs.profile(role);
         found.cloned().ok_or_else(|| wrong(key, format!("there is no member `{role}`")))
     };
-    let (column, beam) = (profile("column", &entry.column)?, profile("beam", &entry.beam)?);
+    let beam = profile("beam", &entry.beam)?;
     let Some((bolt, grade)) = inputs.bolt else {
         return Err(wrong("rows", "the template has no `bolts`".into()));
     };
     let rows = scope.list(&entry.rows).map_err(|problem| wrong("rows", problem))?;
     let thickness = length("thickness", &entry.thickness, positive)?;
-    let throat = |key, e: &Option<Expr>| e.as_ref().map_or(Ok(0.0), |e| length(key, e, some));
-    let beta = named("beta", scope.number(&entry.beta))?;
-    if !(0.0..=2.0).contains(&beta) {
-        return Err(wrong("beta", format!("{beta} does not lie between 0 and 2")));
-    }
+    let or_none = |key, e: &Option<Expr>| e.as_ref().map_or(Ok(0.0), |e| length(key, e, some));
     let (bottom, top) = (length("bottom", &entry.bottom, None)?, length("top", &entry.top, None)?);
     if bottom >= top {
         return Err(wrong("top", format!("the upper edge {top} mm is not above the lower edge {bottom} mm")));
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
+    let of_column = |key: &'static str, e: &Option<Expr>| {
+        let e = e.as_ref().ok_or_else(|| wrong(key, "it is missing; a template with a `column` gives it".into()))?;
+        length(key, e, positive)
+    };
+    let column = match &entry.column {
+        None => None,
+        Some(column) => {
+            let section = profile("column", column)?;
+            let Some(beta) = &entry.beta else {
+                return Err(wrong("beta", "it is missing; a template with a `column` gives it".into()));
+            };
+            let beta = named("beta", scope.number(beta))?;
+            if !(0.0..=2.0).contains(&beta) {
+                return Err(wrong("beta", format!("{beta} does not lie between 0 and 2")));
+            }
+            Some(ColumnSide {
+                steel: inputs.strength(spec, &role(column), section.tf)?,
+                section,
+                above: of_column("column_above", &entry.column_above)?,
+                below: of_column("column_below", &entry.column_below)?,
+                stiffener: or_none("stiffener", &entry.stiffener)?,
+                doubler: or_none("doubler", &entry.doubler)?,
+                beta,
+            })
+        }
+    };
     let [gamma_m0, gamma_m1, gamma_m2] = inputs.partial_factors();
     Ok(Some(EndPlate {
-        column_steel: inputs.strength(spec, &role(&entry.column), column.tf)?,
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
         column,
@@ -174,12 +220,10 @@ pub fn end_plate(
         gauge: length("gauge", &entry.gauge, positive)?,
         rows,
         hole: length("hole", &entry.hole, Some(bolt.d))?,
-        column_above: length("column_above", &entry.column_above, positive)?,
-        column_below: length("column_below", &entry.column_below, positive)?,
-        stiffener: length("stiffener", &entry.stiffener, some)?,
-        flange_throat: throat("flange_throat", &entry.flange_throat)?,
-        web_throat: throat("web_throat", &entry.web_throat)?,
-        beta,
+        rib: or_none("rib", &entry.rib)?,
+        flange_throat: or_none("flange_throat", &entry.flange_throat)?,
+        web_throat: or_none("web_throat", &entry.web_throat)?,
+        actions,
         gamma_m0,
         gamma_m1,
         gamma_m2,

@@ -1,6 +1,6 @@
 //! Spec + template + catalogue → parts, interfaces, supports, loads, symmetry.
 
-mod actions;
+pub mod actions;
 pub mod build;
 pub mod end_plate;
 pub mod error;
@@ -11,8 +11,9 @@ pub mod scope;
 pub mod symmetry;
 pub mod template;
 
+pub use actions::PlaneActions;
 pub use build::{Joint, build};
-pub use end_plate::EndPlate;
+pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
 pub use joint::Assembly;
 

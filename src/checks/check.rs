@@ -121,6 +121,7 @@ impl Worked {
     pub fn information(self, topic: Topic, subject: impl Into<String>) -> Check {
         Check {
             topic,
+            case: None,
             subject: subject.into(),
             clause: self.clause.into(),
             title: self.title.into(),
@@ -134,10 +135,18 @@ impl Worked {
         }
     }
 
-    /// The value as a resistance against a demand ≥ 0 in the same unit.
-    pub fn against(self, topic: Topic, subject: impl Into<String>, demand: f64) -> Check {
+    /// The value as a resistance against a demand ≥ 0 in the same unit; `otherwise` is the status where it does not suffice.
+    pub fn against(self, topic: Topic, subject: impl Into<String>, demand: f64, otherwise: Status) -> Check {
         let mut check = self.information(topic, subject);
-        check.judge(demand, check.resistance.unwrap_or(0.0), Status::Failed);
+        check.judge(demand, check.resistance.unwrap_or(0.0), otherwise);
+        check
+    }
+
+    /// The value as a utilisation, to be at most 1; `otherwise` is the status where it is more.
+    pub fn utilised(self, topic: Topic, subject: impl Into<String>, otherwise: Status) -> Check {
+        let demand = self.value;
+        let mut check = self.information(topic, subject);
+        check.judge(demand, 1.0, otherwise);
         check
     }
 }
@@ -179,6 +188,9 @@ pub enum Status {
 pub struct Check {
     /// What it is about.
     pub topic: Topic,
+    /// The load case whose demand it is; absent where no load is needed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
     /// Which part, row or sense of bending.
     pub subject: String,
     /// Clause.
@@ -248,6 +260,7 @@ impl Check {
     ) -> Self {
         let mut check = Self {
             topic,
+            case: None,
             subject,
             clause: clause.into(),
             title: title.into(),
@@ -271,9 +284,21 @@ impl Check {
         self.status = if holds(demand, resistance) { Status::Ok } else { otherwise };
     }
 
+    /// The same as one of a load case.
+    #[must_use]
+    pub fn of_case(mut self, case: &str) -> Self {
+        self.case = Some(case.into());
+        self
+    }
+
     /// The check in a sentence.
     pub fn sentence(&self) -> String {
-        format!("{}: {}: {} ({})", self.subject, self.title, self.formula, self.clause)
+        let case = self.case.as_ref().map_or(String::new(), |c| format!("{c}, "));
+        let demand = match (&self.case, self.demand) {
+            (Some(_), Some(ed)) if self.unit != Unit::Number => format!("{} against ", self.unit.show(ed)),
+            _ => String::new(),
+        };
+        format!("{case}{}: {}: {demand}{} ({})", self.subject, self.title, self.formula, self.clause)
     }
 }
 
@@ -314,9 +339,14 @@ mod tests {
     #[test]
     fn a_resistance_becomes_a_check() {
         let worked = || Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number);
-        let check = worked().against(Topic::Bolts, "row 1", 99e3);
+        let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
-        assert_eq!(worked().against(Topic::Bolts, "row 1", 90e3).status, Status::Ok);
+        assert_eq!(worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status, Status::Ok);
+        assert_eq!(worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status, Status::Warning);
+        let share = |value| Worked::new("6.2.7.1", "moment", value, Unit::Number, "M");
+        assert_eq!(share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation, Some(0.9));
+        assert_eq!(share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status, Status::Failed);
+        assert_eq!(share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status, Status::Failed);
         let check = worked().information(Topic::Bolts, "row 1");
         assert_eq!((check.status, check.demand, check.resistance), (Status::Information, None, Some(90e3)));
     }

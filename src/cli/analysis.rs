@@ -236,7 +236,7 @@ pub fn finish(
         if let (Quantity::LoadFactor, Some(actions)) = (entry.quantity, demand) {
             let (lower, upper) = entry.safe_bounds();
             entry.utilisation = verdict::utilisation(lower, upper);
-            entry.demand = Some(Demand { verdict: Verdict::of(lower, upper), actions });
+            entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
         }
         let stem = &stems[i];
         if pictures.is_empty() {

@@ -33,7 +33,8 @@ pub(super) fn checks(page: &mut String, checks: &[Check]) {
         paragraph(page, &format!("**{title}.** {words}"));
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
-            let mut row = vec![c.subject.clone(), c.title.clone(), formula(c), c.clause.clone()];
+            let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
+            let mut row = vec![format!("{case}{}", c.subject), c.title.clone(), formula(c), c.clause.clone()];
             if decided {
                 let used = c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
                 row.extend([used, status(c.status).into()]);
@@ -55,17 +56,24 @@ const TOPICS: [(Topic, &str, &str); 6] = [
         "Least distances decide the verdict. Greatest distances bind exposed or compressed steel alone, room for tools and \
          washers is practice: passing them is a warning.",
     ),
-    (Topic::Bolts, "Bolts", "Resistance of one bolt; what acts on it is not known before the analysis."),
+    (
+        Topic::Bolts,
+        "Bolts",
+        "Resistances of one bolt; below them what the actions of the load cases ask, which decides the verdict. A row carries the part \
+         of its resistance that the joint uses of its own (component method), prying included; shear goes to the bolts by what \
+         tension leaves of them, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
+    ),
     (
         Topic::Welds,
         "Welds",
-        "The model ties beam and end plate, as a butt weld does; fillet welds on both sides need these throats to be as strong.",
+        "The model ties beam and end plate, as a butt weld does; fillet welds on both sides need these throats to be as strong. Of \
+         welds with a throat, those of the flanges take moment and axial force, those of the web the shear force.",
     ),
     (
         Topic::ComponentMethod,
         "Component method",
         "Information, for both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2, its prying \
-         forces decided by the length of the bolts.",
+         forces decided by the length of the bolts. A demand above its resistance is a warning: the limit analysis decides.",
     ),
     (
         Topic::Stiffness,
@@ -75,8 +83,8 @@ const TOPICS: [(Topic, &str, &str); 6] = [
     (
         Topic::Ductility,
         "Rotation capacity",
-        "Limit analysis takes every part to yield as long as it must. Where neither thickness rule holds for plate or flange, rows \
-         of bolts may fail before the others have yielded.",
+        "Limit analysis takes every part to yield as long as it must. Where no rule holds, bolts may break before the rows have \
+         yielded, and the verdict is at most UNDECIDED.",
     ),
 ];
 

@@ -5,6 +5,7 @@ use super::figures::bracket;
 use super::page::Table;
 use super::text::{inline, strings, table};
 use crate::checks::verdict::Verdict;
+use crate::checks::{Comparison, HandChecks};
 use serde::{Deserialize, Serialize};
 
 /// The demand of a load case and the verdict on it.
@@ -15,6 +16,25 @@ pub struct Demand {
     /// Forces and moments at member ends, in the order of the spec.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<EndAction>,
+    /// What the component method says of the case, an entry a member end.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub component_method: Vec<Comparison>,
+    /// Why the verdict may not be `ok`: no rule of rotation capacity holds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub brittle: Option<String>,
+}
+
+impl Demand {
+    /// The demand of a load case with the verdict of strict bounds; a joint that may not yield as limit analysis takes it to is
+    /// at most undecided.
+    pub fn new(bounds: (Option<f64>, Option<f64>), actions: Vec<EndAction>, checks: &HandChecks, case: &str) -> Self {
+        let verdict = match Verdict::of(bounds.0, bounds.1) {
+            Verdict::Ok if checks.brittle.is_some() => Verdict::Undecided,
+            verdict => verdict,
+        };
+        let component_method = checks.comparisons.iter().filter(|c| c.case == case).cloned().collect();
+        Self { verdict, actions, component_method, brittle: checks.brittle.clone() }
+    }
 }
 
 /// A force or moment at a member end.
@@ -105,5 +125,20 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
     if !rows.is_empty() {
         let columns = ["load case", "member end", "action", "given", "carried at least", "carried at most"];
         table(page, &Table { columns: strings(columns), rows });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK; bounds below 1 still refuse it.
+    #[test]
+    fn a_brittle_joint_is_at_most_undecided() {
+        let brittle = HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
+        let verdict = |checks: &HandChecks, l, u| Demand::new((Some(l), Some(u)), Vec::new(), checks, "ULS1").verdict;
+        assert_eq!(verdict(&HandChecks::default(), 1.1, 1.2), Verdict::Ok);
+        assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
+        assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
     }
 }

@@ -1,11 +1,11 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
-use super::checks_text;
 use super::data::{CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper};
 use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
+use super::{checks_text, comparison, summary};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
@@ -22,9 +22,11 @@ pub fn report_markdown(data: &ReportData) -> String {
         Verdict::Undecided => paragraph(&mut page, "Verdict: **undecided** within the limits given."),
         Verdict::None => {}
     }
+    summary::table_of_checks(&mut page, &data.result);
     demands(&mut page, &data.result);
     for case in &data.result.cases {
         answer(&mut page, case, data);
+        comparison::lines(&mut page, case);
     }
     if data.result.cases.is_empty() {
         paragraph(&mut page, "No analysis was run.");

@@ -5,13 +5,13 @@ use super::joint::EndPlateJoint;
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{beam, stiffness};
-use crate::checks::check::{Unit, Worked};
+use crate::checks::check::{Unit, Worked, number};
 use crate::checks::error::CheckError;
 
 /// Part of the tension resistance of a row's bolts above which the rows below may not be plastic, 6.2.7.2(9).
 const NEARLY_BOLTS: f64 = 1.9;
 /// Part of the plastic axial force of the beam up to which its effect is left out, 6.2.7.1(2).
-const SMALL_AXIAL: f64 = 0.05;
+pub const SMALL_AXIAL: f64 = 0.05;
 
 /// A component that the rows `first..=row` share, row counted from 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,12 +54,25 @@ pub struct Assessment {
     pub rows: Vec<RowForce>,
     /// Limits of the sum of the rows: column web and beam flange in compression, column web panel over β.
     pub limits: Vec<Worked>,
+    /// V_wp,Rd of the column web panel, not over β; `None` without a column.
+    pub panel: Option<Worked>,
     /// M_j,Rd.
     pub moment: Worked,
     /// M_c,Rd of the beam.
     pub beam_moment: Worked,
     /// Stiffness coefficients and S_j,ini.
     pub stiffness: stiffness::Stiffness,
+}
+
+impl RowForce {
+    /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the plastic state of the row's
+    /// T-stubs in proportion, which is in equilibrium and nowhere above its resistance.
+    pub fn bolt_force(&self, share: f64) -> f64 {
+        let force = share * self.force;
+        let stubs = self.alone.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
+        // half to either bolt
+        0.5 * force * stubs.fold(1.0, f64::max)
+    }
 }
 
 impl Assessment {
@@ -88,7 +101,8 @@ impl Assessment {
 pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
     let beam_moment = beam::moment_resistance(&joint.beam.section, joint.beam.fy, joint.gamma_m0)?;
-    let limits = limits(joint, &rows, beam_moment.value)?;
+    let panel = panel(joint, &rows)?;
+    let limits = limits(joint, &rows, beam_moment.value, panel.as_ref());
     let (mut left, mut least) = (f64::INFINITY, "");
     for l in &limits {
         if l.value < left {
@@ -140,7 +154,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     }
     let moment = moment(&found);
     let stiffness = stiffness::initial(joint, &rows)?;
-    Ok(Assessment { rows: found, limits, moment, beam_moment, stiffness })
+    Ok(Assessment { rows: found, limits, panel, moment, beam_moment, stiffness })
 }
 
 /// The least limit so far and what it is.
@@ -174,44 +188,55 @@ fn moment(rows: &[RowForce]) -> Worked {
     Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", title, value, Unit::Moment, formula)
 }
 
-/// What the compressed and the sheared components leave of the sum of the rows.
-fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64) -> Result<Vec<Worked>, CheckError> {
-    let (c, b) = (&joint.column, &joint.beam);
-    let s = &c.section;
-    // the plate reaches below the compressed flange, the column to its end
-    let overhang = -0.5 * b.section.h - joint.plate.bottom;
-    let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, joint.plate.thickness, overhang);
-    let centre = 0.5 * (b.section.h - b.section.tf);
-    let width = (0.5 * width).min(c.below - centre).max(0.0) + 0.5 * width;
-    let web = CompressedWeb {
-        effective_width: width,
-        web: column_web::compressed_thickness(s.tw, c.doublers),
-        clear_depth: s.clear_depth(),
-        fy: c.fy,
-        young: joint.young,
-        omega: column_web::shear_interaction(joint.beta, width, s.tw, rows.shear_area()),
-        longitudinal: c.longitudinal,
-        gamma_m0: joint.gamma_m0,
-        gamma_m1: joint.gamma_m1,
+/// V_wp,Rd of the column web panel; `None` where there is none or nothing shears it.
+fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Option<Worked>, CheckError> {
+    let Some(c) = joint.column.as_ref().filter(|_| joint.beta > 0.0) else { return Ok(None) };
+    let (s, b) = (&c.section, &joint.beam.section);
+    let stiffeners = if c.stiffener > 0.0 {
+        let plastic = |t: f64| 0.25 * s.b * t * t * c.fy / joint.gamma_m0;
+        column_web::stiffened_panel(plastic(s.tf), plastic(c.stiffener), b.h - b.tf)
+    } else {
+        0.0
     };
-    let compressed = if c.stiffener > 0.0 { web.stiffened(0.5 * (s.b - s.tw), c.stiffener) } else { web.resistance() };
-    let mut out = vec![compressed, beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0)];
-    if joint.beta > 0.0 {
-        let stiffeners = if c.stiffener > 0.0 {
-            let plastic = |t: f64| 0.25 * s.b * t * t * c.fy / joint.gamma_m0;
-            column_web::stiffened_panel(plastic(s.tf), plastic(c.stiffener), b.section.h - b.section.tf)
-        } else {
-            0.0
+    column_web::panel_shear(rows.shear_area(), c.fy, s.clear_depth(), s.tw, stiffeners, joint.gamma_m0).map(Some)
+}
+
+/// What the compressed and the sheared components leave of the sum of the rows.
+fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64, panel: Option<&Worked>) -> Vec<Worked> {
+    let b = &joint.beam;
+    let mut out = Vec::new();
+    if let Some(c) = &joint.column {
+        let s = &c.section;
+        // the plate reaches below the compressed flange, the column to its end
+        let overhang = -0.5 * b.section.h - joint.plate.bottom;
+        let t = joint.plate.thickness;
+        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, t, overhang);
+        let centre = 0.5 * (b.section.h - b.section.tf);
+        let width = (0.5 * width).min(c.below - centre).max(0.0) + 0.5 * width;
+        let web = CompressedWeb {
+            effective_width: width,
+            web: column_web::compressed_thickness(s.tw, c.doublers),
+            clear_depth: s.clear_depth(),
+            fy: c.fy,
+            young: joint.young,
+            omega: column_web::shear_interaction(joint.beta, width, s.tw, rows.shear_area()),
+            longitudinal: c.longitudinal,
+            gamma_m0: joint.gamma_m0,
+            gamma_m1: joint.gamma_m1,
         };
-        let area = rows.shear_area();
-        let mut panel = column_web::panel_shear(area, c.fy, s.clear_depth(), s.tw, stiffeners, joint.gamma_m0)?;
+        let stiffened = c.stiffener > 0.0;
+        out.push(if stiffened { web.stiffened(0.5 * (s.b - s.tw), c.stiffener) } else { web.resistance() });
+    }
+    out.push(beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0));
+    if let Some(panel) = panel {
+        let mut panel = panel.clone();
         if joint.beta != 1.0 {
             panel.value /= joint.beta;
-            panel.formula += &format!("; over β = {}: {}", joint.beta, Unit::Force.show(panel.value));
+            panel.formula += &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(panel.value));
         }
         out.push(panel);
     }
-    Ok(out)
+    out
 }
 
 /// Utilisation of a joint under moment and axial force of the beam, to be at most 1: M_j,Ed/M_j,Rd while |N_Ed| ≤ 5 % of

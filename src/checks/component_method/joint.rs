@@ -1,4 +1,4 @@
-//! A bolted end-plate joint between a beam and a column flange, as plain data.
+//! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain data.
 
 use crate::catalog::IProfile;
 use crate::checks::error::{CheckError, not_negative, positive};
@@ -73,6 +73,28 @@ pub struct Column {
     pub longitudinal: f64,
 }
 
+impl Column {
+    /// Refuses what the formulas have no meaning for.
+    fn check(&self) -> Result<(), CheckError> {
+        not_negative("root radius of the column [mm]", self.section.r)?;
+        positive("clear depth of the column web [mm]", self.section.clear_depth())?;
+        positive("yield strength of the column [MPa]", self.fy)?;
+        for (name, value) in [
+            ("stiffener of the column [mm]", self.stiffener),
+            ("weld of the stiffener [mm]", self.stiffener_throat),
+            ("width of the web plate [mm]", self.doubler_width),
+            ("longitudinal stress of the column [MPa]", self.longitudinal),
+        ] {
+            not_negative(name, value)?;
+        }
+        if self.longitudinal <= self.fy {
+            return Ok(());
+        }
+        let quantity = "longitudinal stress of the column [MPa]";
+        Err(CheckError::OutOfRange { quantity, value: self.longitudinal, limit: "it must be at most f_y" })
+    }
+}
+
 /// The beam. Strengths are nominal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Beam {
@@ -121,11 +143,12 @@ pub struct Bolts {
     pub always_prying: bool,
 }
 
-/// A beam bolted by an end plate to the flange of a column. Lengths in mm, strengths in MPa, forces in N.
+/// A beam bolted by an end plate to the flange of a column, or to its own continuation. Lengths in mm, strengths in MPa, forces in
+/// N.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EndPlateJoint {
-    /// Column.
-    pub column: Column,
+    /// Column; `None`: a splice, the other side is the same plate on the same beam.
+    pub column: Option<Column>,
     /// Beam.
     pub beam: Beam,
     /// End plate.
@@ -148,7 +171,9 @@ impl EndPlateJoint {
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut j = self.clone();
-        (j.column.above, j.column.below) = (self.column.below, self.column.above);
+        if let (Some(turned), Some(c)) = (&mut j.column, &self.column) {
+            (turned.above, turned.below) = (c.below, c.above);
+        }
         (j.plate.bottom, j.plate.top) = (-self.plate.top, -self.plate.bottom);
         j.bolts.rows.iter_mut().for_each(|z| *z = -*z);
         j
@@ -156,17 +181,15 @@ impl EndPlateJoint {
 
     /// Refuses what the formulas have no meaning for.
     pub fn check(&self) -> Result<(), CheckError> {
-        let (c, b, p, k) = (&self.column, &self.beam, &self.plate, &self.bolts);
-        for (s, names) in [(&c.section, COLUMN), (&b.section, BEAM)] {
+        let (c, b, p, k) = (self.column.as_ref(), &self.beam, &self.plate, &self.bolts);
+        let sections = c.map(|c| (&c.section, COLUMN)).into_iter().chain([(&b.section, BEAM)]);
+        for (s, names) in sections {
             let sizes = [s.h, s.b, s.tw, s.tf, s.area, s.w_pl, s.w_el, s.i];
             names.into_iter().zip(sizes).try_for_each(|(name, size)| positive(name, size))?;
         }
-        not_negative("root radius of the column [mm]", c.section.r)?;
         not_negative("root radius of the beam [mm]", b.section.r)?;
-        positive("clear depth of the column web [mm]", c.section.clear_depth())?;
         positive("clear depth of the beam web [mm]", b.section.clear_depth())?;
         for (name, value) in [
-            ("yield strength of the column [MPa]", c.fy),
             ("yield strength of the beam [MPa]", b.fy),
             ("yield strength of the plate [MPa]", p.fy),
             ("thickness of the plate [mm]", p.thickness),
@@ -181,26 +204,16 @@ impl EndPlateJoint {
         ] {
             positive(name, value)?;
         }
-        for (name, value) in [
-            ("stiffener of the column [mm]", c.stiffener),
-            ("weld of the stiffener [mm]", c.stiffener_throat),
-            ("width of the web plate [mm]", c.doubler_width),
-            ("longitudinal stress of the column [MPa]", c.longitudinal),
-            ("weld of the beam flange [mm]", b.flange_throat),
-            ("weld of the beam web [mm]", b.web_throat),
-        ] {
+        for (name, value) in
+            [("weld of the beam flange [mm]", b.flange_throat), ("weld of the beam web [mm]", b.web_throat)]
+        {
             not_negative(name, value)?;
         }
         let range = |quantity, value: f64, ok: bool, limit| {
             if ok { Ok(()) } else { Err(CheckError::OutOfRange { quantity, value, limit }) }
         };
         range("beta", self.beta, (0.0..=2.0).contains(&self.beta), "it lies between 0 and 2 (5.3(7))")?;
-        range(
-            "longitudinal stress of the column [MPa]",
-            c.longitudinal,
-            c.longitudinal <= c.fy,
-            "it must be at most f_y",
-        )?;
+        c.map_or(Ok(()), Column::check)?;
         let half = 0.5 * b.section.h;
         range("upper edge of the plate [mm]", p.top, p.top.is_finite() && p.top >= half, "it must cover the beam")?;
         range(
@@ -209,7 +222,7 @@ impl EndPlateJoint {
             p.bottom.is_finite() && p.bottom <= -half,
             "it must cover the beam",
         )?;
-        let width = p.width.min(c.section.b);
+        let width = c.map_or(p.width, |c| p.width.min(c.section.b));
         range(
             "gauge of the bolts [mm]",
             k.gauge,
@@ -219,7 +232,8 @@ impl EndPlateJoint {
         range("number of rows", k.rows.len() as f64, !k.rows.is_empty(), "there must be one row at least")?;
         for (i, &z) in k.rows.iter().enumerate() {
             range("row of bolts [mm]", z, z > p.bottom && z < p.top, "it must lie on the plate")?;
-            range("row of bolts [mm]", z, -c.below < z && z < c.above, "it must lie on the column")?;
+            let on_column = c.is_none_or(|c| -c.below < z && z < c.above);
+            range("row of bolts [mm]", z, on_column, "it must lie on the column")?;
             range("row of bolts [mm]", z, !k.rows[..i].contains(&z), "the same row stands twice")?;
         }
         Ok(())

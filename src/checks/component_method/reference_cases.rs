@@ -52,7 +52,7 @@ pub(super) fn beam(profile: &str, fy: f64, flange_throat: f64, web_throat: f64) 
 fn sci() -> EndPlateJoint {
     let top = 533.1 / 2.0 + 90.0;
     EndPlateJoint {
-        column: column("UC254x254x107", 265.0),
+        column: Some(column("UC254x254x107", 265.0)),
         beam: beam("UB533x210x92", 275.0, 12.0 / SQRT_2, 8.0 / SQRT_2),
         plate: Plate { thickness: 25.0, width: 250.0, bottom: top - 670.0, top, fy: 265.0 },
         bolts: Bolts { always_prying: true, ..bolts("M24", 45.5, 100.0, &[top - 50.0, top - 150.0, top - 240.0]) },
@@ -68,7 +68,7 @@ fn sci() -> EndPlateJoint {
 pub(super) fn one_sided() -> EndPlateJoint {
     let top = 135.0 + 52.4;
     EndPlateJoint {
-        column: column("HEB140", 275.0),
+        column: Some(column("HEB140", 275.0)),
         beam: beam("IPE270", 275.0, 6.0, 4.0),
         plate: Plate { thickness: 13.0, width: 135.0, bottom: -135.0 - 10.0, top, fy: 275.0 },
         bolts: bolts("M16", 25.0, 71.0, &[top - 27.0, top - 88.0, top - 149.0]),

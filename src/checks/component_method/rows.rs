@@ -3,7 +3,7 @@
 //! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN 1993-1-8:2005 6.2.4 to 6.2.6.
 
 use super::effective_lengths::{self as lengths, Lengths};
-use super::joint::EndPlateJoint;
+use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
 use crate::checks::check::{Worked, number as n};
@@ -24,6 +24,8 @@ pub struct Component {
     pub worked: Worked,
     /// How it fails, if it is a T-stub.
     pub mode: Option<Mode>,
+    /// Force of its bolts at the resistance, prying included, if it is a T-stub \[N\].
+    pub bolts: Option<f64>,
 }
 
 /// Whose T-stub a group is.
@@ -48,7 +50,7 @@ impl<'a> Rows<'a> {
     /// The rows above the centre of compression, the middle of the lower beam flange (figure 6.15).
     pub fn new(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
         joint.check()?;
-        let (b, c) = (&joint.beam.section, &joint.column);
+        let b = &joint.beam.section;
         let centre = -0.5 * (b.h - b.tf);
         let mut z: Vec<f64> = joint.bolts.rows.iter().copied().filter(|z| *z > centre).collect();
         z.sort_by(|a, b| b.total_cmp(a));
@@ -59,9 +61,11 @@ impl<'a> Rows<'a> {
             });
         }
         let lever = z.iter().map(|z| z - centre).collect();
-        let s = &c.section;
-        let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
-        let shear_area = column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler);
+        let shear_area = joint.column.as_ref().map_or(0.0, |c| {
+            let s = &c.section;
+            let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
+            column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler)
+        });
         let rows = Self { joint, z, lever, shear_area };
         rows.covered()?;
         Ok(rows)
@@ -76,7 +80,8 @@ impl<'a> Rows<'a> {
                 "EN 1993-1-8:2005 Table 6.6",
             );
         }
-        for (m, what) in [(self.m_column(), "column web"), (self.m_beam(), "beam web")] {
+        let column = self.joint.column.as_ref().map(|c| (self.m_column(c), "column web"));
+        for (m, what) in column.into_iter().chain([(self.m_beam(), "beam web")]) {
             if m <= 0.0 {
                 return not(
                     format!("the bolts stand in the root or weld of the {what}: m = {} mm", n(m)),
@@ -108,7 +113,7 @@ impl<'a> Rows<'a> {
         self.z.len()
     }
 
-    /// A_vc of the column \[mm²\].
+    /// A_vc of the column \[mm²\]; 0 without a column.
     pub fn shear_area(&self) -> f64 {
         self.shear_area
     }
@@ -119,14 +124,14 @@ impl<'a> Rows<'a> {
     }
 
     /// m of the column flange \[mm\], figure 6.8.
-    fn m_column(&self) -> f64 {
-        let s = &self.joint.column.section;
+    fn m_column(&self, column: &Column) -> f64 {
+        let s = &column.section;
         0.5 * (self.joint.bolts.gauge - s.tw) - ROOT * s.r
     }
 
     /// e of the column flange \[mm\].
-    fn e_column(&self) -> f64 {
-        0.5 * (self.joint.column.section.b - self.joint.bolts.gauge)
+    fn e_column(&self, column: &Column) -> f64 {
+        0.5 * (column.section.b - self.joint.bolts.gauge)
     }
 
     /// m of the end plate between the flanges \[mm\], figure 6.10.
@@ -152,15 +157,13 @@ impl<'a> Rows<'a> {
 
     /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between.
     fn stretch(&self, row: usize) -> usize {
-        usize::from(self.joint.column.stiffener > 0.0 && !self.outside(self.z[row]))
+        let stiffened = self.joint.column.as_ref().is_some_and(|c| c.stiffener > 0.0);
+        usize::from(stiffened && !self.outside(self.z[row]))
     }
 
     /// m2 to the stiffener next above and next below a row, where no other row lies between \[mm\].
     fn stiffeners(&self, row: usize) -> [Option<f64>; 2] {
-        let c = &self.joint.column;
-        if c.stiffener == 0.0 {
-            return [None, None];
-        }
+        let Some(c) = self.joint.column.as_ref().filter(|c| c.stiffener > 0.0) else { return [None, None] };
         let (s, z) = (&self.joint.beam.section, self.z[row]);
         let level = 0.5 * (s.h - s.tf);
         let clear = |distance: f64| distance - 0.5 * c.stiffener - WELD * c.stiffener_throat;
@@ -173,11 +176,11 @@ impl<'a> Rows<'a> {
     }
 
     /// Effective lengths of one row on the column flange, and of the same row within the group `first..=last`.
-    fn on_column(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
-        let (m, e) = (self.m_column(), self.e_column());
+    fn on_column(&self, column: &Column, row: usize, group: Option<(usize, usize)>) -> Lengths {
+        let (m, e) = (self.m_column(column), self.e_column(column));
         let beside = self.stiffeners(row);
         let alpha = |m2: Option<f64>| m2.map(|m2| lengths::alpha(m, e, m2));
-        let e1 = (row == 0).then(|| self.joint.column.above - self.z[0]);
+        let e1 = (row == 0).then(|| column.above - self.z[0]);
         let Some((first, last)) = group else {
             let alpha = beside.into_iter().filter_map(alpha).reduce(f64::max);
             return match (alpha, e1) {
@@ -229,20 +232,12 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn lengths(&self, side: Side, first: usize, last: usize) -> Lengths {
-        let group = (first < last).then_some((first, last));
-        let each = |row| match side {
-            Side::Column => self.on_column(row, group),
-            Side::Beam => self.on_plate(row, group),
-        };
-        (first..=last).map(each).sum()
-    }
-
     /// The components that the rows `first..=last` share; one row: the components it has alone.
     pub fn components(&self, first: usize, last: usize) -> Vec<Component> {
         let j = self.joint;
         let rows = last + 1 - first;
-        let e_min = self.e_column().min(self.e_plate());
+        let group = (first < last).then_some((first, last));
+        let e_min = j.column.as_ref().map_or(f64::INFINITY, |c| self.e_column(c)).min(self.e_plate());
         let stub = |name, lengths: Lengths, m: f64, edge: f64, thickness: f64, fy: f64| {
             let length1 = lengths.mode1();
             let stub = TStub {
@@ -263,20 +258,20 @@ impl<'a> Rows<'a> {
                 washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
             };
             let r = stub.resistance();
-            Component { name, mode: Some(r.mode), worked: r.worked }
+            Component { name, mode: Some(r.mode), bolts: Some(r.bolts), worked: r.worked }
         };
         let mut out = Vec::new();
-        if rows == 1 || self.joined(Side::Column, first, last) {
-            let lengths = self.lengths(Side::Column, first, last);
-            let c = &j.column;
-            out.push(stub("column flange", lengths, self.m_column(), e_min, c.section.tf, c.fy));
+        let grouped = |side| rows == 1 || self.joined(side, first, last);
+        if let Some(c) = j.column.as_ref().filter(|_| grouped(Side::Column)) {
+            let lengths: Lengths = (first..=last).map(|row| self.on_column(c, row, group)).sum();
+            out.push(stub("column flange", lengths, self.m_column(c), e_min, c.section.tf, c.fy));
             let omega = column_web::shear_interaction(j.beta, lengths.mode1(), c.section.tw, self.shear_area);
             let web = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
             let worked = column_web::tension(lengths.mode1(), web, c.fy, omega, j.gamma_m0);
-            out.push(Component { name: "column web", worked, mode: None });
+            out.push(Component { name: "column web", worked, mode: None, bolts: None });
         }
-        if rows == 1 || self.joined(Side::Beam, first, last) {
-            let lengths = self.lengths(Side::Beam, first, last);
+        if grouped(Side::Beam) {
+            let lengths: Lengths = (first..=last).map(|row| self.on_plate(row, group)).sum();
             let z = self.z[first];
             let (m, edge) = match self.outside(z) {
                 true => (self.mx(z), j.plate.top - z),
@@ -285,19 +280,19 @@ impl<'a> Rows<'a> {
             out.push(stub("end plate", lengths, m, edge, j.plate.thickness, j.plate.fy));
             if !self.outside(z) {
                 let worked = beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
-                out.push(Component { name: "beam web", worked, mode: None });
+                out.push(Component { name: "beam web", worked, mode: None, bolts: None });
             }
         }
         out
     }
 
     /// Smallest effective lengths of a row, alone or in the largest group it belongs to, and m, on column and plate \[mm\]:
-    /// those of the stiffness coefficients.
+    /// those of the stiffness coefficients; nothing on the side of a column that is not there.
     ///
     /// # Source
     /// EN 1993-1-8:2005 Table 6.11, notes on k3, k4 and k5.
-    pub fn stiffness_lengths(&self, row: usize) -> [(f64, f64); 2] {
-        let smallest = |side: Side| {
+    pub fn stiffness_lengths(&self, row: usize) -> (Option<(f64, f64)>, (f64, f64)) {
+        let smallest = |side: Side, lengths: &dyn Fn(Option<(usize, usize)>) -> Lengths| {
             let mut first = row;
             while first > 0 && self.joined(side, first - 1, row) {
                 first -= 1;
@@ -306,15 +301,12 @@ impl<'a> Rows<'a> {
             while last + 1 < self.count() && self.joined(side, row, last + 1) {
                 last += 1;
             }
-            let of = |group| match side {
-                Side::Column => self.on_column(row, group).mode1(),
-                Side::Beam => self.on_plate(row, group).mode1(),
-            };
-            let alone = of(None);
-            if first < last { alone.min(of(Some((first, last)))) } else { alone }
+            let alone = lengths(None).mode1();
+            if first < last { alone.min(lengths(Some((first, last))).mode1()) } else { alone }
         };
         let z = self.z[row];
         let m = if self.outside(z) { self.mx(z) } else { self.m_beam() };
-        [(smallest(Side::Column), self.m_column()), (smallest(Side::Beam), m)]
+        let column = |c| (smallest(Side::Column, &|group| self.on_column(c, row, group)), self.m_column(c));
+        (self.joint.column.as_ref().map(column), (smallest(Side::Beam, &|group| self.on_plate(row, group)), m))
     }
 }

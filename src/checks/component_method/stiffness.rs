@@ -14,7 +14,7 @@ const PSI: f64 = 2.7;
 pub struct Stiffness {
     /// k1, column web panel in shear \[mm\]; `None` where it does not deform (β = 0).
     pub panel: Option<f64>,
-    /// k2, column web in compression \[mm\]; `None` where it is stiffened.
+    /// k2, column web in compression \[mm\]; `None` where it is stiffened or there is no column.
     pub compression: Option<f64>,
     /// Of every row: k3, k4, k5, k10 and k_eff,r \[mm\].
     pub rows: Vec<RowStiffness>,
@@ -31,11 +31,11 @@ pub struct Stiffness {
 pub struct RowStiffness {
     /// h_r.
     pub lever: f64,
-    /// k3, column web in tension.
-    pub web: f64,
-    /// k4, column flange in bending.
-    pub flange: f64,
-    /// k5, end plate in bending.
+    /// k3, column web in tension; `None` without a column.
+    pub web: Option<f64>,
+    /// k4, column flange in bending; `None` without a column.
+    pub flange: Option<f64>,
+    /// k5, end plate in bending; a splice has two of them.
     pub plate: f64,
     /// k10, bolts in tension.
     pub bolts: f64,
@@ -81,18 +81,22 @@ pub fn bolts_in_tension(stress_area: f64, elongation: f64) -> f64 {
 /// `S_j,ini = E z²/(1/k1 + 1/k2 + 1/k_eq)`.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.3.1(4), 6.3.3.1, formulas 6.27, 6.29 to 6.31.
+/// EN 1993-1-8:2005 6.3.1(4), 6.3.3.1, formulas 6.27, 6.29 to 6.31; Table 6.10: a splice counts k5 of both plates and k10.
 pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, CheckError> {
-    let (c, b) = (&joint.column, &joint.beam);
-    let s = &c.section;
+    let (c, b) = (joint.column.as_ref(), &joint.beam);
     let each = |r: usize| {
-        let [(on_column, m_column), (on_plate, m_plate)] = rows.stiffness_lengths(r);
-        let web_thickness = column_web::tension_thickness(s.tw, c.doublers, c.fy);
-        let web = web_across(on_column, web_thickness, s.clear_depth());
-        let flange = flange_in_bending(on_column, s.tf, m_column);
+        let (on_column, (on_plate, m_plate)) = rows.stiffness_lengths(r);
+        let of_column = c.zip(on_column).map(|(c, (length, m))| {
+            let s = &c.section;
+            let thickness = column_web::tension_thickness(s.tw, c.doublers, c.fy);
+            [web_across(length, thickness, s.clear_depth()), flange_in_bending(length, s.tf, m)]
+        });
         let plate = flange_in_bending(on_plate, joint.plate.thickness, m_plate);
         let bolts = bolts_in_tension(joint.bolts.stress_area, joint.bolts.elongation);
-        let effective = 1.0 / [web, flange, plate, bolts].into_iter().map(|k| 1.0 / k).sum::<f64>();
+        // the other side of a splice is the same plate again
+        let other = of_column.map_or(vec![plate], |k| k.to_vec());
+        let effective = 1.0 / other.into_iter().chain([plate, bolts]).map(|k| 1.0 / k).sum::<f64>();
+        let [web, flange] = of_column.map_or([None; 2], |k| k.map(Some));
         RowStiffness { lever: rows.lever[r], web, flange, plate, bolts, effective }
     };
     let found: Vec<RowStiffness> = (0..rows.count()).map(each).collect();
@@ -100,11 +104,14 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let second: f64 = found.iter().map(|r| r.effective * r.lever * r.lever).sum();
     let lever = second / first;
     let equivalent = first / lever;
-    let panel = (joint.beta > 0.0).then(|| panel_in_shear(rows.shear_area(), joint.beta, lever));
+    let sheared = c.is_some() && joint.beta > 0.0;
+    let panel = sheared.then(|| panel_in_shear(rows.shear_area(), joint.beta, lever));
     let overhang = -0.5 * b.section.h - joint.plate.bottom;
-    let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, joint.plate.thickness, overhang);
-    let web = column_web::compressed_thickness(s.tw, c.doublers);
-    let compression = (c.stiffener == 0.0).then(|| web_across(width, web, s.clear_depth()));
+    let compression = c.filter(|c| c.stiffener == 0.0).map(|c| {
+        let (s, t) = (&c.section, joint.plate.thickness);
+        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, t, overhang);
+        web_across(width, column_web::compressed_thickness(s.tw, c.doublers), s.clear_depth())
+    });
     let flexibility: f64 = panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();
     let value = joint.young * lever * lever / flexibility;
     let terms: Vec<String> =

@@ -81,6 +81,8 @@ pub struct Resistance {
     pub mode3: f64,
     /// The mode that decides.
     pub mode: Mode,
+    /// Force of all bolts at that resistance, prying included; at most `mode3`.
+    pub bolts: f64,
     /// The least of the three, with its derivation.
     pub worked: Worked,
 }
@@ -157,7 +159,13 @@ impl TStub {
         for (mode, value, _) in &candidates {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
-        Resistance { mode1, mode2, mode3: self.bolts, mode: least.0, worked }
+        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2: the bolts are at F_t,Rd
+        let bolts = match least.0 {
+            Mode::Flange => least.1 + 2.0 * mpl1 / e,
+            Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
+            Mode::FlangeWithoutPrying => least.1,
+        };
+        Resistance { mode1, mode2, mode3: self.bolts, mode: least.0, bolts: bolts.min(self.bolts), worked }
     }
 }
 

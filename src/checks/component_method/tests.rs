@@ -239,7 +239,7 @@ fn clauses_6_2_6_7_and_6_2_6_8_the_beam() {
 fn clause_6_2_7_2_9_limits_rows_below_strong_ones() {
     let mut joint = one_sided();
     joint.beta = 0.0;
-    joint.column = super::reference_cases::column("HEM300", 275.0);
+    joint.column = Some(super::reference_cases::column("HEM300", 275.0));
     (joint.plate.thickness, joint.plate.width, joint.bolts.gauge) = (60.0, 200.0, 100.0);
     let a = assess(&joint).expect("covered");
     near(a.rows[0].force, 2.0 * joint.bolts.tension);
@@ -254,7 +254,7 @@ fn clause_6_2_7_2_9_limits_rows_below_strong_ones() {
 fn clause_6_2_6_4_2_stiffened_column_flange() {
     let plain = assess(&one_sided()).expect("covered");
     let mut joint = one_sided();
-    joint.column.stiffener = 10.0;
+    joint.column.as_mut().expect("a column").stiffener = 10.0;
     let stiff = assess(&joint).expect("covered");
     assert!(stiff.rows[1].groups.is_empty(), "stiffener and flange lie between rows 1 and 2");
     assert!(stiff.rows[2].groups.iter().all(|g| g.first == 1) && plain.rows[2].groups.iter().any(|g| g.first == 0));
@@ -349,9 +349,9 @@ fn wrong_joints_are_refused_by_quantity() {
         ("weld of the beam flange", |j| j.beam.flange_throat = -4.0),
         ("upper edge of the plate", |j| j.plate.top = 100.0),
         ("lower edge of the plate", |j| j.plate.bottom = 0.0),
-        ("clear depth of the column web", |j| j.column.section.r = 70.0),
-        ("longitudinal stress", |j| j.column.longitudinal = 300.0),
-        ("it must lie on the column", |j| j.column.above = 150.0),
+        ("clear depth of the column web", |j| j.column.as_mut().expect("a column").section.r = 70.0),
+        ("longitudinal stress", |j| j.column.as_mut().expect("a column").longitudinal = 300.0),
+        ("it must lie on the column", |j| j.column.as_mut().expect("a column").above = 150.0),
         ("yield strength of the beam", |j| j.beam.fy = 0.0),
     ];
     for (words, change) in wrong {
@@ -368,7 +368,7 @@ fn wrong_joints_are_refused_by_quantity() {
         ("root or weld of the column web", |j| j.bolts.gauge = 20.0),
         ("no row of bolts", |j| j.bolts.rows = vec![-140.0]),
         ("stands on a stiffener", |j| {
-            j.column.stiffener = 60.0;
+            j.column.as_mut().expect("a column").stiffener = 60.0;
             j.bolts.rows[0] = 155.0;
         }),
     ];
@@ -380,4 +380,62 @@ fn wrong_joints_are_refused_by_quantity() {
             other => panic!("{words}: {other:?}"),
         }
     }
+}
+
+/// A splice is a joint to a column that nothing bends: the same rows and moment as with a column so thick that plate and beam
+/// decide everywhere, and half of its flexibility in the plates.
+#[test]
+fn clause_6_2_7_splice_without_a_column() {
+    let mut stiff = super::reference_cases::one_sided();
+    stiff.beta = 0.0;
+    stiff.bolts.always_prying = true;
+    let column = stiff.column.as_mut().expect("a column");
+    column.fy = 460.0;
+    column.section.tf = 60.0;
+    column.section.tw = 60.0;
+    column.section.h = 400.0;
+    column.section.b = 400.0;
+    stiff.bolts.gauge = 100.0;
+    stiff.plate.width = 170.0;
+    let mut splice = stiff.clone();
+    splice.column = None;
+    let (with, without) = (assess(&stiff).expect("covered"), assess(&splice).expect("covered"));
+    let forces = |a: &super::Assessment| a.rows.iter().map(|r| r.force).collect::<Vec<_>>();
+    for (a, b) in forces(&with).into_iter().zip(forces(&without)) {
+        near(a, b);
+    }
+    near(with.moment.value, without.moment.value);
+    assert!(without.panel.is_none() && without.stiffness.panel.is_none() && without.stiffness.compression.is_none());
+    for (a, b) in with.stiffness.rows.iter().zip(&without.stiffness.rows) {
+        near(a.plate, b.plate);
+        near(1.0 / b.effective, 2.0 / b.plate + 1.0 / b.bolts);
+        assert!(b.web.is_none() && b.flange.is_none() && a.web.is_some());
+    }
+}
+
+/// Bolt forces with prying: mode 1 by equilibrium of the flange about its hinges, mode 2 at F_t,Rd, without prying none.
+#[test]
+fn table_6_2_bolt_forces_with_prying() {
+    let stub = |length: f64, prying| TStub {
+        m: 40.0,
+        n: 50.0,
+        thickness: 10.0,
+        fy: 235.0,
+        length1: length,
+        length2: length,
+        bolts: 282e3,
+        gamma_m0: 1.0,
+        prying,
+        backing: 0.0,
+        washer_quarter: None,
+    };
+    let plastic = 0.25 * 200.0 * 100.0 * 235.0;
+    let one = stub(200.0, Prying::Develops).resistance();
+    assert_eq!(one.mode, Mode::Flange);
+    // on either side the bolt takes the pull and the prying force M_pl/n
+    near(one.bolts, 4.0 * plastic / 40.0 + 2.0 * plastic / 50.0);
+    let two = stub(800.0, Prying::Develops).resistance();
+    assert_eq!((two.mode, two.bolts), (Mode::FlangeAndBolts, 282e3));
+    let free = stub(200.0, Prying::Absent).resistance();
+    near(free.bolts, free.worked.value);
 }
