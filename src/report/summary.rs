@@ -83,7 +83,7 @@ fn row(c: &Check) -> Row {
         format!("{}, {}", c.title, c.subject),
         show(c.demand),
         show(c.resistance),
-        c.utilisation.map_or_else(|| "–".into(), |u| number(u)),
+        c.utilisation.map_or_else(|| "–".into(), number),
         c.clause.clone(),
         status.into(),
     ];
