@@ -1,11 +1,18 @@
 #!/bin/sh
 # Runs every example and compares it with its expected result (examples/NAME/expected.json). Needs a built program.
-# With names: only those. Results go to results/NAME.
+# usage: examples.sh [--heavy] [NAME...]
+# Results go to results/NAME. An example whose expected.json has "quick" is run with these options, a coarse mesh or a cheaper
+# analysis; --heavy runs it as it stands and compares it with "heavy".
 set -eu
 cd -- "$(dirname -- "$0")/.."
 bracket=${CARGO_TARGET_DIR:-target}/release/bracket
 [ -x .venv/bin/python ] || { echo "examples: run scripts/setup.sh first" >&2; exit 4; }
 [ -x "$bracket" ] || { echo "examples: build first (cargo build --release --locked)" >&2; exit 4; }
+tier=quick
+if [ "${1:-}" = --heavy ]; then
+    tier=heavy
+    shift
+fi
 [ "$#" -gt 0 ] || set -- examples/*/
 for folder in "$@"; do
     name=$(basename -- "$folder")
@@ -20,10 +27,13 @@ for folder in "$@"; do
     fi
     # an example may bring a step that makes its mesh
     if [ -f "$folder/make_mesh.sh" ]; then sh "$folder/make_mesh.sh" >&2; fi
-    echo "== bracket $command $input" >&2
+    options=$(.venv/bin/python scripts/check_example.py --options "$folder" "$tier")
+    echo "== bracket $command $input $options" >&2
     code=0
-    "$bracket" "$command" "$input" --out "results/$name" || code=$?
-    .venv/bin/python scripts/check_example.py "$folder" "results/$name" "$code"
+    # options are words without blanks
+    # shellcheck disable=SC2086
+    "$bracket" "$command" "$input" $options --out "results/$name" || code=$?
+    .venv/bin/python scripts/check_example.py "$folder" "results/$name" "$code" "$tier"
     # what the program claims, the independent certificate must confirm
     "$bracket" verify "results/$name"
 done

@@ -20,6 +20,8 @@ mod limits;
 mod result_folder;
 #[path = "cli/rigid_and_welds.rs"]
 mod rigid_and_welds;
+#[path = "cli/verdicts.rs"]
+mod verdicts;
 #[path = "cli/verify.rs"]
 mod verify;
 

@@ -224,8 +224,8 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
     }
     let grip = grip(e);
     let least = bolt_length::least_length(b, grip, WASHERS);
+    let stocked = stocked_length(e);
     let subject = format!("{} {}, {} washers", b.size, e.grade.grade, WASHERS);
-    let stocked = bolt_length::stocked_length(least.value);
     let mut length = least.information(Topic::Detailing, subject.clone());
     if let Some(l) = stocked {
         let count = 2 * e.rows.len();
@@ -246,6 +246,11 @@ fn other_thickness(e: &EndPlate) -> f64 {
 /// Thickness of what the bolts clamp.
 pub fn grip(e: &EndPlate) -> f64 {
     e.thickness + other_thickness(e)
+}
+
+/// Nominal length of the bolts: the shortest stocked one that reaches through; `None` beyond the longest.
+pub fn stocked_length(e: &EndPlate) -> Option<f64> {
+    bolt_length::stocked_length(bolt_length::least_length(&e.bolt, grip(e), WASHERS).value)
 }
 
 /// Whether the stiffeners of the column can buckle about their weld: `c/t_s ≤ 14 ε`; a warning.

@@ -75,6 +75,8 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         finer: "a finer mesh file",
         coarser: "a coarser mesh file",
         checks: HandChecks::default(),
+        drawings: Vec::new(),
+        schedule: Table::default(),
     };
     let place = |path: &str| parsed.index.place(path);
     let remesh = match &file.adapt {

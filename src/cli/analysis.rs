@@ -144,6 +144,10 @@ pub struct Echo {
     pub coarser: &'static str,
     /// Hand checks of the code.
     pub checks: HandChecks,
+    /// Drawings as SVG text, with file name and caption.
+    pub drawings: Vec<(PictureRef, String)>,
+    /// Bolts and plates.
+    pub schedule: Table,
 }
 
 /// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
@@ -267,6 +271,9 @@ pub fn finish(
         result.verdict = Verdict::NotOk;
     }
     let json = result.to_json().map_err(Diagnostic::from)?;
+    for (drawing, text) in &echo.drawings {
+        folder.write(&drawing.file, text.as_bytes())?;
+    }
     let data = ReportData {
         project: echo.project,
         result,
@@ -274,6 +281,8 @@ pub fn finish(
         input_text: echo.input_text,
         resolved: echo.resolved,
         catalogue_rows: echo.catalogue_rows,
+        drawings: echo.drawings.into_iter().map(|d| d.0).collect(),
+        schedule: echo.schedule,
         pictures,
         mesh_quality: echo.mesh_quality,
         model: traits,

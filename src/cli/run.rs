@@ -9,6 +9,8 @@ use super::remesh::{self, ByMap};
 use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
 use crate::adapt::plan;
+use crate::assembly::joint::PartRole;
+use crate::checks::end_plate::{grip, stocked_length};
 use crate::checks::{HandChecks, Status, Topic, hand_checks};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::Mesher;
@@ -21,7 +23,8 @@ use crate::report::data::input_hash;
 use crate::report::demand::{ActionValue, EndAction};
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
-use crate::report::page::{CatalogueRow, ResolvedValue};
+use crate::report::page::{CatalogueRow, PictureRef, ResolvedValue};
+use crate::report::{drawing, schedule};
 use crate::spec::connection;
 use crate::spec::loads::LoadSpec;
 use crate::spec::yaml;
@@ -42,9 +45,24 @@ pub struct RunArgs {
     /// Multiplies all element sizes: 0.5 gives about five times the elements.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     pub size_factor: f64,
+    /// Kind of analysis, in place of `analysis.kind`.
+    #[arg(long, value_enum)]
+    pub kind: Option<KindArg>,
+    /// Meshes at most, in place of `analysis.max_passes`: 1 is a quick look.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=50))]
+    pub max_passes: Option<u32>,
     /// Options of the analysis.
     #[command(flatten)]
     pub options: AnalysisOptions,
+}
+
+/// A kind of analysis on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum KindArg {
+    /// Energy and displacement of the elastic joint.
+    Elastic,
+    /// Load at collapse.
+    Limit,
 }
 
 /// Runs `bracket run`.
@@ -57,7 +75,11 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let mut limits = args.options.limits()?;
     use_threads(common)?;
     let input = spec_file::read(&args.spec)?;
-    let kinds = analysis_kinds(&input)?;
+    let kinds = match args.kind {
+        Some(KindArg::Elastic) => vec![AnalysisKind::Elastic],
+        Some(KindArg::Limit) => vec![AnalysisKind::Limit],
+        None => analysis_kinds(&input)?,
+    };
     check_names(&input, &kinds)?;
     check_sizes(&input)?;
     let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
@@ -82,7 +104,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let place = |path: &str| input.spec.index.place(path);
     let mut cases = cases(&input, &meshed, &kinds, mesh_seconds)?;
     let asked = &input.spec.value.analysis;
-    if asked.max_passes > 1 {
+    let max_passes = args.max_passes.unwrap_or(asked.max_passes);
+    if max_passes > 1 {
         for case in &mut cases {
             let kind = (case.name.clone(), case.model.analysis);
             let by_map = ByMap::new(&input.joint.assembly, options.clone(), kind, &place, meshed.mesh.clone());
@@ -118,17 +141,37 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         catalogue_rows: catalogue_rows(&input),
         mesh_quality: quality_table(&meshed.quality),
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
-        adapt: Some(plan::Limits {
-            target_gap: asked.target_gap,
-            max_passes: asked.max_passes,
-            max_macro_tets: asked.max_macro_tets,
-        }),
+        adapt: Some(plan::Limits { target_gap: asked.target_gap, max_passes, max_macro_tets: asked.max_macro_tets }),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
+        drawings: drawings(&input),
+        schedule: input
+            .joint
+            .end_plate
+            .as_ref()
+            .map_or_else(Default::default, |e| schedule::schedule(e, plates(&input), stocked_length(e), grip(e))),
         input_text: input.text.clone(),
     };
     finish(cases, echo, &limits, folder, log, common)
+}
+
+/// End plates of the joint.
+fn plates(input: &SpecFile) -> usize {
+    input.joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count()
+}
+
+/// Drawings of what the hand checks see, and of the actions at the member ends.
+fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
+    let Some(e) = &input.joint.end_plate else { return Vec::new() };
+    let picture = |file: &str, caption: &str, text| (PictureRef { file: file.into(), caption: caption.into() }, text);
+    let views = drawing::views(e, plates(input), stocked_length(e));
+    let mut out = vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    if !e.actions.is_empty() {
+        let caption = "Actions at the member ends with their positive senses, values at the bolt plane";
+        out.push(picture("actions.svg", caption, drawing::actions(e)));
+    }
+    out
 }
 
 /// What is wrong with the detailing, before anything is meshed.

@@ -119,7 +119,14 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
                 _ => ("–".into(), "–".into()),
             };
             let place = format!("{} at {}", a.end, a.at);
-            rows.push(vec![inline(&case.name), inline(&place), a.action.clone(), format!("{value} {unit}"), low, high]);
+            rows.push(vec![
+                inline(&case.name),
+                inline(&place),
+                a.action.clone(),
+                format!("{} {unit}", (1e9 * value).round() / 1e9),
+                low,
+                high,
+            ]);
         }
     }
     if !rows.is_empty() {

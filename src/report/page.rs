@@ -17,6 +17,10 @@ pub struct ReportData {
     pub resolved: Vec<ResolvedValue>,
     /// Rows taken from catalogues.
     pub catalogue_rows: Vec<CatalogueRow>,
+    /// Drawings of the joint and of its actions.
+    pub drawings: Vec<PictureRef>,
+    /// Bolts, plates and their masses; empty where they are not known.
+    pub schedule: Table,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
     /// Quality of the last mesh, usually a row a body.

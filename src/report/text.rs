@@ -36,6 +36,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     }
     data.result.cases.iter().for_each(|case| mechanism(&mut page, case));
     warnings(&mut page, data);
+    joint(&mut page, data);
     heading(&mut page, "Input");
     input_echo(&mut page, data);
     values(&mut page, data);
@@ -88,6 +89,24 @@ pub(super) fn table(page: &mut String, table: &Table) {
 
 pub(super) fn strings<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(String::from).to_vec()
+}
+
+/// Drawings, bolts and plates.
+fn joint(page: &mut String, data: &ReportData) {
+    if data.drawings.is_empty() && data.schedule.rows.is_empty() {
+        return;
+    }
+    heading(page, "Joint");
+    for drawing in &data.drawings {
+        paragraph(page, &format!("![{}]({})", inline(&drawing.caption), drawing.file));
+    }
+    if !data.schedule.rows.is_empty() {
+        paragraph(
+            page,
+            "Bolts, plates and stiffeners, with masses from nominal sizes at 7850 kg/m³; members by their length on site:",
+        );
+        table(page, &data.schedule);
+    }
 }
 
 fn title_block(page: &mut String, data: &ReportData) {

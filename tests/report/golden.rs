@@ -149,6 +149,11 @@ fn data() -> ReportData {
             source: "EN 10365:2017".into(),
             values: vec![pair("h [mm]", "200"), pair("b [mm]", "200")],
         }],
+        drawings: vec![PictureRef { file: "drawing.svg".into(), caption: "Side view of the joint".into() }],
+        schedule: Table {
+            columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
+            rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
+        },
         pictures: vec![PictureRef { file: "mesh.png".into(), caption: "The meshed joint".into() }],
         mesh_quality: Table {
             columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),
