@@ -10,7 +10,6 @@ use bracket::model::from_joint;
 use bracket::model::program::ConicProgram;
 use bracket::model::resolve::resolve;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::status::LIMIT_GAP;
 use bracket::solve::{self, SolveOptions, Solver};
 use std::path::Path;
 use std::time::Instant;
@@ -92,14 +91,14 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let (program, block): (ConicProgram, Vec<u32>) = built.expect("the model is sound");
     let assembly = start.elapsed().as_secs_f64();
     println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
-    measure(&program, &block, options);
+    measure(name, &program, &block, options);
     println!("  peak memory {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
 }
 
-fn measure(program: &ConicProgram, block: &[u32], options: &Options) {
+fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options) {
     let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
     if options.limit {
-        settings.gap = LIMIT_GAP;
+        settings = if name == "kinematic" { settings.for_mechanism() } else { settings.for_resistance() };
     }
     if options.trace {
         settings.progress = Some(std::sync::Arc::new(|i: &solve::Iteration| {

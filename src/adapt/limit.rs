@@ -210,8 +210,8 @@ impl<'a> Problem<'a> for Collapse {
     type Answer = (VelocityField, UpperFactor);
     const PROGRAM: Program = Program::Kinematic;
 
-    fn gap(asked: &SolveOptions) -> f64 {
-        asked.limit_gap
+    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+        asked.for_mechanism()
     }
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
@@ -258,8 +258,8 @@ impl<'a> Problem<'a> for Resistance<'a> {
     type Answer = (StressField, LowerFactor);
     const PROGRAM: Program = Program::Static;
 
-    fn gap(asked: &SolveOptions) -> f64 {
-        asked.limit_gap
+    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+        asked.for_resistance()
     }
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {

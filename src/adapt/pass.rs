@@ -435,8 +435,7 @@ impl<'a> Context<'a> {
         });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let gap = P::gap(given);
-        let mut options = SolveOptions { progress: Some(tell), time_limit: left, gap, ..given.clone() };
+        let mut options = SolveOptions { progress: Some(tell), time_limit: left, ..P::accuracy(given) };
         let mut solution = prepared.solve_first(&options);
         run.iterations = solution.iterations;
         while solution.status == SolveStatus::Optimal

@@ -56,9 +56,9 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     /// Which it is.
     const PROGRAM: Program;
 
-    /// Relative gap at which its solve ends, of what the caller asks for.
-    fn gap(asked: &SolveOptions) -> f64 {
-        asked.gap
+    /// What its solve is asked for, of what the caller asks for.
+    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+        asked.clone()
     }
     /// Builds it.
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError>;

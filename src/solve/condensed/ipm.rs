@@ -9,20 +9,24 @@
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
 
 use super::carrying::Side;
-use super::cones::{Cones, Scaling, dot};
+use super::cones::{Scaling, dot};
+use super::correction::Correction;
+use super::problem::{Problem, largest};
 use super::system::{CondensedSystem, Solved};
-use crate::model::program::ConicProgram;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.
 const TO_THE_SURFACE: f64 = 0.99;
 /// Passes of refinement on the full system at most.
-const REFINEMENTS: usize = 3;
+const REFINEMENTS: usize = 6;
+/// A pass that leaves this part of the error or more is the last.
+const STALLED: f64 = 0.9;
 /// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs no refinement.
 const DIRECTION_ERROR: f64 = 0.01;
-/// Centrality correctors at most in an iteration.
+/// Centrality correctors at most in an iteration; of limit analysis, where contacts end steps early.
 const CORRECTORS: usize = 2;
+const LIMIT_CORRECTORS: usize = 4;
 /// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a solve, with what goes with it,
 /// then costs less than a tenth of a factor.
 const DENSE_FACTOR: f64 = 1500.0;
@@ -35,83 +39,20 @@ const LONGER: f64 = 0.3;
 const WORTH: f64 = 0.1;
 /// Complementarity products within these multiples of the target are well centred.
 const CENTRE: (f64, f64) = (0.1, 10.0);
-/// An iterate that stalls within this many times the tolerances is taken.
+/// An iterate that stalls within this many times the tolerances is taken; in limit analysis they are rough as they are.
 const NEARLY: f64 = 100.0;
+const LIMIT_NEARLY: f64 = 10.0;
+/// A certificate's residuals at most, however rough a solution may be.
+const CERTAIN: f64 = 1e-8;
 /// A certificate is accepted with residuals this many times larger once κ is so many times τ: the embedding has decided.
 const DECIDED: (f64, f64) = (100.0, 1e3);
 /// Part of the load factor at first yield below which a factor is as good as zero: gap and residuals are measured there by what
 /// they would be at that part. Where a mesh's stresses carry no load at all, forces and objective vanish together.
 const NOTHING: f64 = 1e-3;
+/// Elastic stress at a load factor of one below which there is no such load factor.
+const UNSTRESSED: f64 = 1e-9;
 /// Steps shorter than this make no progress; three of them end the iteration.
 const SHORT_STEP: f64 = 1e-3;
-
-/// A scaled program, ready for the iteration.
-pub struct Problem {
-    /// The program.
-    pub program: ConicProgram,
-    /// Its cones.
-    pub cones: Cones,
-    /// True for unknowns maximised over.
-    pub maximised: Vec<bool>,
-    /// Some are.
-    saddle: bool,
-    /// First row of the yield points, whose cones hold maximised unknowns.
-    points: usize,
-}
-
-impl Problem {
-    /// From a scaled program.
-    pub fn new(program: ConicProgram) -> Self {
-        let (cones, maximised) = (Cones::new(&program.cones), program.maximised());
-        let (saddle, points) = (maximised.contains(&true), program.g.nrows());
-        Self { program, cones, maximised, saddle, points }
-    }
-
-    /// Scalar product in which maximised unknowns count negative.
-    fn signed_dot(&self, a: &[f64], b: &[f64]) -> f64 {
-        if !self.saddle {
-            return dot(a, b);
-        }
-        (0..a.len()).map(|i| if self.maximised[i] { -a[i] * b[i] } else { a[i] * b[i] }).sum()
-    }
-
-    /// Maximised entries with the opposite sign.
-    fn signed(&self, mut a: Vec<f64>) -> Vec<f64> {
-        if self.saddle {
-            a.iter_mut().zip(&self.maximised).filter(|(_, m)| **m).for_each(|(v, _)| *v = -*v);
-        }
-        a
-    }
-
-    /// The vector with the maximised (or the other) entries zero.
-    fn part(&self, a: &[f64], maximised: bool) -> Vec<f64> {
-        if !self.saddle {
-            return if maximised { vec![0.0; a.len()] } else { a.to_vec() };
-        }
-        a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
-    }
-
-    /// Largest entry among the minimised unknowns, and of all. Rows of minimised unknowns are forces: what is lost of them
-    /// must be small beside forces, not beside strains or the power of the live loads.
-    fn largest_of_kinds(&self, a: &[f64]) -> [f64; 2] {
-        let all = largest(a);
-        if !self.saddle {
-            return [all; 2];
-        }
-        let forces = a.iter().zip(&self.maximised).filter(|(_, m)| !**m).fold(0.0, |m: f64, (v, _)| m.max(v.abs()));
-        [forces, all]
-    }
-
-    /// Largest live load at the load factor; its balance with the stress leaves nothing of it in `P x`.
-    fn live_force(&self, x: &[f64]) -> f64 {
-        if self.program.live.is_empty() { 0.0 } else { largest(&self.program.live) * x[x.len() - 1].abs() }
-    }
-
-    /// Multipliers of yield points (or of the other cones) alone.
-    fn rows_part(&self, z: &[f64], points: bool) -> Vec<f64> {
-        z.iter().enumerate().map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 }).collect()
-    }
-}
 
 /// An iterate.
 #[derive(Clone, Debug)]
@@ -159,6 +100,9 @@ struct Residuals {
     cx: f64,
     hz: f64,
     gap: f64,
+    /// Forces out of balance.
+    balance: f64,
+    /// The other rows of stationarity.
     dual: f64,
     primal: f64,
 }
@@ -173,10 +117,6 @@ pub struct Outcome {
     pub z: Vec<f64>,
     /// Iterations.
     pub iterations: u32,
-}
-
-fn largest(a: &[f64]) -> f64 {
-    a.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
 /// Residuals; `reference`: the load factor that a load factor of zero is told by, 0 without one.
@@ -201,14 +141,15 @@ fn residuals(problem: &Problem, p: &Point, reference: f64) -> Residuals {
     let least = floor * q.last().map_or(0.0, |q| q.abs());
     let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(least).max(1e-300);
     let sizes = [q, &px, &gz].map(|v| problem.largest_of_kinds(v));
-    let off = problem.largest_of_kinds(&f1);
+    let [off, _] = problem.largest_of_kinds(&f1);
     let live = problem.live_force(&p.x);
     let least = floor * largest(&problem.program.live);
     let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(least).max(1e-300);
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
-        dual: (off[0] / (t * scale(0))).max(off[1] / (t * scale(1))),
+        balance: off / (t * scale(0)),
+        dual: problem.largest_maximised(&f1) / (t * scale(1)),
         primal: largest(&f2) / (t * primal_scale.max(1e-300)),
         f3: xpx / t + cx + hz + p.kappa,
         f1,
@@ -280,28 +221,30 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         Outcome { status, x: p.x.iter().map(|v| v / t).collect(), z: p.z.iter().map(|v| v / t).collect(), iterations }
     };
     // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
+    let nearly = if problem.program.live.is_empty() { NEARLY } else { LIMIT_NEARLY };
     let stop = |status, best: Point, merit: f64, iteration| {
-        let good = merit <= NEARLY && !matches!(status, SolveStatus::TimeLimit);
+        let good = merit <= nearly && !matches!(status, SolveStatus::TimeLimit);
         end(if good { SolveStatus::Optimal } else { status }, best, iteration)
     };
     for iteration in 0..=options.max_iterations {
         let r = residuals(problem, &p, reference);
         // 1 is what was asked for
-        let merit = (r.gap / options.gap).max(r.dual.max(r.primal) / options.residual);
+        let balance = r.balance / options.residual.max(options.unbalanced);
+        let merit = (r.gap / options.gap).max(balance).max(r.dual.max(r.primal) / options.residual);
         if let Some(tell) = &options.progress {
-            let residual = r.dual.max(r.primal);
+            let residual = r.balance.max(r.dual).max(r.primal);
             let seconds = start.elapsed().as_secs_f64();
             tell(&Iteration { number: iteration, gap: r.gap, residual, step: last_step, seconds });
         }
         if merit <= 1.0 {
             return end(SolveStatus::Optimal, p, iteration);
         }
-        if let Some(status) = certificate(problem, &p, &r, options.residual) {
+        if let Some(status) = certificate(problem, &p, &r, options.residual.min(CERTAIN)) {
             return end(status, p, iteration);
         }
         if merit < best_merit {
             (best_merit, best, worse) = (merit, p.clone(), 0);
-        } else if best_merit <= NEARLY {
+        } else if best_merit <= nearly {
             // good enough and no longer getting better: the floor of the arithmetic
             worse += 1;
             if worse == 2 {
@@ -355,7 +298,7 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
 }
 
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside; and the load factor at which
-/// that elastic stress would reach the yield surface, 0 without a load factor.
+/// that elastic stress would reach the yield surface, 0 where it never does.
 fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
     let cones = &problem.cones;
     let minus_q: Vec<f64> = problem.program.q.iter().map(|q| -q).collect();
@@ -366,7 +309,8 @@ fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
         (false, Some(factor)) => {
             let yields = cones.blocks.iter().filter(|b| b.0 >= problem.points);
             let stress = yields.fold(0.0, |m: f64, &(at, d)| m.max(dot(&s[at + 1..at + d], &s[at + 1..at + d])));
-            factor.abs() / stress.sqrt().max(f64::MIN_POSITIVE)
+            // loads that slide one part over another need not stress any
+            if stress.sqrt() > UNSTRESSED * factor.abs() { factor.abs() / stress.sqrt() } else { 0.0 }
         }
         _ => 0.0,
     };
@@ -382,7 +326,14 @@ fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
         }
         v
     };
-    (Point { x, s: inside(s), z: inside(z), tau: 1.0, kappa: 1.0 }, reference)
+    let (mut x, mut s, mut z) = (x, inside(s), inside(z));
+    if !problem.program.live.is_empty() {
+        // without elasticity motions and forces have no size of their own; too large a start lets τ fall by many orders, and
+        // ten iterations go into its return
+        let size = (cones.degree() / dot(&s, &z)).sqrt();
+        [&mut x, &mut s, &mut z].into_iter().for_each(|v| v.iter_mut().for_each(|v| *v *= size));
+    }
+    (Point { x, s, z, tau: 1.0, kappa: 1.0 }, reference)
 }
 
 /// Newton's system of one iteration.
@@ -436,6 +387,7 @@ impl<'a> Newton<'a> {
     fn kkt<const SIDES: usize>(&self, rhs: [Side<'_>; SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
         let Self { problem, scaling, .. } = *self;
         let mut solution = self.system.solve::<SIDES, true>(problem, scaling, rhs);
+        let mut corrections: [Vec<Correction>; SIDES] = [const { Vec::new() }; SIDES];
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             // 1 is what is allowed
@@ -444,7 +396,7 @@ impl<'a> Newton<'a> {
                 (off[0] / self.allowed[0]).max(off[1] / self.allowed[1])
             };
             let error = solution.iter().map(worst).fold(0.0, f64::max);
-            if error <= 1.0 || error >= 0.5 * last {
+            if error <= 1.0 || error >= STALLED * last {
                 break;
             }
             last = error;
@@ -454,15 +406,28 @@ impl<'a> Newton<'a> {
                 (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect()
             });
             let sides = std::array::from_fn::<_, SIDES, _>(|k| (solution[k].error.as_slice(), slack[k].as_slice()));
-            let correction = self.system.solve::<SIDES, false>(problem, scaling, sides);
-            for ((solution, correction), (r1, _)) in solution.iter_mut().zip(&correction).zip(rhs) {
-                solution.x.iter_mut().zip(&correction.x).for_each(|(a, b)| *a += b);
-                solution.z.iter_mut().zip(&correction.z).for_each(|(a, b)| *a += b);
+            let correction = self.system.solve::<SIDES, true>(problem, scaling, sides);
+            for (k, correction) in correction.into_iter().enumerate() {
+                let solution = &mut solution[k];
+                let effect = solution.error.iter().zip(&correction.error).map(|(r, left)| r - left).collect();
+                let mut next = Correction { x: correction.x, z: correction.z, effect };
+                next.orthogonalise(&corrections[k], |a, b| self.weighted_dot(a, b));
+                let part = self.weighted_dot(&solution.error, &next.effect);
+                solution.x.iter_mut().zip(&next.x).for_each(|(a, b)| *a += part * b);
+                solution.z.iter_mut().zip(&next.z).for_each(|(a, b)| *a += part * b);
                 // anew: what the correction leaves of the error would hide the rounding of the sum
-                solution.error = self.system.stationarity_error(problem, r1, &solution.x, &solution.z);
+                solution.error = self.system.stationarity_error(problem, rhs[k].0, &solution.x, &solution.z);
+                corrections[k].push(next);
             }
         }
         solution.map(|s| (s.x, s.z))
+    }
+
+    /// Scalar product of stationarity rows, each kind measured by what is allowed of it.
+    fn weighted_dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        let others = (self.allowed[0] / self.allowed[1]).powi(2);
+        let weight = |i: usize| if self.problem.maximised[i] { others } else { 1.0 };
+        (0..a.len()).map(|i| weight(i) * a[i] * b[i]).sum()
     }
 
     /// Right-hand side for removing the fraction `1 − σ` of the residuals with complementarity `ds`.
@@ -516,7 +481,11 @@ impl<'a> Newton<'a> {
         let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
         let target = sigma * mu;
         let mut step = self.step(&d).min(1.0);
-        let correctors = if self.system.flops_per_entry() < DENSE_FACTOR { 0 } else { CORRECTORS };
+        let correctors = match (self.problem.program.live.is_empty(), self.system.flops_per_entry() < DENSE_FACTOR) {
+            (false, _) => LIMIT_CORRECTORS,
+            (true, true) => 0,
+            (true, false) => CORRECTORS,
+        };
         for _ in 0..correctors {
             if step > LONG_STEP {
                 break;

@@ -5,10 +5,12 @@
 
 pub mod carrying;
 pub mod cones;
+pub mod correction;
 pub mod elements;
 pub mod elimination;
 pub mod ipm;
 pub mod panel;
+pub mod problem;
 pub mod system;
 
 use super::Yardstick;
@@ -18,7 +20,7 @@ use super::sparse::LinearError;
 use super::status::{Solution, SolveOptions};
 use crate::model::program::ConicProgram;
 use cones::Scaling;
-use ipm::Problem;
+use problem::Problem;
 use std::time::Instant;
 use system::CondensedSystem;
 
