@@ -113,7 +113,7 @@ pub struct SolveOptions {
     ///
     /// An iterate that stalls within a hundred times (in limit analysis ten times) the gap and the residual asked for is taken.
     pub residual: f64,
-    /// Forces may be so far out of balance, relative to the largest, where that is more than the residual.
+    /// Forces may be so far out of balance (and strains from flow), relative to the largest, where that is more than the residual.
     pub unbalanced: f64,
     /// Iterations at most.
     pub max_iterations: u32,

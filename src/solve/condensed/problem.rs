@@ -60,11 +60,6 @@ impl Problem {
         [forces, all]
     }
 
-    /// Largest entry among the maximised unknowns.
-    pub(super) fn largest_maximised(&self, a: &[f64]) -> f64 {
-        a.iter().zip(&self.maximised).filter(|(_, m)| **m).fold(0.0, |m: f64, (v, _)| m.max(v.abs()))
-    }
-
     /// Largest live load at the load factor; its balance with the stress leaves nothing of it in `P x`.
     pub(super) fn live_force(&self, x: &[f64]) -> f64 {
         if self.program.live.is_empty() { 0.0 } else { largest(&self.program.live) * x[x.len() - 1].abs() }
