@@ -16,6 +16,8 @@ mod interrupts;
 mod limit_analysis;
 #[path = "cli/limits.rs"]
 mod limits;
+#[path = "cli/plastic_analysis.rs"]
+mod plastic_analysis;
 #[path = "cli/result_folder.rs"]
 mod result_folder;
 #[path = "cli/rigid_and_welds.rs"]

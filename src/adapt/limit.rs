@@ -210,7 +210,7 @@ impl<'a> Problem<'a> for Collapse {
     type Answer = (VelocityField, UpperFactor);
     const PROGRAM: Program = Program::Kinematic;
 
-    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+    fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
         asked.for_mechanism()
     }
 
@@ -258,7 +258,7 @@ impl<'a> Problem<'a> for Resistance<'a> {
     type Answer = (StressField, LowerFactor);
     const PROGRAM: Program = Program::Static;
 
-    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+    fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
         asked.for_resistance()
     }
 

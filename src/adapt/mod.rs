@@ -7,6 +7,7 @@ pub mod memory;
 pub mod optimum;
 pub mod pass;
 pub mod plan;
+pub mod plastic;
 pub mod problem;
 pub mod rates;
 pub mod words;

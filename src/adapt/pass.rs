@@ -3,9 +3,9 @@
 use super::coulomb::{self, FixedPointRun};
 use super::memory::{Limit, Room, RoomSource, plan, room};
 use super::problem::{Problem, Program};
-use super::words;
+use crate::bounds::PlasticField;
 use crate::bounds::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
-use crate::bounds::error::{Contributions, contributions};
+use crate::bounds::error::{Contributions, contributions, plastic_contributions};
 use crate::bounds::fields::{DisplacementField, StressField};
 use crate::bounds::recover::RecoverError;
 use crate::model::file::Bounds;
@@ -66,6 +66,10 @@ pub struct ProgramRun {
     pub trace: Vec<Iteration>,
     /// For a program too large for the memory: how much it lacks.
     pub refusal: Option<Refusal>,
+    /// Tets with a yield condition in the last of its solves, in an elastic, perfectly plastic analysis.
+    pub yielding: Option<usize>,
+    /// Solves that led here.
+    pub rounds: u32,
     /// For an unbounded program: which parts move, in words.
     pub mechanism: Option<String>,
     /// For an infeasible program: which contacts exclude each other, in words.
@@ -83,6 +87,8 @@ pub struct Pass {
     pub statics: Option<ProgramRun>,
     /// Displacements of an optimal kinematic program.
     pub displacement: Option<DisplacementField>,
+    /// The same with plastic strain, in an elastic, perfectly plastic analysis.
+    pub plastic: Option<PlasticField>,
     /// Stresses of an optimal static program.
     pub stress: Option<StressField>,
     /// The upper bound.
@@ -167,6 +173,11 @@ pub enum Event<'a> {
     Certify,
     /// The static program of limit analysis is solved once more, every friction coefficient zero.
     Frictionless,
+    /// It is solved once more with a yield condition on so many tets.
+    Yielding {
+        /// Tets with a yield condition.
+        tets: usize,
+    },
     /// It is done with.
     Ended(&'a ProgramRun),
 }
@@ -249,12 +260,25 @@ pub(super) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
     options: &'a PassOptions,
     progress: &'a Progress,
 ) -> Result<Both<K::Answer, S::Answer>, PassError> {
+    let kinematic = (model.bounds != Bounds::Static).then_some(|| K::assemble(model));
+    let statics = (model.bounds != Bounds::Kinematic).then_some(|| S::assemble(model));
+    both_of(model, options, progress, kinematic, statics)
+}
+
+/// The same with programs assembled as told; `None`: not asked for.
+pub(super) fn both_of<'a, K: Problem<'a>, S: Problem<'a>>(
+    model: &'a AnalysisModel,
+    options: &'a PassOptions,
+    progress: &'a Progress,
+    kinematic: Option<impl FnOnce() -> Result<K, ModelError> + Send>,
+    statics: Option<impl FnOnce() -> Result<S, ModelError> + Send>,
+) -> Result<Both<K::Answer, S::Answer>, PassError> {
     // faer's parallel dense kernels would make the last digits depend on the number of threads
     faer::set_global_parallelism(faer::Par::Seq);
     let context = Context { model, options, progress, start: Instant::now() };
     let (kinematic, statics) = rayon::join(
-        || (model.bounds != Bounds::Static).then(|| context.assemble::<K>()).transpose(),
-        || (model.bounds != Bounds::Kinematic).then(|| context.assemble::<S>()).transpose(),
+        || kinematic.map(|build| context.assemble(build)).transpose(),
+        || statics.map(|build| context.assemble(build)).transpose(),
     );
     let (kinematic, statics) = (kinematic?, statics?);
     let (k, s) = rayon::join(
@@ -292,7 +316,10 @@ impl Pass {
             self.bracket = Some(Bracket::new(l.clone(), u.clone())?);
         }
         if let (Some(u), Some(s)) = (&self.displacement, &self.stress) {
-            let c = contributions(model, u, s);
+            let c = match &self.plastic {
+                Some(u) => plastic_contributions(model, u, s),
+                None => contributions(model, u, s),
+            };
             // asserted where both fields are admissible
             if let Some(b) = self.bracket.as_ref().filter(|b| b.is_strict()) {
                 let copies = f64::from(model.symmetry);
@@ -324,10 +351,10 @@ impl<'a> Context<'a> {
     }
 
     /// The program, and how long its assembly took \[s\].
-    fn assemble<P: Problem<'a>>(&self) -> Result<(P, f64), PassError> {
+    fn assemble<P: Problem<'a>>(&self, build: impl FnOnce() -> Result<P, ModelError>) -> Result<(P, f64), PassError> {
         let start = Instant::now();
         self.tell(P::PROGRAM, Event::Assembly);
-        Ok((P::assemble(self.model)?, start.elapsed().as_secs_f64()))
+        Ok((build()?, start.elapsed().as_secs_f64()))
     }
 
     /// Orders a program and forecasts its cost.
@@ -348,6 +375,8 @@ impl<'a> Context<'a> {
             forecast,
             trace: Vec::new(),
             refusal: None,
+            yielding: problem.yielding(),
+            rounds: 1,
             mechanism: None,
             conflict: None,
             trouble: None,
@@ -435,7 +464,7 @@ impl<'a> Context<'a> {
         });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let mut options = SolveOptions { progress: Some(tell), time_limit: left, ..P::accuracy(given) };
+        let mut options = SolveOptions { progress: Some(tell), time_limit: left, ..problem.accuracy(given) };
         let mut solution = prepared.solve_first(&options);
         run.iterations = solution.iterations;
         while solution.status == SolveStatus::Optimal
@@ -453,6 +482,8 @@ impl<'a> Context<'a> {
             if let Some(x) = (!modes.is_empty()).then(direction).flatten() {
                 solution.status = SolveStatus::Unbounded;
                 solution.x = x;
+                // the multipliers are those of the attempt that failed
+                solution.z.fill(0.0);
             }
         }
         run.status = solution.status;
@@ -478,7 +509,7 @@ impl<'a> Context<'a> {
                 }
             }
             SolveStatus::Unbounded => {
-                run.mechanism = Some(words::mechanism(self.model, problem.motion(self.model, &solution.x)));
+                run.mechanism = Some(problem.mechanism(self.model, solution));
             }
             SolveStatus::Infeasible => {
                 run.conflict = problem.conflict(self.model, &solution.z);

@@ -57,7 +57,7 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     const PROGRAM: Program;
 
     /// What its solve is asked for, of what the caller asks for.
-    fn accuracy(asked: &SolveOptions) -> SolveOptions {
+    fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
         asked.clone()
     }
     /// Builds it.
@@ -76,6 +76,14 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError>;
     /// Displacements of points along a direction of its unknowns, each with its part.
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)>;
+    /// What moves along the direction of an unbounded solution, in words.
+    fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
+        words::mechanism(model, self.motion(model, &solution.x))
+    }
+    /// Tets with a yield condition, where only some need one.
+    fn yielding(&self) -> Option<usize> {
+        None
+    }
     /// The contact each cone belongs to: interfaces first, then contacts with the ground.
     fn contacts(&self) -> Vec<usize>;
     /// Why an infeasible program has no solution, in words.

@@ -32,6 +32,22 @@ pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3
     if moving.is_empty() { "the parts turn without moving their centres".into() } else { moving.join(", ") }
 }
 
+/// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in words; `flow`: what each body
+/// dissipates on it. `None`: nothing flows.
+pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
+    let total: f64 = flow.iter().sum();
+    let mut bodies: Vec<(f64, &String)> =
+        flow.iter().map(|f| f / total).zip(&model.mesh.bodies).filter(|b| b.0 > NAMED).collect();
+    bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let named: Vec<String> =
+        bodies.iter().map(|(share, name)| format!("`{name}` ({:.0} % of the dissipation)", 100.0 * share)).collect();
+    match &named[..] {
+        [] => None,
+        [one] => Some(format!("body {one} yields without end")),
+        [first @ .., last] => Some(format!("bodies {} and {last} yield without end", first.join(", "))),
+    }
+}
+
 /// A contact as people call it: its name and the parts it joins. `contact` counts interfaces first, then the ground's.
 fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     let part = |tet: u32| &model.parts[model.tet_part[tet as usize] as usize];
@@ -55,12 +71,15 @@ pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize
     if z.len() != program.h.len() || z.iter().any(|z| !z.is_finite()) {
         return None;
     }
+    // yield points have multipliers too, but exclude no motion
+    let rows = program.g.nrows();
+    let (z, h) = (&z[..rows], &program.h[..rows]);
     let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let left = largest(&program.g.mul_transpose(z));
     let mut terms = program.g.clone();
     terms.values.iter_mut().for_each(|v| *v = v.abs());
     let terms = largest(&terms.mul_transpose(&z.iter().map(|z| z.abs()).collect::<Vec<_>>()));
-    let work: f64 = program.h.iter().zip(z).take(program.g.nrows()).map(|(h, z)| h * z).sum();
+    let work: f64 = h.iter().zip(z).map(|(h, z)| h * z).sum();
     let size = largest(z);
     // the share of each contact: the normal components of its multipliers, which z ∈ K makes the largest ones
     let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];

@@ -33,6 +33,7 @@ impl LowerBound {
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         self.value.is_finite()
+            && c.yields.is_none_or(|y| y <= 0.0)
             && [Some(c.equilibrium), Some(c.traction_jump), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
             && c.weld.is_none_or(|used| used <= 1.0)
     }

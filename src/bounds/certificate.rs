@@ -41,6 +41,8 @@ pub struct StaticCertificate {
     pub peak_pressure: Option<f64>,
     /// Largest traction of a weld over its strength; `None` without welds.
     pub weld: Option<f64>,
+    /// Largest utilisation of the yield strength, what the residuals may hide included, less 1; `None` where nothing yields.
+    pub yields: Option<f64>,
 }
 
 /// What a displacement field proves.
@@ -202,6 +204,7 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
         contact: contact.then(|| ratio(cone, max_r.max(max_traction))),
         peak_pressure: contact.then_some(peak),
         weld: largest_of_each(&welds::utilisations(model, field)),
+        yields: None,
     }
 }
 
@@ -308,9 +311,7 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
     let materials = model.stiffnesses();
     let body = model.body_forces(Loads::ALL);
     let u = &field.u;
-    let max_u = largest(u.iter().map(|x| vec3::norm(*x)));
-    let (mut strain_energy, mut work) = (Sum::default(), Sum::default());
-    for e in 0..mesh.tets.len() {
+    let inside = |e: usize, strain_energy: &mut Sum, work: &mut Sum| {
         let nodes = space.tet(mesh, e).map(|n| u[n]);
         let volume = mesh.volume(e);
         let g = gradients(&mesh.corners(e));
@@ -322,13 +323,34 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
             let at = (0..10).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], nodes[i])));
             work.add(w * volume * vec3::dot(body[b], at));
         }
+    };
+    let stress = |e: usize, face: usize| {
+        let strains = tet10::vertex_strains(&mesh.corners(e), &space.tet(mesh, e).map(|n| u[n]));
+        FACES[face].map(|v| materials[mesh.tet_body[e] as usize].stress(&strains[v]))
+    };
+    certify_motion(model, &space, u, &inside, &stress)
+}
+
+/// Certifies nodal displacements u whose elements tell the energy stored in a tet and the work of the forces there, and the stress
+/// at the vertices of one of its faces.
+pub(super) fn certify_motion(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    u: &[V3],
+    inside: &dyn Fn(usize, &mut Sum, &mut Sum),
+    stress: &dyn Fn(usize, usize) -> [Mandel; 3],
+) -> KinematicCertificate {
+    let max_u = largest(u.iter().map(|x| vec3::norm(*x)));
+    let (mut strain_energy, mut work) = (Sum::default(), Sum::default());
+    for e in 0..model.mesh.tets.len() {
+        inside(e, &mut strain_energy, &mut work);
     }
     for load in &model.surface_loads {
-        add_work(model, &space, u, load, &mut work);
+        add_work(model, space, u, load, &mut work);
     }
-    let mut off = off_supports(model, &space, u);
+    let mut off = off_supports(model, space, u);
     for r in &model.rigid {
-        let (motion, error) = fit_rigid(model, &space, u, r);
+        let (motion, error) = fit_rigid(model, space, u, r);
         off = off.max(error);
         let action = Loads::ALL.action(r);
         (0..6).for_each(|i| work.add(motion[i] * action[i]));
@@ -370,7 +392,7 @@ pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) ->
         contact: contact.then(|| ratio((-margin).max(0.0), max_g)),
         smallest_margin: contact.then_some(margin),
         largest_gap: contact.then_some(max_gap),
-        peak_pressure: contact.then(|| displacement_pressure(model, &space, u)),
+        peak_pressure: contact.then(|| displacement_pressure(model, stress)),
     }
 }
 
@@ -426,19 +448,13 @@ pub(super) fn fit_rigid(
 }
 
 /// Largest pressure of the displacement's stress on contact faces, either side \[MPa\].
-fn displacement_pressure(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
-    let materials = model.stiffnesses();
+fn displacement_pressure(model: &AnalysisModel, stress: &dyn Fn(usize, usize) -> [Mandel; 3]) -> f64 {
     let mut peak = 0.0f64;
     for f in contact_faces(model) {
         let (n, _) = f.normal(model);
         for side in [Some(f.a), f.b.map(|b| b.0)].into_iter().flatten() {
-            let e = side.tet as usize;
-            let nodes = space.tet(&model.mesh, e).map(|n| u[n]);
-            let strains = tet10::vertex_strains(&model.mesh.corners(e), &nodes);
-            let material = &materials[model.mesh.tet_body[e] as usize];
-            for v in FACES[side.local as usize] {
-                let t = mandel::traction(&material.stress(&strains[v]), n);
-                peak = peak.max(-vec3::dot(t, n));
+            for s in stress(side.tet as usize, side.local as usize) {
+                peak = peak.max(-vec3::dot(mandel::traction(&s, n), n));
             }
         }
     }

@@ -14,12 +14,13 @@ use super::faces::{ContactFace, contact_faces, roles, weld_faces};
 use super::fields::{DisplacementField, StressField};
 use super::flow::{VelocityField, pieces};
 use super::limit_certificate::dissipation_densities;
+use super::plastic_certificate::{dissipated, stress_at_points};
+use super::plastic_field::{PlasticField, at_points};
 use super::welds;
 use crate::math::Sum;
-use crate::math::mandel::{self, Mandel};
+use crate::math::mandel::{self, Mandel, deviator};
 use crate::math::quadrature::{TRIANGLE_4, tetrahedron_mass, triangle_p2};
 use crate::math::vec3::{self, V3};
-use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use crate::model::kinematic::Tet10Space;
 use crate::model::loads::Loads;
@@ -72,13 +73,7 @@ pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressFie
             let nodes = space.tet(&model.mesh, e).map(|n| u.u[n]);
             let material = &materials[model.mesh.tet_body[e] as usize];
             let v = tet10::vertex_strains(&model.mesh.corners(e), &nodes).map(|x| material.stress(&x));
-            let centre = std::array::from_fn(|c| 0.25 * (v[0][c] + v[1][c] + v[2][c] + v[3][c]));
-            let difference: PointStress = std::array::from_fn(|k| {
-                std::array::from_fn(|p| {
-                    let kinematic = if p < 3 { &v[FACES[k][p]] } else { &centre };
-                    std::array::from_fn(|c| s.points[e][k][p][c] - kinematic[c])
-                })
-            });
+            let difference = minus(&s.points[e], &at_points(&v));
             0.5 * integrate(model.mesh.volume(e), material, &difference, &difference)
         })
         .collect();
@@ -118,11 +113,7 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
             let mut power = Sum::default();
             for k in 0..4 {
                 let strains = match &pieces[..] {
-                    [plain] => {
-                        let at = tet10::vertex_strains(&plain.corners, &plain.velocities);
-                        let centre = std::array::from_fn(|c| 0.25 * (at[0][c] + at[1][c] + at[2][c] + at[3][c]));
-                        std::array::from_fn(|p| if p < 3 { at[FACES[k][p]] } else { centre })
-                    }
+                    [plain] => at_points(&tet10::vertex_strains(&plain.corners, &plain.velocities))[k],
                     split => tet10::vertex_strains(&split[k].corners, &split[k].velocities),
                 };
                 power.add(0.25 * volume * mean_product(&s.points[e][k], &strains));
@@ -142,6 +133,41 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
 fn mean_product(stress: &[Mandel; 4], strain: &[Mandel; 4]) -> f64 {
     let term = |i: usize, j: usize| tetrahedron_mass(i, j) * mandel::dot(&stress[i], &strain[j]);
     (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| term(i, j)).sum()
+}
+
+/// Contributions of a displacement with plastic strain p and a stress field, tet by tet
+/// `½ ∫ (σ − C(ε − p)):C⁻¹:(σ − C(ε − p)) + ∫ (π(p) − σ:p)`, contact and weld faces as in [`contributions`].
+pub fn plastic_contributions(model: &AnalysisModel, field: &PlasticField, s: &StressField) -> Contributions {
+    let space = Tet10Space::new(&model.mesh);
+    let (materials, radii) = (model.stiffnesses(), model.yield_radii());
+    let elements = (0..model.mesh.tets.len())
+        .into_par_iter()
+        .map(|e| {
+            let body = model.mesh.tet_body[e] as usize;
+            let volume = model.mesh.volume(e);
+            let trial = stress_at_points(model, &space, field, &materials[body], e);
+            let difference = minus(&s.points[e], &trial);
+            let elastic = 0.5 * integrate(volume, &materials[body], &difference, &difference);
+            let plastic = field.plastic_at_points(e);
+            let mut work = 0.0;
+            for (s, p) in s.points[e].iter().zip(&plastic) {
+                let s = s.map(|s| deviator(&s));
+                for (i, s) in s.iter().enumerate() {
+                    for (j, p) in p.iter().enumerate() {
+                        work += tetrahedron_mass(i, j) * (0..5).map(|a| s[a] * p[a]).sum::<f64>();
+                    }
+                }
+            }
+            elastic + dissipated(&field.pieces(model, &space, e), radii[body]) - 0.25 * volume * work
+        })
+        .collect();
+    let contacts = contact_work(model, &space, &field.nodes, s, Loads::ALL, true);
+    let welds = weld_work(model, &space, &field.nodes, s, Loads::ALL);
+    Contributions { elements, contacts, welds }
+}
+
+fn minus(a: &PointStress, b: &PointStress) -> PointStress {
+    std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|c| a[k][p][c] - b[k][p][c])))
 }
 
 /// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, shifts as gaps; without `gaps` initial gaps count as closed.

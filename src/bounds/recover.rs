@@ -70,11 +70,21 @@ pub fn displacement_at(
     offsets: &[f64],
     solution: &Solution,
 ) -> Result<DisplacementField, RecoverError> {
-    let mut x = solution.x.clone();
+    opened(model, kinematic, offsets, solution.x.clone())
+}
+
+/// The displacement field of an elastic program's unknowns `x`, at least those that elements share, contacts opened where they are
+/// violated.
+pub(super) fn opened(
+    model: &AnalysisModel,
+    kinematic: &Kinematic,
+    offsets: &[f64],
+    mut x: Vec<f64>,
+) -> Result<DisplacementField, RecoverError> {
     let program = &kinematic.program;
     let welds = (!model.welds.is_empty()).then(|| kinematic.weld_rows(model));
     for _ in 0..3 {
-        let slack: Vec<f64> = program.rows(&x).iter().zip(offsets).map(|(a, b)| a + b).collect();
+        let slack: Vec<f64> = program.g.mul(&x).iter().zip(offsets).map(|(a, b)| a + b).collect();
         let violation = smallest_margin(program, &slack);
         if violation >= 0.0 {
             break;
@@ -92,7 +102,7 @@ pub fn displacement_at(
 }
 
 /// Smallest margin of the contact cones in the rows `s` \[mm\].
-fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
+pub(super) fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
     let cones = cone_ranges(program).into_iter();
     cones.map(|(at, dim)| cone_margin(&s[at..at + dim])).fold(f64::INFINITY, f64::min)
 }
@@ -149,16 +159,33 @@ pub(super) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
 
 /// The stress field of a static solution, in equilibrium to rounding.
 pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
+    let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
+    add_parameters(&statics.elements, &statics.map, &solution.x, true, &mut parameters)?;
+    balanced_stress(statics, interface_tractions(statics, solution), parameters)
+}
+
+/// Contact tractions of a solution (multipliers of the contact cones), then those of welds.
+pub(super) fn interface_tractions(statics: &Static, solution: &Solution) -> Vec<f64> {
+    let mut found = solution.z[..statics.program.g.nrows()].to_vec();
+    found.extend(statics.weld_tractions(&solution.x));
+    found
+}
+
+/// The stress field in equilibrium to rounding nearest, in elastic energy, to the given parameters; `tractions`: those of contacts
+/// and welds as in [`interface_tractions`], `statics`: the elastic program.
+pub(super) fn balanced_stress(
+    statics: &Static,
+    tractions: Vec<f64>,
+    mut parameters: Vec<[f64; PARAMETERS]>,
+) -> Result<StressField, RecoverError> {
     let modes = statics.contact_modes();
-    let (z, t) = balanced_tractions(statics, solution, &modes)?;
+    let (z, t) = balanced_tractions(statics, tractions, &modes)?;
     let mut p = statics.program.p.clone();
     // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
     hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned), &[]);
     let factor = SparseCholesky::new(&p, &statics.map.block)?;
     let mut rhs = statics.loads.clone();
     add_interface_forces(statics, &z, &t, &mut rhs);
-    let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
-    add_parameters(&statics.elements, &statics.map, &solution.x, true, &mut parameters)?;
     balance_elements(&statics.elements, &statics.map, &factor, &rhs, &mut parameters)?;
     Ok(stress_field(&statics.elements, &parameters)?)
 }
@@ -266,14 +293,12 @@ pub(super) fn interface_sets(statics: &Static) -> Vec<Within> {
 /// such forces are dropped when the balance cannot be found with them.
 fn balanced_tractions(
     statics: &Static,
-    solution: &Solution,
+    mut found: Vec<f64>,
     modes: &[crate::model::contact_modes::ContactMode],
 ) -> Result<(Vec<f64>, Vec<f64>), RecoverError> {
     let program = &statics.program;
     let contacts = program.g.nrows();
     let sets = interface_sets(statics);
-    let mut found = solution.z[..contacts].to_vec();
-    found.extend(statics.weld_tractions(&solution.x));
     sets.iter().for_each(|set| set.draw_in(&mut found, INSIDE));
     let apart = |mut z: Vec<f64>| {
         let t = z.split_off(contacts);

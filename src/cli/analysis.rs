@@ -374,7 +374,11 @@ pub fn run_pass(
     log: &Arc<Log>,
 ) -> Result<Outcome, Diagnostics> {
     // one load case may be analysed in several ways
-    let kind = if model.analysis == AnalysisKind::Limit { " (limit)" } else { "" };
+    let kind = match model.analysis {
+        AnalysisKind::Limit => " (limit)",
+        AnalysisKind::Elastoplastic => " (elastoplastic)",
+        AnalysisKind::Elastic => "",
+    };
     let name = format!("{name}{kind}");
     log.line(format!(
         "{}: {} tets, {} contact faces, {} part{}",

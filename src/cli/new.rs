@@ -198,7 +198,7 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
     let a = &spec.analysis;
     let _ = write!(
         out,
-        "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), or both: [elastic, limit]; elastoplastic is not available yet\n  \
+        "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), elastoplastic, or a list: [elastic, limit]\n  \
          target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; meshes are refined where it comes from until it is reached\n  \
          # max_passes: {}  # meshes at most; 1: the first one alone\n  \
          # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \

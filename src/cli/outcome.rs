@@ -3,6 +3,7 @@
 use super::analysis::png;
 use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::{self, Pass, PassError, PassOptions, ProgramRun, Progress};
+use crate::adapt::plastic;
 use crate::adapt::problem::Program;
 use crate::bounds::error::Contributions;
 use crate::bounds::limit_certificate::dissipation_densities;
@@ -12,10 +13,13 @@ use crate::model::AnalysisModel;
 use crate::model::file::AnalysisKind;
 use crate::report::case::case_result;
 use crate::report::data::CaseResult;
-use crate::report::field_files::{displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid};
+use crate::report::field_files::{
+    displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
+};
 use crate::report::folder::ResultFolder;
 use crate::report::limit_case::limit_case_result;
 use crate::report::page::PictureRef;
+use crate::report::plastic_file::plastic_grid;
 use crate::report::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::vtu::VtuGrid;
 use crate::solve::SolveOptions;
@@ -38,13 +42,18 @@ impl Outcome {
     pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Self, PassError> {
         Ok(match model.analysis {
             AnalysisKind::Limit => Outcome::Factor(Box::new(limit::run(model, options, progress)?)),
-            _ => Outcome::Energy(Box::new(pass::run(model, options, progress)?)),
+            AnalysisKind::Elastoplastic => Outcome::Energy(Box::new(plastic::run(model, options, progress)?)),
+            AnalysisKind::Elastic => Outcome::Energy(Box::new(pass::run(model, options, progress)?)),
         })
     }
 
     /// The gap at which a solve ends.
     pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
-        if model.analysis == AnalysisKind::Limit { asked.limit_gap } else { asked.gap }
+        match model.analysis {
+            AnalysisKind::Limit => asked.limit_gap,
+            AnalysisKind::Elastoplastic => asked.gap.max(plastic::GAP),
+            AnalysisKind::Elastic => asked.gap,
+        }
     }
 
     /// The programs that ran or were to run.
@@ -85,12 +94,15 @@ impl Outcome {
         };
         match self {
             Outcome::Energy(p) => {
-                if let Some(u) = p.displacement.as_ref().filter(|_| kinematic) {
-                    let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
+                let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
+                if let Some(u) = p.plastic.as_ref().filter(|_| kinematic) {
+                    write("kinematic", plastic_grid(model, u, contributions))?;
+                } else if let Some(u) = p.displacement.as_ref().filter(|_| kinematic) {
                     write("kinematic", displacement_grid(model, u, contributions))?;
                 }
                 if let Some(s) = p.stress.as_ref().filter(|_| statics) {
-                    write("static", stress_grid(model, s))?;
+                    let yields = model.analysis == AnalysisKind::Elastoplastic;
+                    write("static", if yields { yielding_stress_grid(model, s) } else { stress_grid(model, s) })?;
                 }
                 if !p.shift.faces.is_empty() {
                     write("shift", shift_grid(model, &p.shift))?;

@@ -11,6 +11,7 @@ use crate::bounds::fields::StressField;
 use crate::bounds::flow::VelocityField;
 use crate::bounds::free_mechanism::{FreeMechanism, certify_free, is_free};
 use crate::bounds::limit_certificate::{certify_lower, certify_upper};
+use crate::bounds::plastic_certificate::{certify_plastic_motion, certify_yielding_stress};
 use crate::bounds::sampling::{sample, sample_live, sample_lower, sample_upper};
 use crate::bounds::slip::distance_from_coulomb;
 use crate::bounds::unlimited::{Unlimited, certify_unlimited};
@@ -25,6 +26,7 @@ use crate::report::combine::join;
 use crate::report::data::{CaseResult, Problem, RESULT_FILE, RawBracket, ResultFile, Upper};
 use crate::report::field_files::{read_displacement, read_lower, read_shift, read_stress, read_velocity};
 use crate::report::limit_case::limit_case_result;
+use crate::report::plastic_file::read_plastic;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -181,6 +183,7 @@ impl Scene<'_> {
     fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
         let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
+        let yields = given.analysis == AnalysisKind::Elastoplastic;
         let mut findings = Vec::new();
         let mut pass = Pass { fixed_point: case.fixed_point.clone(), ..Pass::default() };
         let bounded = case.lower.is_some() || case.upper.is_some();
@@ -190,19 +193,38 @@ impl Scene<'_> {
         let model = &AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
         if let Some(claimed) = case.lower.filter(|_| statics) {
             let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
-            let sampled = sample(model, None, Some(&stress), POINTS);
-            let bound = LowerBound::new(certify_stress(model, &stress, Loads::ALL), model.symmetry);
+            let mut random = sample(model, None, Some(&stress), POINTS);
+            let certificate = match yields {
+                true => {
+                    let inside = sample_lower(model, &stress, 1.0, POINTS);
+                    random.traction_jump = random.traction_jump.max(inside.utilisation - 1.0);
+                    certify_yielding_stress(model, &stress)
+                }
+                false => certify_stress(model, &stress, Loads::ALL),
+            };
+            let bound = LowerBound::new(certificate, model.symmetry);
             let c = bound.certificate();
-            let over = c.weld.map_or(0.0, |used| (used - 1.0).max(0.0));
+            let over = c.weld.map_or(0.0, |used| used - 1.0).max(c.yields.unwrap_or(0.0));
             let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0)).max(over);
-            let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.weld - 1.0);
+            let random = random.traction_jump.max(random.traction_cone).max(random.weld - 1.0);
             let numbers = [claimed, bound.value(), worst, random];
             findings.push(finding(case, "lower", numbers, bound.is_strict(), claims_strict));
             pass.lower = Some(bound);
             pass.stress = Some(stress);
         }
         if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
-            let displacement = read_displacement(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let bytes = self.field("kinematic")?;
+            let (displacement, certificate) = if yields {
+                let field = read_plastic(model, &bytes).map_err(Diagnostic::from)?;
+                let certificate = certify_plastic_motion(model, &field);
+                let nodes = field.nodes.clone();
+                pass.plastic = Some(field);
+                (nodes, certificate)
+            } else {
+                let u = read_displacement(model, &bytes).map_err(Diagnostic::from)?;
+                let certificate = certify_displacement(model, &u);
+                (u, certificate)
+            };
             let off = distance_from_coulomb(model, &pass.shift, &displacement);
             if off > FAR_FROM_COULOMB {
                 refuted.push(format!(
@@ -211,7 +233,7 @@ impl Scene<'_> {
                 ));
             }
             let random = sample(model, Some(&displacement), None, POINTS).gap_cone;
-            let bound = UpperBound::new(certify_displacement(model, &displacement), model.symmetry);
+            let bound = UpperBound::new(certificate, model.symmetry);
             let c = bound.certificate();
             let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
             let numbers = [claimed, bound.value(), worst, random];
@@ -378,6 +400,13 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         && claimed.welds.iter().zip(&found.welds).all(|(a, b)| {
             a.weld == b.weld && near(a.utilisation, b.utilisation) && near(a.share, b.share) && near(a.work, b.work)
         });
+    let yielding = claimed.yielding.len() == found.yielding.len()
+        && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
+            a.part == b.part
+                && near(a.utilisation, b.utilisation)
+                && near(a.yielded, b.yielded)
+                && near(a.dissipation, b.dissipation)
+        });
     let agree = [
         ("gap", near(claimed.gap, found.gap)),
         // results of earlier versions do not tell it
@@ -395,6 +424,8 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         ("associated", raw(claimed.associated, found.associated)),
         ("dissipation", shares),
         ("welds", welds),
+        ("load_displacement_at_least", near(claimed.load_displacement_at_least, found.load_displacement_at_least)),
+        ("yielding", yielding),
         ("limiting_part", claimed.limiting_part == found.limiting_part),
         ("certificate.strict", !strict(claimed) || strict(found)),
         ("history", history),

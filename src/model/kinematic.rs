@@ -163,6 +163,8 @@ pub struct Kinematic {
     /// Where the unknowns of each element's own start, after those that elements share, and of each weld face behind them;
     /// empty without plasticity and welds.
     pub own: Vec<usize>,
+    /// Tets whose element flows and is split; empty without plasticity.
+    pub split: Vec<bool>,
 }
 
 /// Which element a body that yields is made of.
@@ -175,11 +177,13 @@ pub enum Flow {
 }
 
 /// Which program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+#[derive(Clone, Copy)]
+enum Kind<'f> {
     Elastic,
+    /// Elastic, except that bodies without a yield strength are rigid.
     AroundRigidBodies,
-    Hencky(Flow),
+    /// What each tet is made of, where it may flow.
+    Hencky(&'f [Option<Flow>]),
     Limit(Flow),
 }
 
@@ -242,8 +246,11 @@ enum Inside {
     Flow,
 }
 
-/// Nodal forces of the loads \[N\]; `inside` tells what the elements of each body are.
-fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: &[Inside], loads: Loads) -> Vec<f64> {
+/// What the element of each tet is.
+type InsideOf<'a> = &'a dyn Fn(usize) -> Inside;
+
+/// Nodal forces of the loads \[N\]; `inside` tells what each element is.
+fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: InsideOf, loads: Loads) -> Vec<f64> {
     let mut f = vec![0.0; 3 * space.nodes.len()];
     let body = model.body_forces(loads);
     if body.iter().any(|b| *b != [0.0; 3]) {
@@ -251,7 +258,7 @@ fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: &[Inside], lo
         for e in 0..model.mesh.tets.len() {
             let of = model.mesh.tet_body[e] as usize;
             let (b, v) = (body[of], model.mesh.volume(e));
-            let forces: [f64; 30] = match inside[of] {
+            let forces: [f64; 30] = match inside(e) {
                 Inside::Plain => std::array::from_fn(|i| plain[i / 3] * v * b[i % 3]),
                 Inside::Split => std::array::from_fn(|i| split[i / 3] * v * b[i % 3]),
                 Inside::Flow => split_flow::body_forces(&model.mesh.corners(e), v, b),
@@ -287,7 +294,7 @@ fn shared_forces(
     space: &Tet10Space,
     map: &DofMap,
     rigid: &[RigidMotions],
-    inside: &[Inside],
+    inside: InsideOf,
     loads: Loads,
 ) -> Vec<f64> {
     let mut f = map.reduce(&nodal_forces(model, space, inside, loads));
@@ -304,6 +311,12 @@ impl Kinematic {
     /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are made of elements that
     /// yield, the others stay elastic.
     pub fn with_plasticity(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
+        Self::build(model, Kind::Hencky(&vec![Some(flow); model.mesh.tets.len()]))
+    }
+
+    /// The same with flow only where `flow` names an element for a tet; the other tets are plain and stay elastic, whatever
+    /// their strength. Still an upper bound: to flow less is to choose among fewer fields.
+    pub fn with_plasticity_in(model: &AnalysisModel, flow: &[Option<Flow>]) -> Result<Self, ModelError> {
         Self::build(model, Kind::Hencky(flow))
     }
 
@@ -328,13 +341,18 @@ impl Kinematic {
         };
         let (map, rigid) = rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
         let materials = model.stiffnesses();
-        let (radii, flow) = match kind {
-            Kind::Hencky(flow) | Kind::Limit(flow) => (model.yield_radii(), flow),
-            Kind::Elastic | Kind::AroundRigidBodies => (vec![None; model.mesh.bodies.len()], Flow::Plain),
+        let radii = model.yield_radii();
+        // radius of the yield surface and kind of the element of a tet that may flow
+        let flow_of = |e: usize| -> Option<(f64, Flow)> {
+            let radius = radii[model.mesh.tet_body[e] as usize]?;
+            match kind {
+                Kind::Elastic | Kind::AroundRigidBodies => None,
+                Kind::Hencky(flow) => flow[e].map(|f| (radius, f)),
+                Kind::Limit(flow) => Some((radius, flow)),
+            }
         };
         let limit = matches!(kind, Kind::Limit(_));
-        let yields = radii.iter().any(Option::is_some);
-        let split: Vec<bool> = radii.iter().map(|r| r.is_some() && flow == Flow::Split).collect();
+        let yields = (0..model.mesh.tets.len()).any(|e| flow_of(e).is_some());
         let forces = model.body_forces(Loads::ALL);
         let dofs = |e: usize| {
             let nodes = space.tet(&model.mesh, e);
@@ -343,13 +361,13 @@ impl Kinematic {
         // the element of a body that yields
         let flowing = |e: usize| {
             let body = model.mesh.tet_body[e] as usize;
-            radii[body].map(|radius| FlowingTet10 {
+            flow_of(e).map(|(radius, flow)| FlowingTet10 {
                 corners: model.mesh.corners(e),
                 volume: model.mesh.volume(e),
                 material: materials[body],
                 radius,
                 body_force: forces[body],
-                split: split[body],
+                split: flow == Flow::Split,
                 rule: if limit { Rule::TenPoints } else { Rule::Hencky },
             })
         };
@@ -364,7 +382,10 @@ impl Kinematic {
             })
         })?;
         let splits = if limit { Inside::Flow } else { Inside::Split };
-        let inside: Vec<Inside> = split.iter().map(|s| if *s { splits } else { Inside::Plain }).collect();
+        let inside = |e: usize| match flow_of(e) {
+            Some((_, Flow::Split)) => splits,
+            _ => Inside::Plain,
+        };
         let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
         let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         let mut stiffness = Vec::new();
@@ -403,9 +424,10 @@ impl Kinematic {
                 points.push(point);
             }
         }
-        let mut own = Vec::new();
+        let (mut own, mut split) = (Vec::new(), Vec::new());
         let tets = model.mesh.tets.len();
         if yields || !weld_faces.is_empty() {
+            split = (0..tets).map(|e| matches!(flow_of(e), Some((_, Flow::Split)))).collect();
             own = append(&mut program, tets + weld_faces.len(), |e| {
                 if let Some(weld) = e.checked_sub(tets) {
                     let (strength, face) = weld_faces[weld];
@@ -418,7 +440,7 @@ impl Kinematic {
         if limit {
             program.add_load_factor(holds::that_work(forces_of(Loads::LIVE))?);
         }
-        Ok(Self { program, space, map, rigid, points, own })
+        Ok(Self { program, space, map, rigid, points, own, split })
     }
 }
 
@@ -433,11 +455,11 @@ impl Kinematic {
     ///
     /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones as in [`split_flow`].
     pub fn limit_forces(&self, model: &AnalysisModel, flow: Flow, loads: Loads) -> Vec<f64> {
-        let kind = |radius: &Option<f64>| match (radius, flow) {
+        let radii = model.yield_radii();
+        let inside = |e: usize| match (radii[model.mesh.tet_body[e] as usize], flow) {
             (Some(_), Flow::Split) => Inside::Flow,
             _ => Inside::Plain,
         };
-        let inside: Vec<Inside> = model.yield_radii().iter().map(kind).collect();
         shared_forces(model, &self.space, &self.map, &self.rigid, &inside, loads)
     }
 

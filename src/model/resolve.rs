@@ -10,7 +10,7 @@ mod names;
 mod parts;
 
 use super::analysis::AnalysisModel;
-use super::file::{AnalysisKind, ModelFile, Nodes};
+use super::file::{AnalysisKind, Friction, ModelFile, Nodes};
 use super::opening::ConeShift;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::TetMesh;
@@ -53,6 +53,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     unavailable(file, &mut faults);
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
     materials::check_units(file, &mesh, &mut notes);
+    materials::note_strengths(file, &mut notes);
     if ![1, 2, 4].contains(&file.symmetry) {
         let m = format!("`symmetry` is {}, it counts copies of the meshed part: 1, 2 or 4", file.symmetry);
         faults.add("model/value", "symmetry", m, "write 1, 2 or 4");
@@ -165,16 +166,24 @@ impl Faults<'_> {
     /// A thing of the contract that this version does not do yet.
     fn unavailable(&mut self, path: &str, what: &str) {
         let m = format!("{what} is not available yet in this version");
-        let help = "available: `analysis: elastic` and `analysis: limit` with tied interfaces, welds and contact, frictionless \
-                    (`mu: 0`) or with `friction: associated` or `coulomb`";
+        let help = "available: every `analysis` with tied interfaces, welds and contact, frictionless (`mu: 0`) or with \
+                    `friction: associated`; in elastic and in limit analysis also `friction: coulomb`";
         self.add("model/unavailable", path, m, help);
     }
 }
 
 fn unavailable(file: &ModelFile, faults: &mut Faults<'_>) {
-    match file.analysis {
-        AnalysisKind::Elastic | AnalysisKind::Limit => {}
-        AnalysisKind::Elastoplastic => faults.unavailable("analysis", "`analysis: elastoplastic`"),
+    if file.analysis == AnalysisKind::Elastoplastic {
+        let interfaces = file.interfaces.iter().map(|e| (e.mu, e.friction)).enumerate();
+        let interfaces = interfaces.map(|(i, law)| (format!("interfaces[{i}].friction"), law));
+        let supports = file.supports.iter().map(|e| (e.mu, e.friction)).enumerate();
+        let supports = supports.map(|(i, law)| (format!("supports[{i}].friction"), law));
+        for (path, _) in interfaces
+            .chain(supports)
+            .filter(|(_, (mu, law))| *law == Some(Friction::Coulomb) && mu.is_some_and(|mu| mu > 0.0))
+        {
+            faults.unavailable(&path, "`friction: coulomb` in an elastoplastic analysis");
+        }
     }
     for (i, p) in file.preload.iter().enumerate() {
         faults.unavailable(&format!("preload[{i}]"), &format!("preload (of body `{}`)", p.body));

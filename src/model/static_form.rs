@@ -188,6 +188,8 @@ pub struct Static<'a> {
     pub loads: Vec<f64>,
     /// Unknowns held against free rigid motions.
     pub pinned: Vec<usize>,
+    /// Radius of the yield surface of each tet as the program has it \[MPa\]; `None`: it stays elastic.
+    radii: Vec<Option<f64>>,
 }
 
 fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
@@ -254,14 +256,23 @@ fn forces(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], loads:
 impl<'a> Static<'a> {
     /// Builds the elastic program: no body yields.
     pub fn new(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, vec![None; model.mesh.bodies.len()], false)
+        Self::build(model, vec![None; model.mesh.tets.len()], false)
     }
 
     /// Builds the elastic, perfectly plastic program (Hencky): in bodies with a yield strength the stress parameters stay
     /// unknowns (maximised over) and every point of their linear stress satisfies von Mises; the others are condensed as in
     /// the elastic program.
     pub fn with_plasticity(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::build(model, model.yield_radii(), false)
+        Self::build(model, radii_of_tets(model), false)
+    }
+
+    /// The same with the yield condition only where `yields` says so, every radius `1 − room` of its own: the stress of an
+    /// interior-point method, brought into equilibrium to rounding, has that room to stay inside.
+    ///
+    /// The other tets stay elastic: a lower bound follows only where their stress is found admissible all the same.
+    pub fn with_plasticity_in(model: &'a AnalysisModel, yields: &[bool], room: f64) -> Result<Self, ModelError> {
+        let of = |(radius, yields): (Option<f64>, &bool)| radius.filter(|_| *yields).map(|r| (1.0 - room) * r);
+        Self::build(model, radii_of_tets(model).into_iter().zip(yields).map(of).collect(), false)
     }
 
     /// Builds the program of limit analysis: the largest load factor whose loads, with the dead ones, some stress within
@@ -269,17 +280,17 @@ impl<'a> Static<'a> {
     /// balanced as a whole. Initial gaps count as closed.
     pub fn limit(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
-        Self::build(model, model.yield_radii(), true)
+        Self::build(model, radii_of_tets(model), true)
     }
 
-    /// `radii`: radius of the yield surface of each body; `limit`: nothing is elastic.
+    /// `radii`: radius of the yield surface of each tet; `limit`: nothing is elastic.
     fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>, limit: bool) -> Result<Self, ModelError> {
         let counted = if limit { Loads::DEAD } else { Loads::ALL };
         let elements = SuperElements::new(model).under(counted);
         let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
         let points = Points { mesh: &model.mesh, faces: &elements.faces };
         let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces)?;
-        let radius = |e: usize| radii[model.mesh.tet_body[e] as usize];
+        let radius = |e: usize| radii[e];
         let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
         let mut p = assemble::<TRACTIONS, ModelError>(
             elastic.len(),
@@ -353,8 +364,14 @@ impl<'a> Static<'a> {
             program.add_load_factor(holds::that_work(forces(&elements, &map, &rigid, Loads::LIVE))?);
         }
         let welds = weld_face::rows(&map, weld_faces.into_iter().flat_map(|f| f.1));
-        Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own, welds })
+        Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own, welds, radii })
     }
+}
+
+/// Radius of the yield surface of each tet.
+fn radii_of_tets(model: &AnalysisModel) -> Vec<Option<f64>> {
+    let radii = model.yield_radii();
+    model.mesh.tet_body.iter().map(|b| radii[*b as usize]).collect()
 }
 
 /// Adds the cone of one contact vertex; false when nothing of it can move.
@@ -434,17 +451,31 @@ impl Static<'_> {
     /// Stress parameters of every element from the unknowns of a program, as [`SuperElement::stress`] takes them; zero in bodies
     /// that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
-        let radii = self.elements.model.yield_radii();
+        (0..self.elements.model.mesh.tets.len())
+            .into_par_iter()
+            .map(|e| Ok(self.own_parameters(e, &self.elements.element(e)?, x).unwrap_or([0.0; PARAMETERS])))
+            .collect()
+    }
+
+    /// Stress parameters of every element from the unknowns of an elastic, perfectly plastic program: an element's own, or
+    /// those that its faces' displacements strain it to.
+    pub fn all_parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
+        let v = self.map.expand(x);
         (0..self.elements.model.mesh.tets.len())
             .into_par_iter()
             .map(|e| {
-                let own = self.own.get(e..e + 2).map_or(&[][..], |own| &x[own[0]..own[1]]);
-                let radius = radii[self.elements.model.mesh.tet_body[e] as usize];
-                let (Some(radius), false) = (radius, own.is_empty()) else { return Ok([0.0; PARAMETERS]) };
-                let unit = yielding_super_element::parameter_unit(&self.elements.element(e)?, radius);
-                Ok(std::array::from_fn(|a| unit * own[a]))
+                let element = self.elements.element(e)?;
+                let strained = || element.parameters(&self.elements.dofs(e).map(|d| v[d]), true);
+                Ok(self.own_parameters(e, &element, x).unwrap_or_else(strained))
             })
             .collect()
+    }
+
+    /// The parameters of an element that has its own unknowns.
+    fn own_parameters(&self, e: usize, element: &SuperElement, x: &[f64]) -> Option<[f64; PARAMETERS]> {
+        let own = x.get(*self.own.get(e)?..*self.own.get(e + 1)?).filter(|own| !own.is_empty())?;
+        let unit = yielding_super_element::parameter_unit(element, self.radii[e]?);
+        Some(std::array::from_fn(|a| unit * own[a]))
     }
 
     /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]: what the elements' tractions, those of

@@ -1,13 +1,15 @@
 //! From a pass to the entry of its load case in `result.json`.
 
 use super::data::{
-    self, CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, Quantity, TraceRow, Upper, WeldUse,
+    self, CaseResult, Certificate, HistoryRow, LoadSize, PartYield, PeakPressure, Problem, Quantity, TraceRow, Upper,
+    WeldUse,
 };
 use super::progress::refusal_words;
 use crate::adapt::memory::peak_memory_mib;
 use crate::adapt::pass::{Pass, ProgramRun};
 use crate::bounds::certificate::TOLERANCE;
 use crate::bounds::faces::contact_faces;
+use crate::bounds::plastic_certificate::body_states;
 use crate::bounds::welds::utilisations;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
@@ -20,6 +22,8 @@ pub(super) fn program_run(run: &ProgramRun) -> data::ProgramRun {
     data::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
+        yielding_tets: run.yielding,
+        solves: run.yielding.map(|_| run.rounds),
         status: run.status.words().into(),
         assembly_seconds: Some(run.assembly_seconds),
         solve_seconds: Some(run.solve_seconds),
@@ -54,7 +58,7 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
         strict: l.is_none_or(|b| b.is_strict()) && u.is_none_or(|b| b.is_strict()),
         equilibrium: sc.map(|c| c.equilibrium),
         traction_jump: sc.map(|c| c.traction_jump),
-        yield_: sc.and_then(|c| c.weld).map(|used| used - 1.0),
+        yield_: sc.and_then(|c| c.yields.into_iter().chain(c.weld.map(|used| used - 1.0)).reduce(f64::max)),
         contact,
         compatibility: kc.map(|c| c.compatibility),
         volume: None,
@@ -182,6 +186,26 @@ pub(super) fn weld_uses(model: &AnalysisModel, used: Vec<f64>, share: Vec<f64>, 
     model.welds.iter().map(|w| w.name.clone()).enumerate().map(weld).collect()
 }
 
+/// What has become of each body that can yield.
+fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
+    let (motion, stress) = (pass.plastic.as_ref(), pass.stress.as_ref());
+    if motion.is_none() && stress.is_none() {
+        return Vec::new();
+    }
+    let states = body_states(model, motion, stress).into_iter().zip(&model.mesh.bodies);
+    states
+        .filter_map(|(state, name)| {
+            let s = state?;
+            Some(PartYield {
+                part: name.clone(),
+                utilisation: stress.map(|_| s.utilisation),
+                yielded: motion.map(|_| s.flowing),
+                dissipation: motion.map(|_| s.dissipation * f64::from(model.symmetry)),
+            })
+        })
+        .collect()
+}
+
 /// The entry of a load case after one pass.
 pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());
@@ -189,8 +213,14 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     let gap = pass.bracket.as_ref().map(|b| b.gap());
     let strict = pass.bracket.as_ref().is_some_and(|b| b.is_strict());
     let load = proportional_load(model).filter(|f| f.value() > 0.0 && strict);
+    let elastic = model.analysis == AnalysisKind::Elastic;
     let load_displacement = match (lower, upper, load) {
-        (Some(l), Some(u), Some(f)) => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
+        (Some(l), Some(u), Some(f)) if elastic => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
+        _ => None,
+    };
+    // −Π grows at least with the square of the load, for a part of a stress stays admissible: its slope is at least −2Π
+    let load_displacement_at_least = match (upper, load) {
+        (Some(u), Some(f)) if !elastic => Some((-2.0 * u / f.value()).max(0.0)),
         _ => None,
     };
     let peak = PeakPressure {
@@ -215,6 +245,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         fixed_point: pass.fixed_point.clone(),
         load,
         load_displacement,
+        load_displacement_at_least,
         certificate: certificate(pass),
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),
@@ -232,6 +263,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
             peak_memory_mib: peak_memory_mib(),
         }],
         dissipation: Vec::new(),
+        yielding: if elastic { Vec::new() } else { yielding(model, pass) },
         limiting_part: None,
         welds: weld_uses(
             model,

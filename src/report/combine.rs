@@ -1,6 +1,6 @@
 //! The result of several passes: the largest lower bound and the smallest upper one, each with all that belongs to it.
 
-use super::data::{CaseResult, Certificate, PeakPressure, Quantity, RawBracket, Upper};
+use super::data::{CaseResult, Certificate, PartYield, PeakPressure, Quantity, RawBracket, Upper};
 use crate::bounds::bracket::Contradiction;
 
 /// The passes that give the best bounds.
@@ -76,6 +76,9 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
         (None, None) => None,
         (u, l) => Some(PeakPressure { kinematic: u.and_then(|p| p.kinematic), static_: l.and_then(|p| p.static_) }),
     };
+    // what a stress tells is of the lower bound, what a motion tells of the upper one
+    let stress_of = |name: &str| lower.yielding.iter().find(|l| l.part == name).and_then(|l| l.utilisation);
+    let yielding = upper.yielding.into_iter().map(|u| PartYield { utilisation: stress_of(&u.part), ..u }).collect();
     let mut warnings = upper.warnings;
     for w in lower.warnings {
         if !warnings.contains(&w) {
@@ -90,6 +93,7 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
         frictionless: raw(lower.frictionless, upper.frictionless),
         associated: raw(lower.associated, upper.associated),
         limiting_part: lower.limiting_part,
+        yielding,
         peak_contact_pressure,
         warnings,
         ..upper

@@ -180,12 +180,19 @@ pub struct CaseResult {
     /// Residuals of the two fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
+    /// Elastic, perfectly plastic analysis: the load's own displacement at load factor 1 is at least so much \[mm; rad for a
+    /// moment\]; only where it is rigorous.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_displacement_at_least: Option<f64>,
     /// One row a mesh.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<HistoryRow>,
     /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dissipation: Vec<PartShare>,
+    /// Elastic, perfectly plastic analysis: what has become of each body that can yield, in the order of the bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub yielding: Vec<PartYield>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound; absent where a weld is nearer
     /// to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -224,6 +231,22 @@ pub struct WeldUse {
     /// Elastic kinds: the work it dissipates with the displacements of the upper bound, of the meshed part \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
+}
+
+/// What has become of a body that can yield.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartYield {
+    /// Name of the body.
+    pub part: String,
+    /// Largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Part of its volume where the upper bound's field has plastic strain, a fraction; an estimate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yielded: Option<f64>,
+    /// Plastic work of that field in all copies of the body \[N mm\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dissipation: Option<f64>,
 }
 
 /// The size of a load, not negative, at load factor 1.

@@ -12,7 +12,7 @@ use crate::model::opening::ConeShift;
 use crate::model::super_element::SuperElement;
 
 /// Name of the displacement array \[mm\].
-const DISPLACEMENT: &str = "displacement";
+pub(super) const DISPLACEMENT: &str = "displacement";
 /// Name of the array of velocities \[mm per unit of time\].
 const VELOCITY: &str = "velocity";
 /// Name of the load factor that a stress field balances.
@@ -51,7 +51,7 @@ impl From<FieldFileError> for crate::diag::Diagnostic {
     }
 }
 
-fn array(name: &str, components: usize, values: Vec<f64>) -> Array {
+pub(super) fn array(name: &str, components: usize, values: Vec<f64>) -> Array {
     (name.into(), components, values)
 }
 
@@ -111,9 +111,8 @@ pub fn velocity_grid(model: &AnalysisModel, field: &VelocityField, densities: Ve
     grid
 }
 
-/// A stress field at a lower bound, with the load factor it balances and the largest utilisation `‖dev σ‖/(√(2/3) f_y)` of each
-/// subtet.
-pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> VtuGrid {
+/// A stress field with the largest utilisation `‖dev σ‖/(√(2/3) f_y)` of each subtet.
+pub fn yielding_stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
     let mut grid = stress_grid(model, field);
     let radii = model.yield_radii();
     let norm = |s: &Mandel| mandel::deviator(s).iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -123,6 +122,12 @@ pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> Vt
         subtets.iter().map(move |s| s.iter().map(norm).fold(0.0, f64::max) / radius).collect::<Vec<_>>()
     });
     grid.cell_data.push(array("utilisation", 1, values.collect()));
+    grid
+}
+
+/// A stress field at a lower bound of the load factor, with the factor it balances.
+pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> VtuGrid {
+    let mut grid = yielding_stress_grid(model, field);
     grid.field_data.push(array(FACTOR, 1, vec![factor]));
     grid
 }
@@ -168,7 +173,7 @@ pub fn read_shift(model: &AnalysisModel, bytes: &[u8]) -> Result<ConeShift, Fiel
     Ok(ConeShift { faces: a.2.chunks_exact(6).map(|c| std::array::from_fn(|i| c[i])).collect() })
 }
 
-fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFileError> {
+pub(super) fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<(), FieldFileError> {
     let point = if found.len() != wanted.len() {
         Some(found.len().min(wanted.len()))
     } else {

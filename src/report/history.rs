@@ -64,6 +64,12 @@ pub struct ProgramRun {
     pub seconds: f64,
     /// Iterations of the solver.
     pub iterations: u32,
+    /// Elastic, perfectly plastic analysis: tets with a yield condition.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yielding_tets: Option<usize>,
+    /// Elastic, perfectly plastic analysis: solves, until no tet without a yield condition was beyond yield.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solves: Option<u32>,
     /// The solver's own word for how it ended.
     pub status: String,
     /// Part of `seconds` spent in assembly \[s\].

@@ -167,6 +167,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         fixed_point: None,
         load: only_load(model).filter(|l| l.value() > 0.0),
         load_displacement: None,
+        load_displacement_at_least: None,
         certificate,
         history: vec![HistoryRow {
             macro_tets: model.mesh.tets.len(),
@@ -184,6 +185,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
             peak_memory_mib: peak_memory_mib(),
         }],
         dissipation,
+        yielding: Vec::new(),
         limiting_part,
         welds: weld_uses(model, used, weld_shares, Vec::new()),
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),

@@ -18,6 +18,8 @@ mod limit_text;
 pub mod log;
 pub mod pace;
 pub mod page;
+pub mod plastic_file;
+mod plastic_text;
 pub mod plot;
 pub mod progress;
 pub mod raster;

@@ -73,6 +73,10 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             log.end(program);
             log.stage(format!("{case}: certifying the {name} field"));
         }
+        Event::Yielding { tets } => {
+            let tets = fixed(tets as f64, 0, Rounding::Nearest);
+            log.line(format!("{case}: the {name} program with yield conditions in {tets} tets"));
+        }
         Event::Frictionless => log.line(format!("{case}: the {name} program once more, without friction")),
         Event::Ended(run) => {
             log.end(program);

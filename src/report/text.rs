@@ -5,6 +5,7 @@ use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
+use super::plastic_text::{displacement, yielding};
 use super::{checks_text, comparison, summary};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
@@ -34,7 +35,10 @@ pub fn report_markdown(data: &ReportData) -> String {
     for picture in &data.pictures {
         paragraph(&mut page, &format!("![{}]({})", inline(&picture.caption), picture.file));
     }
-    data.result.cases.iter().for_each(|case| mechanism(&mut page, case));
+    for case in &data.result.cases {
+        mechanism(&mut page, case);
+        yielding(&mut page, case);
+    }
     warnings(&mut page, data);
     joint(&mut page, data);
     heading(&mut page, "Input");
@@ -239,6 +243,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
                 _ => format!(": with {} it does not bracket a displacement", with.join(" and ")),
             };
             paragraph(page, &format!("The bracket is one of the energy only{why}."));
+            displacement(page, case);
         }
         (Quantity::LoadFactor, _) => collapse(page, case),
     }
@@ -527,6 +532,13 @@ fn limits(data: &ReportData) -> Vec<String> {
     ];
     if kinds.contains(&AnalysisKind::Elastic) {
         out.push("Elastic analysis: no part yields, whatever its stress.".into());
+    }
+    if kinds.contains(&AnalysisKind::Elastoplastic) {
+        out.push(
+            "Elastic, perfectly plastic analysis (Hencky): all loads grow together from zero and nothing that has yielded unloads; no \
+             hardening, no strain limit."
+                .into(),
+        );
     }
     if limit {
         out.push("Limit analysis: rigid, perfectly plastic material with enough ductility to redistribute; no strain limit is checked.".into());

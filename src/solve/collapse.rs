@@ -28,7 +28,10 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
     }
     let columns: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(m)).collect();
     let mut g = Csr { ncols: n, ..Csr::default() };
-    for r in 0..program.h.len() {
+    // yield points resist no rigid motion
+    let rows = program.g.nrows();
+    let contacts = program.cone_starts().iter().take_while(|s| **s < rows).count();
+    for r in 0..rows {
         let row: Vec<(u32, f64)> = (0..n).map(|c| (c as u32, columns[c][r])).collect();
         g.push_row(&row);
     }
@@ -38,9 +41,9 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
         p: identity,
         q: q.iter().map(|x| x / size).collect(),
         c: 0.0,
-        h: vec![0.0; program.h.len()],
+        h: vec![0.0; rows],
         g,
-        cones: program.cones.clone(),
+        cones: program.cones[..contacts].to_vec(),
         ..ConicProgram::default()
     };
     let solution = clarabel::solve(&small, &SolveOptions { progress: None, ..options.clone() });
@@ -61,7 +64,7 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
     if length < EXCESS || work < EXCESS * length || worst < -VIOLATION * largest {
         return None;
     }
-    let mut x = vec![0.0; program.p.n];
+    let mut x = vec![0.0; program.unknowns()];
     for (mode, w) in modes.iter().zip(&solution.x) {
         x.iter_mut().zip(mode).for_each(|(x, m)| *x += w * m);
     }

@@ -158,6 +158,6 @@ fn linear_solution(program: &ConicProgram, factor: &SparseCholesky) -> Solution 
 }
 
 fn failed(program: &ConicProgram) -> Solution {
-    let (x, z) = (vec![0.0; program.p.n], vec![0.0; program.h.len()]);
+    let (x, z) = (vec![0.0; program.unknowns()], vec![0.0; program.h.len()]);
     Solution { status: SolveStatus::NumericalError, x, z, iterations: 0, seconds: 0.0 }
 }

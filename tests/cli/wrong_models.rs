@@ -52,7 +52,6 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "no body has a yield strength and no interface can open or slip",
         "bodies without one are rigid",
     ),
-    ("analysis: elastic", "analysis: elastoplastic", "model/unavailable", 2, "elastoplastic", "`analysis: limit`"),
     ("mesh: m.msh", "mesh: n.msh", "model/no-mesh", 1, "no mesh file `n.msh`", "relative to the model file"),
     (
         "  - {face: X0, fix: [x, y, z]}",

@@ -53,6 +53,7 @@ fn case(name: &str) -> CaseResult {
         fixed_point: None,
         load: Some(LoadSize::Force(3_513_363.0)),
         load_displacement: Some([0.181_53, 0.190_246]),
+        load_displacement_at_least: None,
         certificate: Some(Certificate {
             strict: true,
             equilibrium: Some(3.141e-13),
@@ -78,6 +79,7 @@ fn case(name: &str) -> CaseResult {
             peak_memory_mib: Some(1024),
         }],
         dissipation: vec![],
+        yielding: vec![],
         limiting_part: None,
         welds: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),

@@ -4,7 +4,7 @@ use super::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;
-use crate::model::file::ModelFile;
+use crate::model::file::{AnalysisKind, ModelFile};
 
 /// Materials in the order of their names, and the material of each body.
 pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) -> (Vec<Material>, Vec<u32>) {
@@ -51,6 +51,15 @@ pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) ->
         body_material.push(file.materials.keys().position(|n| n == material).unwrap_or(0) as u32);
     }
     (materials, body_material)
+}
+
+/// Notes where nothing can yield though it is asked for.
+pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
+    if file.analysis == AnalysisKind::Elastoplastic && file.materials.values().all(|m| m.fy.is_none()) {
+        notes.push(
+            "no material has a yield strength `fy`: the elastic, perfectly plastic analysis is an elastic one".into(),
+        );
+    }
 }
 
 /// Notes where the numbers look like another unit.

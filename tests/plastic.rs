@@ -1,0 +1,17 @@
+//! Elastic, perfectly plastic analysis: strict brackets of energies known in closed form, the elastic ones below first yield, no
+//! equilibrium beyond the limit load, and random assemblies.
+#![allow(clippy::unwrap_used)]
+
+#[path = "plastic/adaptive.rs"]
+mod adaptive;
+#[path = "plastic/certified.rs"]
+mod certified;
+mod common;
+#[path = "plastic/exact.rs"]
+mod exact;
+#[path = "plastic/random.rs"]
+mod random;
+#[path = "plastic/sphere.rs"]
+mod sphere;
+#[path = "plastic/welds.rs"]
+mod welds;

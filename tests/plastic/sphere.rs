@@ -1,0 +1,107 @@
+//! A11: the hollow sphere under internal pressure, partly plastic.
+//!
+//! ```text
+//!      b = 2a     octant, symmetry planes x = y = z = 0
+//!    .-''-.
+//!   (  ()  )  p in the bore; plastic from a to c
+//!    '-..-'
+//! ```
+//! Source: R. Hill, The Mathematical Theory of Plasticity (1950), chapter V.2: first yield at p = ⅔ s0 (1 − a³/b³) = 0.583333 s0; plastic
+//! to c at p = 2 s0 ln(c/a) + ⅔ s0 (1 − c³/b³), for c = 1.5a 1.196347 s0, where the bore moves by 1.88396 s0 a/E (ν = 0.3). The load
+//! is proportional and nothing unloads, so Hencky's material is the one of flow; −Π is the integral of 4πa² u_a(p) dp.
+//!
+//! The smooth form need not lie in the bracket of the facetted body: facets of N and of 2N segments on meshes of the same fineness,
+//! as in the elastic test of the same sphere. Coarse layers need no widening: both numbers are strict for the mesh's body.
+
+use crate::certified::{plastic_model, strict};
+use crate::common::prism::Prism;
+use crate::common::yielding::{E, FY, NU};
+use std::f64::consts::PI;
+
+const A: f64 = 10.0;
+
+/// Radial displacement of the bore at a plastic radius c, over s0 a/E: elastic change of volume everywhere.
+fn bore(c: f64) -> f64 {
+    let b = 2.0;
+    // u(r) = s0 [ (1 − ν) c³/r² − ⅔ (1 − 2ν) r (3 ln(c/r) + 1 − c³/b³) ] / E for a ≤ r ≤ c, at r = a = 1
+    (1.0 - NU) * c.powi(3) - 2.0 / 3.0 * (1.0 - 2.0 * NU) * (3.0 * c.ln() + 1.0 - c.powi(3) / (b * b * b))
+}
+
+fn pressure(c: f64) -> f64 {
+    2.0 * c.ln() + 2.0 / 3.0 * (1.0 - c.powi(3) / 8.0)
+}
+
+/// −Π over 4πa³ s0²/E at plastic radius c: ∫ u dp by Simpson's rule from first yield on.
+fn energy(c: f64) -> f64 {
+    let n = 2000;
+    let elastic = 0.5 * bore(1.0) * pressure(1.0);
+    let at = |i: usize| 1.0 + (c - 1.0) * i as f64 / n as f64;
+    let term = |i: usize| {
+        let weight = if i == 0 || i == n { 1.0 } else { [2.0, 4.0][i % 2] };
+        // dp/dc = 2/c − c²/4
+        weight * bore(at(i)) * (2.0 / at(i) - at(i) * at(i) / 4.0)
+    };
+    elastic + (c - 1.0) / (3.0 * n as f64) * (0..=n).map(term).sum::<f64>()
+}
+
+fn radius(t: f64) -> f64 {
+    A * 2f64.powf(t)
+}
+
+/// Direction of barycentric l on the octahedron-based sphere of n segments a quarter, flat between its vertices.
+fn direction(l: [f64; 3], n: usize) -> [f64; 3] {
+    let vertex = |v: [f64; 3]| {
+        let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        v.map(|c| c / size)
+    };
+    let s = l.map(|c| c * n as f64);
+    let k = s.map(|c| (c + 1e-9).floor());
+    let f: [f64; 3] = std::array::from_fn(|d| (s[d] - k[d]).max(0.0));
+    let sum: f64 = f.iter().sum();
+    if sum < 0.5 {
+        return vertex(k);
+    }
+    let up = sum < 1.5;
+    let mut x = [0.0; 3];
+    for d in 0..3 {
+        // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
+        let corner = vertex(std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up))));
+        let w = if up { f[d] } else { 1.0 - f[d] };
+        (0..3).for_each(|d| x[d] += w * corner[d]);
+    }
+    x
+}
+
+fn bracket(p: f64, facets: usize) -> [f64; 2] {
+    let mesh = Prism { n: 6, layers: 5 }.mesh(|l, t| direction(l, facets).map(|c| radius(t) * c));
+    let m = plastic_model(
+        &format!(
+            "bodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n- {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\n\
+             loads:\n- {{face: BOTTOM, pressure: {:?}}}\n",
+            p * FY
+        ),
+        mesh,
+    );
+    strict(&format!("A11 p = {p:.4} s0, {facets} facets"), &m)
+}
+
+#[test]
+fn a11_hollow_sphere() {
+    assert!((pressure(1.0) - 0.583_333).abs() < 1e-6 && (pressure(1.5) - 1.196_347).abs() < 1e-6);
+    assert!((bore(1.5) - 1.883_96).abs() < 1e-5 && (energy(1.5) - 0.723_19).abs() < 1e-5, "{}", energy(1.5));
+    let unit = 4.0 * PI * A.powi(3) * FY * FY / E / 8.0;
+    for c in [1.0, 1.5] {
+        let exact = -energy(c) * unit;
+        let [coarse, fine] = [3, 6].map(|facets| bracket(pressure(c), facets));
+        let middle = |b: [f64; 2]| 0.5 * (b[0] + b[1]);
+        let facet = (middle(coarse) - middle(fine)).abs();
+        println!(
+            "A11, c = {c} a: exact {exact:.6e}, bracket {:+.2e} {:+.2e} (relative), facets {:.2e}",
+            fine[0] / exact - 1.0,
+            fine[1] / exact - 1.0,
+            facet / exact.abs()
+        );
+        assert!(fine[0] - 0.5 * facet <= exact && exact <= fine[1] + 0.5 * facet, "{fine:?} {exact} {facet}");
+        assert!(facet < 0.1 * exact.abs(), "the facets are no small matter: {facet}");
+    }
+}
