@@ -91,7 +91,7 @@ fn a_clamped_cube_yields_at_its_foot() {
     }
     let (kinematic, stress) = (grid(&bench, "kinematic"), grid(&bench, "static"));
     let flow = &kinematic.cell_array("equivalent_plastic_strain").expect("plastic strain").2;
-    assert!(flow.iter().any(|p| *p > 1e-6) && flow.iter().any(|p| *p == 0.0));
+    assert!(flow.iter().any(|p| *p > 1e-6) && flow.contains(&0.0));
     let gap: f64 = kinematic.cell_array("gap_contribution_N_mm").expect("contributions").2.iter().sum();
     assert!((gap - (upper - lower)).abs() < 1e-8 * upper.abs(), "{gap}");
     let used = &stress.cell_array("utilisation").expect("utilisations").2;
