@@ -40,6 +40,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
             Event::Slips { .. } => "slips".into(),
             Event::Certify => "certify".into(),
             Event::Frictionless => "frictionless".into(),
+            Event::Yielding { tets } => format!("yielding {tets}"),
             Event::Ended(run) => format!("ended {}", run.status.words()),
         };
         kept.lock().expect("whole").push(format!("{} {word}", program.name()));
