@@ -13,7 +13,6 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "no body has a yield strength and no interface can open or slip",
         "bodies without one are rigid",
     ),
-    ("analysis: elastic", "analysis: elastoplastic", "model/unavailable", 2, "elastoplastic", "elastic"),
     ("E: 210000", "E: -1", "model/value", 3, "`E` of material `steel` is -1, it must be > 0", "210000"),
     ("nu: 0.3}", "nu: 0.5}", "model/value", 3, "`nu` of material `steel` is 0.5", "0.4999"),
     ("nu: 0.3}", "nu: .nan}", "yaml/not-finite", 3, "materials.steel.nu", "finite"),
