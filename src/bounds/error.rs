@@ -15,10 +15,10 @@ use super::fields::{DisplacementField, StressField};
 use super::flow::{VelocityField, pieces};
 use super::limit_certificate::dissipation_densities;
 use super::plastic_certificate::{dissipated, stress_at_points};
-use super::plastic_field::{PlasticField, at_points};
+use super::plastic_field::{PlasticField, at_points, tensor};
 use super::welds;
 use crate::math::Sum;
-use crate::math::mandel::{self, Mandel, deviator};
+use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{TRIANGLE_4, tetrahedron_mass, triangle_p2};
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
@@ -148,16 +148,8 @@ pub fn plastic_contributions(model: &AnalysisModel, field: &PlasticField, s: &St
             let trial = stress_at_points(model, &space, field, &materials[body], e);
             let difference = minus(&s.points[e], &trial);
             let elastic = 0.5 * integrate(volume, &materials[body], &difference, &difference);
-            let plastic = field.plastic_at_points(e);
-            let mut work = 0.0;
-            for (s, p) in s.points[e].iter().zip(&plastic) {
-                let s = s.map(|s| deviator(&s));
-                for (i, s) in s.iter().enumerate() {
-                    for (j, p) in p.iter().enumerate() {
-                        work += tetrahedron_mass(i, j) * (0..5).map(|a| s[a] * p[a]).sum::<f64>();
-                    }
-                }
-            }
+            let plastic = field.plastic_at_points(e).map(|p| p.map(|p| tensor(&p)));
+            let work: f64 = s.points[e].iter().zip(&plastic).map(|(s, p)| mean_product(s, p)).sum();
             elastic + dissipated(&field.pieces(model, &space, e), radii[body]) - 0.25 * volume * work
         })
         .collect();

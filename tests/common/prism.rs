@@ -73,3 +73,27 @@ impl Prism {
         mesh
     }
 }
+
+/// Direction of barycentric `l` on the octahedron-based sphere of `n` segments a quarter, flat between its vertices.
+pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
+    let vertex = |v: [f64; 3]| {
+        let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        v.map(|c| c / size)
+    };
+    let s = l.map(|c| c * n as f64);
+    let k = s.map(|c| (c + 1e-9).floor());
+    let f: [f64; 3] = std::array::from_fn(|d| (s[d] - k[d]).max(0.0));
+    let sum: f64 = f.iter().sum();
+    if sum < 0.5 {
+        return vertex(k);
+    }
+    let up = sum < 1.5;
+    let mut x = [0.0; 3];
+    for d in 0..3 {
+        // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
+        let corner = vertex(std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up))));
+        let w = if up { f[d] } else { 1.0 - f[d] };
+        (0..3).for_each(|i| x[i] += w * corner[i]);
+    }
+    x
+}

@@ -13,36 +13,12 @@
 //! at 2N. The bracket at 2N is widened by half the difference (the middles are no exact factors).
 
 use crate::certified::factors;
-use crate::common::prism::Prism;
+use crate::common::prism::{Prism, facetted_direction};
 use crate::common::yielding::model;
-
-/// The vertex of a facetted octant in the direction `l`; flat between `n` segments a quarter.
-fn direction(l: [f64; 3], n: usize) -> [f64; 3] {
-    let vertex = |v: [f64; 3]| {
-        let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-        v.map(|c| c / size)
-    };
-    let s = l.map(|c| c * n as f64);
-    let k = s.map(|c| (c + 1e-9).floor());
-    let f: [f64; 3] = std::array::from_fn(|d| (s[d] - k[d]).max(0.0));
-    let sum: f64 = f.iter().sum();
-    if sum < 0.5 {
-        return vertex(k);
-    }
-    let mut x = [0.0; 3];
-    let up = sum < 1.5;
-    for d in 0..3 {
-        // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
-        let corner = vertex(std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up))));
-        let w = if up { f[d] } else { 1.0 - f[d] };
-        (0..3).for_each(|i| x[i] += w * corner[i]);
-    }
-    x
-}
 
 fn sphere(segments: usize, layers: usize, facets: usize) -> [f64; 2] {
     let radius = |t: f64| 10.0 * 2f64.powf(t);
-    let mesh = Prism { n: segments, layers }.mesh(|l, t| direction(l, facets).map(|c| radius(t) * c));
+    let mesh = Prism { n: segments, layers }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let tets = mesh.tets.len();
     let m = model(
         "bodies: {B: s}\nsupports:\n- {face: S0, fix: [x]}\n- {face: S1, fix: [y]}\n- {face: S2, fix: [z]}\n\

@@ -15,7 +15,7 @@
 //! difference of the two brackets' middles is the error left at 2N; the bracket at 2N is widened by half the
 //! difference (a half instead of a third: the middles are no exact energies).
 
-use crate::common::prism::Prism;
+use crate::common::prism::{Prism, facetted_direction};
 use crate::common::solved::solve;
 use crate::common::{Block, mapped};
 use std::f64::consts::PI;
@@ -78,35 +78,8 @@ fn a17_thick_cylinder() {
 #[test]
 fn a13_hollow_sphere() {
     let segments = 6;
-    // direction of barycentric l on the octahedron-based sphere of n segments a quarter, flat between its vertices
-    let direction = |l: [f64; 3], n: usize| -> [f64; 3] {
-        let vertex = |v: [f64; 3]| {
-            let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-            v.map(|c| c / size)
-        };
-        let s = l.map(|c| c * n as f64);
-        let k = s.map(|c| (c + 1e-9).floor());
-        let f: [f64; 3] = std::array::from_fn(|d| (s[d] - k[d]).max(0.0));
-        let sum: f64 = f.iter().sum();
-        let mut x = [0.0; 3];
-        let mut add = |w: f64, corner: [f64; 3]| {
-            let v = vertex(corner);
-            (0..3).for_each(|d| x[d] += w * v[d]);
-        };
-        if sum < 0.5 {
-            return vertex(k);
-        }
-        let up = sum < 1.5;
-        for d in 0..3 {
-            // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
-            let corner = std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up)));
-            let w = if up { f[d] } else { 1.0 - f[d] };
-            add(w, corner);
-        }
-        x
-    };
     let run = |facets: usize| {
-        let mesh = Prism { n: segments, layers: 4 }.mesh(|l, t| direction(l, facets).map(|c| radius(t) * c));
+        let mesh = Prism { n: segments, layers: 4 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
         let yaml = format!(
             "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n\
              - {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\nloads:\n- {{face: BOTTOM, pressure: {P:?}}}\n"

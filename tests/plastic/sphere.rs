@@ -14,7 +14,7 @@
 //! as in the elastic test of the same sphere. Coarse layers need no widening: both numbers are strict for the mesh's body.
 
 use crate::certified::{plastic_model, strict};
-use crate::common::prism::Prism;
+use crate::common::prism::{Prism, facetted_direction};
 use crate::common::yielding::{E, FY, NU};
 use std::f64::consts::PI;
 
@@ -48,32 +48,8 @@ fn radius(t: f64) -> f64 {
     A * 2f64.powf(t)
 }
 
-/// Direction of barycentric l on the octahedron-based sphere of n segments a quarter, flat between its vertices.
-fn direction(l: [f64; 3], n: usize) -> [f64; 3] {
-    let vertex = |v: [f64; 3]| {
-        let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-        v.map(|c| c / size)
-    };
-    let s = l.map(|c| c * n as f64);
-    let k = s.map(|c| (c + 1e-9).floor());
-    let f: [f64; 3] = std::array::from_fn(|d| (s[d] - k[d]).max(0.0));
-    let sum: f64 = f.iter().sum();
-    if sum < 0.5 {
-        return vertex(k);
-    }
-    let up = sum < 1.5;
-    let mut x = [0.0; 3];
-    for d in 0..3 {
-        // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
-        let corner = vertex(std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up))));
-        let w = if up { f[d] } else { 1.0 - f[d] };
-        (0..3).for_each(|d| x[d] += w * corner[d]);
-    }
-    x
-}
-
 fn bracket(p: f64, facets: usize) -> [f64; 2] {
-    let mesh = Prism { n: 6, layers: 5 }.mesh(|l, t| direction(l, facets).map(|c| radius(t) * c));
+    let mesh = Prism { n: 6, layers: 5 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let m = plastic_model(
         &format!(
             "bodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n- {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\n\
