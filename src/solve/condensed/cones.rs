@@ -83,11 +83,13 @@ impl Cones {
         c
     }
 
-    /// By how much the eigenvalues of `v` lie outside `[low, high]`; above it by at most `high`.
-    pub fn outside(&self, v: &[f64], low: f64, high: f64) -> Vec<f64> {
-        let excess = |e: f64| (e - e.clamp(low, high)).min(high);
+    /// By how much the eigenvalues of `v` lie outside `span` times the target of their cone (at its first row); above it by at
+    /// most the upper end.
+    pub fn outside(&self, v: &[f64], targets: &[f64], span: (f64, f64)) -> Vec<f64> {
         let mut out = vec![0.0; self.rows];
         for &(s, d) in &self.blocks {
+            let (low, high) = (span.0 * targets[s], span.1 * targets[s]);
+            let excess = |e: f64| (e - e.clamp(low, high)).min(high);
             if d == 1 {
                 out[s] = excess(v[s]);
                 continue;
@@ -105,6 +107,11 @@ impl Cones {
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
         self.blocks.iter().fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
+    }
+
+    /// Largest step of each cone for itself.
+    pub fn own_steps<'a>(&'a self, x: &'a [f64], dx: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        self.blocks.iter().map(|&(s, d)| step_in(&x[s..s + d], &dx[s..s + d]))
     }
 }
 
@@ -293,14 +300,14 @@ mod tests {
         let cones = Cones::new(&[Cone::NonNegative, Cone::SecondOrder(3), Cone::SecondOrder(3)]);
         // eigenvalues 0.05; −4 and 6; 0.5 and 1.5
         let v = [0.05, 1.0, 3.0, -4.0, 1.0, 0.3, 0.4];
-        let out = cones.outside(&v, 0.1, 10.0);
+        let out = cones.outside(&v, &cones.identity(), (0.1, 10.0));
         let kept: Vec<f64> = v.iter().zip(&out).map(|(a, b)| a - b).collect();
         assert!((kept[0] - 0.1).abs() < 1e-15);
         let n = norm(&kept[2..4]);
         assert!((kept[1] - n - 0.1).abs() < 1e-14 && (kept[1] + n - 6.0).abs() < 1e-14, "{kept:?}");
         assert_eq!(out[4..], [0.0; 3]);
         // far above the range only as much as the range is high
-        assert_eq!(cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0.1, 10.0)[0], 10.0);
+        assert_eq!(cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], &cones.identity(), (0.1, 10.0))[0], 10.0);
     }
 
     #[test]

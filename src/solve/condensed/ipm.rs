@@ -13,6 +13,7 @@ use super::cones::{Scaling, dot};
 use super::correction::Correction;
 use super::problem::{Problem, largest};
 use super::system::{CondensedSystem, Solved};
+use super::targets::Targets;
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
@@ -26,7 +27,7 @@ const STALLED: f64 = 0.9;
 const DIRECTION_ERROR: f64 = 0.01;
 /// Centrality correctors at most in an iteration; of limit analysis, where contacts end steps early.
 const CORRECTORS: usize = 2;
-const LIMIT_CORRECTORS: usize = 4;
+const LIMIT_CORRECTORS: usize = 8;
 /// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a solve, with what goes with it,
 /// then costs less than a tenth of a factor.
 const DENSE_FACTOR: f64 = 1500.0;
@@ -266,8 +267,12 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let ll = cones.product(&scaling.lambda, &scaling.lambda);
         let (newton, affine) = Newton::new(problem, &scaling, system, &p, &r, &ll);
         let a = newton.step(&affine).min(1.0);
-        let sigma = (1.0 - a).powi(3);
-        let d = newton.corrected(&affine, &ll, sigma, mu);
+        let targets = if problem.program.live.is_empty() {
+            Targets::common(cones, a, mu)
+        } else {
+            Targets::own(cones, newton.own_steps(&affine), mu)
+        };
+        let d = newton.corrected(&affine, &ll, &targets);
         let a = (TO_THE_SURFACE * newton.step(&d)).min(1.0);
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
@@ -445,17 +450,20 @@ impl<'a> Newton<'a> {
 
     /// Mehrotra's direction: centred, and corrected for the second-order term of the affine direction. In limit analysis, where
     /// affine steps are short and their second-order terms not to be trusted, only for as much of it as lengthens the step.
-    fn corrected(&self, affine: &Direction, ll: &[f64], sigma: f64, mu: f64) -> Direction {
+    fn corrected(&self, affine: &Direction, ll: &[f64], targets: &Targets) -> Direction {
         let (cones, p) = (&self.problem.cones, self.point);
-        let cross = cones.product(&self.scaling.apply_inverse(cones, &affine.s), &self.scaling.apply(cones, &affine.z));
-        let identity = cones.identity();
-        let products = |part: f64| -> Vec<f64> {
-            (0..ll.len()).map(|i| ll[i] + part * cross[i] - sigma * mu * identity[i]).collect()
-        };
-        let scalar = |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - sigma * mu;
+        let mut cross =
+            cones.product(&self.scaling.apply_inverse(cones, &affine.s), &self.scaling.apply(cones, &affine.z));
+        for (&(at, d), part) in cones.blocks.iter().zip(&targets.trusted) {
+            cross[at..at + d].iter_mut().for_each(|v| *v *= part);
+        }
+        let sigma = targets.sigma;
+        let products =
+            |part: f64| -> Vec<f64> { (0..ll.len()).map(|i| ll[i] + part * cross[i] - targets.products[i]).collect() };
+        let scalar = |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - targets.centre;
         if self.problem.program.live.is_empty() {
             let (ds, dk) = (products(1.0), scalar(1.0));
-            return self.centred(self.solve(&ds, dk, sigma), ds, dk, sigma, mu);
+            return self.centred(self.solve(&ds, dk, sigma), ds, dk, targets);
         }
         let ((a1, a2), (b1, b2)) = (self.right_hand_side(&products(0.0), sigma), self.right_hand_side(&cross, 1.0));
         let [(xa, za), (xb, zb)] = self.kkt([(&a1, &a2), (&b1, &b2)]);
@@ -468,14 +476,15 @@ impl<'a> Newton<'a> {
                 best = (part, step);
             }
         }
-        self.centred(centring.plus(best.0, &second), products(best.0), scalar(best.0), sigma, mu)
+        self.centred(centring.plus(best.0, &second), products(best.0), scalar(best.0), targets)
     }
 
-    /// The direction with complementarity products brought back towards the target `σ μ` where a longer step would leave
+    /// The direction with complementarity products brought back towards their targets where a longer step would leave
     /// them far behind or ahead (Gondzio's centrality correctors); each costs one solve and is kept only if the step grows.
-    fn centred(&self, mut d: Direction, mut ds: Vec<f64>, mut dk: f64, sigma: f64, mu: f64) -> Direction {
+    fn centred(&self, mut d: Direction, mut ds: Vec<f64>, mut dk: f64, targets: &Targets) -> Direction {
         let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
-        let target = sigma * mu;
+        let least = CENTRE.0 * targets.centre;
+        let most = CENTRE.1 * targets.centre;
         let mut step = self.step(&d).min(1.0);
         let correctors = match (self.problem.program.live.is_empty(), self.system.flops_per_entry() < DENSE_FACTOR) {
             (false, _) => LIMIT_CORRECTORS,
@@ -489,12 +498,12 @@ impl<'a> Newton<'a> {
             let longer = (step + LONGER).min(1.0);
             let (s, z) = (self.scaling.apply_inverse(cones, &d.s), self.scaling.apply(cones, &d.z));
             let ahead = |v: &[f64]| lambda.iter().zip(v).map(|(l, v)| l + longer * v).collect::<Vec<f64>>();
-            let excess = cones.outside(&cones.product(&ahead(&s), &ahead(&z)), CENTRE.0 * target, CENTRE.1 * target);
+            let excess = cones.outside(&cones.product(&ahead(&s), &ahead(&z)), &targets.products, CENTRE);
             let tk = (p.tau + longer * d.tau) * (p.kappa + longer * d.kappa);
-            let scalar = tk - tk.clamp(CENTRE.0 * target, CENTRE.1 * target);
+            let scalar = tk - tk.clamp(least, most);
             let next_ds: Vec<f64> = ds.iter().zip(&excess).map(|(a, b)| a + b).collect();
-            let next_dk = dk + scalar.min(CENTRE.1 * target);
-            let next = self.solve(&next_ds, next_dk, sigma);
+            let next_dk = dk + scalar.min(most);
+            let next = self.solve(&next_ds, next_dk, targets.sigma);
             let reached = self.step(&next).min(1.0);
             if reached < step + WORTH * LONGER {
                 break;
@@ -516,6 +525,13 @@ impl<'a> Newton<'a> {
         let s = (0..h.len()).map(|i| gx[i] + h[i] * tau - keep * r.f2[i]).collect();
         let kappa = -(dk + p.kappa * tau) / p.tau;
         Direction { x, s, z, tau, kappa }
+    }
+
+    /// Part of a direction, at most all of it, that stays in each cone for itself.
+    fn own_steps(&self, d: &Direction) -> Vec<f64> {
+        let (p, cones) = (self.point, &self.problem.cones);
+        let steps = cones.own_steps(&p.s, &d.s).zip(cones.own_steps(&p.z, &d.z));
+        steps.map(|(s, z)| s.min(z).min(1.0)).collect()
     }
 
     /// Largest step that stays in the cones.

@@ -12,6 +12,7 @@ pub mod ipm;
 pub mod panel;
 pub mod problem;
 pub mod system;
+pub mod targets;
 
 use super::Yardstick;
 use super::forecast::Forecast;
