@@ -22,6 +22,20 @@ const CASES: &[Case] = &[
         words: &["`HEB2O0` is not in the catalogue", "did you mean `HEB200`?", "bracket catalog list"],
     },
     Case {
+        old: "profile: IPE360, steel: S235",
+        new: "profile: IPE360, steel: S235, length: 6",
+        code: "spec/value",
+        path: "members.beam.length",
+        words: &["a system length of 6 mm", "from 100 mm to 100 m", "`length: 6 m`"],
+    },
+    Case {
+        old: "profile: IPE360, steel: S235",
+        new: "profile: IPE360, steel: S235, length: 6 kN",
+        code: "yaml/quantity",
+        path: "members.beam.length",
+        words: &["`6 kN` is not a length"],
+    },
+    Case {
         old: "plate: {thickness: 15,",
         new: "plate: {thickness: -15,",
         code: "spec/range",

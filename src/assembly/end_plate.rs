@@ -49,6 +49,9 @@ pub struct EndPlateEntry {
     pub flange_throat: Option<Expr>,
     /// Throat of the fillet welds of the beam's web; absent: butt welds.
     pub web_throat: Option<Expr>,
+    /// Length of beam that bends between the section that carries the actions and the plates, in a splice with that of the held
+    /// beam: its rotation is not the joint's. Absent: the analysis gives no stiffness of the joint.
+    pub bending_length: Option<Expr>,
     /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on one side alone. Load cases
     /// with actions at `ends` have their own.
     pub beta: Option<Expr>,
@@ -128,6 +131,10 @@ pub struct EndPlate {
     pub flange_throat: f64,
     /// Throat of the welds of the beam's web; 0 for butt welds.
     pub web_throat: f64,
+    /// Length of beam between the section that carries the actions and the plates; 0 where it is not known.
+    pub bending_length: f64,
+    /// System length of the beam, where the spec gives it.
+    pub system_length: Option<f64>,
     /// What the load cases put on the plates, a load case and member end each.
     pub actions: Vec<PlaneActions>,
     /// γ_M0.
@@ -223,6 +230,8 @@ pub fn end_plate(
         rib: or_none("rib", &entry.rib)?,
         flange_throat: or_none("flange_throat", &entry.flange_throat)?,
         web_throat: or_none("web_throat", &entry.web_throat)?,
+        bending_length: or_none("bending_length", &entry.bending_length)?,
+        system_length: spec.members.get(&entry.beam).and_then(|m| m.length).map(|l| l.0),
         actions,
         gamma_m0,
         gamma_m1,

@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
 const BOLT_ELASTIC: (f64, f64) = (210_000.0, 0.3);
+/// System lengths of members \[mm\].
+const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
 /// k2 of EN 1993-1-8:2005 Table 3.4 for bolts that are not countersunk.
 pub const K2: f64 = 0.9;
 
@@ -56,6 +58,16 @@ impl<'a> Inputs<'a> {
                 Err(e) => found(format!("members.{role}.steel"), e),
             }
         }
+        let lengths = spec.members.iter().filter_map(|(role, m)| Some((role, m.length?.0)));
+        for (role, length) in lengths.filter(|(_, l)| !SYSTEM_LENGTHS.contains(l)) {
+            faults.push(AssemblyError::Value {
+                path: format!("members.{role}.length"),
+                problem: format!("a system length of {length} mm; allowed: from 100 mm to 100 m"),
+                help: "give the distance between the centres of the columns, with its unit: `length: 6 m`".into(),
+            });
+        }
+        let mut found =
+            |path: String, cause: CatalogError| faults.push(AssemblyError::Catalog { path, cause: cause.into() });
         if let Some(name) = spec.plate.as_ref().and_then(|p| p.steel.as_ref()) {
             match catalog.steel(name) {
                 Ok(s) => drop(steels.insert("plate".into(), ("plate.steel".into(), s))),

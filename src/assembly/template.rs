@@ -12,12 +12,8 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The shipped templates: name and text.
-pub const SHIPPED: &[(&str, &str)] = &[
-    ("beam_splice", include_str!("../../templates/beam_splice.yaml")),
-    ("beam_to_column_end_plate", include_str!("../../templates/beam_to_column_end_plate.yaml")),
-    ("double_sided_end_plate", include_str!("../../templates/double_sided_end_plate.yaml")),
-];
+/// The shipped templates: name and text, in the order of the names. They are the files of `templates/`.
+pub const SHIPPED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
 /// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]

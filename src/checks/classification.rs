@@ -65,6 +65,17 @@ pub fn stiffness_limits(frame: Frame, stiff_columns: bool, young: f64, inertia: 
     }
 }
 
+impl StiffnessClass {
+    /// As a report says it.
+    pub fn words(self) -> &'static str {
+        match self {
+            StiffnessClass::Rigid => "rigid",
+            StiffnessClass::SemiRigid => "semi-rigid",
+            StiffnessClass::NominallyPinned => "nominally pinned",
+        }
+    }
+}
+
 impl StiffnessLimits {
     /// The class of an initial stiffness \[N mm/rad\].
     pub fn class(&self, initial: f64) -> StiffnessClass {

@@ -22,8 +22,10 @@ use std::f64::consts::SQRT_2;
 
 mod comparison;
 mod loaded;
+mod rotation;
 
 pub use comparison::Comparison;
+pub use rotation::{FrameClass, JointStiffness, PureMoment};
 
 /// Washers of a bolt, one under the head and one under the nut.
 const WASHERS: u32 = 2;
@@ -37,6 +39,8 @@ pub struct HandChecks {
     pub notes: Vec<String>,
     /// What the component method says of each load case with actions at a member end.
     pub comparisons: Vec<Comparison>,
+    /// The load cases that are one moment, whose rotation gives the stiffness of the joint.
+    pub moments: Vec<PureMoment>,
     /// Why the verdict of a limit analysis may not be OK: no rule of rotation capacity holds.
     pub brittle: Option<String>,
 }

@@ -13,5 +13,5 @@ pub mod eurocode;
 pub mod verdict;
 
 pub use check::{Check, Status, Step, Topic, Unit, Worked};
-pub use end_plate::{Comparison, HandChecks, hand_checks};
+pub use end_plate::{Comparison, HandChecks, JointStiffness, PureMoment, hand_checks};
 pub use error::CheckError;

@@ -21,6 +21,7 @@ use crate::model::file::{AnalysisKind, ModelFile};
 use crate::report::data::{CaseResult, HistoryRow, Quantity, ResultFile};
 use crate::report::demand::{Demand, EndAction};
 use crate::report::folder::ResultFolder;
+use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::plot::{Plot, Series};
@@ -242,6 +243,7 @@ pub fn finish(
             entry.utilisation = verdict::utilisation(lower, upper);
             entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
         }
+        entry.joint_stiffness = joint_stiffness(&entry, &echo.checks.moments);
         let stem = &stems[i];
         if pictures.is_empty() {
             pictures.push(mesh_picture(&upper.model, &echo.mirror, &folder)?);

@@ -94,7 +94,8 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         analysis: AnalysisSpec::default(),
     };
     for m in &template.members {
-        spec.members.insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone() });
+        spec.members
+            .insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), length: None });
     }
     if !template.bolts.is_empty() {
         spec.bolts = Some(BoltSpec { size: BOLT.0.into(), grade: BOLT.1.into(), gauge: None, rows: None });

@@ -6,8 +6,8 @@
 use super::demand::Demand;
 pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use crate::adapt::coulomb::FixedPointRun;
-use crate::checks::Check;
 pub use crate::checks::verdict::Verdict;
+use crate::checks::{Check, JointStiffness};
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;
 use serde::{Deserialize, Serialize};
@@ -177,6 +177,9 @@ pub struct CaseResult {
     /// it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement: Option<[f64; 2]>,
+    /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint_stiffness: Option<JointStiffness>,
     /// Residuals of the two fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,

@@ -12,6 +12,7 @@ pub mod field_files;
 pub mod figures;
 pub mod folder;
 mod history;
+pub mod joint_stiffness;
 mod lettering;
 pub mod limit_case;
 mod limit_text;

@@ -123,6 +123,9 @@ pub struct MemberSpec {
     pub profile: String,
     /// Steel grade in the catalogue: `S235`.
     pub steel: String,
+    /// System length, between the centres of the columns for a beam: it decides the class of its joints by stiffness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<Length>,
 }
 
 /// End plate.

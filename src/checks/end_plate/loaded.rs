@@ -7,8 +7,8 @@
 
 use super::comparison::{Comparison, Method};
 use super::{
-    Along, EndPlate, HandChecks, Sense, Status, Topic, Unit, Worked, assess, bearing, bearing_parts, bolt_tension,
-    joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
+    Along, EndPlate, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing, bearing_parts,
+    bolt_tension, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
 };
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
@@ -73,6 +73,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         found.extend(side.welds());
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
+        out.moments.extend(PureMoment::new(e, a, beta(e, a), &side.assessment));
     }
 }
 

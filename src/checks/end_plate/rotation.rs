@@ -1,0 +1,217 @@
+//! Initial stiffness of a joint from the rotation that an elastic analysis brackets, and its class.
+
+use super::{Assessment, EndPlate};
+use crate::assembly::PlaneActions;
+use crate::checks::classification::{Frame, StiffnessClass, stiffness_limits};
+use serde::{Deserialize, Serialize};
+
+/// Actions below this part of the moment (forces by the depth of the beam) are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A load case that is one moment My at a member end (or the same at the ends of two beams, that balance at a column): then the
+/// loaded section turns by φ = −2Π/M, and the energies bracket it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PureMoment {
+    /// Load case.
+    pub case: String,
+    /// Member end.
+    pub end: String,
+    /// |My| \[N mm\].
+    pub moment: f64,
+    /// M L/(E I_b) of the beam between the loaded section and the plates \[rad\]: Euler–Bernoulli, and without shear, for a moment
+    /// alone brings none.
+    pub beam_rotation: f64,
+    /// E I_b of the beam \[N mm²\].
+    pub flexural: f64,
+    /// System length of the beam \[mm\], where it is known.
+    pub system_length: Option<f64>,
+    /// Between a beam and a column: the boundaries of 5.2.2.5 hold.
+    pub column: bool,
+    /// The moment bends the column, so that its bending between the supports is a part of φ.
+    pub bends_column: bool,
+    /// S_j,ini of the component method \[N mm/rad\].
+    pub component_method: f64,
+}
+
+impl PureMoment {
+    /// The load case at a member end, if it is a moment alone and the template tells which length of beam bends.
+    pub(super) fn new(e: &EndPlate, a: &PlaneActions, beta: f64, assessment: &Assessment) -> Option<Self> {
+        let [[n, vy, vz], [torsion, my, mz]] = a.live;
+        let small = ROUNDING * my.abs();
+        let others = [n, vy, vz].map(|f| f * e.beam.h).into_iter().chain([torsion, mz]);
+        let dead = a.dead.iter().flatten().any(|x| *x != 0.0);
+        if my == 0.0 || dead || others.into_iter().any(|x| x.abs() > small) || e.bending_length <= 0.0 {
+            return None;
+        }
+        // cm⁴ → mm⁴
+        let flexural = e.beam_steel.e * 1e4 * e.beam.i_y;
+        Some(Self {
+            case: a.case.clone(),
+            end: a.end.clone(),
+            moment: my.abs(),
+            beam_rotation: my.abs() * e.bending_length / flexural,
+            flexural,
+            system_length: e.system_length,
+            column: e.column.is_some(),
+            bends_column: beta != 0.0,
+            component_method: assessment.stiffness.initial.value,
+        })
+    }
+}
+
+/// Bracket of S_j,ini. The rotation of the joint is what is left of that of the loaded section after the beam's bending; it holds
+/// plates, bolts, contact, column web and flanges, and where [`PureMoment::bends_column`] the bending of the column between its supports.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointStiffness {
+    /// Member ends, each under the moment.
+    pub ends: Vec<String>,
+    /// The moment \[N mm\].
+    pub moment: f64,
+    /// Bracket of the rotation of the loaded section \[rad\].
+    pub rotation: [f64; 2],
+    /// M L/(E I_b) of the beam, taken from it \[rad\].
+    pub beam_rotation: f64,
+    /// The bending of the column between its supports is a part of the joint's rotation.
+    pub contains_column: bool,
+    /// Lower bound of S_j,ini \[N mm/rad\].
+    pub lower: f64,
+    /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is no more than the beam's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<f64>,
+    /// S_j,ini of the component method \[N mm/rad\].
+    pub component_method: f64,
+    /// What the bracket says of the class, for braced frames and for others; empty in a splice.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub classes: Vec<FrameClass>,
+}
+
+/// The class of a joint by stiffness, as far as its bracket tells.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrameClass {
+    /// Kind of frame.
+    pub frame: Frame,
+    /// Beams of at least this system length make the joint rigid, whatever its stiffness within the bracket \[mm\].
+    pub rigid_from: f64,
+    /// Shorter beams certainly make it semi-rigid or pinned \[mm\]; absent without an upper bound of the stiffness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub not_rigid_below: Option<f64>,
+    /// Up to this system length it is nominally pinned \[mm\]; absent without an upper bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pinned_to: Option<f64>,
+    /// Classes of the lower and of the upper end of the bracket at the beam's system length: two different ones leave it undecided.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub class: Option<[StiffnessClass; 2]>,
+}
+
+impl JointStiffness {
+    /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the moments \[N mm\]; `None` where the load of
+    /// the analysis is anything else than these moments, equal ones at one end or two.
+    pub fn new(case: &[&PureMoment], total: f64, rotation: [f64; 2]) -> Option<Self> {
+        let first = *case.first()?;
+        let sum: f64 = case.iter().map(|m| m.moment).sum();
+        let alike = case.iter().all(|m| (m.moment / first.moment - 1.0).abs() <= 1e-9);
+        // two moments bracket the mean of two rotations; they are one rotation where the two balance
+        let balanced = case.len() == 1 || !first.bends_column;
+        if !alike || !balanced || (total / sum - 1.0).abs() > 1e-6 || rotation[1] <= first.beam_rotation {
+            return None;
+        }
+        let [low, high] = rotation.map(|phi| phi - first.beam_rotation);
+        let lower = first.moment / high;
+        let upper = (low > 0.0).then(|| first.moment / low);
+        let frames = [Frame::Braced, Frame::Unbraced].into_iter().filter(|_| first.column);
+        Some(Self {
+            ends: case.iter().map(|m| m.end.clone()).collect(),
+            moment: first.moment,
+            rotation,
+            beam_rotation: first.beam_rotation,
+            contains_column: first.bends_column,
+            lower,
+            upper,
+            component_method: first.component_method,
+            classes: frames.map(|frame| FrameClass::new(frame, first, lower, upper)).collect(),
+        })
+    }
+}
+
+impl FrameClass {
+    /// Lengths at which E I_b/L_b meets the boundaries of 5.2.2.5(1), and the class at the beam's own length.
+    fn new(frame: Frame, m: &PureMoment, lower: f64, upper: Option<f64>) -> Self {
+        let class = m.system_length.and_then(|length| {
+            let limits = stiffness_limits(frame, false, m.flexural, 1.0, length);
+            Some([limits.class(lower), limits.class(upper.unwrap_or(f64::INFINITY))])
+        });
+        Self {
+            frame,
+            rigid_from: frame.factor() * m.flexural / lower,
+            not_rigid_below: upper.map(|s| frame.factor() * m.flexural / s),
+            pinned_to: upper.map(|s| 0.5 * m.flexural / s),
+            class,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// E I = 1e12 N mm², 1 kN m, beam rotation 1 mrad.
+    fn moment(end: &str) -> PureMoment {
+        PureMoment {
+            case: "A".into(),
+            end: end.into(),
+            moment: 1e6,
+            beam_rotation: 1e-3,
+            flexural: 1e12,
+            system_length: Some(5000.0),
+            column: true,
+            bends_column: true,
+            component_method: 2e8,
+        }
+    }
+
+    /// φ between 3 and 6 mrad, 1 of them the beam's: S between 1/5 and 1/2 kN m/mrad. With E I/L = 0.2 kN m/mrad the boundaries are 0.1 and
+    /// 1.6 (braced) or 5 (other frames), so that the joint is semi-rigid; where a boundary lies inside the bracket the class is open.
+    #[test]
+    fn the_beam_is_taken_out_and_the_class_is_three_valued() {
+        let s = JointStiffness::new(&[&moment("r")], 1e6, [3e-3, 6e-3]).expect("one moment");
+        assert!((s.lower / 2e8 - 1.0).abs() < 1e-12 && s.upper.is_some_and(|u| (u / 5e8 - 1.0).abs() < 1e-12), "{s:?}");
+        assert_eq!(s.classes[0].class, Some([StiffnessClass::SemiRigid; 2]));
+        // k_b E I/S: 8 and 25 times 1e12/2e8, 0.5 times 1e12/5e8
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
+        assert!(near(s.classes[0].rigid_from, 40e3) && near(s.classes[1].rigid_from, 125e3), "{s:?}");
+        assert!(s.classes[0].pinned_to.is_some_and(|l| near(l, 1000.0)), "{s:?}");
+        assert!(s.classes[0].not_rigid_below.is_some_and(|l| near(l, 16e3)), "{s:?}");
+        let at = |length| {
+            let m = PureMoment { system_length: Some(length), ..moment("r") };
+            JointStiffness::new(&[&m], 1e6, [3e-3, 6e-3]).expect("one moment").classes[0].class
+        };
+        assert_eq!(at(41e3), Some([StiffnessClass::Rigid; 2]));
+        assert_eq!(at(30e3), Some([StiffnessClass::SemiRigid, StiffnessClass::Rigid]));
+        assert_eq!(at(990.0), Some([StiffnessClass::NominallyPinned; 2]));
+        assert_eq!(at(2000.0), Some([StiffnessClass::NominallyPinned, StiffnessClass::SemiRigid]));
+    }
+
+    /// A rotation that may be the beam's alone has no upper bound of the stiffness; one that is below it gives none at all.
+    #[test]
+    fn a_stiff_joint_may_have_no_upper_bound() {
+        let s = JointStiffness::new(&[&moment("r")], 1e6, [0.9e-3, 3e-3]).expect("one moment");
+        assert!(s.upper.is_none() && (s.lower / 5e8 - 1.0).abs() < 1e-12);
+        assert_eq!(s.classes[0].class, Some([StiffnessClass::SemiRigid, StiffnessClass::Rigid]));
+        assert!(s.classes[0].pinned_to.is_none() && s.classes[0].not_rigid_below.is_none());
+        assert!(JointStiffness::new(&[&moment("r")], 1e6, [0.5e-3, 0.9e-3]).is_none());
+    }
+
+    /// What moves the load must be these moments and nothing else; two of them only where they are equal and balance.
+    #[test]
+    fn other_loads_give_no_stiffness() {
+        let (right, left) = (moment("r"), moment("l"));
+        let phi = [3e-3, 6e-3];
+        assert!(JointStiffness::new(&[&right], 1.1e6, phi).is_none());
+        assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_none(), "they bend the column");
+        let [right, left] = [right, left].map(|m| PureMoment { bends_column: false, ..m });
+        assert!(JointStiffness::new(&[&right, &left], 2e6, phi).is_some());
+        let more = PureMoment { moment: 1.5e6, ..left };
+        assert!(JointStiffness::new(&[&right, &more], 2.5e6, phi).is_none());
+        assert!(JointStiffness::new(&[], 1e6, phi).is_none());
+    }
+}

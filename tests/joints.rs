@@ -1,0 +1,15 @@
+//! Joints from their specs: invariance of the bounds, verdicts of a bolted joint, T-stubs by their template.
+#![allow(clippy::unwrap_used)]
+
+#[path = "cli/bench.rs"]
+mod bench;
+#[path = "joints/built.rs"]
+mod built;
+#[path = "joints/invariance.rs"]
+mod invariance;
+#[path = "joints/stiffness.rs"]
+mod stiffness;
+#[path = "joints/t_stubs.rs"]
+mod t_stubs;
+#[path = "joints/verdicts.rs"]
+mod verdicts;

@@ -1,0 +1,52 @@
+//! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs run.
+
+use bracket::adapt::limit;
+use bracket::adapt::pass::{self, PassOptions, silent};
+use bracket::assembly::{self, Joint};
+use bracket::catalog::Catalog;
+use bracket::diag::Place;
+use bracket::mesh::TetMesh;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::model::file::{AnalysisKind, ModelFile};
+use bracket::model::from_joint::{cases, model_file};
+use bracket::model::resolve::resolve;
+use bracket::spec::ConnectionSpec;
+use bracket::spec::yaml;
+use std::path::Path;
+
+/// What a spec describes.
+pub fn joint(spec: &str) -> Joint {
+    let parsed = yaml::parse::<ConnectionSpec>(spec, Path::new("joint.yaml")).unwrap();
+    assembly::build(&parsed, Path::new("."), &Catalog::builtin().unwrap()).unwrap_or_else(|e| panic!("{e:#?}"))
+}
+
+/// Model file and mesh of the first load case, with elements `factor` times as large as usual; above 2 without planes at
+/// mid-thickness, for as few elements as possible.
+pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (ModelFile, TetMesh) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut options = MeshOptions::new(folder.path());
+    options.full = full;
+    options.sizes.factor = factor;
+    options.layers = factor <= 2.0;
+    let m = mesh_joint(&joint.assembly, &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
+    let case = &cases(&joint.assembly)[0];
+    (model_file(&joint.assembly, &m.mesh, &m.symmetry_used, "mesh.msh", case, kind), m.mesh)
+}
+
+/// Both strict bounds of the whole structure: energies \[N mm\] or load factors.
+pub fn bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
+    let model = resolve(file, mesh.clone(), &|_| Place::default()).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
+    let [lower, upper] = if file.analysis == AnalysisKind::Limit {
+        let pass = limit::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
+        assert!(b.is_strict(), "{name}: {b:?}");
+        [b.lower().value(), b.upper().value()]
+    } else {
+        let pass = pass::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
+        assert!(b.is_strict(), "{name}: {b:?}");
+        [b.lower().value(), b.upper().value()]
+    };
+    println!("{name}: {} tets, [{lower:.10e}, {upper:.10e}]", mesh.tets.len());
+    [lower, upper]
+}

@@ -1,0 +1,188 @@
+//! What must not change the bounds of a bolted joint: its mirror image, turned axes, another origin, the order of bolts and
+//! bodies; and what scales them in a known way.
+//!
+//! ```text
+//!            N ↑ ⟳ My → Vz
+//!          |   |           a pair of T-stubs with one bolt on either side of the web, pulled, sheared and bent: it is symmetric in
+//!      [H] |   | [H]       its length only, and every support, contact and load has a direction that must follow
+//!     +-----------+
+//!     +-----------+
+//! ```
+//!
+//! Each change is made to model file and mesh, so that the two programs are the same but for the numbers in them: the bounds
+//! must agree to the solver's tolerance (1e-8 of the energy in elastic analysis, 1e-4 of the load factor in limit analysis), not
+//! only to the gap.
+
+use crate::built::{bounds, joint, model};
+use bracket::mesh::TetMesh;
+use bracket::model::file::{AnalysisKind, Axis, ModelFile, Motion};
+
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+const MOTIONS: [Motion; 6] = [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
+
+/// Ends of solves: twice the solver's gap, for each of the two has its own; the first for energies, the second for factors.
+const TOLERANCE: [f64; 2] = [2e-8, 2e-4];
+
+fn spec(loads: &str, mu: f64) -> String {
+    format!(
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
+         parameters: {{length: 60, welded: true, flange_thickness: 20, flange_width: 160, web_thickness: 12, web_height: 30}}\n\
+         friction: {{mu: {mu}, law: associated}}\nloads: [{{name: ULS1, end: top, at: bolt_plane, {loads}}}]\n"
+    )
+}
+
+type M3 = [[f64; 3]; 3];
+
+fn apply(r: &M3, x: [f64; 3]) -> [f64; 3] {
+    r.map(|row| row[0] * x[0] + row[1] * x[1] + row[2] * x[2])
+}
+
+fn determinant(r: &M3) -> f64 {
+    let minor = |i: usize, j: usize| r[1][i] * r[2][j] - r[1][j] * r[2][i];
+    r[0][0] * minor(1, 2) - r[0][1] * minor(0, 2) + r[0][2] * minor(0, 1)
+}
+
+/// The model and its mesh after x → r x + d, with r orthogonal; moments are axial vectors. Supports and motions by component
+/// need an r that only exchanges axes and signs, unless all three components are named.
+fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, TetMesh) {
+    let (mut file, mut mesh) = (file.clone(), mesh.clone());
+    let det = determinant(r);
+    let point = |x: [f64; 3]| -> [f64; 3] {
+        let y = apply(r, x);
+        [0, 1, 2].map(|k| y[k] + d[k])
+    };
+    for x in &mut mesh.nodes {
+        *x = point(*x);
+    }
+    if det < 0.0 {
+        mesh.tets.iter_mut().for_each(|t| t.swap(0, 1));
+    }
+    let image = |k: usize| -> usize {
+        (0..3).find(|&i| (r[i][k].abs() - 1.0).abs() < 1e-12).expect("a turn that takes axes to axes")
+    };
+    for s in file.supports.iter_mut().filter(|s| s.fix.len() < 3) {
+        s.fix = s.fix.iter().map(|a| AXES[image(AXES.iter().position(|b| b == a).unwrap())]).collect();
+    }
+    for e in &mut file.rigid {
+        e.at = point(e.at);
+        [e.force, e.dead_force] = [e.force, e.dead_force].map(|f| apply(r, f));
+        [e.moment, e.dead_moment] = [e.moment, e.dead_moment].map(|m| apply(r, m).map(|x| det * x));
+        assert_eq!(e.components.len(), 3);
+        if e.free.len() < 6 {
+            let of = |m: &Motion| MOTIONS.iter().position(|n| n == m).unwrap();
+            e.free = e.free.iter().map(|m| MOTIONS[image(of(m) % 3) + of(m) / 3 * 3]).collect();
+        }
+    }
+    assert!(file.loads.is_empty() && file.dead.is_empty(), "only member ends are turned here");
+    (file, mesh)
+}
+
+/// The same model with bodies, tets, nodes and interfaces in another order, and the sides of each interface exchanged.
+fn reordered(file: &ModelFile, mesh: &TetMesh) -> (ModelFile, TetMesh) {
+    let (mut file, mut mesh) = (file.clone(), mesh.clone());
+    let (n, b) = (mesh.nodes.len() as u32, mesh.bodies.len() as u32);
+    mesh.nodes.reverse();
+    mesh.bodies.reverse();
+    mesh.tets.reverse();
+    mesh.tet_body.reverse();
+    mesh.tet_body.iter_mut().for_each(|k| *k = b - 1 - *k);
+    // turned round one of its corners, so that its first vertex is another one as well
+    mesh.tets.iter_mut().for_each(|t| *t = [t[1], t[2], t[0], t[3]].map(|v| n - 1 - v));
+    mesh.faces.reverse();
+    mesh.faces.iter_mut().flat_map(|f| &mut f.triangles).for_each(|t| *t = t.map(|v| n - 1 - v));
+    file.interfaces.reverse();
+    for i in &mut file.interfaces {
+        i.between = i.between.take().map(|[a, b]| [b, a]);
+    }
+    (file, mesh)
+}
+
+const ONE: M3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// x → y → z → x.
+const CYCLE: M3 = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+const MIRROR: M3 = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A turn about (1, 2, 3) by 0.7 rad (Rodrigues).
+fn turn() -> M3 {
+    let (s, c) = 0.7f64.sin_cos();
+    let k = [1.0, 2.0, 3.0].map(|x: f64| x / 14f64.sqrt());
+    let cross = [[0.0, -k[2], k[1]], [k[2], 0.0, -k[0]], [-k[1], k[0], 0.0]];
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| f64::from(i == j) * c + s * cross[i][j] + (1.0 - c) * k[i] * k[j]))
+}
+
+/// Fails unless both bounds agree within the tolerance of the kind of analysis.
+fn same(name: &str, kind: AnalysisKind, a: [f64; 2], b: [f64; 2]) {
+    let tolerance = TOLERANCE[usize::from(kind == AnalysisKind::Limit)];
+    for k in 0..2 {
+        assert!((a[k] / b[k] - 1.0).abs() <= tolerance, "{name}: {a:?} and {b:?}");
+    }
+}
+
+/// Elastic, with friction, the whole joint: any turn of the axes, mirror image, shift, order.
+#[test]
+fn energies_do_not_depend_on_axes_origin_or_order() {
+    let kind = AnalysisKind::Elastic;
+    let (file, mesh) = model(&joint(&spec("N: 30 kN, My: 0.4 kN m, Vz: 2 kN, Vy: 1 kN", 0.3)), 4.0, true, kind);
+    assert_eq!(file.symmetry, 1);
+    let base = bounds("as it is", &file, &mesh);
+    let turned = moved(&file, &mesh, &turn(), [0.0; 3]);
+    for (name, (file, mesh)) in [
+        ("turned about (1, 2, 3)", turned.clone()),
+        ("mirrored and turned", moved(&turned.0, &turned.1, &MIRROR, [0.0; 3])),
+        ("shifted", moved(&file, &mesh, &ONE, [0.37, -4.1, 2.9])),
+        ("reordered", reordered(&file, &mesh)),
+    ] {
+        same(name, kind, bounds(name, &file, &mesh), base);
+    }
+    // contact without initial gaps: twice the load, four times the energy
+    let mut twice = file.clone();
+    for e in &mut twice.rigid {
+        (e.force, e.moment) = (e.force.map(|f| 2.0 * f), e.moment.map(|m| 2.0 * m));
+    }
+    same("twice the load", kind, bounds("twice the load", &twice, &mesh).map(|x| x / 4.0), base);
+}
+
+/// Limit analysis of half the joint, part of its load not multiplied: mirror image, exchanged axes, shift, order; f_y and all
+/// loads doubled.
+#[test]
+fn load_factors_do_not_depend_on_axes_origin_or_order() {
+    let kind = AnalysisKind::Limit;
+    let (file, mesh) = model(&joint(&spec("N: 60 kN, My: 0.05 kN m, Vz: 1 kN, factor: [N]", 0.0)), 4.0, false, kind);
+    assert_eq!(file.symmetry, 2);
+    let base = bounds("as it is", &file, &mesh);
+    let (other, mirrored) = (moved(&file, &mesh, &CYCLE, [1.25, 0.0, -3.5]), moved(&file, &mesh, &MIRROR, [0.0; 3]));
+    let strong = {
+        let (mut file, mesh) = other;
+        file.materials.values_mut().for_each(|m| m.fy = m.fy.map(|f| 2.0 * f));
+        for e in &mut file.rigid {
+            [e.force, e.dead_force, e.moment, e.dead_moment] =
+                [e.force, e.dead_force, e.moment, e.dead_moment].map(|v| v.map(|x| 2.0 * x));
+        }
+        (file, mesh)
+    };
+    for (name, (file, mesh)) in [
+        ("mirrored and reordered", reordered(&mirrored.0, &mirrored.1)),
+        ("axes exchanged, shifted, twice f_y, twice the loads", strong),
+    ] {
+        same(name, kind, bounds(name, &file, &mesh), base);
+    }
+}
+
+/// The spec mirrored, or its rows in another order, is meshed anew: other meshes of the same body, whose brackets share its energy.
+#[test]
+fn specs_of_the_same_joint_share_its_energy() {
+    let of = |rows: &str, my: &str| {
+        let text = format!(
+            "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M12, grade: \"8.8\", rows: {rows}}}\n\
+             parameters: {{length: 120, welded: true}}\nfriction: {{mu: 0}}\nloads: [{{name: A, end: top, at: node, N: 20 kN, My: {my}}}]\n"
+        );
+        let (file, mesh) = model(&joint(&text), 4.0, true, AnalysisKind::Elastic);
+        bounds(&format!("rows {rows}, My {my}"), &file, &mesh)
+    };
+    let one = of("[-40, 20]", "0.2 kN m");
+    for other in [of("[20, -40]", "0.2 kN m"), of("[-20, 40]", "-0.2 kN m")] {
+        assert!(one[0] <= other[1] && other[0] <= one[1], "{one:?} and {other:?} share nothing");
+        // and the meshes are alike
+        assert!((one[0] / other[0] - 1.0).abs() < 0.05 && (one[1] / other[1] - 1.0).abs() < 0.05, "{one:?} {other:?}");
+    }
+}

@@ -1,0 +1,99 @@
+//! S_j,ini of joints under one moment, from both sides.
+
+use crate::built::{joint, model};
+use bracket::adapt::pass::{self, PassOptions, silent};
+use bracket::checks::{JointStiffness, hand_checks};
+use bracket::diag::Place;
+use bracket::model::file::AnalysisKind;
+use bracket::model::resolve::resolve;
+use bracket::report::case::case_result;
+use bracket::report::joint_stiffness::joint_stiffness;
+
+/// What an elastic analysis on a coarse mesh says of the first load case's joint.
+fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
+    let joint = joint(spec);
+    let (file, mesh) = model(&joint, 4.0, false, AnalysisKind::Elastic);
+    let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
+    let pass = pass::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let entry = case_result("A", &m, &pass, None);
+    assert!(entry.certificate.is_some_and(|c| c.strict), "{name}");
+    let s = joint_stiffness(&entry, &hand_checks(joint.end_plate.as_ref().unwrap()).moments);
+    if let Some(s) = &s {
+        println!(
+            "{name}: {} tets, φ [{:.4}, {:.4}] mrad, beam {:.4}, S_j,ini [{:.0}, {:.0}] kN m/rad, component method {:.0}",
+            m.mesh.tets.len(),
+            1e3 * s.rotation[0],
+            1e3 * s.rotation[1],
+            1e3 * s.beam_rotation,
+            1e-6 * s.lower,
+            1e-6 * s.upper.unwrap_or(f64::NAN),
+            1e-6 * s.component_method
+        );
+    }
+    s
+}
+
+fn splice(length: u32, load: &str) -> String {
+    format!(
+        "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: S235}}}}\nplate: {{thickness: 12, width: 110, z: [-110, 110]}}\n\
+         bolts: {{size: M16, grade: \"8.8\", gauge: 70, rows: [-60, 60]}}\nparameters: {{beam_length: {length}}}\nfriction: {{mu: 0}}\n\
+         loads: [{{name: A, end: beam_right, at: bolt_plane, {load}}}]\n"
+    )
+}
+
+/// The stubs' own bending is taken off: with stubs of 500 mm instead of 250 both bounds of the rotation grow by M ΔL/(E I_b), to the few per
+/// cent that stress near the ends and another mesh make, and the brackets of S_j,ini share the joint's stiffness.
+#[test]
+fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
+    let [short, long] = [250, 500].map(|l| stiffness(&format!("stubs of {l}"), &splice(l, "My: 10 kN m")).unwrap());
+    let beam = long.beam_rotation - short.beam_rotation;
+    // two stubs, IPE200
+    assert!((beam / (10e6 * 500.0 / (210e3 * 1943e4)) - 1.0).abs() < 1e-3, "{beam}");
+    for k in 0..2 {
+        let grown = (long.rotation[k] - short.rotation[k]) / beam;
+        assert!((grown - 1.0).abs() < 0.05, "{grown}: {short:?} {long:?}");
+    }
+    let (a, b) = (short.upper.unwrap(), long.upper.unwrap());
+    assert!(short.lower <= b && long.lower <= a, "{short:?} {long:?}");
+    assert!(short.classes.is_empty() && !short.contains_column);
+}
+
+/// Anything beside the moment, and the energy is no longer M φ/2: no stiffness is printed.
+#[test]
+fn a_shear_force_or_a_gap_gives_no_stiffness() {
+    let of = |text: &str| hand_checks(joint(text).end_plate.as_ref().unwrap()).moments;
+    assert_eq!(of(&splice(250, "My: 10 kN m")).len(), 1);
+    for load in
+        ["My: 10 kN m, Vz: 5 kN", "My: 10 kN m, N: 1 kN, factor: [My]", "Mz: 1 kN m", "My: 10 kN m, T: 0.1 kN m"]
+    {
+        assert!(of(&splice(250, load)).is_empty(), "{load}");
+    }
+    let gap = splice(250, "My: 10 kN m")
+        .replace("beam_length: 250", "beam_length: 250, hole_clearance: 2, head_contact: false");
+    assert!(stiffness("with a gap", &gap).is_none());
+}
+
+/// One-sided: the class at 6 m against the boundaries of 5.2.2.5, and what the bracket contains.
+#[test]
+fn a_joint_at_a_column_has_a_class() {
+    let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB160, steel: S235}, beam: {profile: IPE200, steel: S235, length: 6 m}}\n\
+         plate: {thickness: 12, width: 120, z: [-110, 110]}\nbolts: {size: M16, grade: \"8.8\", gauge: 80, rows: [-60, 60]}\nfriction: {mu: 0}\n\
+         loads: [{name: A, end: beam_right, at: bolt_plane, My: 10 kN m}]\n";
+    let s = stiffness("one-sided", spec).unwrap();
+    assert!(s.contains_column && s.classes.len() == 2, "{s:?}");
+    // E I_b/L_b of IPE200, 1943 cm⁴, over 6 m
+    let unit = 210e3 * 1943e4 / 6000.0;
+    for (class, k) in s.classes.iter().zip([8.0, 25.0]) {
+        let of = |stiffness: f64| {
+            if stiffness >= k * unit {
+                0
+            } else if stiffness > 0.5 * unit {
+                1
+            } else {
+                2
+            }
+        };
+        let found = class.class.unwrap().map(|c| c as usize);
+        assert_eq!(found, [of(s.lower), of(s.upper.unwrap_or(f64::INFINITY))], "{s:?}");
+    }
+}
