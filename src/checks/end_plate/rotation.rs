@@ -136,9 +136,9 @@ impl JointStiffness {
 impl FrameClass {
     /// Lengths at which E I_b/L_b meets the boundaries of 5.2.2.5(1), and the class at the beam's own length.
     fn new(frame: Frame, m: &PureMoment, lower: f64, upper: Option<f64>) -> Self {
-        let class = m.system_length.and_then(|length| {
+        let class = m.system_length.map(|length| {
             let limits = stiffness_limits(frame, false, m.flexural, 1.0, length);
-            Some([limits.class(lower), limits.class(upper.unwrap_or(f64::INFINITY))])
+            [limits.class(lower), limits.class(upper.unwrap_or(f64::INFINITY))]
         });
         Self {
             frame,
