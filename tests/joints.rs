@@ -3,6 +3,8 @@
 
 #[path = "cli/bench.rs"]
 mod bench;
+#[path = "joints/bolt_forces.rs"]
+mod bolt_forces;
 #[path = "joints/built.rs"]
 mod built;
 #[path = "joints/invariance.rs"]

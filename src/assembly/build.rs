@@ -31,6 +31,22 @@ pub struct Joint {
     /// What the hand checks see of the connection, where the template says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_plate: Option<EndPlate>,
+    /// Where the bolts lie whose nuts are in contact.
+    pub bolts: Vec<BoltLine>,
+}
+
+/// A bolt as a line of action. Its force is what the last part it passes puts on it: the nut's pressure along the shank, and what bears on
+/// the shank across.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct BoltLine {
+    /// The bolt's part.
+    pub part: String,
+    /// The part under its nut.
+    pub last: String,
+    /// Unit vector from head to nut.
+    pub axis: [f64; 3],
+    /// Centre of the head's bearing face \[mm\].
+    pub position: [f64; 3],
 }
 
 /// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by path).
@@ -49,6 +65,7 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     inputs::rules(&template, &scope).map_err(&placed)?;
     let builder = Builder { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
     let assembly = builder.assembly().map_err(|e| placed(vec![e]))?;
+    let bolts = builder.bolt_lines().map_err(|e| placed(vec![e]))?;
     let actions = match &template.hand_checks {
         Some(entry) => actions::ends(&template, &scope)
             .and_then(|ends| actions::on_planes(&spec.value.loads, &ends, &entry.ends))
@@ -58,7 +75,7 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(|e| placed(vec![e]))?;
     let mut resolved = resolved;
     resolved.push(inputs.friction_resolved(&spec.value));
-    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate })
+    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, bolts })
 }
 
 struct Builder<'a> {
@@ -258,6 +275,18 @@ impl<'a> Builder<'a> {
                 let segments = self.spec.analysis.mesh.segments;
                 let hole = Hole { base, axis: entry.axis.index(), toward, length, radius: size.d / 2.0, segments };
                 out.push(Bolt { entry, scope, name, hole, through });
+            }
+        }
+        Ok(out)
+    }
+
+    fn bolt_lines(&self) -> Result<Vec<BoltLine>, AssemblyError> {
+        let mut out = Vec::new();
+        for b in self.bolts()? {
+            let open = within(&b.entry.name, b.scope.truth(&b.entry.nut_contact))?;
+            if let Some((last, _)) = b.through.last().filter(|_| open) {
+                let (axis, position) = (b.hole.direction(), b.hole.base);
+                out.push(BoltLine { part: b.name.clone(), last: last.clone(), axis, position });
             }
         }
         Ok(out)

@@ -12,7 +12,7 @@ pub mod symmetry;
 pub mod template;
 
 pub use actions::PlaneActions;
-pub use build::{Joint, build};
+pub use build::{BoltLine, Joint, build};
 pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
 pub use joint::Assembly;

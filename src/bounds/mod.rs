@@ -16,6 +16,7 @@ pub mod plastic_certificate;
 pub mod plastic_field;
 pub mod plastic_recover;
 pub mod recover;
+pub mod resultants;
 pub mod sampling;
 mod settle;
 pub mod slip;

@@ -77,6 +77,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         checks: HandChecks::default(),
         drawings: Vec::new(),
         schedule: Table::default(),
+        bolts: Vec::new(),
     };
     let place = |path: &str| parsed.index.place(path);
     let remesh = match &file.adapt {

@@ -10,6 +10,7 @@ use crate::adapt::memory::{Limit, room};
 use crate::adapt::pass::{self, PassOptions, Refusal};
 use crate::adapt::plan;
 use crate::adapt::problem::Program;
+use crate::assembly::BoltLine;
 use crate::bounds::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::checks::{HandChecks, Status};
@@ -27,6 +28,7 @@ use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, Res
 use crate::report::plot::{Plot, Series};
 use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
+use crate::report::static_forces::static_forces;
 use crate::report::text::report_markdown;
 use crate::solve::{SolveOptions, Solver};
 use crate::spec::yaml;
@@ -149,6 +151,8 @@ pub struct Echo {
     pub drawings: Vec<(PictureRef, String)>,
     /// Bolts and plates.
     pub schedule: Table,
+    /// Where the bolts lie.
+    pub bolts: Vec<BoltLine>,
 }
 
 /// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
@@ -242,6 +246,10 @@ pub fn finish(
             let (lower, upper) = entry.safe_bounds();
             entry.utilisation = verdict::utilisation(lower, upper);
             entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
+        }
+        let best = lower.as_ref().unwrap_or(&upper);
+        if let Some((stress, factor)) = best.outcome.stress(&entry).filter(|_| !echo.bolts.is_empty()) {
+            entry.static_forces = Some(static_forces(&best.model, stress, factor, &echo.bolts, &echo.mirror));
         }
         entry.joint_stiffness = joint_stiffness(&entry, &echo.checks.moments);
         let stem = &stems[i];

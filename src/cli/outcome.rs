@@ -6,13 +6,14 @@ use crate::adapt::pass::{self, Pass, PassError, PassOptions, ProgramRun, Progres
 use crate::adapt::plastic;
 use crate::adapt::problem::Program;
 use crate::bounds::error::Contributions;
+use crate::bounds::fields::StressField;
 use crate::bounds::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::file::AnalysisKind;
 use crate::report::case::case_result;
-use crate::report::data::CaseResult;
+use crate::report::data::{CaseResult, Problem};
 use crate::report::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
 };
@@ -69,6 +70,20 @@ impl Outcome {
         match self {
             Outcome::Energy(p) => p.contributions.as_ref(),
             Outcome::Factor(p) => p.contributions.as_ref(),
+        }
+    }
+
+    /// The stress behind the lower bound of the answer, and the load factor it carries.
+    pub fn stress(&self, entry: &CaseResult) -> Option<(&StressField, f64)> {
+        match self {
+            Outcome::Energy(p) => p.stress.as_ref().map(|s| (s, 1.0)),
+            Outcome::Factor(p) => {
+                let (stress, bound) = match entry.problem {
+                    Problem::Coulomb => (&p.frictionless_stress, &p.frictionless),
+                    _ => (&p.stress, &p.lower),
+                };
+                stress.as_ref().zip(bound.as_ref().map(|b| b.certificate().factor))
+            }
         }
     }
 

@@ -151,6 +151,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
             .end_plate
             .as_ref()
             .map_or_else(Default::default, |e| schedule::schedule(e, plates(&input), stocked_length(e), grip(e))),
+        bolts: input.joint.bolts.clone(),
         input_text: input.text.clone(),
     };
     finish(cases, echo, &limits, folder, log, common)

@@ -246,6 +246,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         load,
         load_displacement,
         load_displacement_at_least,
+        static_forces: None,
         joint_stiffness: None,
         certificate: certificate(pass),
         history: vec![HistoryRow {

@@ -5,6 +5,7 @@
 
 use super::demand::Demand;
 pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
+use super::static_forces::StaticForces;
 use crate::adapt::coulomb::FixedPointRun;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, JointStiffness};
@@ -177,6 +178,9 @@ pub struct CaseResult {
     /// it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement: Option<[f64; 2]>,
+    /// Forces of the bolts and between the parts of a joint, from the stress of the lower bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_forces: Option<StaticForces>,
     /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint_stiffness: Option<JointStiffness>,

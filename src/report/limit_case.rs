@@ -168,6 +168,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         load: only_load(model).filter(|l| l.value() > 0.0),
         load_displacement: None,
         load_displacement_at_least: None,
+        static_forces: None,
         joint_stiffness: None,
         certificate,
         history: vec![HistoryRow {

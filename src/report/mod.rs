@@ -25,6 +25,7 @@ pub mod plot;
 pub mod progress;
 pub mod raster;
 pub mod schedule;
+pub mod static_forces;
 pub mod study;
 mod summary;
 pub mod surface;

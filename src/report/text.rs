@@ -6,7 +6,7 @@ use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
-use super::{checks_text, comparison, joint_stiffness, summary};
+use super::{checks_text, comparison, joint_stiffness, static_forces, summary};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
@@ -29,6 +29,7 @@ pub fn report_markdown(data: &ReportData) -> String {
         answer(&mut page, case, data);
         comparison::lines(&mut page, case);
         joint_stiffness::lines(&mut page, case);
+        static_forces::tables(&mut page, case, data.result.symmetry);
     }
     if data.result.cases.is_empty() {
         paragraph(&mut page, "No analysis was run.");

@@ -54,6 +54,7 @@ fn case(name: &str) -> CaseResult {
         load: Some(LoadSize::Force(3_513_363.0)),
         load_displacement: Some([0.181_53, 0.190_246]),
         load_displacement_at_least: None,
+        static_forces: None,
         joint_stiffness: None,
         certificate: Some(Certificate {
             strict: true,

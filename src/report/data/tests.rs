@@ -18,6 +18,7 @@ fn case() -> CaseResult {
         load: None,
         load_displacement: None,
         load_displacement_at_least: None,
+        static_forces: None,
         joint_stiffness: None,
         certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),
         history: vec![],
