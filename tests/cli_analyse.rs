@@ -18,6 +18,8 @@ mod limit_analysis;
 mod limits;
 #[path = "cli/plastic_analysis.rs"]
 mod plastic_analysis;
+#[path = "cli/preload.rs"]
+mod preload;
 #[path = "cli/result_folder.rs"]
 mod result_folder;
 #[path = "cli/rigid_and_welds.rs"]

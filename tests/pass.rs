@@ -37,6 +37,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
             Event::Refused(r) => format!("refused {} {}", r.needed, r.room.bytes),
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
             Event::Iteration(_) => return,
+            Event::Tightening => "tightening".into(),
             Event::Slips { .. } => "slips".into(),
             Event::Certify => "certify".into(),
             Event::Frictionless => "frictionless".into(),

@@ -7,6 +7,8 @@ mod adaptive;
 #[path = "plastic/certified.rs"]
 mod certified;
 mod common;
+#[path = "plastic/coulomb.rs"]
+mod coulomb;
 #[path = "plastic/exact.rs"]
 mod exact;
 #[path = "plastic/random.rs"]

@@ -1,4 +1,4 @@
-//! Coulomb's law in elastic analysis: a fixed point over problems with associated friction and shifted cones.
+//! Coulomb's law in elastic analysis, perfectly plastic or not: a fixed point over problems with associated friction and shifted cones.
 //!
 //! Slip under associated friction dilates by `μ‖g_T‖`. With the cones opened by a shift s, `g_N + g₀ + s ≥ μ‖g_T‖`, it
 //! dilates by `μ‖g_T‖ − s`; where s is `μ‖g_T‖` of the solution itself, not at all. The shift is read off the displacements, so
@@ -20,7 +20,7 @@ use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
 use crate::solve::Solution;
 use serde::{Deserialize, Serialize};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 /// The shift is found when it changes by less than this part of the largest.
@@ -44,48 +44,132 @@ pub struct FixedPointRun {
     pub contraction: Option<f64>,
 }
 
-/// A displacement under Coulomb's law.
-struct Slid {
-    field: DisplacementField,
-    bound: UpperBound,
-    shift: ConeShift,
-    run: FixedPointRun,
+/// Where the fixed point of a program has come to.
+#[derive(Clone, Debug)]
+pub(super) struct Slid {
+    /// The shift that the program was solved with last.
+    pub shift: ConeShift,
+    /// Its values at the contact points of the program.
+    pub values: Vec<f64>,
+    /// How it went.
+    pub run: FixedPointRun,
 }
 
-/// The kinematic program with the shift of its cones.
-struct Sliding {
-    program: Kinematic,
+/// The slips of a kinematic program from solve to solve.
+pub(super) struct Slips {
+    /// Offsets of the program's rows without a shift.
+    offsets: Vec<f64>,
+    /// First row of the cone of each contact point.
+    rows: Vec<usize>,
     state: Mutex<State>,
 }
 
 /// Where the fixed point stands.
 struct State {
     fixed_point: FixedPoint,
+    /// Problems solved and contraction of earlier programs included.
     run: FixedPointRun,
-    /// First measured contraction.
-    contraction: Option<f64>,
+    /// Solves of earlier programs.
+    earlier: usize,
     converged: bool,
 }
 
-impl Sliding {
+impl Slips {
+    /// Of a program whose cones are not shifted yet; it starts with the shift that another one with the same contacts ended with.
+    pub(super) fn new(kinematic: &Kinematic, start: Option<&Slid>) -> Self {
+        let (program, points) = (&kinematic.program, kinematic.points.len());
+        let (values, run) = match start {
+            Some(slid) => (slid.values.clone(), slid.run.clone()),
+            None => (vec![0.0; points], FixedPointRun::default()),
+        };
+        let earlier = run.solves;
+        let state = State { fixed_point: FixedPoint::starting_at(values), run, earlier, converged: false };
+        let rows = program.cone_starts().into_iter().take(points).collect();
+        Self { offsets: program.h.clone(), rows, state: Mutex::new(state) }
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Offsets of the rows at the given shift of each contact point.
-    fn offsets(&self, shift: &[f64]) -> Vec<f64> {
-        let program = &self.program.program;
-        let mut h = program.h.clone();
-        program.cone_starts().into_iter().zip(shift).for_each(|(r, s)| h[r] += s);
+    fn at(&self, shift: &[f64]) -> Vec<f64> {
+        let mut h = self.offsets.clone();
+        self.rows.iter().zip(shift).for_each(|(r, s)| h[*r] += s);
         h
+    }
+
+    /// Offsets of the rows at the shift of the problem that was solved last, or is to be solved first.
+    pub(super) fn offsets(&self) -> Vec<f64> {
+        self.at(self.state().fixed_point.point())
+    }
+
+    /// What to solve after this solution; `None`: it was the last.
+    pub(super) fn another(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution) -> Option<Another> {
+        let points = &of.points;
+        let u: Vec<V3> = of.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let image: Vec<f64> = points
+            .iter()
+            .map(|p| if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(&u) } else { 0.0 })
+            .collect();
+        let force: Vec<f64> = self.rows.iter().map(|r| solution.z[*r]).collect();
+        let largest = force.iter().fold(0.0, |m: f64, f| m.max(*f));
+        let pressed: Vec<bool> = force.iter().map(|f| *f > PRESSED * largest).collect();
+        let shift = image.iter().zip(&pressed).filter(|(_, p)| **p).fold(0.0, |m: f64, (s, _)| m.max(*s));
+        let moved = u.iter().fold(0.0, |m: f64, u| m.max(vec3::norm(*u)));
+        let mut state = self.state();
+        let change = state.fixed_point.image(&image, &pressed);
+        // the first that was measured
+        let contraction = state.run.contraction.or(state.fixed_point.contraction());
+        // of a slow iteration the last change is only a part of what is left
+        let slow = contraction.unwrap_or(0.0).clamp(0.0, 0.99);
+        let solves = state.fixed_point.changes().len();
+        state.run = FixedPointRun {
+            solves: state.earlier + solves,
+            change: if change > NOISE * moved { change / shift.max(change) } else { 0.0 },
+            contraction,
+        };
+        state.converged = change <= TOLERANCE * (1.0 - slow) * shift || change <= NOISE * moved;
+        if state.converged || solves >= MOST_SOLVES {
+            return None;
+        }
+        state.fixed_point.step(&pressed);
+        let offsets = self.at(state.fixed_point.point());
+        Some(Another { offsets, number: state.run.solves, change: state.run.change })
+    }
+
+    /// Where it has come to; an error where that is no fixed point.
+    pub(super) fn found(&self, model: &AnalysisModel, of: &Kinematic) -> Result<Slid, RecoverError> {
+        let state = self.state();
+        if !state.converged {
+            return Err(RecoverError::NotConverged { solves: state.run.solves, change: state.run.change });
+        }
+        let values = state.fixed_point.point().to_vec();
+        Ok(Slid { shift: of.cone_shift(model, &values), values, run: state.run.clone() })
     }
 }
 
+impl Slid {
+    /// The model whose cones it has shifted.
+    pub(super) fn shifted(&self, model: &AnalysisModel) -> AnalysisModel {
+        AnalysisModel { shift: self.shift.clone(), ..model.clone() }
+    }
+}
+
+/// The kinematic program with the shift of its cones.
+struct Sliding {
+    program: Kinematic,
+    slips: Slips,
+}
+
 impl<'a> Problem<'a> for Sliding {
-    type Answer = Slid;
+    type Answer = (DisplacementField, UpperBound, Slid);
     const PROGRAM: Program = Program::Kinematic;
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         let program = Kinematic::new(model)?;
-        let fixed_point = FixedPoint::new(program.points.len());
-        let state = State { fixed_point, run: FixedPointRun::default(), contraction: None, converged: false };
-        Ok(Self { program, state: Mutex::new(state) })
+        let slips = Slips::new(&program, None);
+        Ok(Self { program, slips })
     }
 
     fn program(&self) -> &ConicProgram {
@@ -94,6 +178,10 @@ impl<'a> Problem<'a> for Sliding {
 
     fn map(&self) -> &DofMap {
         &self.program.map
+    }
+
+    fn measured_from(&self, model: &AnalysisModel) -> Vec<f64> {
+        self.program.closed(model)
     }
 
     fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>> {
@@ -109,51 +197,14 @@ impl<'a> Problem<'a> for Sliding {
     }
 
     fn another(&self, model: &AnalysisModel, solution: &Solution) -> Option<Another> {
-        let (program, points) = (&self.program.program, &self.program.points);
-        let u: Vec<V3> = self.program.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-        let image: Vec<f64> = points
-            .iter()
-            .map(|p| if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(&u) } else { 0.0 })
-            .collect();
-        let force: Vec<f64> = program.cone_starts().into_iter().map(|r| solution.z[r]).collect();
-        let largest = force.iter().fold(0.0, |m: f64, f| m.max(*f));
-        let pressed: Vec<bool> = force.iter().map(|f| *f > PRESSED * largest).collect();
-        let shift = image.iter().zip(&pressed).filter(|(_, p)| **p).fold(0.0, |m: f64, (s, _)| m.max(*s));
-        let moved = u.iter().fold(0.0, |m: f64, u| m.max(vec3::norm(*u)));
-        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        let change = state.fixed_point.image(&image, &pressed);
-        let contraction = state.fixed_point.contraction();
-        state.contraction = state.contraction.or(contraction);
-        // of a slow iteration the last change is only a part of what is left
-        let slow = state.contraction.unwrap_or(0.0).clamp(0.0, 0.99);
-        state.run = FixedPointRun {
-            solves: state.fixed_point.changes().len(),
-            change: if change > NOISE * moved { change / shift.max(change) } else { 0.0 },
-            contraction: state.contraction,
-        };
-        state.converged = change <= TOLERANCE * (1.0 - slow) * shift || change <= NOISE * moved;
-        if state.converged || state.run.solves >= MOST_SOLVES {
-            return None;
-        }
-        state.fixed_point.step(&pressed);
-        Some(Another {
-            offsets: self.offsets(state.fixed_point.point()),
-            number: state.run.solves,
-            change: state.run.change,
-        })
+        self.slips.another(model, &self.program, solution)
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Slid, RecoverError> {
-        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if !state.converged {
-            return Err(RecoverError::NotConverged { solves: state.run.solves, change: state.run.change });
-        }
-        let values = state.fixed_point.point();
-        let field = recover::displacement_at(model, &self.program, &self.offsets(values), solution)?;
-        let shift = self.program.cone_shift(model, values);
-        let shifted = AnalysisModel { shift: shift.clone(), ..model.clone() };
-        let bound = UpperBound::new(certify_displacement(&shifted, &field), model.symmetry);
-        Ok(Slid { field, bound, shift, run: state.run.clone() })
+    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+        let slid = self.slips.found(model, &self.program)?;
+        let field = recover::displacement_at(model, &self.program, &self.slips.offsets(), solution)?;
+        let bound = UpperBound::new(certify_displacement(&slid.shifted(model), &field), model.symmetry);
+        Ok((field, bound, slid))
     }
 }
 
@@ -162,12 +213,13 @@ pub(super) fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progr
     let start = Instant::now();
     let mut pass = Pass::default();
     let alone = AnalysisModel { bounds: Bounds::Kinematic, ..model.clone() };
-    let (kinematic, _): Both<Slid, <Static as Problem>::Answer> = both::<Sliding, Static>(&alone, options, progress)?;
+    let (kinematic, _): Both<<Sliding as Problem>::Answer, <Static as Problem>::Answer> =
+        both::<Sliding, Static>(&alone, options, progress)?;
     let Some(kinematic) = kinematic else { return Ok(pass) };
     pass.kinematic = Some(kinematic.run);
-    let Some(slid) = kinematic.answer else { return Ok(pass) };
-    pass.displacement = Some(slid.field);
-    pass.upper = Some(slid.bound);
+    let Some((field, bound, slid)) = kinematic.answer else { return Ok(pass) };
+    pass.displacement = Some(field);
+    pass.upper = Some(bound);
     pass.fixed_point = Some(slid.run);
     let shifted = AnalysisModel { bounds: Bounds::Static, shift: slid.shift, ..alone };
     if model.bounds != Bounds::Kinematic {

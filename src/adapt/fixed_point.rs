@@ -15,7 +15,7 @@ const WORSE: f64 = 2.0;
 /// Columns of the least squares whose new part is smaller than this are left out.
 const DEPENDENT: f64 = 1e-8;
 
-/// The iteration: `s ≥ 0`, starting from zero.
+/// The iteration: `s ≥ 0`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FixedPoint {
     point: Vec<f64>,
@@ -31,6 +31,11 @@ impl FixedPoint {
     /// Starts from zero.
     pub fn new(unknowns: usize) -> Self {
         Self { point: vec![0.0; unknowns], ..Self::default() }
+    }
+
+    /// Starts from a point.
+    pub fn starting_at(point: Vec<f64>) -> Self {
+        Self { point, ..Self::default() }
     }
 
     /// Where it stands.

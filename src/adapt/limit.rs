@@ -90,7 +90,7 @@ impl LimitPass {
         let pair = LimitPair { velocity, live_power: up.live_power, subdivisions: SUBDIVISIONS, stress, factor: low };
         let c = limit_contributions(smooth.as_ref().unwrap_or(model), &pair);
         if lower.is_strict() && upper.is_strict() {
-            check_identity([low, up.factor], c.total())?;
+            check_identity([low, up.factor], 0.0, c.total())?;
         }
         self.contributions = Some(c);
         Ok(())

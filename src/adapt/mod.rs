@@ -8,6 +8,7 @@ pub mod optimum;
 pub mod pass;
 pub mod plan;
 pub mod plastic;
+pub mod preload;
 pub mod problem;
 pub mod rates;
 pub mod words;

@@ -2,6 +2,7 @@
 
 use super::coulomb::{self, FixedPointRun};
 use super::memory::{Limit, Room, RoomSource, plan, room};
+use super::preload::{self, Tightened};
 use super::problem::{Problem, Program};
 use crate::bounds::PlasticField;
 use crate::bounds::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
@@ -11,7 +12,7 @@ use crate::bounds::recover::RecoverError;
 use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::opening::ConeShift;
-use crate::model::{AnalysisModel, Kinematic, Static};
+use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
 use crate::solve::status::Iterations;
 use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -99,6 +100,8 @@ pub struct Pass {
     pub bracket: Option<Bracket>,
     /// Contributions to the gap of the meshed part, when both fields exist.
     pub contributions: Option<Contributions>,
+    /// The preloaded bolts, their cuts frozen.
+    pub preload: Vec<Tightened>,
     /// Coulomb friction: how its fixed point went.
     pub fixed_point: Option<FixedPointRun>,
     /// Coulomb friction: the shift of the contact cones in the problem that the bounds belong to.
@@ -162,6 +165,8 @@ pub enum Event<'a> {
     },
     /// The solver's next iterate.
     Iteration(&'a Iteration),
+    /// Preload: before the loads the bolts are tightened, by both programs.
+    Tightening,
     /// Coulomb friction: it is solved once more, its contact cones shifted by the slips so far.
     Slips {
         /// How many times it was solved.
@@ -198,9 +203,20 @@ struct Context<'a> {
     start: Instant,
 }
 
+/// A program as its solver sees it.
+struct Built<P> {
+    problem: P,
+    /// How long its assembly took \[s\].
+    seconds: f64,
+    /// The point that the solver measures its unknowns from, and the program in those; `None`: zero.
+    moved: Option<(Vec<f64>, ConicProgram)>,
+}
+
 /// A program before its solve.
 struct Job<'p, P> {
     problem: &'p P,
+    /// The point that the solver measures its unknowns from; empty: zero.
+    from: &'p [f64],
     /// `None`: the user interrupted before it was ordered.
     prepared: Option<Prepared<'p>>,
     run: ProgramRun,
@@ -234,6 +250,9 @@ struct Turns {
 /// With Coulomb friction the kinematic program is solved a few times first, and both bounds are of the problem with shifted
 /// contact cones that this ends with.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+    if model.preload.iter().any(|p| p.closure.is_none() && !p.faces.is_empty()) {
+        return preload::tighten_and_run(model, options, progress);
+    }
     if model.has_coulomb_friction() {
         return coulomb::run(model, options, progress);
     }
@@ -282,8 +301,8 @@ pub(super) fn both_of<'a, K: Problem<'a>, S: Problem<'a>>(
     );
     let (kinematic, statics) = (kinematic?, statics?);
     let (k, s) = rayon::join(
-        || kinematic.as_ref().map(|(problem, seconds)| context.prepare(problem, *seconds)),
-        || statics.as_ref().map(|(problem, seconds)| context.prepare(problem, *seconds)),
+        || kinematic.as_ref().map(|built| context.prepare(built)),
+        || statics.as_ref().map(|built| context.prepare(built)),
     );
     let turns = context.turns(k.as_ref().map(|j| &j.run), s.as_ref().map(|j| &j.run));
     let kinematic = || k.map(|job| context.finish(job, turns.kinematic)).transpose();
@@ -312,6 +331,7 @@ impl Pass {
 
     /// Joins the two bounds, and checks that the contributions to the gap add up to it.
     pub(super) fn join(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
+        self.preload = preload::tightened(model, self.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&self.lower, &self.upper) {
             self.bracket = Some(Bracket::new(l.clone(), u.clone())?);
         }
@@ -323,7 +343,9 @@ impl Pass {
             // asserted where both fields are admissible
             if let Some(b) = self.bracket.as_ref().filter(|b| b.is_strict()) {
                 let copies = f64::from(model.symmetry);
-                check_identity([b.lower().value() / copies, b.upper().value() / copies], c.total())?;
+                // with preload both energies may vanish
+                let strain = b.lower().certificate().strain_energy.unwrap_or(0.0);
+                check_identity([b.lower().value() / copies, b.upper().value() / copies], strain, c.total())?;
             }
             self.contributions = Some(c);
         }
@@ -350,17 +372,27 @@ impl<'a> Context<'a> {
         (self.progress)(program, event);
     }
 
-    /// The program, and how long its assembly took \[s\].
-    fn assemble<P: Problem<'a>>(&self, build: impl FnOnce() -> Result<P, ModelError>) -> Result<(P, f64), PassError> {
+    fn assemble<P: Problem<'a>>(&self, build: impl FnOnce() -> Result<P, ModelError>) -> Result<Built<P>, PassError> {
         let start = Instant::now();
         self.tell(P::PROGRAM, Event::Assembly);
-        Ok((build()?, start.elapsed().as_secs_f64()))
+        let problem = build()?;
+        let from = problem.measured_from(self.model);
+        let moved = (!from.is_empty()).then(|| {
+            let program = problem.program().measured_from(&from);
+            (from, program)
+        });
+        Ok(Built { problem, seconds: start.elapsed().as_secs_f64(), moved })
     }
 
     /// Orders a program and forecasts its cost.
-    fn prepare<'p, P: Problem<'a>>(&self, problem: &'p P, assembly: f64) -> Job<'p, P> {
+    fn prepare<'p, P: Problem<'a>>(&self, built: &'p Built<P>) -> Job<'p, P> {
         let start = Instant::now();
-        let (map, program) = (problem.map(), problem.program());
+        let problem = &built.problem;
+        let (from, program): (&[f64], _) = match &built.moved {
+            Some((from, program)) => (from, program),
+            None => (&[], problem.program()),
+        };
+        let map = problem.map();
         let options = &self.options.solve;
         let prepared = (!options.interrupted()).then(|| solve::prepare(program, &map.block, options));
         let forecast = prepared.as_ref().and_then(Prepared::forecast);
@@ -369,7 +401,7 @@ impl<'a> Context<'a> {
             iterations: 0,
             dofs: map.n,
             cones: program.cones.len(),
-            assembly_seconds: assembly,
+            assembly_seconds: built.seconds,
             solve_seconds: start.elapsed().as_secs_f64(),
             certify_seconds: 0.0,
             forecast,
@@ -381,7 +413,7 @@ impl<'a> Context<'a> {
             conflict: None,
             trouble: None,
         };
-        Job { problem, prepared, run }
+        Job { problem, from, prepared, run }
     }
 
     /// Tells the forecasts and decides what starts when.
@@ -421,7 +453,7 @@ impl<'a> Context<'a> {
 
     /// Solves a program and certifies its field, as far as its ticket and the user let it.
     fn finish<P: Problem<'a>>(&self, job: Job<'_, P>, ticket: Ticket) -> Result<Done<P::Answer>, PassError> {
-        let Job { problem, prepared, mut run } = job;
+        let Job { problem, from, prepared, mut run } = job;
         let refusal = match ticket {
             Ticket::Start => None,
             Ticket::Refused(refusal) => Some(refusal),
@@ -441,7 +473,7 @@ impl<'a> Context<'a> {
             run.status = SolveStatus::TooLarge;
             run.refusal = Some(refusal);
         } else if let Some(prepared) = prepared {
-            let solution = self.solve(problem, prepared, &mut run);
+            let solution = self.solve(problem, from, prepared, &mut run);
             let start = Instant::now();
             answer = self.judge(problem, &solution, &mut run)?;
             run.certify_seconds = start.elapsed().as_secs_f64();
@@ -451,7 +483,13 @@ impl<'a> Context<'a> {
     }
 
     /// Solves a program, telling and keeping its iterations.
-    fn solve<P: Problem<'a>>(&self, problem: &P, mut prepared: Prepared<'_>, run: &mut ProgramRun) -> Solution {
+    fn solve<P: Problem<'a>>(
+        &self,
+        problem: &P,
+        from: &[f64],
+        mut prepared: Prepared<'_>,
+        run: &mut ProgramRun,
+    ) -> Solution {
         self.tell(P::PROGRAM, Event::Solve { forecast: run.forecast.as_ref() });
         let start = Instant::now();
         let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
@@ -465,14 +503,17 @@ impl<'a> Context<'a> {
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
         let mut options = SolveOptions { progress: Some(tell), time_limit: left, ..problem.accuracy(given) };
-        let mut solution = prepared.solve_first(&options);
+        let mut solution = moved_by(from, prepared.solve_first(&options));
         run.iterations = solution.iterations;
+        let rows = if from.is_empty() { Vec::new() } else { problem.program().g.mul(from) };
         while solution.status == SolveStatus::Optimal
             && let Some(next) = problem.another(self.model, &solution)
         {
             self.tell(P::PROGRAM, Event::Slips { solves: next.number, change: next.change });
             options.time_limit = (left - start.elapsed().as_secs_f64()).max(0.0);
-            solution = prepared.solve_at(&next.offsets, &options);
+            let mut offsets = next.offsets;
+            offsets.iter_mut().zip(&rows).for_each(|(h, moved)| *h += moved);
+            solution = moved_by(from, prepared.solve_at(&offsets, &options));
             run.iterations += solution.iterations;
         }
         drop(prepared);
@@ -520,13 +561,21 @@ impl<'a> Context<'a> {
     }
 }
 
-/// Σ contributions = gap, to 1e-8 of the bounds (lower, upper).
-pub(super) fn check_identity([lower, upper]: [f64; 2], sum: f64) -> Result<(), PassError> {
+/// Σ contributions = gap, to 1e-8 of the bounds (lower, upper) or of what else measures them.
+pub(super) fn check_identity([lower, upper]: [f64; 2], beside: f64, sum: f64) -> Result<(), PassError> {
     let gap = upper - lower;
-    if (gap - sum).abs() > 1e-8 * lower.abs().max(upper.abs()).max(sum) {
+    if (gap - sum).abs() > 1e-8 * lower.abs().max(upper.abs()).max(beside).max(sum) {
         return Err(PassError::Identity { gap, sum });
     }
     Ok(())
+}
+
+/// An optimal solution in unknowns that are not measured from a point any more.
+fn moved_by(from: &[f64], mut solution: Solution) -> Solution {
+    if solution.status == SolveStatus::Optimal {
+        solution.x.iter_mut().zip(from).for_each(|(x, from)| *x += from);
+    }
+    solution
 }
 
 /// True when the solver gave up without an answer.

@@ -4,9 +4,13 @@
 //! kinematic program), the others stay elastic and cost nothing. The solution tells which of those are beyond yield all the
 //! same; they join, and it is solved again until none is. The static field is then admissible at every point and optimal among
 //! all fields of the mesh; the kinematic one is admissible whatever flows.
+//!
+//! Under Coulomb's law each of the kinematic solves is a fixed point as in elastic analysis, which starts from the slips of the one
+//! before; the static program then solves the last of these problems.
 
+use super::coulomb::{Slid, Slips};
 use super::pass::{Both, Event, Pass, PassError, PassOptions, ProgramRun, Progress, both_of};
-use super::problem::{Problem, Program};
+use super::problem::{Another, Problem, Program};
 use super::words;
 use crate::bounds::bracket::{LowerBound, UpperBound};
 use crate::bounds::fields::{DisplacementField, StressField};
@@ -56,6 +60,15 @@ const WORTH: f64 = 1e-6;
 struct Flowing {
     kinematic: Kinematic,
     rough: bool,
+    /// Under Coulomb's law.
+    slips: Option<Slips>,
+}
+
+/// What it leaves.
+struct Moved {
+    field: PlasticField,
+    /// Under Coulomb's law.
+    slid: Option<Slid>,
 }
 
 /// The static program.
@@ -149,11 +162,37 @@ impl<A> Side<A> {
     }
 }
 
-/// Runs both programs.
+type Motion = Side<(Moved, UpperBound)>;
+type Stress = Side<(StressField, LowerBound)>;
+
+/// Runs both programs; under Coulomb's law one after the other, the static one with the shift of the kinematic one.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
     let start = Instant::now();
-    let mut kinematic = Side::new(model, model.bounds != Bounds::Static);
-    let mut statics = Side::new(model, model.bounds != Bounds::Kinematic);
+    let slides = model.has_coulomb_friction();
+    let mut kinematic = Side::new(model, slides || model.bounds != Bounds::Static);
+    let mut statics = Side::new(model, !slides && model.bounds != Bounds::Kinematic);
+    solve(model, options, progress, start, &mut kinematic, &mut statics)?;
+    let Some(slid) = kinematic.answer.as_ref().and_then(|(moved, _)| moved.slid.clone()) else {
+        return pass(model, kinematic, statics);
+    };
+    let shifted = slid.shifted(model);
+    if model.bounds != Bounds::Kinematic {
+        statics = Side::new(model, true);
+        solve(&shifted, options, progress, start, &mut kinematic, &mut statics)?;
+    }
+    let pass = pass(&shifted, kinematic, statics)?;
+    Ok(Pass { fixed_point: Some(slid.run), shift: slid.shift, ..pass })
+}
+
+/// Solves until both sides are done.
+fn solve(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+    start: Instant,
+    kinematic: &mut Motion,
+    statics: &mut Stress,
+) -> Result<(), PassError> {
     while !(kinematic.done && statics.done) {
         let mut options = options.clone();
         options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
@@ -168,26 +207,24 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             model,
             &options,
             progress,
-            (!kinematic.done).then_some(|| Flowing::new(model, &kinematic.yields, kinematic.rough)),
+            (!kinematic.done).then_some(|| {
+                let slid = kinematic.answer.as_ref().and_then(|(moved, _)| moved.slid.as_ref());
+                Flowing::new(model, &kinematic.yields, kinematic.rough, slid)
+            }),
             (!statics.done).then_some(|| Resisting::new(model, &statics.yields, statics.room, statics.rough)),
         )?;
         if let Some(k) = k {
-            after_motion(model, &mut kinematic, k.run, k.answer);
+            after_motion(model, kinematic, k.run, k.answer);
         }
         if let Some(s) = s {
-            after_stress(model, &mut statics, s.run, s.answer);
+            after_stress(model, statics, s.run, s.answer);
         }
     }
-    pass(model, kinematic, statics)
+    Ok(())
 }
 
 /// Takes a kinematic solve in.
-fn after_motion(
-    model: &AnalysisModel,
-    side: &mut Side<(PlasticField, UpperBound)>,
-    run: ProgramRun,
-    found: Option<Found<PlasticField, UpperBound>>,
-) {
+fn after_motion(model: &AnalysisModel, side: &mut Motion, run: ProgramRun, found: Option<Found<Moved, UpperBound>>) {
     let Some(found) = found else {
         side.without_field(run.status);
         // a bound that stands needs no better one
@@ -211,7 +248,7 @@ fn after_motion(
 /// Takes a static solve in.
 fn after_stress(
     model: &AnalysisModel,
-    side: &mut Side<(StressField, LowerBound)>,
+    side: &mut Stress,
     run: ProgramRun,
     found: Option<Found<StressField, LowerBound>>,
 ) {
@@ -248,13 +285,9 @@ fn after_stress(
 }
 
 /// Joins what both programs have left.
-fn pass(
-    model: &AnalysisModel,
-    kinematic: Side<(PlasticField, UpperBound)>,
-    statics: Side<(StressField, LowerBound)>,
-) -> Result<Pass, PassError> {
+fn pass(model: &AnalysisModel, kinematic: Motion, statics: Stress) -> Result<Pass, PassError> {
     let mut pass = Pass { kinematic: kinematic.run, statics: statics.run, ..Pass::default() };
-    if let Some((field, bound)) = kinematic.answer {
+    if let Some((Moved { field, .. }, bound)) = kinematic.answer {
         pass.displacement = Some(field.nodes.clone());
         pass.plastic = Some(field);
         pass.upper = Some(bound);
@@ -305,21 +338,26 @@ fn with_own(own: &[usize], tets: usize) -> usize {
 }
 
 impl Flowing {
-    fn new(model: &AnalysisModel, flows: &[bool], rough: bool) -> Result<Self, ModelError> {
+    /// `slid`: what the solve before has left under Coulomb's law.
+    fn new(model: &AnalysisModel, flows: &[bool], rough: bool, slid: Option<&Slid>) -> Result<Self, ModelError> {
         let flow: Vec<Option<Flow>> = flows.iter().map(|f| f.then_some(Flow::Split)).collect();
-        let kinematic = Kinematic::with_plasticity_in(model, &flow)?;
+        let mut kinematic = Kinematic::with_plasticity_in(model, &flow)?;
+        let slips = model.has_coulomb_friction().then(|| Slips::new(&kinematic, slid));
+        if let Some(slips) = &slips {
+            kinematic.program.h = slips.offsets();
+        }
         // without cones a solve is one of linear equations
         let rough = rough && !kinematic.program.cones.is_empty();
-        Ok(Self { kinematic, rough })
+        Ok(Self { kinematic, rough, slips })
     }
 }
 
 impl<'a> Problem<'a> for Flowing {
-    type Answer = Found<PlasticField, UpperBound>;
+    type Answer = Found<Moved, UpperBound>;
     const PROGRAM: Program = Program::Kinematic;
 
     fn assemble(model: &'a AnalysisModel) -> Result<Self, ModelError> {
-        Self::new(model, &vec![true; model.mesh.tets.len()], false)
+        Self::new(model, &vec![true; model.mesh.tets.len()], false, None)
     }
 
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
@@ -349,13 +387,24 @@ impl<'a> Problem<'a> for Flowing {
                 room: 0.0,
             });
         }
-        let field = plastic_motion(model, &self.kinematic, solution)?;
+        let slips = self.slips.as_ref();
+        let slid = slips.map(|s| s.found(model, &self.kinematic)).transpose()?;
+        let shifted = slid.as_ref().map(|s| s.shifted(model));
+        let model = shifted.as_ref().unwrap_or(model);
+        let offsets = slips.map_or_else(|| self.kinematic.program.h.clone(), Slips::offsets);
+        let field = plastic_motion(model, &self.kinematic, &offsets, solution)?;
         let bound = UpperBound::new(certify_plastic_motion(model, &field), model.symmetry);
         let own = &self.kinematic.own;
         let outside = |e: usize| own.get(e..e + 2).is_none_or(|o| o[1] == o[0]);
         let beyond = dissipation(model, &field, outside) / bound.certificate().energy.abs().max(f64::MIN_POSITIVE);
         let used = trial_utilisations(model, &field);
-        Ok(Found { certified: Some((field, bound)), used, beyond, room: 0.0 })
+        Ok(Found { certified: Some((Moved { field, slid }, bound)), used, beyond, room: 0.0 })
+    }
+
+    fn another(&self, model: &AnalysisModel, solution: &Solution) -> Option<Another> {
+        // where yield conditions go needs no shift
+        let slips = self.slips.as_ref().filter(|_| !self.rough)?;
+        slips.another(model, &self.kinematic, solution)
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {

@@ -66,6 +66,10 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     fn program(&self) -> &ConicProgram;
     /// Its unknowns.
     fn map(&self) -> &DofMap;
+    /// The point that its solver measures the unknowns from; empty: zero.
+    fn measured_from(&self, _: &AnalysisModel) -> Vec<f64> {
+        Vec::new()
+    }
     /// The rigid motions that only contact resists, in its unknowns.
     fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>>;
     /// What to solve after this optimal solution; `None`: it was the last.
@@ -108,6 +112,10 @@ impl<'a> Problem<'a> for Kinematic {
         &self.map
     }
 
+    fn measured_from(&self, model: &AnalysisModel) -> Vec<f64> {
+        self.closed(model)
+    }
+
     fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>> {
         self.contact_modes(model).into_iter().map(|m| m.unknowns).collect()
     }
@@ -142,6 +150,10 @@ impl<'a> Problem<'a> for Static<'a> {
 
     fn map(&self) -> &DofMap {
         &self.map
+    }
+
+    fn measured_from(&self, _: &AnalysisModel) -> Vec<f64> {
+        self.closed()
     }
 
     fn contact_modes(&self, _: &AnalysisModel) -> Vec<Vec<f64>> {

@@ -6,6 +6,8 @@ use super::certificate::{KinematicCertificate, StaticCertificate, TOLERANCE};
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
     value: f64,
+    /// With preload: ½ ∫ σ:C⁻¹:σ of the whole structure \[N mm\].
+    strain_energy: Option<f64>,
     certificate: StaticCertificate,
 }
 
@@ -19,7 +21,8 @@ pub struct UpperBound {
 impl LowerBound {
     /// From a certificate; `copies` of the meshed part make the structure.
     pub fn new(certificate: StaticCertificate, copies: u32) -> Self {
-        Self { value: -certificate.energy * f64::from(copies), certificate }
+        let strain_energy = certificate.strain_energy.map(|e| e * f64::from(copies));
+        Self { value: -certificate.energy * f64::from(copies), strain_energy, certificate }
     }
     /// Its value.
     pub fn value(&self) -> f64 {
@@ -98,11 +101,18 @@ impl Bracket {
 
     /// Relative gap `(Π_p + Π_c) / |Π_c|`; 0 when both energies vanish.
     ///
+    /// With preload, under which the energy passes through zero, the largest of `|Π_p|`, `|Π_c|` and `½ ∫ σ:C⁻¹:σ` takes the
+    /// place of `|Π_c|`.
+    ///
     /// # Source
     /// Paper, equation (7).
     pub fn gap(&self) -> f64 {
-        let lower = self.lower.value.abs();
-        let scale = if lower > 0.0 { lower } else { self.upper.value.abs() };
+        let (lower, upper) = (self.lower.value.abs(), self.upper.value.abs());
+        let scale = match self.lower.strain_energy {
+            Some(energy) => lower.max(upper).max(energy),
+            None if lower > 0.0 => lower,
+            None => upper,
+        };
         if scale > 0.0 { (self.upper.value - self.lower.value) / scale } else { 0.0 }
     }
 

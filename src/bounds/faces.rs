@@ -19,6 +19,8 @@ pub struct FaceRole<'a> {
     pub loads: Vec<(f64, &'a SurfaceLoad)>,
     /// In contact or welded: its traction is that of the interface.
     pub contact: bool,
+    /// On a preloaded cut: its traction is that of the other side.
+    pub cut: bool,
 }
 
 impl FaceRole<'_> {
@@ -61,6 +63,10 @@ pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<
         for f in &g.faces {
             roles.entry(key(f)).or_default().contact = true;
         }
+    }
+    for f in model.preload.iter().flat_map(|p| &p.faces) {
+        roles.entry(key(&f.a)).or_default().cut = true;
+        roles.entry(key(&f.b)).or_default().cut = true;
     }
     roles
 }

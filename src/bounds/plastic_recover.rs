@@ -14,15 +14,18 @@ use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::Solution;
 
 /// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers the energy.
+///
+/// `model` is the one whose cones are shifted as the program's rows are by `offsets`.
 pub fn plastic_motion(
     model: &AnalysisModel,
     kinematic: &Kinematic,
+    offsets: &[f64],
     solution: &Solution,
 ) -> Result<PlasticField, RecoverError> {
     let program = &kinematic.program;
     let given: Vec<V3> = kinematic.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let x = &solution.x[..kinematic.map.n];
-    let slack: Vec<f64> = program.g.mul(x).iter().zip(&program.h).map(|(a, b)| a + b).collect();
+    let slack: Vec<f64> = program.g.mul(x).iter().zip(offsets).map(|(a, b)| a + b).collect();
     let violated = smallest_margin(program, &slack) < 0.0;
     // the elastic program has the same shared unknowns, and a stiffness on all of them
     let nodes = match violated {

@@ -81,6 +81,7 @@ pub(super) fn opened(
     offsets: &[f64],
     mut x: Vec<f64>,
 ) -> Result<DisplacementField, RecoverError> {
+    kinematic.map.keep_frozen(&mut x);
     let program = &kinematic.program;
     let welds = (!model.welds.is_empty()).then(|| kinematic.weld_rows(model));
     for _ in 0..3 {
@@ -160,7 +161,9 @@ pub(super) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
 /// The stress field of a static solution, in equilibrium to rounding.
 pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
     let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
-    add_parameters(&statics.elements, &statics.map, &solution.x, true, &mut parameters)?;
+    let mut x = solution.x.clone();
+    statics.map.keep_frozen(&mut x);
+    add_parameters(&statics.elements, &statics.map, &x, true, &mut parameters)?;
     balanced_stress(statics, interface_tractions(statics, solution), parameters)
 }
 
@@ -202,7 +205,9 @@ pub(super) fn balance_elements(
     let mut last = f64::INFINITY;
     for _ in 0..8 {
         let t = tractions(elements, map, parameters)?;
-        let residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
+        let mut residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
+        // the tension of a frozen cut balances nothing
+        map.frozen.iter().for_each(|&(k, _)| residual[k] = 0.0);
         let size = residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         if size == 0.0 || size > 0.3 * last {
             break;

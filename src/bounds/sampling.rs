@@ -10,6 +10,7 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
+use crate::model::analysis::{BoundaryFace, FacePair};
 use crate::model::kinematic::Tet10Space;
 use crate::model::loads::Loads;
 use crate::model::opening::bernstein_at;
@@ -230,6 +231,23 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     let mesh = &model.mesh;
     let faces = FaceNumbering::new(mesh);
     let mut worst = 0.0f64;
+    let cuts: Vec<&FacePair> = model.preload.iter().flat_map(|p| &p.faces).collect();
+    for _ in 0..points * usize::from(!cuts.is_empty()) {
+        let f = cuts[random.index(cuts.len())];
+        let corners = f.nodes_a.map(|n| mesh.nodes[n as usize]);
+        let area = vec3::area_vector(&corners);
+        let n = vec3::scale(1.0 / vec3::norm(area), area);
+        let l = random.barycentric();
+        let side = |face: &BoundaryFace, nodes: [u32; 3]| {
+            let (e, k) = (face.tet as usize, face.local as usize);
+            let t = nodes.map(|m| {
+                let p = FACES[k].iter().position(|&i| mesh.tets[e][i] == m).expect("the node is on the face");
+                mandel::traction(&s.points[e][k][p], n)
+            });
+            at(&t, l)
+        };
+        worst = worst.max(vec3::norm(vec3::sub(side(&f.a, f.nodes_a), side(&f.b, f.nodes_b))));
+    }
     for _ in 0..points {
         let f = random.index(faces.nodes.len());
         let (a, Some(b)) = faces.tets[f] else { continue };

@@ -182,7 +182,8 @@ fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
         Traction::Pressure(p) => p != 0.0,
         Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
     }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
-        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0));
+        || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0))
+        || m.has_preload();
     if acts {
         return Ok(());
     }
@@ -222,6 +223,7 @@ pub fn finish(
         traits.contact |= !contacts.is_empty();
         traits.friction |= case.model.has_friction();
         traits.coulomb |= case.model.has_coulomb();
+        traits.preload |= case.model.has_preload();
         traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
         for note in &case.model.notes {
             if !notes.contains(note) {

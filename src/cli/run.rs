@@ -205,21 +205,6 @@ pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics
         }
         wanted.push(kind);
     }
-    let friction = &input.spec.value.friction;
-    let has_friction = friction.class.is_some() || friction.mu.is_some_and(|mu| mu > 0.0);
-    let coulomb = has_friction && friction.law == connection::FrictionLaw::Coulomb;
-    if coulomb && wanted.contains(&AnalysisKind::Elastoplastic) {
-        let mut d = Diagnostic::input(
-            "spec/unavailable",
-            "friction with `law: coulomb` (the default) is not available yet in an elastoplastic analysis",
-        )
-        .help(
-            "write `law: associated` (slip dilates: the bracket is that of the associated problem), or `mu: 0`; \
-             `kind: elastic` and `kind: limit` take Coulomb's law",
-        );
-        d.place = place("friction");
-        return Err(d.into());
-    }
     Ok(wanted)
 }
 

@@ -5,6 +5,7 @@ use super::outcome::{DEAD_FIELD, LIVE_FIELD};
 use super::{Common, Format, Outcome, out};
 use crate::adapt::limit::{self, LimitPass};
 use crate::adapt::pass::Pass;
+use crate::adapt::preload::tightened;
 use crate::bounds::bracket::{Bracket, LowerBound, UpperBound};
 use crate::bounds::certificate::{TOLERANCE, certify_displacement, certify_stress};
 use crate::bounds::fields::StressField;
@@ -190,7 +191,15 @@ impl Scene<'_> {
         if given.has_coulomb_friction() && bounded {
             pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
         }
-        let model = &AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
+        let mut model = AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
+        for bolt in &mut model.preload {
+            let told = case.preload.iter().find(|t| t.body == bolt.body && t.cut == bolt.cut);
+            bolt.closure = told.map(|t| t.closure);
+            if bounded && told.is_none_or(|t| t.force != bolt.force) {
+                refuted.push(format!("{}: the preload of `{}` is not that of the model", case.name, bolt.body));
+            }
+        }
+        let model = &model;
         if let Some(claimed) = case.lower.filter(|_| statics) {
             let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
             let mut random = sample(model, None, Some(&stress), POINTS);
@@ -240,6 +249,7 @@ impl Scene<'_> {
             findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
             pass.upper = Some(bound);
         }
+        pass.preload = tightened(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
             match Bracket::new(l.clone(), u.clone()) {
                 Ok(b) => pass.bracket = Some(b),
@@ -390,6 +400,9 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         let (a, b) = (numbers(a), numbers(b));
         near(a.0, b.0) && near(a.1, b.1)
     };
+    let bolts = claimed.preload.iter().zip(&found.preload);
+    let preload =
+        claimed.preload.len() == found.preload.len() && bolts.into_iter().all(|(a, b)| near(a.tension, b.tension));
     let shares = claimed.dissipation.len() == found.dissipation.len()
         && claimed
             .dissipation
@@ -422,6 +435,7 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         ("quantity", claimed.quantity == found.quantity),
         ("frictionless", raw(claimed.frictionless, found.frictionless)),
         ("associated", raw(claimed.associated, found.associated)),
+        ("preload", preload),
         ("dissipation", shares),
         ("welds", welds),
         ("load_displacement_at_least", near(claimed.load_displacement_at_least, found.load_displacement_at_least)),

@@ -168,6 +168,23 @@ pub struct FreeMode {
     pub motions: Vec<[f64; 6]>,
 }
 
+/// A preloaded bolt: a cut severs its shank, and one side is drawn towards the other along the axis, `u_B − u_A = −δ a`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preload {
+    /// Body of the bolt.
+    pub body: String,
+    /// Name of the cut.
+    pub cut: String,
+    /// Unit direction a of the shank; the normals out of side A point along it.
+    pub axis: [f64; 3],
+    /// Preload, the tension in the cut where nothing but dead loads acts beside it \[N\], > 0.
+    pub force: f64,
+    /// Relative closure δ of the cut, frozen \[mm\]; `None`: it closes as the preload drives it.
+    pub closure: Option<f64>,
+    /// The faces of the cut; none in limit analysis, where preload drops out.
+    pub faces: Vec<FacePair>,
+}
+
 /// Everything the two programs need.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnalysisModel {
@@ -197,6 +214,8 @@ pub struct AnalysisModel {
     pub supports: Vec<Support>,
     /// Rigid faces.
     pub rigid: Vec<RigidFace>,
+    /// Preloaded bolts.
+    pub preload: Vec<Preload>,
     /// Surface loads.
     pub surface_loads: Vec<SurfaceLoad>,
     /// Body loads.

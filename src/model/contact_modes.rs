@@ -27,12 +27,13 @@ pub fn contact_modes(model: &AnalysisModel, map: &DofMap, points: &[(usize, V3)]
         v[m] = if m < 3 { 1.0 } else { 1.0 / size };
         v
     });
-    let rigid = map.n - map.plain;
+    let rigid = map.rigid();
     let n = 6 * parts + rigid;
     let mut gram = faer::Mat::<f64>::zeros(n, n);
     for (i, &(part, x)) in points.iter().enumerate() {
         for d in 0..3 {
-            if map.own(3 * i + d).is_some() {
+            // across a frozen cut the same rigid motion goes on
+            if map.own(3 * i + d).is_some() || map.follows(3 * i + d) {
                 continue;
             }
             let mut row: Vec<(usize, f64)> =
@@ -66,7 +67,7 @@ pub fn contact_modes(model: &AnalysisModel, map: &DofMap, points: &[(usize, V3)]
                     }
                 }
             }
-            unknowns[map.plain..].copy_from_slice(&c[6 * parts..]);
+            unknowns[map.plain..map.plain + rigid].copy_from_slice(&c[6 * parts..]);
             ContactMode { unknowns, parts: motions }
         })
         .collect()

@@ -7,8 +7,12 @@ pub struct DofMap {
     terms: Vec<(u32, f64)>,
     /// Number of the program's unknowns.
     pub n: usize,
-    /// The first `plain` unknowns are single full unknowns; the rest are motions of rigid faces.
+    /// The first `plain` unknowns are single full unknowns; then come motions of rigid faces.
     pub plain: usize,
+    /// So many unknowns at the end are closures of preloaded cuts.
+    pub closures: usize,
+    /// Closures that are given \[mm\].
+    pub frozen: Vec<(usize, f64)>,
     /// Block (node, face or rigid motion) of each of the program's unknowns, for orderings.
     pub block: Vec<u32>,
 }
@@ -23,7 +27,7 @@ impl DofMap {
             terms.extend(c);
             start.push(terms.len());
         }
-        Self { start, terms, n: block.len(), plain, block }
+        Self { start, terms, n: block.len(), plain, block, ..Self::default() }
     }
 
     /// The combination of full unknown `i`.
@@ -37,6 +41,21 @@ impl DofMap {
             [(k, _)] if (*k as usize) < self.plain => Some(*k as usize),
             _ => None,
         }
+    }
+
+    /// Number of motions of rigid faces.
+    pub fn rigid(&self) -> usize {
+        self.n - self.plain - self.closures
+    }
+
+    /// True when full unknown `i` follows another one across a preloaded cut.
+    pub fn follows(&self, i: usize) -> bool {
+        self.own(i).is_none() && self.terms(i).iter().any(|(k, _)| (*k as usize) < self.plain)
+    }
+
+    /// Puts the given closures in the place of what a solver has left of them.
+    pub fn keep_frozen(&self, x: &mut [f64]) {
+        self.frozen.iter().for_each(|&(k, value)| x[k] = value);
     }
 
     /// Number of full unknowns.

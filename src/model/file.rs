@@ -125,7 +125,7 @@ pub enum Friction {
     /// Slip dilates; both programs are convex duals of each other.
     Associated,
     /// Coulomb's law without dilation. Limit analysis: the lower bound without friction, the upper one with associated
-    /// friction. Elastic analysis: a fixed point over associated problems with shifted cones.
+    /// friction. Elastic kinds: a fixed point over associated problems with shifted cones.
     Coulomb,
 }
 
@@ -336,7 +336,7 @@ pub struct PreloadEntry {
     pub cut: String,
     /// Direction of the shank.
     pub axis: [f64; 3],
-    /// Preload \[N\].
+    /// Preload of the meshed part of the bolt \[N\], > 0: the tension in the cut before the loads come.
     pub force: f64,
 }
 

@@ -1,6 +1,6 @@
 //! What holds the unknowns of either program: the points on its faces, and pins against free rigid motions.
 
-use super::analysis::BoundaryFace;
+use super::analysis::{BoundaryFace, FacePair};
 use crate::math::vec3::{self, V3};
 
 /// Why a program cannot be set up.
@@ -24,6 +24,14 @@ pub enum ModelError {
     /// Nothing that could give way.
     #[error("no body has a yield strength and no contact can slip or open: there is nothing that could collapse")]
     NothingYields,
+    /// Something holds the halves of a bolt apart where its preload draws them together.
+    #[error("{holder} at the rim of the cut `{cut}` lets its halves move neither together nor apart")]
+    CutHeld {
+        /// What holds it.
+        holder: &'static str,
+        /// Name of the cut.
+        cut: String,
+    },
     /// A force per volume that the load factor multiplies.
     #[error("a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only")]
     LiveBodyForce(String),
@@ -40,6 +48,7 @@ impl From<ModelError> for crate::diag::Diagnostic {
         let help = match &e {
             ModelError::RigidFacesTouch(..) => "join the two faces into one physical surface, or move only one of them",
             ModelError::NothingYields => "give the material of the bodies that can yield an `fy`",
+            ModelError::CutHeld { .. } => "cut the shank away from supports, rigid faces, welds and other cuts",
             ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
             ModelError::LiveLoadsHeld => "load a face that can move, or free what the load is to move",
             ModelError::NoLiveLoad => "write the load to be increased under `loads`",
@@ -61,6 +70,8 @@ pub trait FacePoints {
     fn points(&self, face: &BoundaryFace) -> Vec<usize>;
     /// Indices of the points of a tet.
     fn tet_points(&self, tet: usize) -> Vec<usize>;
+    /// Points of the two sides of an opened face that lie on each other, side A first.
+    fn pairs(&self, face: &FacePair) -> Vec<[usize; 2]>;
     /// Coordinates of a point \[mm\].
     fn position(&self, point: usize) -> V3;
     /// Number of points.

@@ -8,6 +8,7 @@ use super::analysis::{AnalysisModel, BoundaryFace, FacePair};
 use super::assemble::assemble;
 use super::batch::Rule;
 use super::contact_modes::{ContactMode, contact_modes};
+use super::cuts;
 use super::dofs::DofMap;
 use super::flowing_tet10::FlowingTet10;
 use super::holds::{self, FacePoints, ModelError};
@@ -88,6 +89,10 @@ impl FacePoints for Points<'_> {
     }
     fn tet_points(&self, tet: usize) -> Vec<usize> {
         self.space.tet(&self.model.mesh, tet).to_vec()
+    }
+    fn pairs(&self, face: &FacePair) -> Vec<[usize; 2]> {
+        let (a, b) = (self.space.triangle(face.nodes_a), self.space.triangle(face.nodes_b));
+        a.into_iter().zip(b).map(|(a, b)| [a, b]).collect()
     }
     fn position(&self, point: usize) -> V3 {
         self.space.nodes[point]
@@ -387,7 +392,8 @@ impl Kinematic {
             _ => Inside::Plain,
         };
         let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
-        let f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
+        let mut f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
+        cuts::add_preload(model, &map, &mut f);
         let mut stiffness = Vec::new();
         let weld_faces: Vec<(f64, &FacePair)> = match kind {
             Kind::AroundRigidBodies => Vec::new(),
@@ -424,6 +430,7 @@ impl Kinematic {
                 points.push(point);
             }
         }
+        map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let (mut own, mut split) = (Vec::new(), Vec::new());
         let tets = model.mesh.tets.len();
         if yields || !weld_faces.is_empty() {
@@ -468,6 +475,16 @@ impl Kinematic {
         let of: BTreeMap<_, f64> = self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
         let value = |p: ControlPoint| of.get(&p.key()).copied().unwrap_or(0.0);
         ConeShift { faces: points_of_faces(model, &self.space).into_iter().map(|f| f.map(value)).collect() }
+    }
+
+    /// A displacement that closes the frozen cuts with little strain, from which a solver measures the unknowns; empty: there are
+    /// none.
+    pub fn closed(&self, model: &AnalysisModel) -> Vec<f64> {
+        let mut tet = vec![0; self.space.nodes.len()];
+        for e in 0..model.mesh.tets.len() {
+            self.space.tet(&model.mesh, e).into_iter().for_each(|n| tet[n] = e);
+        }
+        cuts::spread(model, &self.map, tet.into_iter().zip(self.space.nodes.iter().copied()))
     }
 
     /// The rigid motions that only contact resists.

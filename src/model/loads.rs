@@ -98,6 +98,11 @@ impl AnalysisModel {
         Ok(())
     }
 
+    /// True when some bolt is preloaded; in limit analysis preload drops out.
+    pub fn has_preload(&self) -> bool {
+        !self.preload.is_empty()
+    }
+
     /// True when some contact has friction.
     pub fn has_friction(&self) -> bool {
         self.interfaces.iter().any(|i| i.law.mu > 0.0) || self.ground.iter().any(|g| g.law.mu > 0.0)

@@ -4,6 +4,7 @@ pub mod analysis;
 pub mod assemble;
 pub mod batch;
 pub mod contact_modes;
+pub mod cuts;
 pub mod dofs;
 pub mod explicit;
 pub mod file;

@@ -214,6 +214,49 @@ impl ConicProgram {
         self.q.push(1.0);
     }
 
+    /// Gives shared unknown `k` a value: what it does to the others goes into their linear terms and into the offsets, and it
+    /// keeps a term of its own that is least at that value, so that the pattern stays. The objective is the same there.
+    ///
+    /// Only of programs whose elements are all elastic.
+    pub fn freeze(&mut self, k: usize, value: f64) {
+        let mut own = 0.0;
+        for c in 0..self.p.n {
+            for i in self.p.col_ptr[c]..self.p.col_ptr[c + 1] {
+                let r = self.p.row_idx[i] as usize;
+                match (r == k, c == k) {
+                    (true, true) => own = self.p.values[i],
+                    (true, false) => self.q[c] += value * std::mem::take(&mut self.p.values[i]),
+                    (false, true) => self.q[r] += value * std::mem::take(&mut self.p.values[i]),
+                    (false, false) => {}
+                }
+            }
+        }
+        // ½ own v² + q v is its share of the objective, ½ own (x − v)² what stands for it now
+        self.c += value * (own * value + self.q[k]);
+        self.q[k] = -own * value;
+        for r in 0..self.g.nrows() {
+            for i in self.g.row_ptr[r]..self.g.row_ptr[r + 1] {
+                if self.g.col_idx[i] == k {
+                    self.h[r] += value * std::mem::take(&mut self.g.values[i]);
+                }
+            }
+        }
+    }
+
+    /// The same program in unknowns that are measured from the given point: its solutions are those of this one less the point.
+    /// Unknowns behind the end of `from` are measured from zero.
+    pub fn measured_from(&self, from: &[f64]) -> Self {
+        let mut out = self.clone();
+        let mut x = from.to_vec();
+        x.resize(self.unknowns(), 0.0);
+        let [px] = self.quadratic([&x]);
+        let half = (0..x.len()).map(|i| x[i] * (0.5 * px[i] + self.q[i]));
+        out.c += crate::math::Sum::of(half);
+        out.q.iter_mut().zip(&px).for_each(|(q, p)| *q += p);
+        out.h = self.slack(&x);
+        out
+    }
+
     /// The unknowns that are maximised over: parameters of elements, and the load factor.
     pub fn maximised(&self) -> Vec<bool> {
         let mut out = vec![false; self.unknowns()];

@@ -8,9 +8,10 @@ mod materials;
 mod motions;
 mod names;
 mod parts;
+mod preload;
 
 use super::analysis::AnalysisModel;
-use super::file::{AnalysisKind, Friction, ModelFile, Nodes};
+use super::file::{AnalysisKind, ModelFile, Nodes};
 use super::opening::ConeShift;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::TetMesh;
@@ -98,16 +99,21 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     let (supports, ground) = held::supports(file, &scene, &claims, &mut faults, &mut notes);
     let rigid = held::rigid_faces(file, &scene, &claims, &mut faults);
     held::check_twice(file, &supports, &ground, &rigid, &mut faults);
+    let cuts = preload::read(file, &scene, &claims, &mut faults, &mut notes);
     let (surface_loads, body_loads) = actions::loads(file, &scene, &claims, &mut faults);
     if !faults.all.is_empty() {
         return Err(Diagnostics(faults.all));
     }
 
-    let open: Vec<[TetFace; 2]> = claims.open.iter().flat_map(|o| o.faces.iter().copied()).collect();
-    let cut = split(&mesh, &table, &open);
+    let open = claims.open.iter().flat_map(|o| o.faces.iter().copied());
+    let open: Vec<[TetFace; 2]> = open.chain(cuts.iter().flat_map(|c| c.faces.iter().copied())).collect();
+    let mut cut = split(&mesh, &table, &open);
+    let of_cuts = cut.pairs.split_off(claims.open.iter().map(|o| o.faces.len()).sum());
     let (interfaces, welds) = interfaces::pairs(&claims, &cut.pairs);
+    preload::join_parts(&mut cut, &of_cuts);
+    let preload = preload::preloads(cuts, &of_cuts, &cut)?;
     let parts = parts::names(&cut, &mut notes);
-    if surface_loads.is_empty() && body_loads.is_empty() && rigid.iter().all(no_action) {
+    if surface_loads.is_empty() && body_loads.is_empty() && rigid.iter().all(no_action) && preload.is_empty() {
         notes.push("there is no load".to_string());
     }
     let mut model = AnalysisModel {
@@ -124,6 +130,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
         shift: ConeShift::default(),
         supports,
         rigid,
+        preload,
         surface_loads,
         body_loads,
         free_modes: Vec::new(),
@@ -166,27 +173,14 @@ impl Faults<'_> {
     /// A thing of the contract that this version does not do yet.
     fn unavailable(&mut self, path: &str, what: &str) {
         let m = format!("{what} is not available yet in this version");
-        let help = "available: every `analysis` with tied interfaces, welds and contact, frictionless (`mu: 0`) or with \
-                    `friction: associated`; in elastic and in limit analysis also `friction: coulomb`";
+        let help = "available: `preload` with `analysis: elastic`, where it acts, and with `analysis: limit`, where it drops out";
         self.add("model/unavailable", path, m, help);
     }
 }
 
 fn unavailable(file: &ModelFile, faults: &mut Faults<'_>) {
-    if file.analysis == AnalysisKind::Elastoplastic {
-        let interfaces = file.interfaces.iter().map(|e| (e.mu, e.friction)).enumerate();
-        let interfaces = interfaces.map(|(i, law)| (format!("interfaces[{i}].friction"), law));
-        let supports = file.supports.iter().map(|e| (e.mu, e.friction)).enumerate();
-        let supports = supports.map(|(i, law)| (format!("supports[{i}].friction"), law));
-        for (path, _) in interfaces
-            .chain(supports)
-            .filter(|(_, (mu, law))| *law == Some(Friction::Coulomb) && mu.is_some_and(|mu| mu > 0.0))
-        {
-            faults.unavailable(&path, "`friction: coulomb` in an elastoplastic analysis");
-        }
-    }
-    for (i, p) in file.preload.iter().enumerate() {
-        faults.unavailable(&format!("preload[{i}]"), &format!("preload (of body `{}`)", p.body));
+    if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
+        faults.unavailable("preload", "preload in an elastic, perfectly plastic analysis");
     }
 }
 

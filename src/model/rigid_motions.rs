@@ -4,7 +4,8 @@
 //! the motions that all of a group may make together are the null space of these conditions. One unknown of the program
 //! stands for each.
 
-use super::analysis::AnalysisModel;
+use super::analysis::{AnalysisModel, Preload};
+use super::cuts;
 use super::dofs::DofMap;
 use super::holds::{FacePoints, ModelError, rigid_displacement};
 use super::loads::Loads;
@@ -163,7 +164,8 @@ fn movers(model: &AnalysisModel, points: &impl FacePoints, pieces: &RigidPieces,
         .collect()
 }
 
-/// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of rigid faces and pieces.
+/// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of rigid faces and pieces, plus the
+/// closures of preloaded cuts.
 pub fn number_unknowns(
     model: &AnalysisModel,
     points: &impl FacePoints,
@@ -176,9 +178,10 @@ pub fn number_unknowns(
         }
     }
     let claims = claims(model, points, pieces)?;
+    let followers = cuts::followers(model, points, &mut fixed, |p| (0..3).any(|d| claims.contains_key(&(p, d))))?;
     let mut combinations: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * points.count()];
     let mut block = Vec::new();
-    for p in 0..points.count() {
+    for p in (0..points.count()).filter(|p| !followers.contains_key(p)) {
         for d in 0..3 {
             if !fixed[p][d] && !claims.contains_key(&(p, d)) {
                 combinations[3 * p + d].push((block.len() as u32, 1.0));
@@ -212,7 +215,16 @@ pub fn number_unknowns(
         let faces = members.iter().zip(basis).filter(|(o, _)| **o < model.rigid.len());
         out.push(RigidMotions { first, count, faces: faces.map(|(o, b)| (*o, b)).collect() });
     }
-    Ok((DofMap::new(combinations, plain, block), out))
+    let first = block.len();
+    cuts::follow(model, &followers, first, &mut combinations);
+    // without faces (limit analysis) there is nothing to close
+    let closures = if followers.is_empty() { 0 } else { model.preload.len() };
+    block.extend((0..closures).map(|i| rigid_block + (groups + i) as u32));
+    let mut map = DofMap::new(combinations, plain, block);
+    map.closures = closures;
+    let given = |(i, bolt): (usize, &Preload)| bolt.closure.map(|value| (first + i, value));
+    map.frozen = model.preload.iter().take(closures).enumerate().filter_map(given).collect();
+    Ok((map, out))
 }
 
 /// Groups of movers that share points, numbered by their first member.
@@ -309,7 +321,7 @@ pub fn nearest_unknowns(map: &DofMap, motions: &[RigidMotions], full: impl Fn(us
             x[k] = u;
             continue;
         }
-        let Some(&(k, _)) = map.terms(i).first() else { continue };
+        let Some(&(k, _)) = map.terms(i).first().filter(|_| !map.follows(i)) else { continue };
         let group = motions.partition_point(|r| r.first + r.count <= k as usize);
         let (first, (gram, rhs)) = (motions[group].first, &mut fits[group]);
         for &(a, wa) in map.terms(i) {

@@ -4,9 +4,10 @@
 //! statically admissible stress field, a lower bound of the exact potential energy. Cones bound the mass-weighted jumps
 //! `Σ_b M_ab (v_B − v_A)_b + ∫ φ_a g₀ n`, conjugate to the traction at face vertex a.
 
-use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw};
+use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, FacePair};
 use super::assemble::assemble;
 use super::contact_modes::{ContactMode, contact_modes};
+use super::cuts;
 use super::dofs::DofMap;
 use super::holds::{self, FacePoints, ModelError};
 use super::kinematic::{hold, push_rows};
@@ -122,6 +123,14 @@ impl FacePoints for Points<'_> {
     }
     fn tet_points(&self, tet: usize) -> Vec<usize> {
         self.faces.of_tet[tet].iter().flat_map(|&f| [0, 1, 2].map(|p| 3 * f as usize + p)).collect()
+    }
+    fn pairs(&self, face: &FacePair) -> Vec<[usize; 2]> {
+        let side = |face: &BoundaryFace, nodes: [u32; 3]| {
+            let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
+            let at = |n: u32| self.faces.nodes[f].iter().position(|m| *m == n);
+            nodes.map(|n| 3 * f + at(n).expect("the nodes are those of the face"))
+        };
+        side(&face.a, face.nodes_a).into_iter().zip(side(&face.b, face.nodes_b)).map(|(a, b)| [a, b]).collect()
     }
     fn position(&self, point: usize) -> V3 {
         self.mesh.nodes[self.faces.nodes[point / 3][point % 3] as usize]
@@ -298,7 +307,8 @@ impl<'a> Static<'a> {
             |i| elements.dofs(elastic[i]),
             |i| Ok(elements.element(elastic[i])?.stiffness()),
         )?;
-        let loads = forces(&elements, &map, &rigid, counted);
+        let mut loads = forces(&elements, &map, &rigid, counted);
+        cuts::add_preload(model, &map, &mut loads);
         let mut q: Vec<f64> = loads.iter().map(|x| -x).collect();
         let mut c = 0.0;
         if elements.has_body_forces() {
@@ -340,6 +350,7 @@ impl<'a> Static<'a> {
                 vertices.push(v);
             }
         }
+        map.frozen.iter().for_each(|&(k, closure)| program.freeze(k, closure));
         let mut own = Vec::new();
         let tets = model.mesh.tets.len();
         if yields || !weld_faces.is_empty() {
@@ -537,6 +548,16 @@ impl Static<'_> {
             }
         }
         out
+    }
+
+    /// Multipliers that close the frozen cuts with little strain, as in the kinematic program; empty: there are none.
+    pub fn closed(&self) -> Vec<f64> {
+        let (model, faces) = (self.elements.model, &self.elements.faces);
+        let of_face = |(f, nodes): (usize, &[u32; 3])| {
+            let tet = faces.tets[f].0 as usize;
+            nodes.map(|n| (tet, model.mesh.nodes[n as usize]))
+        };
+        cuts::spread(model, &self.map, faces.nodes.iter().enumerate().flat_map(of_face))
     }
 
     /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the

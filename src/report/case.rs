@@ -79,10 +79,10 @@ pub(super) fn problem(model: &AnalysisModel) -> Problem {
 }
 
 /// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
-/// dead load, no initial gap, no shifted cones, no weld that may give way.
+/// dead load, no initial gap, no preload, no shifted cones, no weld that may give way.
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
-    let shifted = model.has_coulomb_friction();
+    let shifted = model.has_coulomb_friction() || model.has_preload();
     let bent = model.has_dead_loads() || gaps || shifted || !model.body_loads.is_empty() || !model.welds.is_empty();
     if bent { None } else { only_load(model) }
 }
@@ -242,6 +242,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        preload: pass.preload.clone(),
         fixed_point: pass.fixed_point.clone(),
         load,
         load_displacement,

@@ -1,6 +1,6 @@
 //! The result of several passes: the largest lower bound and the smallest upper one, each with all that belongs to it.
 
-use super::data::{CaseResult, Certificate, PartYield, PeakPressure, Quantity, RawBracket, Upper};
+use super::data::{CaseResult, Certificate, PartYield, PeakPressure, Problem, Quantity, RawBracket, Upper};
 use crate::bounds::bracket::Contradiction;
 
 /// The passes that give the best bounds.
@@ -13,10 +13,21 @@ pub struct Best {
 }
 
 /// The best of the entries of passes, in their order; strict bounds before estimates. `None` without any entry.
+///
+/// Where every pass has a problem of its own, its contact cones shifted or its preloaded cuts frozen, bounds of two passes bracket
+/// nothing: then both are of the pass with the smallest gap.
 pub fn best(entries: &[CaseResult]) -> Option<Best> {
     let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
     let any = entries.iter().any(strict);
     let counts = |c: &&CaseResult| !any || strict(c);
+    let apart = |c: &CaseResult| c.problem == Problem::ShiftedCones || !c.preload.is_empty();
+    if entries.iter().any(apart) {
+        let gaps = entries.iter().enumerate().filter(|(_, c)| counts(c)).filter_map(|(i, c)| Some((c.gap?, i)));
+        let narrowest = gaps.min_by(|a, b| a.0.total_cmp(&b.0)).map(|g| g.1);
+        let bounded = || entries.iter().rposition(|c| counts(&c) && (c.lower.is_some() || c.upper.is_some()));
+        let one = narrowest.or_else(bounded).or_else(|| entries.len().checked_sub(1))?;
+        return Some(Best { lower: one, upper: one });
+    }
     // of equals the first
     let place = |value: &dyn Fn(&CaseResult) -> Option<f64>| {
         let mut found: Option<(f64, usize)> = None;

@@ -7,6 +7,7 @@ use super::demand::Demand;
 pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use super::static_forces::StaticForces;
 use crate::adapt::coulomb::FixedPointRun;
+use crate::adapt::preload::Tightened;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, JointStiffness};
 use crate::diag::Diagnostic;
@@ -168,6 +169,9 @@ pub struct CaseResult {
     /// Value of the fixed point for Coulomb friction: an estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
+    /// The preloaded bolts of an elastic analysis.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub preload: Vec<Tightened>,
     /// Coulomb friction in elastic analysis: how the fixed point went.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_point: Option<FixedPointRun>,

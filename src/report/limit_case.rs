@@ -164,6 +164,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         frictionless,
         associated,
         coulomb_estimate: None,
+        preload: Vec::new(),
         fixed_point: None,
         load: only_load(model).filter(|l| l.value() > 0.0),
         load_displacement: None,

@@ -65,6 +65,7 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             // with bar and time left it fits into 80 columns
             log.iteration(program, i, &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"));
         }
+        Event::Tightening => log.line(format!("{case}: the bolts are tightened first")),
         Event::Slips { solves, change } => log.line(format!(
             "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed them by {} of the largest",
             percent_up(change)

@@ -6,8 +6,8 @@ use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
+use super::preload_text::{fixed_point_words, preload_words};
 use super::{checks_text, comparison, joint_stiffness, static_forces, summary};
-use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
 
@@ -258,6 +258,9 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(page, &format!("{label} alone: {}.", raw_bracket(raw)));
         }
     }
+    for bolt in &case.preload {
+        paragraph(page, &preload_words(bolt));
+    }
     if let Some(run) = &case.fixed_point {
         paragraph(page, &fixed_point_words(run));
     }
@@ -274,20 +277,6 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(page, &format!("Peak contact pressure: {}; local values are estimates.", sides.join(", ")));
         }
     }
-}
-
-/// How near the problem of the bracket is to Coulomb's law.
-fn fixed_point_words(run: &FixedPointRun) -> String {
-    let problems = if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
-    let contraction = match run.contraction {
-        Some(c) => format!("; a plain step leaves {} of the error", percent_up(c)),
-        None => String::new(),
-    };
-    format!(
-        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} of the largest{contraction}. The \
-         bracket is strict for that last problem.",
-        percent_up(run.change)
-    )
 }
 
 fn raw_bracket(raw: RawBracket) -> String {
@@ -563,8 +552,12 @@ fn limits(data: &ReportData) -> Vec<String> {
             );
         }
     }
-    if model.preload {
-        out.push("With preload the two values bracket the energy only.".into());
+    if model.preload && kinds.contains(&AnalysisKind::Elastic) {
+        out.push(
+            "Preload: the bolts are tightened first, under the dead loads alone; then the closures of their cuts stay. The bounds are \
+             strict for the structure with these closures, and they bracket its energy only."
+                .into(),
+        );
     }
     if model.facets {
         out.push(

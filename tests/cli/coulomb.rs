@@ -1,4 +1,4 @@
-//! Coulomb friction in elastic analysis through the real program: the result, the report, `bracket verify`.
+//! Coulomb friction in elastic and elastoplastic analysis through the real program: the result, the report, `bracket verify`.
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect};
@@ -7,10 +7,16 @@ use serde_json::Value;
 
 /// A block that widens less under its load than the softer one below it: the edges of the joint slip.
 fn solved() -> Bench {
+    solved_as("elastic", "")
+}
+
+/// The same as another kind of analysis, the softer block with more keys.
+fn solved_as(kind: &str, keys: &str) -> Bench {
     let model = MODEL
+        .replace("elastic", kind)
         .replace("associated", "coulomb")
         .replace("mu: 0.3", "mu: 0.1")
-        .replace("materials: {", "materials: {soft: {E: 70000, nu: 0.3}, ")
+        .replace("materials: {", &format!("materials: {{soft: {{E: 70000, nu: 0.3{keys}}}, "))
         .replace("BASE: steel", "BASE: soft");
     let bench = bench(&model);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
@@ -52,6 +58,23 @@ fn the_bracket_is_one_of_shifted_cones_and_is_confirmed_from_the_files() {
     assert!(report.contains("with Coulomb friction it does not bracket a displacement"), "{report}");
     let (out, _) = expect(&bench, &["verify", "block"], 0);
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
+}
+
+/// The edges of the softer block yield.
+#[test]
+fn beside_yield_the_bracket_is_confirmed_from_the_files_too() {
+    let bench = solved_as("elastoplastic", ", fy: 64");
+    let c = case(&bench);
+    assert_eq!(c["problem"], "shifted_cones", "{c}");
+    assert_eq!(c["certificate"]["strict"], true, "{c}");
+    assert!(c["fixed_point"]["solves"].as_u64().expect("a number") > 1, "{c}");
+    assert!(c["yielding"][0]["yielded"].as_f64().expect("a number") > 0.0, "{c}");
+    assert!(c.get("load_displacement_at_least").is_none(), "{c}");
+    let (out, _) = expect(&bench, &["verify", "block"], 0);
+    assert_eq!(out.matches("confirmed").count(), 2, "{out}");
+    scale_shift(&bench, 0.9);
+    let (out, _) = expect(&bench, &["verify", "block"], 1);
+    assert!(out.contains("REFUTED"), "{out}");
 }
 
 #[test]

@@ -244,16 +244,6 @@ fn wrong_inputs_are_refused_with_place_and_cure() {
             "two different",
         ),
         (
-            CUBE.replace(
-                "fix: [x, y, z]}",
-                "fix: [x, y, z]}\n  - {face: X0, law: contact, mu: 0.3, friction: coulomb}",
-            ),
-            "model/unavailable",
-            "cube.yaml:7",
-            "`friction: coulomb` in an elastoplastic analysis is not available",
-            "`friction: associated`",
-        ),
-        (
             format!("{CUBE}preload:\n  - {{body: B, cut: X0, axis: [1, 0, 0], force: 1}}\n"),
             "model/unavailable",
             "cube.yaml:10",

@@ -129,14 +129,6 @@ const ROWS: &[Row] = &[
     ("kind: elastic", "kind: [limit, limit]", "spec/value", "joint.yaml:11:", "the same kind twice", "each kind once"),
     ("law: associated", "law: columb", "yaml/unknown-value", "joint.yaml:9:", "columb", "coulomb"),
     (
-        "law: associated}\nloads: [{name: TOP, section: column_top, pressure: 45 MPa}]\nanalysis: {kind: elastic",
-        "law: coulomb}\nloads: [{name: TOP, section: column_top, pressure: 45 MPa}]\nanalysis: {kind: elastoplastic",
-        "spec/unavailable",
-        "joint.yaml:9:",
-        "not available yet in an elastoplastic analysis",
-        "law: associated",
-    ),
-    (
         "section: column_top",
         "section: colunm_top",
         "spec/unknown-name",

@@ -1,17 +1,23 @@
 //! Clarabel as the oracle of the condensed method, on one and the same program.
 
 use bracket::model::program::ConicProgram;
-use bracket::solve::{Solution, SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::status::Iterations;
+use bracket::solve::{Iteration, Solution, SolveOptions, SolveStatus, clarabel, condensed};
+use std::sync::{Arc, Mutex};
 
 /// Iterations an elastic or elastoplastic program may take, hard cases included.
 pub const MOST_ITERATIONS: u32 = 40;
 
 /// Solves by both, without any fallback between them: both optimal, objectives within 1e-6. Returns the condensed one.
 pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
-    let options = SolveOptions::default();
+    let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
+    let kept = trace.clone();
+    let progress: Iterations = Arc::new(move |i| kept.lock().unwrap().push(*i));
+    let options = SolveOptions { progress: Some(progress), ..SolveOptions::default() };
     let prepared = condensed::Prepared::new(program, block).unwrap_or_else(|e| panic!("{name}: {e}"));
     let ours = prepared.solve(&options);
-    assert_eq!(ours.status, SolveStatus::Optimal, "{name}");
+    assert_eq!(ours.status, SolveStatus::Optimal, "{name}: {:#?}", trace.lock().unwrap());
+    let options = SolveOptions::default();
     assert!(ours.iterations <= MOST_ITERATIONS, "{name}: {} iterations", ours.iterations);
     let theirs = clarabel::solve(program, &options);
     assert_eq!(theirs.status, SolveStatus::Optimal, "{name}: Clarabel");

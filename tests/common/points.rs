@@ -145,6 +145,7 @@ pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &Displa
     inner_faces(name, &fields, &mut random, tolerance);
     contacts(name, &fields, &mut random, tolerance);
     welds(name, &fields, &mut random, tolerance);
+    cuts(name, &fields, &mut random, tolerance);
     supports(name, &fields, &mut random);
 }
 
@@ -236,6 +237,10 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         hold(&p.a, [true; 3]);
         hold(&p.b, [true; 3]);
     });
+    f.model.preload.iter().flat_map(|p| &p.faces).for_each(|p| {
+        hold(&p.a, [true; 3]);
+        hold(&p.b, [true; 3]);
+    });
     for _ in 0..POINTS {
         let b = &outer[random.below(outer.len())];
         let x = f.positions(f.face(b));
@@ -290,6 +295,25 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
             gn + g0,
             law.mu * gt
         );
+    }
+}
+
+/// Across a preloaded cut the traction goes on, and the displacement jumps by the closure along the axis.
+fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
+    let all: Vec<_> = f.model.preload.iter().flat_map(|p| p.faces.iter().map(move |face| (p, face))).collect();
+    let size = f.u.u.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    for _ in 0..POINTS * usize::from(!all.is_empty()) {
+        let (bolt, p) = all[random.below(all.len())];
+        let x = f.positions(p.nodes_a);
+        let l = random.simplex::<3>();
+        let (at, n) = (combine(&x, &l), outward(&x));
+        assert!(dot(n, bolt.axis) > 0.0, "{name}: side A of the cut");
+        let (a, b) = (f.traction(&p.a, at, n), f.traction(&p.b, at, n));
+        assert!(norm(sub(a, b)) <= tolerance, "{name}: {a:?} on one side of the cut, {b:?} on the other at {at:?}");
+        let closure = bolt.closure.unwrap();
+        let jump = sub(f.displacement(p.nodes_b, l), f.displacement(p.nodes_a, l));
+        let off = norm(sub(jump, bolt.axis.map(|c| -closure * c)));
+        assert!(off <= 1e-12 * size, "{name}: the cut closes by {jump:?}, off by {off:e}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! B12 without preload: a bolt (area 1) and a sleeve (area 4) between rigid ends.
+//! B12: a bolt (area 1) and a sleeve (area 4) between rigid ends, without and with preload.
 //!
 //! ```text
 //!        F (±)                    both tops follow one rigid plate, free along z only
@@ -11,19 +11,32 @@
 //! bolt works alone and Π = −F²L / (2 E 1): five times the slope.
 //!
 //! Tolerance of the energies 1e-8 relative: constant stress is in both spaces, the contact state is strictly open or strictly
-//! closed. Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force at which it is.
+//! closed. With preload F_p a closure δ = F_p (L/E)(1 + 1/4) of a cut in the shank stays, and
+//! `Π(u) = ½ k_b (u + δ)² + ½ k_s min(u, 0)² − F u`: the bolt takes F_p + 0.2 F until the sleeve lifts at F = F_p / 0.8, then F
+//! alone.
+//!
+//! Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force at which it is.
 
 use crate::common::solved::{Solved, solve_to};
-use crate::common::{Block, beside, renamed};
+use crate::common::{Block, beside, renamed, triangles_where};
+use bracket::mesh::NamedFaces;
 use bracket::solve::SolveOptions;
 
 const E: f64 = 200_000.0;
 const L: f64 = 10.0;
 
 fn run(force: f64, seed: u64) -> Solved {
+    run_preloaded(force, None, seed)
+}
+
+/// Force on the top, preload of the bolt if there is one.
+fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, L], jitter: 0.2, seed };
     let sleeve = Block { cells: [2, 2, 3], min: [3.0, 0.0, 0.0], max: [5.0, 2.0, L], jitter: 0.2, seed: seed + 1 };
-    let bolt = renamed(bolt.mesh(&["BOLT"], |_| 0, |_, _| false), "Z0", "BOLT_END");
+    let middle = |d: usize, x: f64| d == 2 && x == L / 2.0;
+    let mut bolt = renamed(bolt.mesh(&["BOLT"], |_| 0, middle), "Z0", "BOLT_END");
+    let triangles = triangles_where(&bolt, |x| x[2] == L / 2.0);
+    bolt.faces.push(NamedFaces { name: "CUT".into(), triangles });
     let sleeve = renamed(sleeve.mesh(&["SLEEVE"], |_| 0, |_, _| false), "Z0", "SLEEVE_END");
     let mesh = beside(renamed(bolt, "X0", "BX"), renamed(sleeve, "X0", "SX"));
     let yaml = format!(
@@ -32,8 +45,12 @@ fn run(force: f64, seed: u64) -> Solved {
          - {{face: BX, fix: [x]}}\n- {{face: SX, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n\
          rigid:\n- {{face: Z1, components: [z], free: [uz], force: [0, 0, {force:?}]}}\n"
     );
+    // the axis may point either way
+    let axis = if seed.is_multiple_of(2) { "[0, 0, 1]" } else { "[0, 0, -1]" };
+    let bolts = preload
+        .map_or(String::new(), |f| format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n"));
     // an energy known to 1e-8 takes a gap below that
-    solve_to(&yaml, mesh, &SolveOptions { gap: 1e-9, ..SolveOptions::default() })
+    solve_to(&(yaml + &bolts), mesh, &SolveOptions { gap: 1e-11, ..SolveOptions::default() })
 }
 
 /// Mean σ_zz of a body times its area \[N\].
@@ -68,5 +85,50 @@ fn b12_in_tension_the_bolt_works_alone() {
         let [bolt, sleeve] = [axial_force(&s, 0, 1.0), axial_force(&s, 1, 4.0)];
         println!("bolt {bolt}, sleeve {sleeve}");
         assert!((bolt - 1000.0).abs() < 1e-3 && sleeve.abs() < 1e-3, "{bolt} {sleeve}");
+    }
+}
+
+const KB: f64 = E / L;
+
+/// Energy, displacement of the top and tension of the bolt under `force` with the closure that `preload` left.
+fn preloaded(force: f64, preload: f64) -> [f64; 3] {
+    let closure = preload * (1.0 / KB + 1.0 / (4.0 * KB));
+    let closed = (force - KB * closure) / (5.0 * KB);
+    let u = if closed <= 0.0 { closed } else { force / KB - closure };
+    let sleeve = 0.5 * 4.0 * KB * u.min(0.0).powi(2);
+    [0.5 * KB * (u + closure).powi(2) + sleeve - force * u, u, KB * (u + closure)]
+}
+
+/// Displacement of the rigid top along z \[mm\].
+fn top(s: &Solved) -> f64 {
+    let face = s.model.rigid[0].faces[0];
+    let node = s.model.mesh.tets[face.tet as usize][bracket::mesh::tet::FACES[face.local as usize][0]];
+    s.pass.displacement.as_ref().unwrap().u[node as usize][2]
+}
+
+#[test]
+fn b12_the_preloaded_bolt_takes_a_fifth_until_the_sleeve_lifts_at_five_quarters() {
+    const FP: f64 = 800.0;
+    for seed in [1, 8, 42] {
+        let mut tops = Vec::new();
+        for factor in [0.0, 0.5, 1.2, 1.3, 2.0] {
+            let force = factor * FP;
+            let s = run_preloaded(force, Some(FP), seed);
+            let [energy, u, tension] = preloaded(force, FP);
+            let name = format!("B12 preload, F = {factor} F_p");
+            s.exact(&name, energy, 1e-8);
+            let bolt = &s.pass.preload[0];
+            println!("{name}: {bolt:?}, sleeve {}", axial_force(&s, 1, 4.0));
+            assert!((bolt.closure - FP * 1.25 / KB).abs() < 1e-8 * bolt.closure, "{name}: {bolt:?}");
+            assert!((bolt.tension.unwrap() - tension).abs() < 1e-6 * FP, "{name}: {bolt:?} against {tension}");
+            assert!((axial_force(&s, 0, 1.0) - tension).abs() < 1e-6 * FP, "{name}");
+            assert!((top(&s) - u).abs() < 1e-6 * FP / KB, "{name}: {} against {u}", top(&s));
+            // the sleeve carries what the bolt holds down beyond the load: nothing once it has lifted
+            let sleeve = (force - tension).min(0.0);
+            assert!((axial_force(&s, 1, 4.0) - sleeve).abs() < 1e-6 * FP, "{name}");
+            tops.push(top(&s));
+        }
+        let slopes = [(tops[1] - tops[0]) / 0.5, (tops[4] - tops[3]) / 0.7];
+        assert!((slopes[1] / slopes[0] - 5.0).abs() < 1e-4, "{slopes:?}");
     }
 }

@@ -50,6 +50,7 @@ fn case(name: &str) -> CaseResult {
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        preload: vec![],
         fixed_point: None,
         load: Some(LoadSize::Force(3_513_363.0)),
         load_displacement: Some([0.181_53, 0.190_246]),

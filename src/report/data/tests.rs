@@ -14,6 +14,7 @@ fn case() -> CaseResult {
         frictionless: None,
         associated: None,
         coulomb_estimate: None,
+        preload: vec![],
         fixed_point: None,
         load: None,
         load_displacement: None,

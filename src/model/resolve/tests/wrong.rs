@@ -159,14 +159,6 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "did you mean `C`?",
         "A, B, C",
     ),
-    (
-        "loads:",
-        "preload:\n  - {body: B, cut: AB, axis: [1, 0, 0], force: 5}\nloads:",
-        "model/unavailable",
-        10,
-        "preload (of body `B`)",
-        "available",
-    ),
     ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2 or 4"),
     ("loads:", "adapt: {target_gap: 5}\nloads:", "model/value", 9, "`target_gap` is 5", "0.05"),
     ("loads:", "adapt: {target_gap: 0}\nloads:", "model/value", 9, "`target_gap` is 0", "0.05"),
@@ -224,4 +216,57 @@ fn bodies_apart_are_not_in_contact() {
     let m = model(explode(&row()), &text).expect("three bodies apart");
     assert!(m.notes.iter().any(|n| n.contains("12 nodes") || n.contains("8 nodes")), "{:?}", m.notes);
     assert_eq!(m.parts, ["A", "B", "C"]);
+}
+
+/// Entries of `preload` that are wrong: code, what the message says, what helps.
+const PRELOAD: &[(&str, &str, &str, &str)] = &[
+    ("{body: AA, cut: INSIDE, axis: [1, 0, 0], force: 5}", "model/unknown-body", "no physical volume `AA`", "A, B, C"),
+    ("{body: A, cut: INSIDES, axis: [1, 0, 0], force: 5}", "model/unknown-face", "did you mean `INSIDE`", "INSIDE"),
+    ("{body: A, cut: INSIDE, axis: [0, 0, 0], force: 5}", "model/value", "no direction", "[1, 0, 0]"),
+    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: 0}", "model/value", "is 0 N", "needs no entry"),
+    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: -98700}", "model/value", "is -98700 N", "needs no entry"),
+    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: .inf}", "yaml/not-finite", "preload[0].force", "finite"),
+    ("{body: A, cut: INSIDE, axis: [1, 0], force: 5}", "yaml/type", "axis", ""),
+    ("{body: A, cut: INSIDE, axis: [1, 0, 0]}", "yaml/missing-key", "`force`", ""),
+    ("{body: A, cut: INSIDE, axis: [0, 1, 0], force: 5}", "model/preload", "runs along the axis", "`axis`"),
+    ("{body: A, cut: LEFT, axis: [1, 0, 0], force: 5}", "model/preload", "outer faces", "BooleanFragments"),
+    ("{body: A, cut: AB, axis: [1, 0, 0], force: 5}", "model/preload", "between `", "inside the shank"),
+    ("{body: B, cut: BC, axis: [1, 0, 0], force: 5}", "model/preload", "between `", "inside the shank"),
+    ("{body: B, cut: INSIDE, axis: [1, 0, 0], force: 5}", "model/preload", "inside the body `A`", "inside the shank"),
+    (
+        "{body: A, cut: PART, axis: [1, 0, 0], force: 5}",
+        "model/preload",
+        "does not sever the body `A`",
+        "whole cross-section",
+    ),
+];
+
+#[test]
+fn wrong_preloads_name_place_and_cure() {
+    let mut mesh = row();
+    let whole = mesh.faces_named("INSIDE").expect("named").triangles.clone();
+    mesh.faces.push(crate::mesh::NamedFaces { name: "PART".into(), triangles: whole[..1].to_vec() });
+    let of = |entries: &str| model(mesh.clone(), &GOOD.replace("loads:", &format!("preload:\n{entries}loads:")));
+    for (entry, code, message, help) in PRELOAD {
+        let e = of(&format!("  - {entry}\n")).expect_err(entry);
+        let d = &e.0[0];
+        let text = format!("{} {:?}", d.message, d.place);
+        assert_eq!(d.code, *code, "{entry}: {text}");
+        assert!(text.contains(message) || d.message.contains(message), "{entry}: {text}");
+        let cures = d.help.clone().unwrap_or_default();
+        assert!(cures.contains(help), "{entry}: {cures}");
+    }
+    // the same cut twice
+    let good = "  - {body: A, cut: INSIDE, axis: [1, 0, 0], force: 5}\n";
+    let e = of(&format!("{good}{good}")).expect_err("twice");
+    assert_eq!(e.0[0].code, "model/face-twice", "{:?}", e.0[0]);
+    // and the good one: both halves are one part, and the cut is open between them
+    let m = of(good).expect("good");
+    assert_eq!(m.parts, ["A", "B+C"]);
+    assert_eq!((m.preload.len(), m.preload[0].faces.len(), m.preload[0].closure), (1, 2, None));
+    for f in &m.preload[0].faces {
+        let x = f.nodes_a.map(|n| m.mesh.nodes[n as usize]);
+        assert!(crate::math::vec3::area_vector(&x)[0] > 0.0);
+        assert!(f.nodes_a.iter().zip(f.nodes_b).all(|(a, b)| *a != b));
+    }
 }
