@@ -19,8 +19,10 @@ use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
 use crate::model::file::{AnalysisKind, ModelFile};
+use crate::report::contact_map::contact_map;
 use crate::report::data::{CaseResult, HistoryRow, Quantity, ResultFile};
 use crate::report::demand::{Demand, EndAction};
+use crate::report::figures::{self, Rounding};
 use crate::report::folder::ResultFolder;
 use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
@@ -250,8 +252,20 @@ pub fn finish(
             entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
         }
         let best = lower.as_ref().unwrap_or(&upper);
+        let mut maps = Vec::new();
         if let Some((stress, factor)) = best.outcome.stress(&entry).filter(|_| !echo.bolts.is_empty()) {
-            entry.static_forces = Some(static_forces(&best.model, stress, factor, &echo.bolts, &echo.mirror));
+            let forces = static_forces(&best.model, stress, factor, &echo.bolts, &echo.mirror);
+            for pair in &forces.contacts {
+                let Some(map) = contact_map(&best.model, stress, pair, &echo.mirror) else { continue };
+                let file = format!("contact_{}_{}.svg", stems[i], file_stem(&pair.between.join("_")));
+                folder.write(&file, map.as_bytes())?;
+                let (between, factor) = (pair.between.join(" on "), figures::significant(factor, 4, Rounding::Down));
+                maps.push(PictureRef {
+                    file,
+                    caption: format!("Case {}: contact pressure of {between} at load factor {factor}", names[i]),
+                });
+            }
+            entry.static_forces = Some(forces);
         }
         entry.joint_stiffness = joint_stiffness(&entry, &echo.checks.moments);
         let stem = &stems[i];
@@ -271,6 +285,7 @@ pub fn finish(
             lower.outcome.write_fields(&lower.model, stem, &folder, [false, true])?;
         }
         pictures.extend(upper.outcome.picture(&names[i], &upper.model, &echo.mirror, stem, &folder)?);
+        pictures.append(&mut maps);
         pictures.extend(convergence(&entry, echo.adapt.map(|a| a.target_gap), stem, &folder)?);
         result.cases.push(entry);
     }

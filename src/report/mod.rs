@@ -5,6 +5,7 @@ pub mod case;
 mod checks_text;
 pub mod combine;
 mod comparison;
+pub mod contact_map;
 pub mod data;
 pub mod demand;
 pub mod drawing;

@@ -51,5 +51,5 @@ fn hollow_sphere() {
 #[test]
 #[ignore = "heavy: minutes"]
 fn hollow_sphere_fine() {
-    check(12, 8, 0.02);
+    check(16, 8, 0.02);
 }
