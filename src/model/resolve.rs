@@ -11,7 +11,7 @@ mod parts;
 mod preload;
 
 use super::analysis::AnalysisModel;
-use super::file::{AnalysisKind, ModelFile, Nodes};
+use super::file::{ModelFile, Nodes};
 use super::opening::ConeShift;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::TetMesh;
@@ -51,7 +51,6 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     let mut notes = Vec::new();
     let mut faults = Faults { place, all: Vec::new() };
 
-    unavailable(file, &mut faults);
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
     materials::check_units(file, &mesh, &mut notes);
     materials::note_strengths(file, &mut notes);
@@ -168,19 +167,6 @@ impl Faults<'_> {
         let mut d = Diagnostic::input(code, message).help(help);
         d.place = (self.place)(path);
         self.all.push(d);
-    }
-
-    /// A thing of the contract that this version does not do yet.
-    fn unavailable(&mut self, path: &str, what: &str) {
-        let m = format!("{what} is not available yet in this version");
-        let help = "available: `preload` with `analysis: elastic`, where it acts, and with `analysis: limit`, where it drops out";
-        self.add("model/unavailable", path, m, help);
-    }
-}
-
-fn unavailable(file: &ModelFile, faults: &mut Faults<'_>) {
-    if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
-        faults.unavailable("preload", "preload in an elastic, perfectly plastic analysis");
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) struct Cut {
     pub faces: Vec<[TetFace; 2]>,
 }
 
-/// Reads `preload`. In limit analysis it drops out: the cuts stay closed, which a note tells.
+/// Reads `preload`. In limit analysis it drops out: the cuts stay closed, which a note tells. Not for bodies that yield yet.
 pub(super) fn read(
     file: &ModelFile,
     scene: &Scene<'_>,
@@ -28,6 +28,12 @@ pub(super) fn read(
     faults: &mut Faults<'_>,
     notes: &mut Vec<String>,
 ) -> Vec<Cut> {
+    if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
+        let m = "preload in an elastic, perfectly plastic analysis is not available yet in this version";
+        let help = "available: `preload` with `analysis: elastic`, where it acts, and with `analysis: limit`, where it drops out";
+        faults.add("model/unavailable", "preload", m, help);
+        return Vec::new();
+    }
     let mut cuts = Vec::new();
     let mut taken: BTreeMap<TetFace, usize> = BTreeMap::new();
     for (i, entry) in file.preload.iter().enumerate() {
