@@ -40,22 +40,24 @@ fn list<'b>(names: impl Iterator<Item = &'b str>) -> String {
     if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
 }
 
+fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
+    AssemblyError::Catalog { path, cause: cause.into() }
+}
+
 impl<'a> Inputs<'a> {
     /// Reads a spec; reports every fault it can find at once.
     pub fn read(spec: &ConnectionSpec, template: &Template, catalog: &'a Catalog) -> Result<Self, Vec<AssemblyError>> {
         let mut faults = Vec::new();
-        let mut found =
-            |path: String, cause: CatalogError| faults.push(AssemblyError::Catalog { path, cause: cause.into() });
         let mut profiles = Vec::new();
         let mut steels = BTreeMap::new();
         for (role, member) in &spec.members {
             match catalog.profile(&member.profile) {
                 Ok(p) => profiles.push((role.clone(), p)),
-                Err(e) => found(format!("members.{role}.profile"), e),
+                Err(e) => faults.push(unlisted(format!("members.{role}.profile"), e)),
             }
             match catalog.steel(&member.steel) {
                 Ok(s) => drop(steels.insert(role.clone(), (format!("members.{role}.steel"), s))),
-                Err(e) => found(format!("members.{role}.steel"), e),
+                Err(e) => faults.push(unlisted(format!("members.{role}.steel"), e)),
             }
         }
         let lengths = spec.members.iter().filter_map(|(role, m)| Some((role, m.length?.0)));
@@ -66,23 +68,21 @@ impl<'a> Inputs<'a> {
                 help: "give the distance between the centres of the columns, with its unit: `length: 6 m`".into(),
             });
         }
-        let mut found =
-            |path: String, cause: CatalogError| faults.push(AssemblyError::Catalog { path, cause: cause.into() });
         if let Some(name) = spec.plate.as_ref().and_then(|p| p.steel.as_ref()) {
             match catalog.steel(name) {
                 Ok(s) => drop(steels.insert("plate".into(), ("plate.steel".into(), s))),
-                Err(e) => found("plate.steel".into(), e),
+                Err(e) => faults.push(unlisted("plate.steel".into(), e)),
             }
         }
         let bolt = spec.bolts.as_ref().and_then(|b| {
-            let size = catalog.bolt(&b.size).map_err(|e| found("bolts.size".into(), e)).ok();
-            let grade = catalog.bolt_grade(&b.grade).map_err(|e| found("bolts.grade".into(), e)).ok();
+            let size = catalog.bolt(&b.size).map_err(|e| faults.push(unlisted("bolts.size".into(), e))).ok();
+            let grade = catalog.bolt_grade(&b.grade).map_err(|e| faults.push(unlisted("bolts.grade".into(), e))).ok();
             size.zip(grade)
         });
         let mut factor = |given: Option<f64>, name: &str| match given {
             Some(g) => g,
             None => catalog.partial_factor(name).map(|f| f.value).unwrap_or_else(|e| {
-                found(format!("code.{name}"), e);
+                faults.push(unlisted(format!("code.{name}"), e));
                 1.0
             }),
         };
@@ -91,7 +91,7 @@ impl<'a> Inputs<'a> {
         let gamma_m2 = factor(spec.code.gamma_m2, "gamma_M2");
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
-                found("friction.class".into(), e);
+                faults.push(unlisted("friction.class".into(), e));
                 0.0
             }),
             (mu, _) => mu.unwrap_or(0.0),

@@ -86,7 +86,7 @@ fn face_stress(field: &StressField, tet: usize, k: usize) -> [Mandel; 3] {
 }
 
 /// Stress on a boundary face at the given nodes.
-fn stress_at(model: &AnalysisModel, field: &StressField, f: (u32, u8), nodes: [u32; 3]) -> [Mandel; 3] {
+pub(super) fn stress_at(model: &AnalysisModel, field: &StressField, f: (u32, u8), nodes: [u32; 3]) -> [Mandel; 3] {
     let (tet, k) = (f.0 as usize, f.1 as usize);
     let s = face_stress(field, tet, k);
     let own = FACES[k].map(|i| model.mesh.tets[tet][i]);

@@ -1,6 +1,6 @@
 //! Random points inside elements and on faces: the fields must be admissible there too, with no exception.
 
-use super::certificate::contact_tractions;
+use super::certificate::{contact_tractions, stress_at};
 use super::faces::{contact_faces, roles, weld_faces};
 use super::fields::{DisplacementField, StressField};
 use super::flow::{VelocityField, pieces};
@@ -239,12 +239,7 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
         let n = vec3::scale(1.0 / vec3::norm(area), area);
         let l = random.barycentric();
         let side = |face: &BoundaryFace, nodes: [u32; 3]| {
-            let (e, k) = (face.tet as usize, face.local as usize);
-            let t = nodes.map(|m| {
-                let p = FACES[k].iter().position(|&i| mesh.tets[e][i] == m).expect("the node is on the face");
-                mandel::traction(&s.points[e][k][p], n)
-            });
-            at(&t, l)
+            at(&stress_at(model, s, (face.tet, face.local), nodes).map(|s| mandel::traction(&s, n)), l)
         };
         worst = worst.max(vec3::norm(vec3::sub(side(&f.a, f.nodes_a), side(&f.b, f.nodes_b))));
     }

@@ -14,6 +14,7 @@ const SIDES: [f64; 2] = [420.0, 520.0];
 const MARGIN: f64 = 24.0;
 /// Pressures below this part of the largest one count as none.
 const OPEN: f64 = 0.02;
+const AXES: [&str; 3] = ["x", "y", "z"];
 const NOTHING: &str = "#eef1f4";
 const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"];
 
@@ -67,7 +68,7 @@ pub fn contact_map(
             .collect();
         patches.extend(copies);
     }
-    Some(draw(&patches, peak, ["x", "y", "z"], [u, v], pair))
+    Some(draw(&patches, peak, [u, v], pair))
 }
 
 /// The axes across and up the page for a plane across `axis`: z stays up where it can.
@@ -89,7 +90,7 @@ fn colour(pressure: f64, peak: f64) -> &'static str {
     BANDS[((part * BANDS.len() as f64) as usize).min(BANDS.len() - 1)]
 }
 
-fn draw(patches: &[Patch], peak: f64, names: [&str; 3], [u, v]: [usize; 2], pair: &ContactForce) -> String {
+fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -> String {
     let all = || patches.iter().flat_map(|p| p.0);
     let low = all().fold([f64::MAX; 2], |l, c| [l[0].min(c[0]), l[1].min(c[1])]);
     let high = all().fold([f64::MIN; 2], |h, c| [h[0].max(c[0]), h[1].max(c[1])]);
@@ -102,10 +103,10 @@ fn draw(patches: &[Patch], peak: f64, names: [&str; 3], [u, v]: [usize; 2], pair
     let [right, bottom] = at([high[0], low[1]]);
     // axes, with the extent of the faces
     let mm = |x: f64| significant(x, 4, Rounding::Nearest);
-    d.text([MARGIN + LINE, bottom + LINE], Anchor::Start, &format!("{} = {} mm", names[u], mm(low[0])));
+    d.text([MARGIN + LINE, bottom + LINE], Anchor::Start, &format!("{} = {} mm", AXES[u], mm(low[0])));
     d.text([right, bottom + LINE], Anchor::End, &format!("{} mm", mm(high[0])));
     let legend = right + 2.0 * MARGIN;
-    d.text([legend, MARGIN + 10.0], Anchor::Start, &format!("{} from {} to {} mm", names[v], mm(low[1]), mm(high[1])));
+    d.text([legend, MARGIN + 10.0], Anchor::Start, &format!("{} from {} to {} mm", AXES[v], mm(low[1]), mm(high[1])));
     d.text([legend, MARGIN + 10.0 + 2.0 * LINE], Anchor::Start, "pressure [MPa], means of the faces");
     let step = peak / BANDS.len() as f64;
     let show = |p: f64| significant(p, 3, Rounding::Nearest);
@@ -136,7 +137,7 @@ mod tests {
         let pair = ContactForce { between: ["P".into(), "C".into()], compression: 1.0, centre: [0.0; 3] };
         let patches =
             [([[0.0, 0.0], [40.0, 0.0], [0.0, 80.0]], 100.0), ([[40.0, 0.0], [40.0, 80.0], [0.0, 80.0]], 0.0)];
-        let svg = draw(&patches, 100.0, ["x", "y", "z"], page_axes(0), &pair);
+        let svg = draw(&patches, 100.0, page_axes(0), &pair);
         for part in ["P on C", "80.0 … 100", "2.00 … 20.0", "y = 0 mm", "z from 0 to 80.00 mm", BANDS[4]] {
             assert!(svg.contains(part), "{part}: {svg}");
         }

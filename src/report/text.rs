@@ -6,8 +6,9 @@ use super::figures::{Rounding, bracket, percent_up, residual, significant};
 use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
-use super::preload_text::{fixed_point_words, preload_words};
+use super::preload_text::preload_words;
 use super::{checks_text, comparison, joint_stiffness, static_forces, summary};
+use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
 
@@ -277,6 +278,20 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(page, &format!("Peak contact pressure: {}; local values are estimates.", sides.join(", ")));
         }
     }
+}
+
+/// How near the problem of the bracket is to Coulomb's law.
+fn fixed_point_words(run: &FixedPointRun) -> String {
+    let problems = if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
+    let contraction = match run.contraction {
+        Some(c) => format!("; a plain step leaves {} of the error", percent_up(c)),
+        None => String::new(),
+    };
+    format!(
+        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} of the largest{contraction}. The \
+         bracket is strict for that last problem.",
+        percent_up(run.change)
+    )
 }
 
 fn raw_bracket(raw: RawBracket) -> String {

@@ -9,7 +9,7 @@ use crate::mesh::split::{OpenPair, SplitMesh, TetFace};
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{BoundaryFace, FacePair, Preload};
 use crate::model::file::{AnalysisKind, ModelFile, PreloadEntry};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A cut is transverse where the normals of its faces have at least this component along the axis.
 const TRANSVERSE: f64 = 0.1;
@@ -146,7 +146,7 @@ fn sides(
 
 /// True when the two sides of the cut hang together nowhere else in the body.
 fn severs(body: u32, faces: &[[TetFace; 2]], scene: &Scene<'_>) -> bool {
-    let open: std::collections::BTreeSet<TetFace> = faces.iter().flatten().copied().collect();
+    let open: BTreeSet<TetFace> = faces.iter().flatten().copied().collect();
     let mut neighbours: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for rows in scene.table.faces() {
         let [p, q] = rows else { continue };
@@ -156,7 +156,7 @@ fn severs(body: u32, faces: &[[TetFace; 2]], scene: &Scene<'_>) -> bool {
             neighbours.entry(q.tet).or_default().push(p.tet);
         }
     }
-    let mut reached: std::collections::BTreeSet<u32> = faces.iter().map(|f| f[0].tet).collect();
+    let mut reached: BTreeSet<u32> = faces.iter().map(|f| f[0].tet).collect();
     let mut next: Vec<u32> = reached.iter().copied().collect();
     while let Some(t) = next.pop() {
         for &n in neighbours.get(&t).into_iter().flatten() {
@@ -200,13 +200,11 @@ pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
         }
     }
     // numbers without gaps, in the order of the first tets as before
-    let mut number: BTreeMap<u32, u32> = BTreeMap::new();
-    let mut used: Vec<u32> = split.tet_part.clone();
+    let mut used = split.tet_part.clone();
     used.sort_unstable();
     used.dedup();
-    number.extend(used.into_iter().enumerate().map(|(i, p)| (p, i as u32)));
-    split.tet_part.iter_mut().for_each(|t| *t = number.get(t).copied().unwrap_or(0));
-    split.parts = number.len();
+    split.tet_part.iter_mut().for_each(|t| *t = used.partition_point(|part| part < t) as u32);
+    split.parts = used.len();
 }
 
 /// The preloads once the nodes are split; `pairs` are in the order of the cuts. An error where something holds both halves

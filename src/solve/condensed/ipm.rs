@@ -53,7 +53,7 @@ const NOTHING: f64 = 1e-3;
 /// Velocities of contacts and what presses them at the start of limit analysis, beside the mean of the yield points. Most contacts of a
 /// mechanism open, at hundreds of times that velocity; started alike, each of them has to lose its pressure on the way, and a
 /// few of them at a time end the steps (static program of the paper's joint with 13 000 tets: 47 iterations, now 26; the pairs
-/// (30, 0.1) and (100, 0.01) take 31 and, on other joints, a tenth more than this one).
+/// (30, 0.1) takes 31, and (100, 0.01) on other joints an eighth to a quarter more than this one).
 const OPENING: f64 = 100.0;
 const PRESSURE: f64 = 0.1;
 /// Elastic stress at a load factor of one below which there is no such load factor.
@@ -493,8 +493,7 @@ impl<'a> Newton<'a> {
     /// them far behind or ahead (Gondzio's centrality correctors); each costs one solve and is kept only if the step grows.
     fn centred(&self, mut d: Direction, mut ds: Vec<f64>, mut dk: f64, targets: &Targets) -> Direction {
         let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
-        let least = CENTRE.0 * targets.centre;
-        let most = CENTRE.1 * targets.centre;
+        let (least, most) = (CENTRE.0 * targets.centre, CENTRE.1 * targets.centre);
         let mut step = self.step(&d).min(1.0);
         let correctors = match (self.problem.program.live.is_empty(), self.system.flops_per_entry() < DENSE_FACTOR) {
             (false, _) => LIMIT_CORRECTORS,
