@@ -9,6 +9,8 @@ mod bolt_forces;
 mod built;
 #[path = "joints/invariance.rs"]
 mod invariance;
+#[path = "joints/preload.rs"]
+mod preload;
 #[path = "joints/stiffness.rs"]
 mod stiffness;
 #[path = "joints/t_stubs.rs"]

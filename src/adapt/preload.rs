@@ -22,8 +22,11 @@ pub struct Tightened {
     pub body: String,
     /// The cut of its shank.
     pub cut: String,
-    /// Its preload \[N\].
+    /// Its preload, of its meshed part \[N\].
     pub force: f64,
+    /// A plane of symmetry halves the bolt: force and tension are those of one half.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub halved: bool,
     /// Relative closure of the cut, frozen \[mm\].
     pub closure: f64,
     /// Tension of the shank under all loads in the static field \[N\]: an estimate, no bound.
@@ -104,6 +107,7 @@ pub fn tightened(model: &AnalysisModel, tensions: Option<&[f64]>) -> Vec<Tighten
                 body: p.body.clone(),
                 cut: p.cut.clone(),
                 force: p.force,
+                halved: false,
                 closure: p.closure?,
                 tension: tensions.and_then(|t| t.get(i).copied()),
             })

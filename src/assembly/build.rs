@@ -3,8 +3,8 @@
 use super::end_plate::{EndPlate, end_plate};
 use super::error::AssemblyError;
 use super::joint::{
-    Action, Assembly, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part, PartMaterial,
-    PartRole, Solid, Surface,
+    Action, Assembly, BoltPreload, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part,
+    PartMaterial, PartRole, Solid, Surface,
 };
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
@@ -74,6 +74,7 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     };
     let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(|e| placed(vec![e]))?;
     let mut resolved = resolved;
+    resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
     Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, bolts })
 }
@@ -159,7 +160,9 @@ impl<'a> Builder<'a> {
         let name = self.spec.project.title.clone().unwrap_or_else(|| self.template.title.clone());
         let clearances = self.clearances()?;
         let symmetry = Vec::new();
-        let mut a = Assembly { name, parts, materials, interfaces, faces, supports, loads, symmetry, clearances };
+        let preloads = self.preloads(&bolts);
+        let mut a =
+            Assembly { name, parts, materials, interfaces, faces, supports, loads, symmetry, clearances, preloads };
         a.symmetry = symmetry::planes(&a);
         Ok(a)
     }
@@ -290,6 +293,21 @@ impl<'a> Builder<'a> {
             }
         }
         Ok(out)
+    }
+
+    /// The cuts of preloaded shanks: at half the thickness of the part under the head, where its own mesh has a plane as well.
+    fn preloads(&self, bolts: &[Bolt<'_>]) -> Vec<BoltPreload> {
+        let Some(force) = self.inputs.preload else { return Vec::new() };
+        let cut = |b: &Bolt<'_>| {
+            let (_, thickness) = b.through.first()?;
+            let centre = b.hole.point(thickness / 2.0);
+            let beside = |sign: f64| std::array::from_fn(|k| centre[k] + sign * b.hole.beyond(k));
+            let surface =
+                Surface::Plane { axis: b.hole.axis, at: centre[b.hole.axis], min: beside(-1.0), max: beside(1.0) };
+            let (part, cut) = (b.name.clone(), format!("CUT_{}", b.name));
+            Some(BoltPreload { part, cut, surface, axis: b.hole.direction(), force })
+        };
+        bolts.iter().filter_map(cut).collect()
     }
 
     fn bolt_part(&self, b: &Bolt<'_>, materials: &mut BTreeMap<String, PartMaterial>) -> Result<Part, AssemblyError> {

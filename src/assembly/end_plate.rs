@@ -137,12 +137,19 @@ pub struct EndPlate {
     pub system_length: Option<f64>,
     /// What the load cases put on the plates, a load case and member end each.
     pub actions: Vec<PlaneActions>,
+    /// Preload of a bolt \[N\]; `None`: not preloaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub preload: Option<f64>,
+    /// Friction coefficient of the contact surfaces.
+    pub mu: f64,
     /// γ_M0.
     pub gamma_m0: f64,
     /// γ_M1.
     pub gamma_m1: f64,
     /// γ_M2.
     pub gamma_m2: f64,
+    /// γ_M3.
+    pub gamma_m3: f64,
 }
 
 /// The values of a template's `hand_checks`, if it has them.
@@ -212,7 +219,7 @@ pub fn end_plate(
             })
         }
     };
-    let [gamma_m0, gamma_m1, gamma_m2] = inputs.partial_factors();
+    let [gamma_m0, gamma_m1, gamma_m2, gamma_m3] = inputs.partial_factors();
     Ok(Some(EndPlate {
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
@@ -233,8 +240,11 @@ pub fn end_plate(
         bending_length: or_none("bending_length", &entry.bending_length)?,
         system_length: spec.members.get(&entry.beam).and_then(|m| m.length).map(|l| l.0),
         actions,
+        preload: inputs.preload,
+        mu: inputs.mu,
         gamma_m0,
         gamma_m1,
         gamma_m2,
+        gamma_m3,
     }))
 }

@@ -8,7 +8,7 @@ use super::scope::{Given, Resolved, Scope, path_of};
 use super::template::{Parameter, ParameterKind, Template};
 use crate::catalog::{self, BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
 use crate::diag::did_you_mean;
-use crate::spec::connection::{ConnectionSpec, FySource, MeshSize, ParameterValue};
+use crate::spec::connection::{ConnectionSpec, FySource, MeshSize, ParameterValue, PreloadSpec};
 use crate::spec::expr::Value;
 use crate::units::{self, Length};
 use std::collections::BTreeMap;
@@ -30,9 +30,12 @@ pub struct Inputs<'a> {
     pub given: BTreeMap<String, Given>,
     /// Friction coefficient.
     pub mu: f64,
+    /// Preload of a bolt \[N\], if the bolts are preloaded.
+    pub preload: Option<f64>,
     gamma_m0: f64,
     gamma_m1: f64,
     gamma_m2: f64,
+    gamma_m3: f64,
 }
 
 fn list<'b>(names: impl Iterator<Item = &'b str>) -> String {
@@ -79,6 +82,8 @@ impl<'a> Inputs<'a> {
             let grade = catalog.bolt_grade(&b.grade).map_err(|e| faults.push(unlisted("bolts.grade".into(), e))).ok();
             size.zip(grade)
         });
+        let preload =
+            bolt.and_then(|(size, grade)| preload(spec, size, grade).map_err(|e| faults.push(e)).ok().flatten());
         let mut factor = |given: Option<f64>, name: &str| match given {
             Some(g) => g,
             None => catalog.partial_factor(name).map(|f| f.value).unwrap_or_else(|e| {
@@ -89,6 +94,7 @@ impl<'a> Inputs<'a> {
         let gamma_m0 = factor(spec.code.gamma_m0, "gamma_M0");
         let gamma_m1 = factor(None, "gamma_M1");
         let gamma_m2 = factor(spec.code.gamma_m2, "gamma_M2");
+        let gamma_m3 = factor(None, "gamma_M3");
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
                 faults.push(unlisted("friction.class".into(), e));
@@ -117,7 +123,7 @@ impl<'a> Inputs<'a> {
         loads(spec, template, &mut faults);
         let given = given(spec, template, &mut faults);
         if faults.is_empty() {
-            Ok(Self { profiles, steels, bolt, given, mu, gamma_m0, gamma_m1, gamma_m2 })
+            Ok(Self { profiles, steels, bolt, given, mu, preload, gamma_m0, gamma_m1, gamma_m2, gamma_m3 })
         } else {
             Err(faults)
         }
@@ -192,9 +198,9 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// γ_M0, γ_M1, γ_M2.
-    pub fn partial_factors(&self) -> [f64; 3] {
-        [self.gamma_m0, self.gamma_m1, self.gamma_m2]
+    /// γ_M0, γ_M1, γ_M2, γ_M3.
+    pub fn partial_factors(&self) -> [f64; 4] {
+        [self.gamma_m0, self.gamma_m1, self.gamma_m2, self.gamma_m3]
     }
 
     /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN 1993-1-8 Table 3.4.
@@ -222,6 +228,22 @@ impl<'a> Inputs<'a> {
         }
     }
 
+    /// The preload of a bolt, for the list of resolved values; absent without bolts.
+    pub fn preload_resolved(&self, spec: &ConnectionSpec) -> Option<Resolved> {
+        let (size, grade) = self.bolt?;
+        Some(Resolved {
+            name: "bolts.preload".into(),
+            value: self.preload.map_or("none".into(), |f| Value::force(f).to_string()),
+            given: spec.bolts.as_ref().is_some_and(|b| b.preload.is_some()),
+            default: Some("none".into()),
+            range: Some(format!(
+                "none, or up to {}, where the thread yields",
+                Value::force(thread_yields(size, grade))
+            )),
+            about: "preload of a bolt: none, a part of f_ub A_s (0.7), or a force".into(),
+        })
+    }
+
     /// Catalogue entries used: role and name.
     pub fn catalogue(&self) -> Vec<(String, String)> {
         let mut out: Vec<(String, String)> =
@@ -233,6 +255,46 @@ impl<'a> Inputs<'a> {
         }
         out
     }
+}
+
+/// Tension at which the thread of a bolt yields \[N\].
+fn thread_yields(size: &BoltSize, grade: &BoltGrade) -> f64 {
+    grade.fyb * size.stress_area
+}
+
+/// The preload a spec asks for \[N\], if any: above zero, below what the thread yields at, of a grade made for it (EN 1993-1-8:2005
+/// 3.1.2).
+fn preload(spec: &ConnectionSpec, size: &BoltSize, grade: &BoltGrade) -> Result<Option<f64>, AssemblyError> {
+    let path = || "bolts.preload".to_owned();
+    let strength = grade.fub * size.stress_area;
+    let (force, said) = match spec.bolts.as_ref().and_then(|b| b.preload) {
+        None | Some(PreloadSpec::None) => return Ok(None),
+        Some(PreloadSpec::Part(part)) => (part * strength, format!("{part} f_ub A_s")),
+        Some(PreloadSpec::Force(force)) => (force, Value::force(force).to_string()),
+    };
+    if !grade.preloadable {
+        return Err(AssemblyError::Value {
+            path: path(),
+            problem: format!("bolts of grade {} are not made to be preloaded (EN 1993-1-8:2005 3.1.2)", grade.grade),
+            help: "use grade 8.8 or 10.9, or leave the preload out".into(),
+        });
+    }
+    let most = thread_yields(size, grade);
+    if force > 0.0 && force <= most {
+        return Ok(Some(force));
+    }
+    Err(AssemblyError::OutOfRange {
+        path: path(),
+        name: path(),
+        value: said,
+        range: format!(
+            "above 0, up to {:.1} kN or {} f_ub A_s, at which the thread of {} {} yields; usual: 0.7 f_ub A_s (F_p,C)",
+            most / 1e3,
+            most / strength,
+            size.size,
+            grade.grade
+        ),
+    })
 }
 
 /// Which table the spec takes strengths from.

@@ -181,6 +181,21 @@ pub struct FaceRule {
     pub imprint: bool,
 }
 
+/// A preloaded bolt: its shank is cut, and drawn together there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoltPreload {
+    /// The bolt's part.
+    pub part: String,
+    /// Name of the cut, a physical surface inside the shank.
+    pub cut: String,
+    /// Where the cut is: a plane across the shank, wider than it.
+    pub surface: Surface,
+    /// Unit vector along the shank.
+    pub axis: [f64; 3],
+    /// Preload of the whole bolt \[N\].
+    pub force: f64,
+}
+
 /// A support on a named face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FaceSupport {
@@ -248,6 +263,9 @@ pub struct Assembly {
     pub symmetry: Vec<SymmetryPlane>,
     /// Wanted clearances beyond contact, checked before meshing.
     pub clearances: Vec<Clearance>,
+    /// Preloaded bolts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub preloads: Vec<BoltPreload>,
 }
 
 /// Two parts that must stay apart by at least `min`.

@@ -186,6 +186,11 @@ impl Hole {
         self.radius * (step / step.sin()).sqrt()
     }
 
+    /// Half extent along axis `k` of a plane across the shank that is wider than it \[mm\].
+    pub fn beyond(&self, k: usize) -> f64 {
+        if k == self.axis { 0.0 } else { 1.25 * self.radius }
+    }
+
     /// The cylinder: the bolt's shank and what is cut from the parts.
     pub fn cylinder(&self) -> Solid {
         Solid::Cylinder {

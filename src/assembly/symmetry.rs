@@ -3,7 +3,7 @@
 //! Solids are compared as sets of rounded points, so that it does not matter in which order or sense a template draws
 //! them.
 
-use super::joint::{Action, Assembly, OutlineEdge, Solid, Surface, SymmetryPlane};
+use super::joint::{Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane};
 use std::collections::BTreeMap;
 
 /// Coordinates that agree to this are the same \[mm\].
@@ -137,7 +137,10 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let mut loads: Vec<_> =
         a.loads.iter().map(|l| (face(&l.face), l.case.clone(), action(&l.action, mirror), l.dead)).collect();
     loads.sort();
-    (parts, interfaces, supports, loads)
+    let cut = |p: &BoltPreload| (shape(&p.part), surface(&p.surface, mirror), scalar(p.force));
+    let mut preloads: Vec<_> = a.preloads.iter().map(cut).collect();
+    preloads.sort();
+    (parts, interfaces, supports, loads, preloads)
 }
 
 /// The planes `x[axis] = 0` about which the joint, its supports and all its loads are symmetric.

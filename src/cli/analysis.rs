@@ -28,6 +28,7 @@ use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::plot::{Plot, Series};
+use crate::report::preload_text::mark_halved;
 use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
 use crate::report::static_forces::static_forces;
@@ -252,6 +253,7 @@ pub fn finish(
             entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
         }
         let best = lower.as_ref().unwrap_or(&upper);
+        mark_halved(&mut entry.preload, &best.model, &echo.mirror);
         let mut maps = Vec::new();
         if let Some((stress, factor)) = best.outcome.stress(&entry).filter(|_| !echo.bolts.is_empty()) {
             let forces = static_forces(&best.model, stress, factor, &echo.bolts, &echo.mirror);

@@ -98,7 +98,8 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
             .insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), length: None });
     }
     if !template.bolts.is_empty() {
-        spec.bolts = Some(BoltSpec { size: BOLT.0.into(), grade: BOLT.1.into(), gauge: None, rows: None });
+        spec.bolts =
+            Some(BoltSpec { size: BOLT.0.into(), grade: BOLT.1.into(), gauge: None, rows: None, preload: None });
     }
     for p in &template.parameters {
         let Some(value) = &p.example else { continue };
@@ -168,6 +169,9 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
             BOLT.0, BOLT.1
         );
         inside("bolts.").iter().for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
+        out.push_str(
+            "  # preload: none  # or a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force: 98.7 kN\n",
+        );
     }
     let others: Vec<&Resolved> = resolved.iter().filter(|r| !r.name.contains('.')).collect();
     if !others.is_empty() {

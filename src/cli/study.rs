@@ -199,6 +199,7 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
         let input = spec_file::read(&args.file)?;
         let kinds = run::analysis_kinds(&input)?;
         run::check_names(&input, &kinds)?;
+        run::check_preload(&input, &kinds)?;
         run::check_sizes(&input)?;
         let mesher = Mesher::find()?;
         let asked = &input.spec.value.analysis;

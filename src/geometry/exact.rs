@@ -111,11 +111,7 @@ pub fn volume(body: &Body) -> f64 {
     };
     let best = (0..3).map(levels).enumerate().min_by_key(|(_, l)| l.len());
     let Some((axis, at)) = best else { return 0.0 };
-    let section = |x: f64| {
-        let plane = Plane::coordinate(axis, x);
-        let breaks = plane.breakpoints(&[&body.solid], &body.planes);
-        plane.sweep(breaks, |line| length(&body.stretches(line)))
-    };
+    let section = |x: f64| section_area(body, axis, x);
     let gauss = 0.5 / 3f64.sqrt();
     let mut sum = 0.0;
     for strip in at.windows(2) {
@@ -126,6 +122,13 @@ pub fn volume(body: &Body) -> f64 {
         sum += 0.5 * h * (section(middle - gauss * h) + section(middle + gauss * h));
     }
     sum
+}
+
+/// Area of the section of what is kept of a body with the plane `x[axis] = at` \[mm²\].
+pub fn section_area(body: &Body, axis: usize, at: f64) -> f64 {
+    let plane = Plane::coordinate(axis, at);
+    let breaks = plane.breakpoints(&[&body.solid], &body.planes);
+    plane.sweep(breaks, |line| length(&body.stretches(line)))
 }
 
 /// Area in which two bodies touch, restricted to a surface if one is given \[mm²\].

@@ -238,6 +238,7 @@ pub(crate) fn paper_joint() -> Assembly {
         }],
         symmetry: vec![SymmetryPlane { axis: 0 }, SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        preloads: vec![],
     }
 }
 
@@ -294,6 +295,7 @@ pub(crate) fn lap_joint() -> Assembly {
         }],
         symmetry: vec![SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        preloads: vec![],
     }
 }
 

@@ -45,7 +45,10 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
     w.line("Geometry.OCCUnionUnify = 1;");
     w.line("Geometry.OCCBooleanPreserveNumbering = 1;");
     for (i, body) in scene.bodies.iter().enumerate() {
-        w.body(i, body, matches!(purpose, Purpose::Mesh { layers: true, .. }));
+        let layered = matches!(purpose, Purpose::Mesh { layers: true, .. }).then_some(&body.part.mid_planes);
+        let cuts = (!w.exact).then(|| scene.preload_cuts(body.part));
+        let planes: Vec<MidPlane> = layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
+        w.body(i, body, &planes);
     }
     if let Purpose::Mesh { sizes, .. } = purpose {
         w.footprints(scene);
@@ -92,8 +95,8 @@ impl Writer {
         self.text.push('\n');
     }
 
-    /// One part: its solid, cut by symmetry, cut at mid-thickness; the list `partI()` holds its volumes.
-    fn body(&mut self, index: usize, body: &Body, layers: bool) {
+    /// One part: its solid, cut by symmetry, cut by planes inside it; the list `partI()` holds its volumes.
+    fn body(&mut self, index: usize, body: &Body, planes: &[MidPlane]) {
         self.put(format_args!("// {}", body.part.name));
         if index > 0 {
             self.line("before() = Volume{:};");
@@ -102,9 +105,7 @@ impl Writer {
         for axis in body.cuts() {
             list = self.keep_positive(&list, axis, body);
         }
-        if layers {
-            self.mid_planes(&list, body);
-        }
+        self.inner_planes(&list, body, planes);
         self.put(format_args!("part{index}() = Volume{{:}};"));
         if index > 0 {
             self.put(format_args!("part{index}() -= before();"));
@@ -233,12 +234,10 @@ impl Writer {
         name
     }
 
-    /// Cuts the volumes by the parts of the mid-thickness planes that lie inside them. A plane piece that ends inside
+    /// Cuts the volumes by the parts of planes (mid-thickness, cuts of preloaded shanks) that lie inside them. A plane piece that ends inside
     /// the part stays as an inner face: it needs no exact fit.
-    fn mid_planes(&mut self, list: &str, body: &Body) {
-        let kept: Vec<_> = body
-            .part
-            .mid_planes
+    fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
+        let kept: Vec<_> = planes
             .iter()
             .filter_map(|MidPlane { axis, at, min, max }| size::clip(*axis, *at, *min, *max, &body.planes))
             .collect();

@@ -78,6 +78,7 @@ pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagn
     }
     outer_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
     symmetry_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
+    preload_cuts(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
     if !faults.is_empty() {
         return Err(Diagnostics(faults));
     }
@@ -330,6 +331,37 @@ fn outer_faces(
 /// True when a box lies on the removed side of a symmetry plane.
 fn beyond(scene: &Scene, min: &V3, max: &V3) -> bool {
     scene.symmetry.iter().any(|s| max[s.axis] <= SNAP && min[s.axis] < -SNAP)
+}
+
+/// The faces inside preloaded shanks; each covers the whole section.
+fn preload_cuts(
+    mesh: &TetMesh,
+    scene: &Scene,
+    table: &FaceTable,
+    faces: &mut Vec<NamedFaces>,
+    checks: &mut Checks,
+    faults: &mut Vec<Diagnostic>,
+) {
+    for preload in &scene.assembly.preloads {
+        let (Some(body), Surface::Plane { axis, at, .. }) = (scene.body(&preload.part), preload.surface) else {
+            continue;
+        };
+        let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
+        let triangles: Vec<[u32; 3]> = table
+            .faces()
+            .filter_map(|rows| match rows {
+                [p, q] if inside(p) && inside(q) => Some(nodes_of(mesh, p)),
+                _ => None,
+            })
+            .filter(|t| on_surface(&preload.surface, &corners(mesh, *t)))
+            .collect();
+        let (meshed, exact) = (total(mesh, &triangles), exact::section_area(&scene.bodies[body], axis, at));
+        if disagree(meshed, exact) {
+            faults.push(area_fault(format!("the cut {} of a preloaded bolt has", preload.cut), meshed, exact));
+        }
+        checks.areas.push(AreaCheck { name: preload.cut.clone(), meshed, exact });
+        faces.push(NamedFaces { name: preload.cut.clone(), triangles });
+    }
 }
 
 fn symmetry_faces(

@@ -2,10 +2,10 @@
 
 use super::file::{
     AnalysisKind, Axis, Bounds, Friction, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
-    RigidEntry, SupportEntry,
+    PreloadEntry, RigidEntry, SupportEntry,
 };
 use crate::assembly::Assembly;
-use crate::assembly::joint::{Action, FaceLoad, Surface, SymmetryPlane};
+use crate::assembly::joint::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane};
 use crate::mesh::TetMesh;
 use crate::mesh::naming::symmetry_face;
 
@@ -27,7 +27,8 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 ///
 /// `mesh` decides what is there: rules about parts or faces beyond a symmetry plane are left out. `mesh_name` is the
 /// mesh file's path relative to the model file. Forces and moments become rigid faces that may move in every way the
-/// symmetry planes through them leave. Preload and adaptation entries are empty.
+/// symmetry planes through them leave. A preloaded bolt that a
+/// symmetry plane halves has half its preload. There is no entry for adaptation.
 pub fn model_file(
     assembly: &Assembly,
     mesh: &TetMesh,
@@ -100,9 +101,32 @@ pub fn model_file(
         rigid: rigid_entries(assembly, &here, symmetry_used),
         loads: loads(false),
         dead: loads(true),
-        preload: Vec::new(),
+        preload: preload_entries(assembly, mesh, symmetry_used),
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
+    }
+}
+
+/// The preloaded bolts of the meshed part.
+fn preload_entries(assembly: &Assembly, mesh: &TetMesh, symmetry_used: &[SymmetryPlane]) -> Vec<PreloadEntry> {
+    let kept = assembly.preloads.iter().filter(|p| mesh.bodies.contains(&p.part));
+    let entry = |p: &BoltPreload| {
+        let halvings = symmetry_used.iter().filter(|plane| halves(&p.surface, plane)).count();
+        PreloadEntry {
+            body: p.part.clone(),
+            cut: p.cut.clone(),
+            axis: p.axis,
+            force: p.force * 0.5_f64.powi(halvings as i32),
+        }
+    };
+    kept.map(entry).collect()
+}
+
+/// True when a symmetry plane passes through a plane piece of surface.
+fn halves(surface: &Surface, plane: &SymmetryPlane) -> bool {
+    match surface {
+        Surface::Plane { min, max, .. } => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
+        Surface::Mantle { .. } => false,
     }
 }
 
@@ -113,11 +137,8 @@ fn rigid_entries(assembly: &Assembly, loads: &[&FaceLoad], symmetry_used: &[Symm
     for load in loads {
         let Action::Resultant { at, force, moment } = load.action else { continue };
         let surface = assembly.faces.iter().find(|f| f.name == load.face).map(|f| f.surface);
-        let halves = |plane: &&SymmetryPlane| match surface {
-            Some(Surface::Plane { min, max, .. }) => min[plane.axis] < 0.0 && max[plane.axis] > 0.0,
-            _ => false,
-        };
-        let cuts: Vec<usize> = symmetry_used.iter().filter(halves).map(|p| p.axis).collect();
+        let cut = |plane: &&SymmetryPlane| surface.is_some_and(|s| halves(&s, plane));
+        let cuts: Vec<usize> = symmetry_used.iter().filter(cut).map(|p| p.axis).collect();
         let share = 0.5_f64.powi(cuts.len() as i32);
         let (force, moment) = (force.map(|f| share * f), moment.map(|m| share * m));
         let known = out.iter().position(|r| r.face == load.face);
@@ -196,6 +217,30 @@ mod tests {
         assert_eq!((model.loads.len(), model.dead.len(), model.symmetry), (1, 1, 1));
         let lift = model_file(&joint, &mesh, &[], "mesh.msh", "LIFT", AnalysisKind::Limit);
         assert_eq!((lift.loads[0].traction, lift.dead.len()), (Some([0.0, 0.0, 1.0]), 0));
+    }
+
+    #[test]
+    fn a_halved_bolt_carries_half_of_its_preload() {
+        let mut joint = lap_joint();
+        let at = |part: &str, y: f64| BoltPreload {
+            part: part.into(),
+            cut: format!("CUT_{part}"),
+            surface: Surface::Plane { axis: 2, at: 5.0, min: [20.0, y - 10.0, 5.0], max: [40.0, y + 10.0, 5.0] },
+            axis: [0.0, 0.0, -1.0],
+            force: 80e3,
+        };
+        joint.preloads = vec![at("BOLT", 0.0), at("UPPER", 30.0), at("GONE", 30.0)];
+        let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
+        let forces = |axes: &[usize]| -> Vec<f64> {
+            let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
+            let model = model_file(&joint, &mesh, &planes, "mesh.msh", "PULL", AnalysisKind::Elastic);
+            assert_eq!((&model.preload[0].cut[..], model.preload[0].axis), ("CUT_BOLT", [0.0, 0.0, -1.0]));
+            model.preload.iter().map(|p| p.force).collect()
+        };
+        // a plane across the shank halves nothing of the force
+        for (axes, want) in [(&[][..], [80e3, 80e3]), (&[1], [40e3, 80e3]), (&[0, 2], [80e3, 80e3])] {
+            assert_eq!(forces(axes), want, "{axes:?}");
+        }
     }
 
     #[test]

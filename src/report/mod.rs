@@ -23,7 +23,7 @@ pub mod page;
 pub mod plastic_file;
 mod plastic_text;
 pub mod plot;
-mod preload_text;
+pub mod preload_text;
 pub mod progress;
 pub mod raster;
 pub mod schedule;

@@ -1,8 +1,19 @@
 //! What the report says of preloaded bolts.
 
 use super::figures::{Rounding, significant};
+use super::static_forces::ON_PLANE;
 use super::text::inline;
 use crate::adapt::preload::Tightened;
+use crate::model::AnalysisModel;
+
+/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the origin.
+pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usize]) {
+    for bolt in bolts {
+        let cut = model.preload.iter().filter(|p| p.body == bolt.body && p.cut == bolt.cut).flat_map(|p| &p.faces);
+        let mut rim = cut.flat_map(|f| f.nodes_a).map(|n| model.mesh.nodes[n as usize]);
+        bolt.halved = rim.any(|x| mirror.iter().any(|&k| x[k].abs() < ON_PLANE));
+    }
+}
 
 /// What a preloaded bolt carries.
 pub(super) fn preload_words(bolt: &Tightened) -> String {
@@ -10,8 +21,9 @@ pub(super) fn preload_words(bolt: &Tightened) -> String {
     let loaded = bolt.tension.map_or(String::new(), |t| {
         format!("; under the loads the stress of the lower bound carries {} there (an estimate)", kilonewtons(t))
     });
+    let halved = if bolt.halved { " in the half that is meshed (a plane of symmetry halves the bolt)" } else { "" };
     format!(
-        "Bolt {}: the preload of {} closes the cut {} by {} mm, the same for both programs{loaded}.",
+        "Bolt {}: the preload of {}{halved} closes the cut {} by {} mm, the same for both programs{loaded}.",
         inline(&bolt.body),
         kilonewtons(bolt.force),
         inline(&bolt.cut),

@@ -13,7 +13,7 @@ use crate::model::file::AnalysisKind;
 use serde::{Deserialize, Serialize};
 
 /// Coordinates nearer to a plane of symmetry lie on it \[mm\].
-const ON_PLANE: f64 = 1e-6;
+pub(super) const ON_PLANE: f64 = 1e-6;
 
 /// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates of the bolts' forces; in limit
 /// analysis one of the distributions that plasticity may choose.

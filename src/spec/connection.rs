@@ -4,7 +4,7 @@
 //! may be left out are `Option`s here: their defaults are the template's, and depend on profiles.
 
 use super::loads::LoadSpec;
-use crate::units::{Length, Seconds};
+use crate::units::{self, INVALID_QUANTITY, Kind, Length, Seconds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;
@@ -160,6 +160,75 @@ pub struct BoltSpec {
     /// Rows: z from the beam axis, up positive.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rows: Option<Vec<Length>>,
+    /// Preload; left out: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preload: Option<PreloadSpec>,
+}
+
+/// Preload of every bolt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PreloadSpec {
+    /// None: the bolts are tightened by hand.
+    None,
+    /// A part of the tensile strength of the thread, `f_ub A_s`: 0.7 for F_p,C of EN 1993-1-8:2005 3.9.1(2).
+    Part(f64),
+    /// A force \[N\].
+    Force(f64),
+}
+
+impl<'de> Deserialize<'de> for PreloadSpec {
+    // by hand: an untagged enum would lose what is wrong with a number or a unit
+    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        struct V;
+        impl de::Visitor<'_> for V {
+            type Value = PreloadSpec;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("`none`, a part of f_ub A_s (0.7), or a force with its unit (98.7 kN)")
+            }
+            fn visit_str<E: de::Error>(self, v: &str) -> Result<PreloadSpec, E> {
+                if v == "none" {
+                    return Ok(PreloadSpec::None);
+                }
+                let force = units::parse(v, Kind::Force).map(PreloadSpec::Force);
+                force.map_err(|e| {
+                    E::custom(format_args!("{INVALID_QUANTITY}{e}; or `none`, or a part of f_ub A_s: 0.7"))
+                })
+            }
+            fn visit_f64<E: de::Error>(self, v: f64) -> Result<PreloadSpec, E> {
+                Ok(PreloadSpec::Part(v))
+            }
+            fn visit_i64<E: de::Error>(self, v: i64) -> Result<PreloadSpec, E> {
+                Ok(PreloadSpec::Part(v as f64))
+            }
+            fn visit_u64<E: de::Error>(self, v: u64) -> Result<PreloadSpec, E> {
+                Ok(PreloadSpec::Part(v as f64))
+            }
+        }
+        d.deserialize_any(V)
+    }
+}
+
+impl Serialize for PreloadSpec {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        match self {
+            PreloadSpec::None => s.serialize_str("none"),
+            PreloadSpec::Part(part) => s.serialize_f64(*part),
+            PreloadSpec::Force(force) => units::Force(*force).serialize(s),
+        }
+    }
+}
+
+impl JsonSchema for PreloadSpec {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "PreloadSpec".into()
+    }
+    fn json_schema(g: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let force = g.subschema_for::<units::Force>();
+        schemars::json_schema!({
+            "description": "Preload of every bolt: `none`, a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force.",
+            "anyOf": [{"const": "none"}, {"type": "number", "exclusiveMinimum": 0, "maximum": 1}, force],
+        })
+    }
 }
 
 /// Friction on contact surfaces; at most one of `mu` and `class`.

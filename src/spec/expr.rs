@@ -25,6 +25,10 @@ impl Value {
     pub fn length(value: f64) -> Self {
         Value::Quantity(Quantity { value, dim: Dim::LENGTH })
     }
+    /// A force in N.
+    pub fn force(value: f64) -> Self {
+        Value::Quantity(Quantity { value, dim: Dim::FORCE })
+    }
     /// A pure number.
     pub fn number(value: f64) -> Self {
         Value::Quantity(Quantity { value, dim: Dim::NONE })

@@ -16,6 +16,7 @@ use crate::checks::component_method::Assessment;
 use crate::checks::component_method::assembly::moment_and_axial;
 use crate::checks::eurocode::bolts::ShearPlane;
 use crate::checks::eurocode::interaction::{self, Forces};
+use crate::checks::eurocode::slip::{SlipHole, slip_resistance};
 use crate::checks::eurocode::welds::{least_size, simplified};
 use std::f64::consts::SQRT_2;
 
@@ -69,6 +70,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         let mut found = vec![side.moment(&method)];
         let bolts = side.bolts(&method, share.value.min(1.0));
         found.extend(bolts.checks(e, a.at(1.0)[0][2].hypot(vy)));
+        found.extend(slip(e, a));
         found.extend(side.panel());
         found.extend(side.welds());
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
@@ -214,6 +216,20 @@ impl Side<'_> {
         }
         out
     }
+}
+
+/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the clamping (3.9.2(3)); a pull is shared by
+/// the bolts. A joint need not resist slip (categories A, D, E): more than the resistance is a warning.
+fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
+    let preload = e.preload.filter(|_| e.mu > 0.0)?;
+    let [axial, vy, vz] = a.at(1.0)[0];
+    let shear = vy.hypot(vz);
+    let bolts = 2.0 * e.rows.len() as f64;
+    let pull = axial.max(0.0) / bolts;
+    let mut worked = slip_resistance(SlipHole::Normal, 1, e.mu, preload, pull, e.gamma_m3);
+    worked.title = "slip of the preloaded bolts at the ultimate limit state (category C)";
+    worked.formula = format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
+    Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, Status::Warning))
 }
 
 fn step(symbol: &str, value: f64, unit: Unit) -> super::Step {

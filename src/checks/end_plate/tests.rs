@@ -260,6 +260,38 @@ fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     assert!(failed.contains(&"bearing resistance at a bolt") && failed.len() == 4, "{failed:?}");
 }
 
+/// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment nothing (3.9.2(3)). More than that is a
+/// warning, for slip is not said to be prevented; without preload or friction there is no such check.
+#[test]
+fn clause_3_9_slip_of_preloaded_bolts() {
+    let title = "slip of the preloaded bolts at the ultimate limit state (category C)";
+    let h = |preload: &str, mu: &str, load: &str| {
+        let text = joint("", &format!("{{name: A, end: beam_right, at: bolt_plane, {load}}}"));
+        checks(&format!(
+            "{}friction: {{mu: {mu}}}\n",
+            text.replace("\"8.8\",", &format!("\"8.8\", preload: {preload},"))
+        ))
+    };
+    let force = 0.7 * 800.0 * 245.0;
+    for (said, load, clamp, shear) in [
+        ("0.7", "Vz: -100 kN", force, 100e3),
+        ("0.7", "Vz: -100 kN, My: 40 kN m", force, 100e3),
+        ("0.7", "Vz: -100 kN, N: 60 kN", force - 0.8 * 10e3, 100e3),
+        ("0.7", "Vz: -100 kN, N: -60 kN", force, 100e3),
+        ("50 kN", "Vz: -60 kN, Vy: 80 kN", 50e3, 100e3),
+    ] {
+        let found = h(said, "0.2", load);
+        let slip = find(&found, "beam_right", title);
+        let (want, used) = (0.2 * clamp / 1.25, slip.utilisation.unwrap_or(f64::NAN));
+        assert!((slip.resistance.unwrap_or(f64::NAN) / want - 1.0).abs() < 1e-12, "{load}: {slip:#?}");
+        assert!((used / (shear / 6.0 / want) - 1.0).abs() < 1e-12, "{load}: {slip:#?}");
+        assert_eq!(slip.status, if used > 1.0 { Status::Warning } else { Status::Ok }, "{load}");
+    }
+    for (said, mu) in [("none", "0.2"), ("0.7", "0")] {
+        assert!(h(said, mu, "Vz: -100 kN").checks.iter().all(|c| c.title != title));
+    }
+}
+
 /// The sense of the moment, the part of M_j,Rd it asks, and the load factor at which nothing is left; fixed actions stay.
 #[test]
 fn clause_6_2_7_1_moment_and_axial_force() {
