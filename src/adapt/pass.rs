@@ -14,7 +14,7 @@ use crate::model::holds::ModelError;
 use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
 use crate::solve::status::Iterations;
-use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse};
+use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse, pages};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -517,6 +517,7 @@ impl<'a> Context<'a> {
             run.iterations += solution.iterations;
         }
         drop(prepared);
+        pages::give_back();
         if stalled(solution.status) {
             let modes = problem.contact_modes(self.model);
             let direction = || collapse::direction(problem.program(), &modes, &options);

@@ -63,12 +63,16 @@ pub fn significant(x: f64, digits: i32, rounding: Rounding) -> String {
         return "0".into();
     }
     if !(1e-4..1e9).contains(&x.abs()) {
-        let text = format!("{x:.*e}", (digits - 1).max(0) as usize);
-        let printed = text.parse::<f64>().unwrap_or(x);
-        let wrong =
-            matches!(rounding, Rounding::Down if printed > x) || matches!(rounding, Rounding::Up if printed < x);
+        let written = |x: f64| format!("{x:.*e}", (digits - 1).max(0) as usize);
+        let safe = |text: &String| match (rounding, text.parse::<f64>()) {
+            (Rounding::Down, Ok(printed)) => printed <= x,
+            (Rounding::Up, Ok(printed)) => printed >= x,
+            _ => true,
+        };
+        let last = 10.0_f64.powi(x.abs().log10().floor() as i32 + 1 - digits);
+        let aside = if rounding == Rounding::Down { x - last } else { x + last };
         // rather all digits than a bound on the wrong side
-        return if wrong { format!("{x:e}") } else { text };
+        return [written(x), written(aside)].into_iter().find(safe).unwrap_or_else(|| format!("{x:e}"));
     }
     fixed(x, digits - 1 - x.abs().log10().floor() as i32, rounding)
 }
@@ -167,6 +171,7 @@ mod tests {
     #[test]
     fn bounds_are_rounded_outward() {
         assert_eq!(bracket(-330_696.184, -322_744.743, 4), ("-330\u{a0}697".into(), "-322\u{a0}744".into()));
+        assert_eq!(bracket(5.831_930_787e-5, 6.000_1e-5, 3), ("5.831e-5".into(), "6.001e-5".into()));
         assert_eq!(fixed(-330_696.184, -1, Down), "-330\u{a0}700");
         assert_eq!(fixed(0.123_41, 4, Down), "0.1234");
         assert_eq!(fixed(0.123_41, 4, Up), "0.1235");

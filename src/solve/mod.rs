@@ -4,6 +4,7 @@ pub mod clarabel;
 pub mod collapse;
 pub mod condensed;
 pub mod forecast;
+pub mod pages;
 pub mod scales;
 pub mod sparse;
 pub mod status;
@@ -52,6 +53,7 @@ enum Way {
 /// Prepares a program; `block` gives the block (node or face) of each unknown, for orderings.
 pub fn prepare<'a>(program: &'a ConicProgram, block: &[u32], options: &SolveOptions) -> Prepared<'a> {
     let start = Instant::now();
+    pages::keep();
     let way = if program.cones.is_empty() {
         SparseCholesky::symbolic(&program.p, block).map_or(Way::Singular, |f| Way::Linear(Box::new(f)))
     } else if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {

@@ -108,12 +108,14 @@ impl CondensedSystem {
         // the iterates, directions and right-hand sides of the method
         let vectors = 8 * (30 * program.shared() + 15 * (program.unknowns() - program.shared()) + 20 * program.h.len());
         let bytes = self.factor.bytes() + self.elements.bytes() + 16 * self.place.len() + cones + vectors;
+        let yielding = program.h.len() - program.g.nrows();
+        let limit = !program.live.is_empty();
         Forecast {
             unknowns: self.factor.unknowns(),
             factor_entries: entries,
             factor_flops: flops,
             bytes: bytes as u64,
-            seconds: Forecast::all_iterations(flops, entries),
+            seconds: Forecast::all_iterations(flops, entries, yielding, limit),
         }
     }
 
