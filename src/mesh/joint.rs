@@ -100,7 +100,9 @@ pub fn mesh_joint(
         progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
         let found = match mesh_once(&geo, &scene, &mesher, options, progress) {
             // a tet without any volume is a sliver that rounding has finished off
-            Err(faults) if !(last && best.is_none()) && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) => continue,
+            Err(faults) if !(last && best.is_none()) && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) => {
+                continue;
+            }
             found => JointMesh { seconds: started.elapsed().as_secs_f64(), ..found? },
         };
         let worst = found.worst_dihedral();
