@@ -18,6 +18,8 @@ mod random;
 mod random_joints;
 #[path = "limit/rigid_bodies.rs"]
 mod rigid_bodies;
+#[path = "limit/shared_patterns.rs"]
+mod shared_patterns;
 #[path = "limit/strip_with_hole.rs"]
 mod strip_with_hole;
 #[path = "limit/t_stubs.rs"]

@@ -18,7 +18,7 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
-use crate::solve::Solution;
+use crate::solve::{Patterns, Solution};
 use serde::{Deserialize, Serialize};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -200,9 +200,14 @@ impl<'a> Problem<'a> for Sliding {
         self.slips.another(model, &self.program, solution)
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         let slid = self.slips.found(model, &self.program)?;
-        let field = recover::displacement_at(model, &self.program, &self.slips.offsets(), solution)?;
+        let field = recover::displacement_at(model, &self.program, &self.slips.offsets(), solution, patterns)?;
         let bound = UpperBound::new(certify_displacement(&slid.shifted(model), &field), model.symmetry);
         Ok((field, bound, slid))
     }

@@ -19,7 +19,7 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::resolve;
 use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
-use crate::solve::{self, Solution, SolveOptions, SolveStatus};
+use crate::solve::{self, Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who repeats the certificate.
@@ -135,9 +135,9 @@ fn moves(model: &AnalysisModel, field: &VelocityField) -> String {
 }
 
 /// What can be told of a load factor without limit or of zero without any program; `None` where neither can be proved.
-fn extreme(model: &AnalysisModel) -> Result<Option<LimitPass>, PassError> {
+fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPass>, PassError> {
     model.check_limit_analysis()?;
-    let dead = || dead_stress(model).transpose();
+    let dead = || dead_stress(model, patterns).transpose();
     // what cannot be proved is left to the programs
     let proved = |e: RecoverError| match e {
         RecoverError::Model(e) => Err(PassError::from(e)),
@@ -169,7 +169,7 @@ fn extreme(model: &AnalysisModel) -> Result<Option<LimitPass>, PassError> {
 /// load factor without limit or of zero can be proved without them.
 pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<LimitPass, PassError> {
     let start = Instant::now();
-    if let Some(pass) = extreme(model)? {
+    if let Some(pass) = extreme(model, &options.solve.patterns)? {
         return Ok(pass);
     }
     let (kinematic, statics): Both<_, _> = both::<Collapse, Resistance>(model, options, progress)?;
@@ -231,10 +231,15 @@ impl<'a> Problem<'a> for Collapse {
         Vec::new()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         let u = self.0.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
         let field = velocity(DisplacementField { u });
-        let upper = limit_upper::project(model, &field, SUBDIVISIONS).map_err(|e| match e {
+        let upper = limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
             UpperError::Recover(e) => e,
             e => RecoverError::Factor(e.to_string()),
         })?;
@@ -278,15 +283,20 @@ impl<'a> Problem<'a> for Resistance<'a> {
         Vec::new()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         let statics = &self.0;
         let parameters = statics.parameters(&solution.x)?;
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
         let welds = statics.weld_tractions(&solution.x);
         let factor = solution.x.last().copied().unwrap_or(0.0);
         let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor };
-        let dead = dead_stress(model).transpose()?;
-        let lower = limit_lower::project(model, &approximate, dead.as_ref()).map_err(in_words)?;
+        let dead = dead_stress(model, patterns).transpose()?;
+        let lower = limit_lower::project(model, &approximate, dead.as_ref(), patterns).map_err(in_words)?;
         Ok((lower.field, LowerFactor::new(lower.certificate)))
     }
 
@@ -314,11 +324,12 @@ fn in_words(e: LowerError) -> RecoverError {
 }
 
 /// A stress field of the dead loads alone, from the elastic, perfectly plastic program under them; `None` without any.
-fn dead_stress(model: &AnalysisModel) -> Option<Result<StressField, RecoverError>> {
+fn dead_stress(model: &AnalysisModel, patterns: &Patterns) -> Option<Result<StressField, RecoverError>> {
     model.has_dead_loads().then(|| {
         let dead = model.without_live_loads();
         let statics = Static::with_plasticity(&dead)?;
-        let solution = solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
+        let options = SolveOptions { patterns: patterns.clone(), ..SolveOptions::default() };
+        let solution = solve::solve(&statics.program, &statics.map.block, &options);
         if solution.status != SolveStatus::Optimal {
             let status = solution.status.words();
             return Err(RecoverError::Factor(format!("the dead loads alone have no certified equilibrium ({status})")));
@@ -327,6 +338,6 @@ fn dead_stress(model: &AnalysisModel) -> Option<Result<StressField, RecoverError
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
         let welds = statics.weld_tractions(&solution.x);
         let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor: 0.0 };
-        limit_lower::dead_field(model, &approximate).map_err(in_words)
+        limit_lower::dead_field(model, &approximate, patterns).map_err(in_words)
     })
 }

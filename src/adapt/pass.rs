@@ -544,7 +544,7 @@ impl<'a> Context<'a> {
         match solution.status {
             SolveStatus::Optimal => {
                 self.tell(P::PROGRAM, Event::Certify);
-                match problem.recover(self.model, solution) {
+                match problem.recover(self.model, solution, &self.options.solve.patterns) {
                     Ok(answer) => return Ok(Some(answer)),
                     Err(RecoverError::Model(e)) => return Err(e.into()),
                     Err(e) => run.trouble = Some(e.to_string()),

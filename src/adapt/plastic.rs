@@ -29,7 +29,7 @@ use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
 use crate::model::yielding_super_element::YIELD_POINTS;
 use crate::model::{AnalysisModel, ConicProgram, Flow, Kinematic, Static};
-use crate::solve::{Solution, SolveOptions, SolveStatus};
+use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Accuracy of an elastic solution that only tells where yield conditions go: relative gap and residual.
@@ -376,7 +376,12 @@ impl<'a> Problem<'a> for Flowing {
         self.kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         if self.rough {
             let u = self.kinematic.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
             let field = PlasticField::elastic(DisplacementField { u }, model.mesh.tets.len());
@@ -392,7 +397,7 @@ impl<'a> Problem<'a> for Flowing {
         let shifted = slid.as_ref().map(|s| s.shifted(model));
         let model = shifted.as_ref().unwrap_or(model);
         let offsets = slips.map_or_else(|| self.kinematic.program.h.clone(), Slips::offsets);
-        let field = plastic_motion(model, &self.kinematic, &offsets, solution)?;
+        let field = plastic_motion(model, &self.kinematic, &offsets, solution, patterns)?;
         let bound = UpperBound::new(certify_plastic_motion(model, &field), model.symmetry);
         let own = &self.kinematic.own;
         let outside = |e: usize| own.get(e..e + 2).is_none_or(|o| o[1] == o[0]);
@@ -459,14 +464,19 @@ impl<'a> Problem<'a> for Resisting<'a> {
         self.statics.contact_modes().into_iter().map(|m| m.unknowns).collect()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         if self.rough {
             let field = approximate_stress(&self.statics, solution)?;
             let used = utilisations(model, &field);
             let room = CORRECTION * hidden_utilisation(model, &field, ROUNDING);
             return Ok(Found { certified: None, used, beyond: f64::INFINITY, room });
         }
-        let field = yielding_stress(model, &self.statics, solution)?;
+        let field = yielding_stress(model, &self.statics, solution, patterns)?;
         let bound = LowerBound::new(certify_yielding_stress(model, &field), model.symmetry);
         let used = utilisations(model, &field);
         Ok(Found { certified: Some((field, bound)), used, beyond: 0.0, room: 0.0 })

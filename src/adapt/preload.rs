@@ -11,7 +11,7 @@ use crate::math::vec3::V3;
 use crate::model::dofs::DofMap;
 use crate::model::holds::ModelError;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
-use crate::solve::Solution;
+use crate::solve::{Patterns, Solution};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -59,7 +59,7 @@ impl<'a, P: Problem<'a>> Problem<'a> for Tightening<P> {
     }
 
     /// The closures of the cuts: chosen by this solve, not bounded by it.
-    fn recover(&self, _: &AnalysisModel, solution: &Solution) -> Result<Vec<f64>, RecoverError> {
+    fn recover(&self, _: &AnalysisModel, solution: &Solution, _: &Patterns) -> Result<Vec<f64>, RecoverError> {
         Ok(solution.x[self.map().n - self.map().closures..].to_vec())
     }
 

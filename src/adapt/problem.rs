@@ -10,7 +10,7 @@ use crate::model::dofs::DofMap;
 use crate::model::holds::ModelError;
 use crate::model::loads::Loads;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
-use crate::solve::{Solution, SolveOptions};
+use crate::solve::{Patterns, Solution, SolveOptions};
 
 /// Which of the two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -76,8 +76,13 @@ pub(super) trait Problem<'a>: Sized + Send + Sync {
     fn another(&self, _: &AnalysisModel, _: &Solution) -> Option<Another> {
         None
     }
-    /// Field and certified bound of an optimal solution, the last of its sequence.
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError>;
+    /// Field and certified bound of an optimal solution, the last of its sequence; `patterns`: what is known of the mesh's matrices.
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError>;
     /// Displacements of points along a direction of its unknowns, each with its part.
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)>;
     /// What moves along the direction of an unbounded solution, in words.
@@ -120,8 +125,13 @@ impl<'a> Problem<'a> for Kinematic {
         self.contact_modes(model).into_iter().map(|m| m.unknowns).collect()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
-        let field = recover::displacement(model, self, solution)?;
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
+        let field = recover::displacement(model, self, solution, patterns)?;
         let bound = UpperBound::new(certify_displacement(model, &field), model.symmetry);
         Ok((field, bound))
     }
@@ -160,8 +170,13 @@ impl<'a> Problem<'a> for Static<'a> {
         self.contact_modes().into_iter().map(|m| m.unknowns).collect()
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution) -> Result<Self::Answer, RecoverError> {
-        let field = recover::stress(self, solution)?;
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        patterns: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
+        let field = recover::stress(self, solution, patterns)?;
         let bound = LowerBound::new(certify_stress(model, &field, Loads::ALL), model.symmetry);
         Ok((field, bound))
     }

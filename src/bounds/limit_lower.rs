@@ -27,7 +27,7 @@ use crate::model::loads::{Loads, face_corners};
 use crate::model::static_form::SuperElements;
 use crate::model::super_element::{PARAMETERS, PointStress};
 use crate::model::{AnalysisModel, Static};
-use crate::solve::sparse::SparseCholesky;
+use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// How much stiffer bodies are that never yield.
 const RIGID: f64 = 1e8;
@@ -92,13 +92,15 @@ pub enum LowerError {
 /// The strict lower bound near an approximate field.
 ///
 /// `dead`: a field in equilibrium with the dead loads alone, strictly admissible (see [`dead_field`]); needed with dead loads.
+/// `patterns`, here and below: what is known of the mesh's matrices.
 pub fn project(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
     dead: Option<&StressField>,
+    patterns: &Patterns,
 ) -> Result<Lower, LowerError> {
     let dead = if model.has_dead_loads() { Some(dead.ok_or(LowerError::NoDeadField)?) } else { None };
-    let found = equilibrium(model, approximate, dead.is_some())
+    let found = equilibrium(model, approximate, dead.is_some(), patterns)
         .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
     match found {
         // no stress of this mesh carries the live loads: none at all carries nothing, and that is a bound
@@ -142,8 +144,12 @@ fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
 }
 
 /// A strictly admissible field of the dead loads alone, near an approximate one whose factor is zero.
-pub fn dead_field(model: &AnalysisModel, approximate: &ApproximateStress) -> Result<StressField, LowerError> {
-    let (field, _) = equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, false)?;
+pub fn dead_field(
+    model: &AnalysisModel,
+    approximate: &ApproximateStress,
+    patterns: &Patterns,
+) -> Result<StressField, LowerError> {
+    let (field, _) = equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, false, patterns)?;
     check_dead(model, &field)?;
     Ok(field)
 }
@@ -190,6 +196,7 @@ fn equilibrium(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
     lenient: bool,
+    patterns: &Patterns,
 ) -> Result<(StressField, f64), LowerError> {
     let stiff = stiffened(model);
     let statics = Static::new(&stiff).map_err(RecoverError::from)?;
@@ -200,7 +207,7 @@ fn equilibrium(
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
     hold(&mut p, &holds::pins(motions, &statics.pinned), &[]);
-    let cholesky = SparseCholesky::new(&p, &statics.map.block).map_err(RecoverError::from)?;
+    let cholesky = SparseCholesky::new(&p, &statics.map.block, patterns).map_err(RecoverError::from)?;
     let mut rhs = statics.forces(loads);
     add_interface_forces(&statics, &z, &welds, &mut rhs);
     let elements = SuperElements::new(&stiff).under(loads);

@@ -21,7 +21,7 @@ use crate::model::loads::Loads;
 use crate::model::program::cone_margin;
 use crate::model::rigid_motions::nearest_unknowns;
 use crate::model::{AnalysisModel, Kinematic, split_flow, tet10};
-use crate::solve::sparse::SparseCholesky;
+use crate::solve::sparse::{Patterns, SparseCholesky};
 use rayon::prelude::*;
 
 /// Weight γ of the equations against the stiffness.
@@ -68,10 +68,16 @@ pub enum UpperError {
     },
 }
 
-/// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`.
-pub fn project(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> Result<Upper, UpperError> {
+/// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`; `patterns`: what is known of the mesh's
+/// matrices.
+pub fn project(
+    model: &AnalysisModel,
+    field: &VelocityField,
+    subdivisions: u32,
+    patterns: &Patterns,
+) -> Result<Upper, UpperError> {
     let kinematic = Kinematic::around_rigid_bodies(model).map_err(RecoverError::from)?;
-    let projector = Projector::new(model, &kinematic, field.flow)?;
+    let projector = Projector::new(model, &kinematic, field.flow, patterns)?;
     let live = kinematic.limit_forces(model, field.flow, Loads::LIVE);
     let power_on = |x: &[f64]| Sum::of(live.iter().zip(x).map(|(f, u)| f * u));
     let mut x = nearest_unknowns(&kinematic.map, &kinematic.rigid, |i| field.nodes.u[i / 3][i % 3]);
@@ -111,7 +117,12 @@ struct Projector<'a> {
 }
 
 impl<'a> Projector<'a> {
-    fn new(model: &'a AnalysisModel, kinematic: &'a Kinematic, flow: Flow) -> Result<Self, RecoverError> {
+    fn new(
+        model: &'a AnalysisModel,
+        kinematic: &'a Kinematic,
+        flow: Flow,
+        patterns: &Patterns,
+    ) -> Result<Self, RecoverError> {
         let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
         let weight: Vec<f64> = model.body_material.iter().map(|m| model.materials[*m as usize].e).collect();
         let split = flow == Flow::Split;
@@ -147,7 +158,7 @@ impl<'a> Projector<'a> {
             let motions = kinematic.map.plain..kinematic.map.n;
             motions.for_each(|k| system.add_diagonal(k, RIGID_MOTION * stiffness[k]));
         }
-        let factor = SparseCholesky::new(&system, &kinematic.map.block)?;
+        let factor = SparseCholesky::new(&system, &kinematic.map.block, patterns)?;
         Ok(Self { model, kinematic, split, yields, weight, factor, spring })
     }
 

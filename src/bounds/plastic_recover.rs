@@ -11,16 +11,18 @@ use super::recover::{RecoverError, balanced_stress, interface_tractions, opened,
 use crate::math::vec3::{self, V3};
 use crate::model::split_tet10::INNER_UNKNOWNS;
 use crate::model::{AnalysisModel, Kinematic, Static};
-use crate::solve::Solution;
+use crate::solve::{Patterns, Solution};
 
 /// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers the energy.
 ///
-/// `model` is the one whose cones are shifted as the program's rows are by `offsets`.
+/// `model` is the one whose cones are shifted as the program's rows are by `offsets`; `patterns` here and below: what is known of
+/// the mesh's matrices.
 pub fn plastic_motion(
     model: &AnalysisModel,
     kinematic: &Kinematic,
     offsets: &[f64],
     solution: &Solution,
+    patterns: &Patterns,
 ) -> Result<PlasticField, RecoverError> {
     let program = &kinematic.program;
     let given: Vec<V3> = kinematic.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
@@ -31,7 +33,7 @@ pub fn plastic_motion(
     let nodes = match violated {
         true => {
             let elastic = Kinematic::new(model)?;
-            opened(model, &elastic, &elastic.program.h, x.to_vec())?
+            opened(model, &elastic, &elastic.program.h, x.to_vec(), patterns)?
         }
         false => DisplacementField { u: given.clone() },
     };
@@ -52,9 +54,10 @@ pub fn yielding_stress(
     model: &AnalysisModel,
     statics: &Static,
     solution: &Solution,
+    patterns: &Patterns,
 ) -> Result<StressField, RecoverError> {
     let parameters = statics.all_parameters(&solution.x)?;
-    balanced_stress(&Static::new(model)?, interface_tractions(statics, solution), parameters)
+    balanced_stress(&Static::new(model)?, interface_tractions(statics, solution), parameters, patterns)
 }
 
 /// The stress of a solution of the static program as the solver left it: no bound follows.

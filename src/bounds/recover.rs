@@ -15,7 +15,7 @@ use crate::model::program::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 use crate::model::static_form::{Static, SuperElements};
 use crate::model::super_element::PARAMETERS;
 use crate::solve::Solution;
-use crate::solve::sparse::{LinearError, SparseCholesky};
+use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 use faer::Mat;
 use rayon::prelude::*;
 
@@ -54,13 +54,14 @@ pub enum RecoverError {
 
 /// The displacement field of a kinematic solution, contacts opened where the solver left them violated.
 ///
-/// `model` is the one the program was made from.
+/// `model` is the one the program was made from; `patterns` here and below: what is known of the mesh's matrices.
 pub fn displacement(
     model: &AnalysisModel,
     kinematic: &Kinematic,
     solution: &Solution,
+    patterns: &Patterns,
 ) -> Result<DisplacementField, RecoverError> {
-    displacement_at(model, kinematic, &kinematic.program.h, solution)
+    displacement_at(model, kinematic, &kinematic.program.h, solution, patterns)
 }
 
 /// The same for a solution with other offsets of the rows than the program's own.
@@ -69,8 +70,9 @@ pub fn displacement_at(
     kinematic: &Kinematic,
     offsets: &[f64],
     solution: &Solution,
+    patterns: &Patterns,
 ) -> Result<DisplacementField, RecoverError> {
-    opened(model, kinematic, offsets, solution.x.clone())
+    opened(model, kinematic, offsets, solution.x.clone(), patterns)
 }
 
 /// The displacement field of an elastic program's unknowns `x`, at least those that elements share, contacts opened where they are
@@ -80,6 +82,7 @@ pub(super) fn opened(
     kinematic: &Kinematic,
     offsets: &[f64],
     mut x: Vec<f64>,
+    patterns: &Patterns,
 ) -> Result<DisplacementField, RecoverError> {
     kinematic.map.keep_frozen(&mut x);
     let program = &kinematic.program;
@@ -90,7 +93,7 @@ pub(super) fn opened(
         if violation >= 0.0 {
             break;
         }
-        let opening = opening_field(program, welds.as_ref(), &kinematic.map.block)?;
+        let opening = opening_field(program, welds.as_ref(), &kinematic.map.block, patterns)?;
         let gain = smallest_margin(program, &program.g.mul(&opening));
         if gain <= 0.0 {
             break;
@@ -110,7 +113,12 @@ pub(super) fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
 
 /// A displacement that opens every contact by about 1 mm with little slip and opens no weld: least squares on the gaps and on the
 /// jumps of `welds`, regularised by the stiffness.
-fn opening_field(program: &ConicProgram, welds: Option<&Csr>, block: &[u32]) -> Result<Vec<f64>, RecoverError> {
+fn opening_field(
+    program: &ConicProgram,
+    welds: Option<&Csr>,
+    block: &[u32],
+    patterns: &Patterns,
+) -> Result<Vec<f64>, RecoverError> {
     let diagonal = program.p.diagonal();
     let weight = 1e4 * diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
     let mut system = plus_rows(&program.p, &program.g, |_| weight);
@@ -119,7 +127,7 @@ fn opening_field(program: &ConicProgram, welds: Option<&Csr>, block: &[u32]) -> 
     }
     let mut target = vec![0.0; program.g.nrows()];
     cone_ranges(program).into_iter().for_each(|(at, _)| target[at] = weight);
-    let factor = SparseCholesky::new(&system, block)?;
+    let factor = SparseCholesky::new(&system, block, patterns)?;
     Ok(factor.solve(&program.g.mul_transpose(&target)))
 }
 
@@ -159,12 +167,12 @@ pub(super) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
 }
 
 /// The stress field of a static solution, in equilibrium to rounding.
-pub fn stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
+pub fn stress(statics: &Static, solution: &Solution, patterns: &Patterns) -> Result<StressField, RecoverError> {
     let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
     let mut x = solution.x.clone();
     statics.map.keep_frozen(&mut x);
     add_parameters(&statics.elements, &statics.map, &x, true, &mut parameters)?;
-    balanced_stress(statics, interface_tractions(statics, solution), parameters)
+    balanced_stress(statics, interface_tractions(statics, solution), parameters, patterns)
 }
 
 /// Contact tractions of a solution (multipliers of the contact cones), then those of welds.
@@ -180,13 +188,14 @@ pub(super) fn balanced_stress(
     statics: &Static,
     tractions: Vec<f64>,
     mut parameters: Vec<[f64; PARAMETERS]>,
+    patterns: &Patterns,
 ) -> Result<StressField, RecoverError> {
     let modes = statics.contact_modes();
     let (z, t) = balanced_tractions(statics, tractions, &modes)?;
     let mut p = statics.program.p.clone();
     // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
     hold(&mut p, &holds::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned), &[]);
-    let factor = SparseCholesky::new(&p, &statics.map.block)?;
+    let factor = SparseCholesky::new(&p, &statics.map.block, patterns)?;
     let mut rhs = statics.loads.clone();
     add_interface_forces(statics, &z, &t, &mut rhs);
     balance_elements(&statics.elements, &statics.map, &factor, &rhs, &mut parameters)?;

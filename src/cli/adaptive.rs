@@ -16,6 +16,7 @@ use crate::report::figures::{Rounding, fixed, percent_up};
 use crate::report::log::Log;
 use crate::report::pace::about;
 use crate::report::page::Table;
+use crate::solve::Patterns;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -41,10 +42,12 @@ pub struct Adapted {
     pub lower: Option<Kept>,
 }
 
-/// Seconds on the clock of the log at which a case should be done with, if the cases that follow are to have their share.
-pub struct Share {
-    /// Of this case.
+/// What a case shares with the others.
+pub struct Share<'a> {
+    /// Seconds on the clock of the log at which it should be done with, if the cases that follow are to have theirs.
     pub until: f64,
+    /// What passes on the first mesh have found.
+    pub patterns: &'a Patterns,
 }
 
 /// Analyses a case, mesh after mesh. `first`: nothing was analysed before, so what does not fit ends the run.
@@ -67,7 +70,10 @@ pub fn analyse(
         let index = entries.len();
         let start = Instant::now();
         let until = if index == 0 { f64::INFINITY } else { share.until };
-        let outcome = run_pass(&name, &model, until, limits, log)?;
+        // every later mesh is this case's own
+        let own = Patterns::default();
+        let patterns = if index == 0 { share.patterns } else { &own };
+        let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
         let runs = outcome.runs();
         // no program had to run where an answer is proved without one
         if index == 0 && first && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {

@@ -33,7 +33,7 @@ use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
 use crate::report::static_forces::static_forces;
 use crate::report::text::report_markdown;
-use crate::solve::{SolveOptions, Solver};
+use crate::solve::{Patterns, SolveOptions, Solver};
 use crate::spec::yaml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -217,6 +217,8 @@ pub fn finish(
     let mut notes: Vec<String> = Vec::new();
     let names: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
     let stems = stems(&cases);
+    // the first mesh is the same for all cases
+    let patterns = Patterns::default();
     for (i, case) in cases.into_iter().enumerate() {
         if limits.interrupt.asked() && i > 0 {
             result.warnings.push(format!("interrupted: not analysed were {}", names[i..].join(", ")));
@@ -239,7 +241,7 @@ pub fn finish(
         let now = log.seconds();
         let until = limits.time.map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (names.len() - i) as f64);
         let Adapted { mut entry, upper, lower } =
-            adaptive::analyse(case, i == 0, &Share { until }, &echo, limits, &log)?;
+            adaptive::analyse(case, i == 0, &Share { until, patterns: &patterns }, &echo, limits, &log)?;
         let refused = |k: &Kept| k.outcome.runs().iter().any(|(_, run)| run.refusal.is_some());
         if refused(&upper) {
             entry.warnings.push(format!(
@@ -394,11 +396,13 @@ pub fn too_large(name: &str, pass: &Outcome, echo: &Echo) -> Diagnostic {
         .help(format!("use {}{larger} or a machine with more memory; nothing was written", echo.coarser))
 }
 
-/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves end.
+/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves end, `patterns`: what earlier
+/// passes on that mesh have found.
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
     until: f64,
+    patterns: &Patterns,
     limits: &Limits,
     log: &Arc<Log>,
 ) -> Result<Outcome, Diagnostics> {
@@ -424,7 +428,8 @@ pub fn run_pass(
     // what is left of the time asked for; a solve that cannot finish in it ends with status `time limit`
     let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
-    let solve = SolveOptions { solver, time_limit: left, interrupt, ..SolveOptions::default() };
+    let patterns = patterns.clone();
+    let solve = SolveOptions { solver, time_limit: left, interrupt, patterns, ..SolveOptions::default() };
     let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(model, &solve));
     let progress: pass::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));

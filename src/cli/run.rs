@@ -337,7 +337,7 @@ pub fn cases<'a>(
     mesh_seconds: f64,
 ) -> Result<Vec<Case<'a>>, Diagnostics> {
     let names = from_joint::cases(&input.joint.assembly);
-    names
+    let cases = names
         .iter()
         .flat_map(|name| kinds.iter().enumerate().map(move |(k, kind)| (name, *kind, k > 0)))
         .enumerate()
@@ -357,8 +357,12 @@ pub fn cases<'a>(
                 mesh_seconds: Some(mesh_seconds),
                 demand: Some(end_actions(&input.spec.value.loads, name)),
             })
-        })
-        .collect()
+        });
+    let mut cases = cases.collect::<Result<Vec<Case>, Diagnostics>>()?;
+    if let Some((first, others)) = cases.split_first_mut() {
+        others.iter_mut().for_each(|c| c.model.share_mesh(&first.model));
+    }
+    Ok(cases)
 }
 
 /// The forces and moments at member ends of a load case.

@@ -16,6 +16,7 @@ use crate::model::file::{AnalysisKind, ModelFile, Nodes};
 use crate::model::resolve::{load_model, resolve};
 use crate::report::log::Log;
 use crate::report::study::{MARK, Meshes, Study, study_rows};
+use crate::solve::Patterns;
 use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
 use std::path::{Path, PathBuf};
@@ -263,7 +264,14 @@ fn study(
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
                 let meshes = if level.is_none() { Meshes::Adaptive } else { Meshes::Uniform };
                 // a mesh that does not fit ends the study with what there is
-                match adaptive::analyse(case, true, &Share { until }, &echo, limits, log) {
+                match adaptive::analyse(
+                    case,
+                    true,
+                    &Share { until, patterns: &Patterns::default() },
+                    &echo,
+                    limits,
+                    log,
+                ) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),
                     Err(e) if rows.is_empty() => return Err(e),
                     Err(e) => log.line(format!("left out: {}", e.0.first().map_or("", |d| &d.message))),

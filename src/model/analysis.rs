@@ -5,6 +5,7 @@
 use super::file::{AnalysisKind, Bounds, Friction, Gap};
 use super::opening::ConeShift;
 use crate::mesh::TetMesh;
+use std::sync::Arc;
 
 /// An isotropic material.
 #[derive(Clone, Debug, PartialEq)]
@@ -192,8 +193,8 @@ pub struct AnalysisModel {
     pub analysis: AnalysisKind,
     /// Which bounds.
     pub bounds: Bounds,
-    /// The mesh, split along open interfaces.
-    pub mesh: TetMesh,
+    /// The mesh, split along open interfaces; load cases of one joint and what is derived from a model share it.
+    pub mesh: Arc<TetMesh>,
     /// Materials.
     pub materials: Vec<Material>,
     /// Material of each body.
@@ -229,6 +230,13 @@ pub struct AnalysisModel {
 }
 
 impl AnalysisModel {
+    /// Holds the mesh of another model in place of its own, where they are equal.
+    pub fn share_mesh(&mut self, other: &Self) {
+        if self.mesh == other.mesh {
+            self.mesh = other.mesh.clone();
+        }
+    }
+
     /// The faces of all welds, weld by weld, each with the strength of its weld \[MPa\].
     pub fn weld_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
         self.welds.iter().flat_map(|w| w.faces.iter().map(|f| (w.strength, f)))

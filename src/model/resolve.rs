@@ -21,6 +21,7 @@ use crate::mesh::split::{TetFace, split};
 use crate::mesh::topology::FaceTable;
 use crate::spec::yaml;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Reads a `MODEL.yaml` and the mesh it names (a path relative to it).
 pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
@@ -118,7 +119,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     let mut model = AnalysisModel {
         analysis: file.analysis,
         bounds: file.bounds,
-        mesh: cut.mesh,
+        mesh: Arc::new(cut.mesh),
         materials,
         body_material,
         tet_part: cut.tet_part,

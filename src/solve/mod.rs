@@ -11,6 +11,7 @@ pub mod status;
 
 pub use forecast::Forecast;
 use forecast::available_memory;
+pub use sparse::patterns::Patterns;
 pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
 
 use crate::model::program::{ConicProgram, cone_margin};
@@ -55,11 +56,13 @@ pub fn prepare<'a>(program: &'a ConicProgram, block: &[u32], options: &SolveOpti
     let start = Instant::now();
     pages::keep();
     let way = if program.cones.is_empty() {
-        SparseCholesky::symbolic(&program.p, block).map_or(Way::Singular, |f| Way::Linear(Box::new(f)))
+        SparseCholesky::symbolic(&program.p, block, &options.patterns)
+            .map_or(Way::Singular, |f| Way::Linear(Box::new(f)))
     } else if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
         Way::Rest
     } else if options.solver == Solver::Condensed {
-        condensed::Prepared::new(program, block).map_or(Way::Clarabel, |p| Way::Condensed(Box::new(p)))
+        condensed::Prepared::new(program, block, &options.patterns)
+            .map_or(Way::Clarabel, |p| Way::Condensed(Box::new(p)))
     } else {
         Way::Clarabel
     };

@@ -1,5 +1,6 @@
 //! What a solve returns: status, unknowns, multipliers. Outcomes are data, not errors.
 
+use super::sparse::patterns::Patterns;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -123,6 +124,8 @@ pub struct SolveOptions {
     pub progress: Option<Iterations>,
     /// Set from outside to end the solve at the next iteration.
     pub interrupt: Option<Arc<AtomicBool>>,
+    /// Orderings and symbolic factors that are known; clones of these options share them.
+    pub patterns: Patterns,
 }
 
 impl SolveOptions {
@@ -154,6 +157,7 @@ impl Default for SolveOptions {
             time_limit: f64::INFINITY,
             progress: None,
             interrupt: None,
+            patterns: Patterns::default(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use bracket::model::program::ConicProgram;
 use bracket::solve::status::Iterations;
-use bracket::solve::{Iteration, Solution, SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{Iteration, Patterns, Solution, SolveOptions, SolveStatus, clarabel, condensed};
 use std::sync::{Arc, Mutex};
 
 /// Iterations an elastic or elastoplastic program may take, hard cases included.
@@ -14,7 +14,8 @@ pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let kept = trace.clone();
     let progress: Iterations = Arc::new(move |i| kept.lock().unwrap().push(*i));
     let options = SolveOptions { progress: Some(progress), ..SolveOptions::default() };
-    let prepared = condensed::Prepared::new(program, block).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let prepared =
+        condensed::Prepared::new(program, block, &Patterns::default()).unwrap_or_else(|e| panic!("{name}: {e}"));
     let ours = prepared.solve(&options);
     assert_eq!(ours.status, SolveStatus::Optimal, "{name}: {:#?}", trace.lock().unwrap());
     let options = SolveOptions::default();

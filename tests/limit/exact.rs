@@ -10,7 +10,7 @@ use bracket::bounds::limit_certificate::certify_upper;
 use bracket::bounds::unlimited::certify_unlimited;
 use bracket::mesh::TetMesh;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 
@@ -112,7 +112,7 @@ fn cube_under_all_round_pressure() {
         let programs = [(&statics.program, &statics.map.block), (&kinematic.program, &kinematic.map.block)];
         for (program, block) in programs {
             let options = SolveOptions::default();
-            let s = condensed::Prepared::new(program, block).unwrap().solve(&options);
+            let s = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
             assert_eq!(s.status, SolveStatus::Infeasible);
             assert!(s.iterations <= 15, "{}", s.iterations);
         }

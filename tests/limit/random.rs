@@ -5,7 +5,7 @@ use crate::common::Block;
 use crate::common::solved;
 use crate::common::yielding::{FY, MATERIALS};
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
 use std::collections::BTreeMap;
 
 struct Random(u64);
@@ -110,7 +110,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
             ] {
-                let ours = condensed::Prepared::new(program, block).unwrap().solve(&options);
+                let ours = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
                 if both != [SolveStatus::Optimal; 2] {

@@ -5,7 +5,7 @@ use crate::common::yielding::MATERIALS;
 use crate::common::{Block, Random, solved};
 use bracket::bounds::sampling::{sample_lower, sample_upper};
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
 use std::collections::BTreeMap;
 
 /// `None` where the model is refused: a loose part, or nothing that could give way.
@@ -102,7 +102,7 @@ fn stacks(seeds: std::ops::Range<u64>) {
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
             ] {
-                let ours = condensed::Prepared::new(program, block).unwrap().solve(&options);
+                let ours = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
                 if both != [SolveStatus::Optimal; 2] {

@@ -12,13 +12,13 @@ use bracket::bounds::sampling::sample_lower;
 use bracket::model::Static;
 use bracket::model::analysis::Traction;
 use bracket::model::kinematic::Tet10Space;
-use bracket::solve::SolveOptions;
+use bracket::solve::{Patterns, SolveOptions};
 
 fn dead_field(case: &Case, noise: f64, random: &mut Random) -> Option<StressField> {
     let stress = case.dead?;
     let a = case.static_field_of(stress, 0.0, noise, true, random);
     let approximate = ApproximateStress { parameters: &a.parameters, contact: &a.contact, welds: &[], factor: 0.0 };
-    Some(limit_lower::dead_field(&case.model, &approximate).unwrap())
+    Some(limit_lower::dead_field(&case.model, &approximate, &Patterns::default()).unwrap())
 }
 
 fn project(case: &Case, factor: f64, noise: f64, bare: bool, random: &mut Random) -> Result<Lower, LowerError> {
@@ -26,7 +26,7 @@ fn project(case: &Case, factor: f64, noise: f64, bare: bool, random: &mut Random
     let a = case.static_field(factor, noise, bare, random);
     let approximate =
         ApproximateStress { parameters: &a.parameters, contact: &a.contact, welds: &[], factor: a.factor };
-    limit_lower::project(&case.model, &approximate, dead.as_ref())
+    limit_lower::project(&case.model, &approximate, dead.as_ref(), &Patterns::default())
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn beyond_yield() {
         let c = certify_lower(&case.model, &raw, factor);
         assert!((c.utilisation - 2.0).abs() < 1e-12 && c.equilibrium < 1e-12, "{c:?}");
         assert!(!LowerFactor::new(c).is_strict());
-        let lower = limit_lower::project(&case.model, &given(&a), dead.as_ref()).unwrap();
+        let lower = limit_lower::project(&case.model, &given(&a), dead.as_ref(), &Patterns::default()).unwrap();
         let bound = LowerFactor::new(lower.certificate);
         println!("{}: {:e}", case.name, bound.value() / case.factor - 1.0);
         assert!(bound.is_strict() && bound.value() <= case.factor && bound.value() > case.factor * (1.0 - 1e-9));
@@ -135,16 +135,19 @@ fn dead_loads_without_a_sound_field() {
     let case = cases::bar_under_dead_load(1);
     let mut random = Random::new(1);
     let a = case.static_field(case.factor, 0.0, false, &mut random);
-    assert!(matches!(limit_lower::project(&case.model, &given(&a), None), Err(LowerError::NoDeadField)));
+    assert!(matches!(
+        limit_lower::project(&case.model, &given(&a), None, &Patterns::default()),
+        Err(LowerError::NoDeadField)
+    ));
     // the field of twice the dead loads does not balance them
     let wrong = StressField { points: vec![[[[200.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 4]; 4]; case.model.mesh.tets.len()] };
-    let refused = limit_lower::project(&case.model, &given(&a), Some(&wrong));
+    let refused = limit_lower::project(&case.model, &given(&a), Some(&wrong), &Patterns::default());
     assert!(matches!(&refused, Err(LowerError::DeadField { what }) if what.contains("equilibrium")), "{refused:?}");
     // dead loads beyond yield
     let mut heavy = cases::bar_under_dead_load(1);
     heavy.model.surface_loads[1].traction = Traction::Linear { traction0: [236.0, 0.0, 0.0], gradient: [[0.0; 3]; 3] };
     let b = heavy.static_field_of(|_, _| [236.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0, 0.0, false, &mut random);
-    let refused = limit_lower::dead_field(&heavy.model, &given(&b));
+    let refused = limit_lower::dead_field(&heavy.model, &given(&b), &Patterns::default());
     assert!(matches!(&refused, Err(LowerError::DeadField { what }) if what.contains("yield")), "{refused:?}");
 }
 
@@ -161,7 +164,7 @@ fn wrong_fields() {
         let mut high = case.static_field(case.factor, 0.0, false, &mut random);
         high.factor *= 3.0;
         for (what, a) in [("pulls", pulls), ("noise", noise), ("high", high)] {
-            match limit_lower::project(&case.model, &given(&a), dead.as_ref()) {
+            match limit_lower::project(&case.model, &given(&a), dead.as_ref(), &Patterns::default()) {
                 Err(e) => println!("{} {what}: {e}", case.name),
                 Ok(lower) => {
                     let bound = LowerFactor::new(lower.certificate);
@@ -178,7 +181,7 @@ fn wrong_fields() {
         }
         let mut nan = case.static_field(case.factor, 0.0, false, &mut random);
         nan.parameters[0][3] = f64::NAN;
-        let lower = limit_lower::project(&case.model, &given(&nan), dead.as_ref());
+        let lower = limit_lower::project(&case.model, &given(&nan), dead.as_ref(), &Patterns::default());
         assert!(lower.is_err() || lower.is_ok_and(|l| !LowerFactor::new(l.certificate).is_strict()), "{}", case.name);
     }
 }
@@ -193,9 +196,9 @@ fn elastic_field_of_the_dead_loads() {
         let alone = case.model.without_live_loads();
         let statics = Static::new(&alone).unwrap();
         let solution = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
-        let dead = recover::stress(&statics, &solution).unwrap();
+        let dead = recover::stress(&statics, &solution, &Patterns::default()).unwrap();
         let a = case.static_field(case.factor, NOISE, true, &mut Random::new(7));
-        let lower = limit_lower::project(&case.model, &given(&a), Some(&dead)).unwrap();
+        let lower = limit_lower::project(&case.model, &given(&a), Some(&dead), &Patterns::default()).unwrap();
         let bound = LowerFactor::new(lower.certificate);
         println!("{}: {:e}", case.name, bound.value() / case.factor - 1.0);
         assert!(

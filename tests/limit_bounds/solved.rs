@@ -12,7 +12,7 @@ use bracket::bounds::{limit_upper, recover};
 use bracket::model::super_element::PARAMETERS;
 use bracket::model::yielding_super_element::parameter_unit;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 /// The stress parameters of every element, in MPa, from the program's own.
 fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<[f64; PARAMETERS]> {
@@ -29,19 +29,23 @@ fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<
 /// Both factors of `at`, whose load it carries; the velocities are those of a load further on.
 fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBracket {
     let statics = Static::with_plasticity(at).unwrap();
-    let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&SolveOptions::default());
+    let s = condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default())
+        .unwrap()
+        .solve(&SolveOptions::default());
     assert_eq!(s.status, SolveStatus::Optimal, "{name}");
     let parameters = stress_parameters(at, &statics, &s.x);
     let contact = &s.z[..Static::new(at).unwrap().program.g.nrows()];
     let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor: 1.0 };
-    let lower = limit_lower::project(at, &approximate, None).unwrap();
+    let lower = limit_lower::project(at, &approximate, None, &Patterns::default()).unwrap();
     println!("{name}: {:?}", lower.certificate);
     let kinematic = Kinematic::with_plasticity(further, Flow::Split).unwrap();
-    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block).unwrap().solve(&SolveOptions::default());
+    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
+        .unwrap()
+        .solve(&SolveOptions::default());
     assert_eq!(k.status, SolveStatus::Optimal, "{name}");
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
-    let upper = limit_upper::project(at, &field, 1).unwrap();
+    let upper = limit_upper::project(at, &field, 1, &Patterns::default()).unwrap();
     println!("{name}: {:?}", upper.certificate);
     let bracket = FactorBracket::new(LowerFactor::new(lower.certificate), UpperFactor::new(upper.certificate)).unwrap();
     println!("{name}: [{}, {}], gap {:.4}", bracket.lower().value(), bracket.upper().value(), bracket.gap());
@@ -82,16 +86,19 @@ fn block_on_block() {
 fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBracket {
     let options = SolveOptions { gap: 1e-6, ..SolveOptions::default() };
     let statics = Static::limit(m).unwrap();
-    let s = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap().solve(&options);
+    let s =
+        condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default()).unwrap().solve(&options);
     let (parameters, factor) = (stress_parameters(m, &statics, &s.x), s.x[s.x.len() - 1]);
     let contact = &s.z[..statics.program.g.nrows()];
     let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor };
-    let lower = limit_lower::project(m, &approximate, dead).unwrap();
+    let lower = limit_lower::project(m, &approximate, dead, &Patterns::default()).unwrap();
     let kinematic = Kinematic::limit(m, Flow::Split).unwrap();
-    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block).unwrap().solve(&options);
+    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
+        .unwrap()
+        .solve(&options);
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
-    let upper = limit_upper::project(m, &field, 0).unwrap();
+    let upper = limit_upper::project(m, &field, 0, &Patterns::default()).unwrap();
     println!("{name}: solver {} {factor:.9} and {} {:.9}", s.status.words(), k.status.words(), k.x[k.x.len() - 1]);
     println!("{name}: {:?}\n{name}: {:?}", lower.certificate, upper.certificate);
     let bracket = FactorBracket::new(LowerFactor::new(lower.certificate), UpperFactor::new(upper.certificate)).unwrap();
@@ -121,7 +128,7 @@ fn limit_programs_under_dead_load() {
         let alone = case.model.without_live_loads();
         let statics = Static::new(&alone).unwrap();
         let elastic = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
-        let dead = recover::stress(&statics, &elastic).unwrap();
+        let dead = recover::stress(&statics, &elastic, &Patterns::default()).unwrap();
         let b = limit("sliding", &case.model, Some(&dead));
         assert!(b.gap() < 1e-2 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
     }

@@ -11,10 +11,11 @@ use bracket::bounds::sampling::sample_upper;
 use bracket::mesh::tet::EDGES;
 use bracket::model::kinematic::Tet10Space;
 use bracket::model::{Flow, split_flow, split_tet10};
+use bracket::solve::Patterns;
 
 fn project(case: &Case, flow: Flow, noise: f64, random: &mut Random) -> Result<Upper, UpperError> {
     let field = VelocityField { nodes: DisplacementField { u: case.velocities(noise, random) }, flow };
-    limit_upper::project(&case.model, &field, 0)
+    limit_upper::project(&case.model, &field, 0, &Patterns::default())
 }
 
 #[test]
@@ -172,7 +173,7 @@ fn wrong_fields() {
             let field = raw(&case, u, flow);
             let bound = UpperFactor::new(certify_upper(&case.model, &field, 0));
             assert!(!bound.is_strict(), "{name}: {:?}", bound.certificate());
-            match limit_upper::project(&case.model, &field, 0) {
+            match limit_upper::project(&case.model, &field, 0, &Patterns::default()) {
                 Err(e) => println!("{name}: {e}"),
                 Ok(upper) => {
                     let bound = UpperFactor::new(upper.certificate);
@@ -184,7 +185,7 @@ fn wrong_fields() {
         // backwards: the loads are driven
         let case = cases::bar(1);
         let back = everywhere(&case, |_, x| [-x[0], 0.5 * x[1], 0.5 * x[2]]);
-        let refused = limit_upper::project(&case.model, &raw(&case, back, flow), 0);
+        let refused = limit_upper::project(&case.model, &raw(&case, back, flow), 0, &Patterns::default());
         assert!(matches!(refused, Err(UpperError::NoPower { .. })), "{refused:?}");
         let mut nan = everywhere(&case, |b, x| (case.velocity)(b, x));
         nan[3][1] = f64::NAN;

@@ -8,7 +8,7 @@ use bracket::adapt::pass::{self, PassOptions, silent};
 use bracket::adapt::{limit, pass::Pass};
 use bracket::model::file::AnalysisKind;
 use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 fn elastic(model: &AnalysisModel) -> Pass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };
@@ -62,7 +62,8 @@ fn nothing_is_lost() {
         assert!(pass.runs().any(|(_, r)| r.yielding.is_some_and(|n| n > 0)));
         let statics = Static::with_plasticity(&model).unwrap();
         let full = |program: &_, block: &[u32]| {
-            let s = condensed::Prepared::new(program, block).unwrap().solve(&SolveOptions::default());
+            let s =
+                condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&SolveOptions::default());
             assert_eq!(s.status, SolveStatus::Optimal);
             s
         };

@@ -17,7 +17,7 @@ use crate::common::{Block, beside};
 use crate::duality::optimal;
 use bracket::mesh::TetMesh;
 use bracket::model::{AnalysisModel, Static};
-use bracket::solve::{SolveOptions, SolveStatus, condensed};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 2] = [1, 7];
 
@@ -162,7 +162,7 @@ fn column_sheared_by_a_body_force() {
     exact("column", &column(t), -t * t * 120.0 * 60.0 / (6.0 * g));
     let above = column(1.01 * k);
     let statics = Static::with_plasticity(&above).unwrap();
-    let prepared = condensed::Prepared::new(&statics.program, &statics.map.block).unwrap();
+    let prepared = condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default()).unwrap();
     let s = prepared.solve(&SolveOptions::default());
     assert_eq!(s.status, SolveStatus::Unbounded);
     assert!(s.iterations <= 15, "{} iterations", s.iterations);

@@ -17,7 +17,7 @@ pub mod targets;
 use super::Yardstick;
 use super::forecast::Forecast;
 use super::scales::Scales;
-use super::sparse::LinearError;
+use super::sparse::{LinearError, Patterns};
 use super::status::{Solution, SolveOptions};
 use crate::model::program::ConicProgram;
 use cones::Scaling;
@@ -33,11 +33,12 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each shared unknown.
-    pub fn new(program: &ConicProgram, block: &[u32]) -> Result<Self, LinearError> {
+    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each shared unknown, for the
+    /// ordering, which `patterns` may know.
+    pub fn new(program: &ConicProgram, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
         let scales = Scales::new(program);
         let problem = Problem::new(scales.apply(program));
-        let system = CondensedSystem::new(&problem.program, &problem.cones, block)?;
+        let system = CondensedSystem::new(&problem.program, &problem.cones, block, patterns)?;
         Ok(Self { scales, problem, system })
     }
 
@@ -108,7 +109,7 @@ mod tests {
 
     fn solved(program: &ConicProgram) -> Solution {
         let block: Vec<u32> = (0..program.p.n as u32).collect();
-        Prepared::new(program, &block).expect("laid out").solve(&SolveOptions::default())
+        Prepared::new(program, &block, &Patterns::default()).expect("laid out").solve(&SolveOptions::default())
     }
 
     #[test]

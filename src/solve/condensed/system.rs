@@ -11,7 +11,7 @@ use super::problem::Problem;
 use crate::model::batch::YIELD_ROWS;
 use crate::model::program::ConicProgram;
 use crate::solve::forecast::Forecast;
-use crate::solve::sparse::{LinearError, SparseCholesky};
+use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 
 /// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness. With 1e-8 (of the median)
 /// forces of joints with contact are lost in rounding and iterations do not end; 1e-6 to 1e-4 need the same number of iterations.
@@ -60,7 +60,7 @@ impl CondensedSystem {
     /// Lays out the pattern, the elimination and the symbolic factor of a scaled program.
     ///
     /// `block` gives the block of each shared unknown.
-    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32]) -> Result<Self, LinearError> {
+    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
         let (p, g) = (&program.p, &program.g);
         let contacts = &cones.blocks[..cones.blocks.partition_point(|b| b.0 < g.nrows())];
         let columns: Vec<Vec<u32>> = contacts
@@ -73,7 +73,7 @@ impl CondensedSystem {
             })
             .collect();
         let elements = ElementSystem::new(program);
-        let factor = SparseCholesky::symbolic(&union(p, &columns, &elements), block)?;
+        let factor = SparseCholesky::symbolic(&union(p, &columns, &elements), block, patterns)?;
         let mut system = Self { place: Vec::new(), cones: Vec::new(), elements, factor, border: None };
         let mut locator = system.factor.locator();
         system.elements.locate(&mut locator);

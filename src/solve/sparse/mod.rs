@@ -4,12 +4,16 @@ pub mod blocks;
 pub mod dense;
 pub mod factor;
 pub mod ordering;
+pub mod patterns;
 pub mod substitution;
 pub mod symbolic;
 
 use crate::model::program::SymmetricCsc;
-use factor::{Plan, Pool};
+use factor::Pool;
+use patterns::Layout;
+pub use patterns::Patterns;
 use rayon::prelude::*;
+use std::sync::Arc;
 use symbolic::Symbolic;
 
 /// Why a factorisation failed.
@@ -25,19 +29,16 @@ pub enum LinearError {
 
 /// A Cholesky factor `A = L Lᵀ` under nested dissection.
 pub struct SparseCholesky {
-    symbolic: Symbolic,
-    plan: Plan,
-    /// Block of each unknown.
-    block: Vec<u32>,
-    /// The matrix, and then its factor, in the layout of `symbolic`.
+    layout: Arc<Layout>,
+    /// The matrix, and then its factor, in that layout.
     values: Vec<f64>,
     pool: Pool,
 }
 
 impl SparseCholesky {
-    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering.
-    pub fn new(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
-        let mut factor = Self::symbolic(a, block)?;
+    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering, which `patterns` may know.
+    pub fn new(a: &SymmetricCsc, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
+        let mut factor = Self::symbolic(a, block, patterns)?;
         factor.refactor(a)?;
         Ok(factor)
     }
@@ -57,52 +58,51 @@ impl SparseCholesky {
         self.factor()
     }
 
-    /// Orders and lays out the factor of matrices with the pattern of `a`, without numbers yet.
-    pub fn symbolic(a: &SymmetricCsc, block: &[u32]) -> Result<Self, LinearError> {
-        let symbolic = Symbolic::new(a, block);
-        if symbolic.len() > u32::MAX as usize {
-            let gib = symbolic.len() as f64 / f64::from(1 << 27);
+    /// Lays out the factor of matrices with the pattern of `a`, as `patterns` knows it or learns it now, without numbers yet.
+    pub fn symbolic(a: &SymmetricCsc, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
+        let layout = patterns.layout(a, block);
+        if layout.symbolic.len() > u32::MAX as usize {
+            let gib = layout.symbolic.len() as f64 / f64::from(1 << 27);
             return Err(LinearError::Setup(format!("its factor would take {gib:.0} GiB")));
         }
-        let plan = Plan::new(&symbolic);
-        Ok(Self { symbolic, plan, block: block.to_vec(), values: Vec::new(), pool: Pool::default() })
+        Ok(Self { layout, values: Vec::new(), pool: Pool::default() })
     }
 
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
-        self.symbolic.n
+        self.layout.symbolic.n
     }
 
     /// Nonzeros of the factor.
     pub fn nonzeros(&self) -> usize {
-        self.symbolic.nonzeros()
+        self.layout.symbolic.nonzeros()
     }
 
     /// Length of its storage.
     pub fn len(&self) -> usize {
-        self.symbolic.len()
+        self.layout.symbolic.len()
     }
 
     /// True for an empty matrix.
     pub fn is_empty(&self) -> bool {
-        self.symbolic.is_empty()
+        self.layout.symbolic.is_empty()
     }
 
     /// Floating-point operations of a factorisation.
     pub fn flops(&self) -> f64 {
-        self.symbolic.flops.iter().sum()
+        self.layout.symbolic.flops.iter().sum()
     }
 
     /// Memory of the factor and its layout, once it has numbers \[bytes\].
     pub fn bytes(&self) -> usize {
-        let s = &self.symbolic;
+        let s = &self.layout.symbolic;
         8 * s.len() + 4 * s.rows.len() + std::mem::size_of::<symbolic::Update>() * s.updates.len() + 24 * s.n
     }
 
     /// The storage, all zero: the entries of the matrix are added at the places the locator tells, then it is factored.
     pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
         if self.values.is_empty() {
-            let len = self.symbolic.len();
+            let len = self.layout.symbolic.len();
             self.values.try_reserve_exact(len).map_err(|e| LinearError::Setup(e.to_string()))?;
             huge_pages(&mut self.values);
             self.values.resize(len, 0.0);
@@ -119,12 +119,13 @@ impl SparseCholesky {
 
     /// Factors the matrix that has been added.
     pub fn factor(&mut self) -> Result<(), LinearError> {
-        factor::factor(&self.symbolic, &self.plan, &mut self.values, &self.pool).map_err(|_| LinearError::Singular)
+        factor::factor(&self.layout.symbolic, &self.layout.plan, &mut self.values, &self.pool)
+            .map_err(|_| LinearError::Singular)
     }
 
     /// Tells the places of entries.
     pub fn locator(&self) -> Locator<'_> {
-        Locator::new(&self.symbolic, &self.block)
+        Locator::new(&self.layout)
     }
 
     /// `A⁻¹ b`, without refinement.
@@ -135,15 +136,15 @@ impl SparseCholesky {
 
     /// `A⁻¹ B` for a few right-hand sides, at about the price of one.
     pub fn solve_all<const SIDES: usize>(&self, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
-        let n = self.symbolic.n;
+        let n = self.layout.symbolic.n;
         let mut x = vec![0.0; SIDES * n];
-        for (new, &old) in self.symbolic.order.iter().enumerate() {
+        for (new, &old) in self.layout.symbolic.order.iter().enumerate() {
             for (k, side) in b.iter().enumerate() {
                 x[SIDES * new + k] = side[old as usize];
             }
         }
-        substitution::solve::<SIDES>(&self.symbolic, &self.plan, &self.values, &mut x);
-        std::array::from_fn(|k| self.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect())
+        substitution::solve::<SIDES>(&self.layout.symbolic, &self.layout.plan, &self.values, &mut x);
+        std::array::from_fn(|k| self.layout.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect())
     }
 }
 
@@ -174,7 +175,8 @@ pub struct Locator<'a> {
 }
 
 impl<'a> Locator<'a> {
-    fn new(symbolic: &'a Symbolic, block: &'a [u32]) -> Self {
+    fn new(layout: &'a Layout) -> Self {
+        let (symbolic, block) = (&layout.symbolic, &layout.pattern.block[..]);
         let mut owner = vec![0u32; symbolic.n];
         for s in 0..symbolic.supernodes() {
             owner[symbolic.begin[s] as usize..symbolic.begin[s + 1] as usize].fill(s as u32);
@@ -284,7 +286,7 @@ mod tests {
     #[test]
     fn solves_several_sides_to_rounding() {
         let (a, block) = grid(13);
-        let factor = SparseCholesky::new(&a, &block).expect("the matrix is definite");
+        let factor = SparseCholesky::new(&a, &block, &Patterns::default()).expect("the matrix is definite");
         let sides: [Vec<f64>; 2] = std::array::from_fn(|k| (0..a.n).map(|i| ((7 * i + k) % 11) as f64 - 5.0).collect());
         let x = factor.solve_all([&sides[0], &sides[1]]);
         for (x, b) in x.iter().zip(&sides) {
@@ -304,7 +306,11 @@ mod tests {
         let factors: Vec<Vec<f64>> = [1, 2, 3]
             .map(|threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-                pool.install(|| SparseCholesky::new(&a, &block).expect("the matrix is definite").solve(&vec![1.0; a.n]))
+                pool.install(|| {
+                    SparseCholesky::new(&a, &block, &Patterns::default())
+                        .expect("the matrix is definite")
+                        .solve(&vec![1.0; a.n])
+                })
             })
             .into();
         assert!(factors.windows(2).all(|w| w[0].iter().zip(&w[1]).all(|(a, b)| a.to_bits() == b.to_bits())));
@@ -314,7 +320,7 @@ mod tests {
     fn an_indefinite_matrix_is_refused() {
         let (mut a, block) = grid(4);
         a.add_diagonal(50, -20.0);
-        assert!(matches!(SparseCholesky::new(&a, &block), Err(LinearError::Singular)));
+        assert!(matches!(SparseCholesky::new(&a, &block, &Patterns::default()), Err(LinearError::Singular)));
     }
 
     #[test]
@@ -326,10 +332,10 @@ mod tests {
         b.values.extend(std::iter::repeat_n(0.001, a.n).chain([10.0]));
         b.col_ptr.push(b.row_idx.len());
         let blocks: Vec<u32> = block.iter().copied().chain([block[a.n - 1] + 1]).collect();
-        let plain = SparseCholesky::symbolic(&a, &block).expect("laid out");
-        let bordered = SparseCholesky::symbolic(&b, &blocks).expect("laid out");
+        let plain = SparseCholesky::symbolic(&a, &block, &Patterns::default()).expect("laid out");
+        let bordered = SparseCholesky::symbolic(&b, &blocks, &Patterns::default()).expect("laid out");
         // a border costs one row
         assert!(bordered.nonzeros() < plain.nonzeros() + plain.nonzeros() / 20 + 2 * b.n);
-        assert_eq!(bordered.symbolic.order.last(), Some(&(a.n as u32)));
+        assert_eq!(bordered.layout.symbolic.order.last(), Some(&(a.n as u32)));
     }
 }

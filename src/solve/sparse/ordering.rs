@@ -9,6 +9,7 @@ use std::sync::{Mutex, PoisonError};
 const DENSE: usize = 30;
 
 /// Neighbours of every block, without itself, increasing.
+#[derive(PartialEq, Eq)]
 pub struct BlockGraph {
     /// Start of each block's neighbours, blocks + 1.
     pub starts: Vec<usize>,

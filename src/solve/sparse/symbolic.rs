@@ -3,7 +3,7 @@
 //! Everything is found on the graph of blocks (nodes or faces), some ten times smaller than the matrix, then expanded.
 
 use super::ordering::BlockGraph;
-use crate::model::program::SymmetricCsc;
+use super::patterns::Pattern;
 
 /// Supernodes up to so many columns may be merged when at most this part of the merged block is zeros.
 const RELAX: [(usize, f64); 4] = [(12, 0.9), (32, 0.3), (96, 0.12), (usize::MAX, 0.04)];
@@ -56,17 +56,16 @@ struct Node {
 }
 
 impl Symbolic {
-    /// Orders and lays out the factor of matrices with the pattern of `a`; `block[i]` is the block of unknown `i`.
-    pub fn new(a: &SymmetricCsc, block: &[u32]) -> Self {
-        let (block, blocks) = &without_gaps(block);
-        let blocks = *blocks;
-        let graph = BlockGraph::new(a, block, blocks);
+    /// Orders a pattern and lays out the factor of its matrices.
+    pub fn new(pattern: &Pattern) -> Self {
+        let Pattern { block, graph } = pattern;
+        let blocks = graph.len();
         let mut weight = vec![0usize; blocks];
         block.iter().for_each(|&b| weight[b as usize] += 1);
-        let order = postordered(&graph, graph.nested_dissection());
-        let (nodes, parent) = supernodes(&graph, &order, &weight);
+        let order = postordered(graph, graph.nested_dissection());
+        let (nodes, parent) = supernodes(graph, &order, &weight);
         let (nodes, parent) = merge(nodes, parent, &weight, &order);
-        Self::expand(a.n, block, blocks, &order, nodes, &parent)
+        Self::expand(block, blocks, &order, nodes, &parent)
     }
 
     /// Number of supernodes.
@@ -110,7 +109,8 @@ impl Symbolic {
     }
 
     /// Lays out the merged supernodes in postorder and expands blocks to unknowns.
-    fn expand(n: usize, block: &[u32], blocks: usize, order: &[usize], nodes: Vec<Node>, parent: &[u32]) -> Self {
+    fn expand(block: &[u32], blocks: usize, order: &[usize], nodes: Vec<Node>, parent: &[u32]) -> Self {
+        let n = block.len();
         let mut members: Vec<Vec<u32>> = vec![Vec::new(); blocks];
         block.iter().enumerate().for_each(|(i, &b)| members[b as usize].push(i as u32));
         let post = postorder(parent);
@@ -200,22 +200,6 @@ impl Symbolic {
         self.update_start = starts;
         self.updates = updates;
     }
-}
-
-/// The blocks that have unknowns, numbered anew, and their number.
-fn without_gaps(block: &[u32]) -> (Vec<u32>, usize) {
-    let mut number = vec![u32::MAX; block.iter().map(|&b| b as usize + 1).max().unwrap_or(0)];
-    let mut count = 0;
-    let renumber = |&b: &u32| {
-        let n = &mut number[b as usize];
-        if *n == u32::MAX {
-            *n = count;
-            count += 1;
-        }
-        *n
-    };
-    let out = block.iter().map(renumber).collect();
-    (out, count as usize)
 }
 
 /// An equivalent order in which every subtree of the elimination tree is contiguous.
