@@ -322,6 +322,7 @@ fn cantilever(o: &Options) -> AnalysisModel {
         loads: vec![],
         symmetry: vec![SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        welds: vec![],
         preloads: vec![],
     };
     loaded(meshed(&assembly, o).mesh)

@@ -17,3 +17,5 @@ mod stiffness;
 mod t_stubs;
 #[path = "joints/verdicts.rs"]
 mod verdicts;
+#[path = "joints/welds.rs"]
+mod welds;

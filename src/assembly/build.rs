@@ -1,10 +1,10 @@
 //! Spec + template + catalogue → [`Assembly`].
 
-use super::end_plate::{EndPlate, end_plate};
+use super::end_plate::{EndPlate, Strength, end_plate};
 use super::error::AssemblyError;
 use super::joint::{
     Action, Assembly, BoltPreload, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part,
-    PartMaterial, PartRole, Solid, Surface,
+    PartMaterial, PartRole, Solid, Surface, WeldRule,
 };
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
@@ -160,9 +160,24 @@ impl<'a> Builder<'a> {
         let name = self.spec.project.title.clone().unwrap_or_else(|| self.template.title.clone());
         let clearances = self.clearances()?;
         let symmetry = Vec::new();
+        let welds = self.welds()?;
+        for w in &welds {
+            w.between.iter().try_for_each(|p| known("welds", p))?;
+        }
         let preloads = self.preloads(&bolts);
-        let mut a =
-            Assembly { name, parts, materials, interfaces, faces, supports, loads, symmetry, clearances, preloads };
+        let mut a = Assembly {
+            name,
+            parts,
+            materials,
+            interfaces,
+            faces,
+            supports,
+            loads,
+            symmetry,
+            clearances,
+            welds,
+            preloads,
+        };
         a.symmetry = symmetry::planes(&a);
         Ok(a)
     }
@@ -392,6 +407,52 @@ impl<'a> Builder<'a> {
             }
         }
         Ok(out)
+    }
+
+    /// The welds with a throat.
+    fn welds(&self) -> Result<Vec<WeldRule>, AssemblyError> {
+        let mut out = Vec::new();
+        for w in &self.template.welds {
+            let at = w.name.as_str();
+            for s in within(at, self.scope.turns(&w.each, w.when.as_ref()))? {
+                let throat = within(at, s.length(&w.throat))?;
+                if throat <= 0.0 {
+                    continue;
+                }
+                let name = identifier(at, within(at, s.text(at))?)?;
+                let between = [within(at, s.text(&w.between[0]))?, within(at, s.text(&w.between[1]))?];
+                let thickness = within(at, s.length(&w.thickness))?;
+                if thickness <= 0.0 {
+                    return entry_fault(at, format!("the thickness {thickness} mm is not positive"));
+                }
+                let steels = [self.steel_of(at, &between[0])?, self.steel_of(at, &between[1])?];
+                let weaker = steels[0].weaker(&steels[1]);
+                let [_, _, gamma_m2, _] = self.inputs.partial_factors();
+                let Some(strength) = weaker.weld_strength(gamma_m2) else {
+                    return Err(AssemblyError::Value {
+                        path: "parameters".into(),
+                        problem: format!("`{name}` is a fillet weld, for which {} has no β_w (EN 1993-1-8 Table 4.1)", weaker.grade),
+                        help: "take a throat of 0 mm (full penetration), or a steel with β_w: `bracket catalog list steels`".into(),
+                    });
+                };
+                let surface = rectangle(at, &s, &w.face)?;
+                out.push(WeldRule { name, between, surface, imprint: w.imprint, throat, thickness, strength });
+            }
+        }
+        Ok(out)
+    }
+
+    /// Strengths of the steel of a member's or plate's part.
+    fn steel_of(&self, at: &str, part: &str) -> Result<Strength, AssemblyError> {
+        for entry in &self.template.parts {
+            for scope in within(&entry.name, self.scope.turns(&entry.each, entry.when.as_ref()))? {
+                if within(&entry.name, scope.text(&entry.name))? == part {
+                    let thickness = within(&entry.name, scope.length(&entry.thickness))?;
+                    return self.inputs.strength(self.spec, &entry.steel, thickness);
+                }
+            }
+        }
+        entry_fault(at, format!("there is no member or plate `{part}`"))
     }
 
     fn supports(&self, faces: &mut Vec<FaceRule>) -> Result<Vec<FaceSupport>, AssemblyError> {

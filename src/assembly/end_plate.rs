@@ -76,6 +76,21 @@ pub struct Strength {
     pub beta_w: Option<f64>,
 }
 
+impl Strength {
+    /// The steel that fillet welds between two parts are designed for: that with the lesser f_u.
+    pub fn weaker<'a>(&'a self, other: &'a Strength) -> &'a Strength {
+        if other.fu < self.fu { other } else { self }
+    }
+
+    /// Design shear strength of a fillet weld \[MPa\], `f_vw,d = f_u/(√3 β_w γ_M2)`; `None` for grades without β_w.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 4.5.3.3(3), formula 4.4.
+    pub fn weld_strength(&self, gamma_m2: f64) -> Option<f64> {
+        Some(self.fu / (3f64.sqrt() * self.beta_w? * gamma_m2))
+    }
+}
+
 /// The column an end plate is bolted to. Lengths in mm, z from the beam's axis, up positive.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ColumnSide {

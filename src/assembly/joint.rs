@@ -140,6 +140,25 @@ pub struct InterfaceRule {
     pub gap: f64,
 }
 
+/// Fillet welds along both sides of a plate on another part, as an interface of finite strength.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WeldRule {
+    /// Name, the physical surface's.
+    pub name: String,
+    /// The two parts; the normal points out of the first.
+    pub between: [String; 2],
+    /// Where they meet.
+    pub surface: Surface,
+    /// True when edges of the parts do not bound it and it must be imprinted.
+    pub imprint: bool,
+    /// Throat of each weld \[mm\].
+    pub throat: f64,
+    /// Area of the interface over half of the length of its welds \[mm\]: the thickness of a plate with a weld on either side.
+    pub thickness: f64,
+    /// Strength f_u/(√3 β_w γ_M2) on the throat \[MPa\].
+    pub strength: f64,
+}
+
 /// A piece of surface found by coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -263,6 +282,9 @@ pub struct Assembly {
     pub symmetry: Vec<SymmetryPlane>,
     /// Wanted clearances beyond contact, checked before meshing.
     pub clearances: Vec<Clearance>,
+    /// Fillet welds with a throat.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub welds: Vec<WeldRule>,
     /// Preloaded bolts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preloads: Vec<BoltPreload>,

@@ -3,7 +3,7 @@
 //! Solids are compared as sets of rounded points, so that it does not matter in which order or sense a template draws
 //! them.
 
-use super::joint::{Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane};
+use super::joint::{Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane, WeldRule};
 use std::collections::BTreeMap;
 
 /// Coordinates that agree to this are the same \[mm\].
@@ -140,7 +140,13 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let cut = |p: &BoltPreload| (shape(&p.part), surface(&p.surface, mirror), scalar(p.force));
     let mut preloads: Vec<_> = a.preloads.iter().map(cut).collect();
     preloads.sort();
-    (parts, interfaces, supports, loads, preloads)
+    let weld = |w: &WeldRule| {
+        let pair = [shape(&w.between[0]), shape(&w.between[1])];
+        (pair, surface(&w.surface, mirror), [w.throat, w.thickness, w.strength].map(scalar))
+    };
+    let mut welds: Vec<_> = a.welds.iter().map(weld).collect();
+    welds.sort();
+    (parts, interfaces, supports, loads, preloads, welds)
 }
 
 /// The planes `x[axis] = 0` about which the joint, its supports and all its loads are symmetric.

@@ -63,6 +63,9 @@ pub struct Template {
     /// Open interfaces beside those of the bolts.
     #[serde(default)]
     pub contacts: Vec<ContactEntry>,
+    /// Fillet welds; where the throat is zero the parts stay tied.
+    #[serde(default)]
+    pub welds: Vec<WeldEntry>,
     /// Faces that loads can name.
     #[serde(default)]
     pub sections: Vec<SectionEntry>,
@@ -397,6 +400,30 @@ pub struct ContactEntry {
     pub face: RectangleEntry,
     /// Initial gap.
     pub gap: Option<Expr>,
+}
+
+/// Fillet welds along both sides of a plate.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WeldEntry {
+    /// Name of the surface.
+    pub name: String,
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// The two parts, parts of members or plates; the weld is as strong as the weaker steel lets it be.
+    pub between: [String; 2],
+    /// Where.
+    pub face: RectangleEntry,
+    /// True when edges of the parts do not bound it.
+    #[serde(default)]
+    pub imprint: bool,
+    /// Throat of each weld; 0 mm: full penetration, the parts are tied.
+    pub throat: Expr,
+    /// Area of the interface over half of the length of its welds: the thickness of a plate with a weld on either side.
+    pub thickness: Expr,
 }
 
 /// A face that loads can name.

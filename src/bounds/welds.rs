@@ -70,15 +70,35 @@ pub fn dissipations(model: &AnalysisModel, u: &[V3]) -> Vec<f64> {
     out.iter().map(|d| d.value()).collect()
 }
 
+/// What a stress asks of a weld.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Utilisation {
+    /// Largest traction over the strength; not a number if any traction is none.
+    pub largest: f64,
+    /// An upper bound of the mean of the traction's length over the strength: that of its values at the vertices of the faces, between
+    /// which it is linear.
+    pub mean: f64,
+}
+
 /// Largest traction of each weld over its strength; not a number if any traction is none.
 pub fn utilisations(model: &AnalysisModel, field: &StressField) -> Vec<f64> {
+    demands(model, field).into_iter().map(|u| u.largest).collect()
+}
+
+/// What a stress asks of each weld.
+pub fn demands(model: &AnalysisModel, field: &StressField) -> Vec<Utilisation> {
     let mut out = vec![0.0f64; model.welds.len()];
+    let mut means = vec![[Sum::default(); 2]; model.welds.len()];
     for face in weld_faces(model) {
+        let (_, area) = face.normal(model);
+        means[face.of][1].add(area);
         for t in contact_tractions(model, field, &face, None) {
             let used = vec3::norm(t) / face.law.strength;
+            means[face.of][0].add(area / 3.0 * used);
             let worst = &mut out[face.of];
             *worst = if used.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(used) };
         }
     }
-    out
+    let mean = means.into_iter().map(|[used, area]| used.value() / area.value());
+    out.into_iter().zip(mean).map(|(largest, mean)| Utilisation { largest, mean }).collect()
 }

@@ -308,8 +308,7 @@ fn bolts(e: &EndPlate) -> Vec<Check> {
 /// The steel the welds of the beam are designed for: the weaker of the parts joined. Grades without β_w have no fillet welds by
 /// this code.
 fn welded(e: &EndPlate) -> Option<WeldedSteel> {
-    let (beam, plate) = (&e.beam_steel, &e.plate_steel);
-    let weaker = if plate.fu < beam.fu { plate } else { beam };
+    let weaker = e.beam_steel.weaker(&e.plate_steel);
     Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.gamma_m2 })
 }
 

@@ -411,7 +411,12 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
             .all(|(a, b)| a.part == b.part && near(Some(a.share), Some(b.share)));
     let welds = claimed.welds.len() == found.welds.len()
         && claimed.welds.iter().zip(&found.welds).all(|(a, b)| {
-            a.weld == b.weld && near(a.utilisation, b.utilisation) && near(a.share, b.share) && near(a.work, b.work)
+            a.weld == b.weld
+                && near(a.utilisation, b.utilisation)
+                // results of earlier versions do not tell it
+                && (a.mean_utilisation.is_none() || near(a.mean_utilisation, b.mean_utilisation))
+                && near(a.share, b.share)
+                && near(a.work, b.work)
         });
     let yielding = claimed.yielding.len() == found.yielding.len()
         && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {

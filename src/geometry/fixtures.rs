@@ -238,6 +238,7 @@ pub(crate) fn paper_joint() -> Assembly {
         }],
         symmetry: vec![SymmetryPlane { axis: 0 }, SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        welds: vec![],
         preloads: vec![],
     }
 }
@@ -295,6 +296,7 @@ pub(crate) fn lap_joint() -> Assembly {
         }],
         symmetry: vec![SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        welds: vec![],
         preloads: vec![],
     }
 }

@@ -255,7 +255,7 @@ impl Writer {
 
     fn footprints(&mut self, scene: &Scene) {
         self.line("f() = {};");
-        for (axis, at, min, max) in size::footprints(scene) {
+        for (axis, at, min, max) in size::footprints(scene).into_iter().chain(size::weld_lines(scene)) {
             self.polygon(&rectangle(axis, at, min, max));
             self.line("f() += {s};");
         }

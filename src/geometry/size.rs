@@ -52,6 +52,17 @@ pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
         .collect()
 }
 
+/// The imprinted rectangles of welds on the kept side; they ask for no size of their own.
+pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
+    let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
+    let kept = scene.assembly.welds.iter().filter(|w| w.imprint && w.between.iter().all(|p| scene.body(p).is_some()));
+    kept.filter_map(|w| match w.surface {
+        Surface::Plane { axis, at, min, max } => clip(axis, at, min, max, &planes),
+        Surface::Mantle { .. } => None,
+    })
+    .collect()
+}
+
 /// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies on a symmetry plane.
 pub(super) fn clip(axis: usize, at: f64, min: V3, max: V3, planes: &[usize]) -> Option<(usize, f64, V3, V3)> {
     let mut min = min;

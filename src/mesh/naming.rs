@@ -2,7 +2,7 @@
 
 use super::topology::{FaceRow, FaceTable, face_nodes};
 use super::{NamedFaces, TetMesh};
-use crate::assembly::joint::{InterfaceRule, Surface};
+use crate::assembly::joint::Surface;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::geometry::exact::{self, MANTLE_TOLERANCE};
 use crate::geometry::scene::Scene;
@@ -74,7 +74,16 @@ pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagn
     let mut faces = Vec::new();
     contacts(mesh, scene, &table, &mut checks, &mut faults);
     for rule in &scene.assembly.interfaces {
-        interface(mesh, scene, &table, rule, &mut faces, &mut checks, &mut faults);
+        let on = rule.surface.as_ref().map(|(name, surface)| (name, surface));
+        interface(mesh, scene, &table, (&rule.between, on), &mut faces, &mut checks, &mut faults);
+    }
+    for weld in &scene.assembly.welds {
+        // parts that a plane of symmetry halves may have welds wholly on the side that is not modelled
+        if matches!(weld.surface, Surface::Plane { min, max, .. } if beyond(scene, &min, &max)) {
+            continue;
+        }
+        let on = Some((&weld.name, &weld.surface));
+        interface(mesh, scene, &table, (&weld.between, on), &mut faces, &mut checks, &mut faults);
     }
     outer_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
     symmetry_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
@@ -229,14 +238,14 @@ fn interface(
     mesh: &TetMesh,
     scene: &Scene,
     table: &FaceTable,
-    rule: &InterfaceRule,
+    (parts, on): (&[String; 2], Option<(&String, &Surface)>),
     faces: &mut Vec<NamedFaces>,
     checks: &mut Checks,
     faults: &mut Vec<Diagnostic>,
 ) {
-    let (Some(a), Some(b)) = (scene.body(&rule.between[0]), scene.body(&rule.between[1])) else { return };
+    let (Some(a), Some(b)) = (scene.body(&parts[0]), scene.body(&parts[1])) else { return };
     let mut triangles = between(mesh, table, a, b);
-    if let Some((name, surface)) = &rule.surface {
+    if let Some((name, surface)) = on {
         triangles.retain(|t| on_surface(surface, &corners(mesh, *t)));
         let exact = exact::contact_area(&scene.bodies[a], &scene.bodies[b], Some(surface));
         let meshed = total(mesh, &triangles);

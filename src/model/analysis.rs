@@ -78,6 +78,8 @@ pub struct Weld {
     pub name: String,
     /// Largest length of the traction, in any direction \[MPa on the interface\].
     pub strength: f64,
+    /// Strength on the throat \[MPa\], where the model says the throat.
+    pub throat_strength: Option<f64>,
     /// Its face pairs.
     pub faces: Vec<FacePair>,
 }

@@ -5,7 +5,7 @@ use super::file::{
     PreloadEntry, RigidEntry, SupportEntry,
 };
 use crate::assembly::Assembly;
-use crate::assembly::joint::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane};
+use crate::assembly::joint::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
 use crate::mesh::TetMesh;
 use crate::mesh::naming::symmetry_face;
 
@@ -46,11 +46,8 @@ pub fn model_file(
         .filter(|(name, _)| kept.iter().any(|p| p.material == **name))
         .map(|(name, m)| (name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy: m.fy }))
         .collect();
-    let interfaces = assembly
-        .interfaces
-        .iter()
-        .filter(|rule| rule.between.iter().all(has_body))
-        .map(|rule| InterfaceEntry {
+    let contacts =
+        assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| InterfaceEntry {
             between: Some(rule.between.clone()),
             face: rule.surface.as_ref().map(|(name, _)| name.clone()),
             law: Law::Contact,
@@ -61,8 +58,8 @@ pub fn model_file(
             thickness: None,
             strength: None,
             strength_traction: None,
-        })
-        .collect();
+        });
+    let interfaces = contacts.chain(weld_entries(assembly, mesh, analysis)).collect();
     let support = |face: &str, fix: [bool; 3]| SupportEntry {
         face: face.to_string(),
         fix: (0..3).filter(|&k| fix[k]).map(|k| AXES[k]).collect(),
@@ -105,6 +102,24 @@ pub fn model_file(
         adapt: None,
         symmetry: 1 << symmetry_used.len(),
     }
+}
+
+/// The fillet welds of the meshed part: of finite strength where bodies yield. In elastic analysis they are tied like all else that would
+/// yield.
+fn weld_entries(assembly: &Assembly, mesh: &TetMesh, analysis: AnalysisKind) -> impl Iterator<Item = InterfaceEntry> {
+    let here = move |w: &&WeldRule| analysis != AnalysisKind::Elastic && mesh.faces_named(&w.name).is_some();
+    assembly.welds.iter().filter(here).map(|w| InterfaceEntry {
+        between: Some(w.between.clone()),
+        face: Some(w.name.clone()),
+        law: Law::Weld,
+        mu: None,
+        gap: None,
+        friction: None,
+        throat: Some(w.throat),
+        thickness: Some(w.thickness),
+        strength: Some(w.strength),
+        strength_traction: None,
+    })
 }
 
 /// The preloaded bolts of the meshed part.

@@ -10,10 +10,10 @@ use crate::adapt::pass::{Pass, ProgramRun};
 use crate::bounds::certificate::TOLERANCE;
 use crate::bounds::faces::contact_faces;
 use crate::bounds::plastic_certificate::body_states;
-use crate::bounds::welds::utilisations;
+use crate::bounds::welds::{Utilisation, demands};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::model::analysis::Traction;
+use crate::model::analysis::{Traction, Weld};
 use crate::model::file::AnalysisKind;
 use crate::model::loads::face_corners;
 use crate::solve::{Iteration, SolveStatus};
@@ -176,14 +176,21 @@ pub(super) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
 }
 
 /// Each weld, given largest tractions over strengths, shares and works where there are any.
-pub(super) fn weld_uses(model: &AnalysisModel, used: Vec<f64>, share: Vec<f64>, work: Vec<f64>) -> Vec<WeldUse> {
-    let weld = |(i, name): (usize, String)| WeldUse {
-        weld: name,
-        utilisation: used.get(i).copied(),
+pub(super) fn weld_uses(
+    model: &AnalysisModel,
+    used: Vec<Utilisation>,
+    share: Vec<f64>,
+    work: Vec<f64>,
+) -> Vec<WeldUse> {
+    let weld = |(i, w): (usize, &Weld)| WeldUse {
+        weld: w.name.clone(),
+        utilisation: used.get(i).map(|u| u.largest),
+        mean_utilisation: used.get(i).map(|u| u.mean),
+        throat_strength: w.throat_strength,
         share: share.get(i).copied(),
         work: work.get(i).copied(),
     };
-    model.welds.iter().map(|w| w.name.clone()).enumerate().map(weld).collect()
+    model.welds.iter().enumerate().map(weld).collect()
 }
 
 /// What has become of each body that can yield.
@@ -270,7 +277,7 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
         limiting_part: None,
         welds: weld_uses(
             model,
-            pass.stress.as_ref().map_or(Vec::new(), |s| utilisations(model, s)),
+            pass.stress.as_ref().map_or(Vec::new(), |s| demands(model, s)),
             Vec::new(),
             pass.upper.as_ref().map_or(Vec::new(), |b| b.certificate().welds.clone()),
         ),

@@ -236,6 +236,12 @@ pub struct WeldUse {
     /// Largest traction of the static field over the strength, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
+    /// Mean of the length of that traction over the strength, at most; a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mean_utilisation: Option<f64>,
+    /// Strength on the throat, of which these are parts \[MPa\]; absent where the model gives a traction instead.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub throat_strength: Option<f64>,
     /// Limit analysis: its share in the dissipation of the mechanism, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,

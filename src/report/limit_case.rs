@@ -146,9 +146,9 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         .then(|| RawBracket { lower: strict(&pass.lower), upper });
     let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
     let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
-    let used = stress.as_ref().map_or(Vec::new(), |s| welds::utilisations(model, s));
+    let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
     let nearest = stress.as_ref().map(|s| utilisation(model, s));
-    let limiting_part = nearest.filter(|(most, _)| used.iter().all(|w| w <= most)).and_then(|n| n.1).map(body);
+    let limiting_part = nearest.filter(|(most, _)| used.iter().all(|w| w.largest <= *most)).and_then(|n| n.1).map(body);
     let (dissipation, weld_shares) = pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {

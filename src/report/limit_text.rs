@@ -81,7 +81,16 @@ fn welds(page: &mut String, case: &CaseResult) {
         .iter()
         .filter_map(|w| {
             let work = w.work.map(|w| significant(w, 4, Rounding::Up));
-            Some(vec![w.weld.clone(), format!("{:.1}", 100.0 * w.utilisation?), work.unwrap_or_default()])
+            let used = [w.utilisation, w.mean_utilisation];
+            let percent = |u: Option<f64>| u.map_or(String::new(), |u| format!("{:.1}", 100.0 * u));
+            let stress =
+                |u: Option<f64>| u.zip(w.throat_strength).map_or(String::new(), |(u, f)| format!("{:.0}", u * f));
+            let strength = w.throat_strength.map_or(String::new(), |f| format!("{f:.0}"));
+            w.utilisation?;
+            let [largest, mean] = used;
+            let shares = [percent(largest), percent(mean)];
+            let stresses = [stress(largest), stress(mean), strength];
+            Some([vec![w.weld.clone()], shares.to_vec(), stresses.to_vec(), vec![work.unwrap_or_default()]].concat())
         })
         .collect();
     if rows.is_empty() {
@@ -89,12 +98,17 @@ fn welds(page: &mut String, case: &CaseResult) {
     }
     let name = inline(&case.name);
     paragraph(page, &format!("What the stress of the lower bound asks of the welds ({name}):"));
-    let with_work = case.welds.iter().any(|w| w.work.is_some());
-    let columns = strings(["weld", "largest traction over strength [%]", "work dissipated, upper bound [N mm]"]);
-    let kept = if with_work { 3 } else { 2 };
-    let cut = |mut row: Vec<String>| {
-        row.truncate(kept);
-        row
-    };
+    let columns = strings([
+        "weld",
+        "largest traction over strength [%]",
+        "mean [%]",
+        "stress on the throat, largest [MPa]",
+        "mean [MPa]",
+        "strength of the throat [MPa]",
+        "work dissipated, upper bound [N mm]",
+    ]);
+    // columns that no weld fills are left out
+    let filled: Vec<bool> = (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
+    let cut = |row: Vec<String>| row.into_iter().zip(&filled).filter(|(_, f)| **f).map(|(cell, _)| cell).collect();
     table(page, &Table { columns: cut(columns), rows: rows.into_iter().map(cut).collect() });
 }

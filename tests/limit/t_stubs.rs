@@ -215,6 +215,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
         loads: vec![],
         symmetry: vec![SymmetryPlane { axis: 0 }, SymmetryPlane { axis: 1 }],
         clearances: vec![],
+        welds: vec![],
         preloads: vec![],
     }
 }

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 /// The law of an interface whose sides have nodes of their own.
 pub(super) enum OpenLaw {
     Contact(ContactLaw),
-    /// A weld with its strength \[MPa on the interface\].
-    Weld(f64),
+    /// A weld with its strength on the interface and, where it is given, on the throat \[MPa\].
+    Weld(f64, Option<f64>),
 }
 
 /// An interface before the nodes are split: side A, side B of each face.
@@ -171,7 +171,7 @@ fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: 
         }
         Law::Weld => {
             useless(&mut given_contact, "weld", faults);
-            weld_strength(entry, path, faults).map(OpenLaw::Weld)
+            weld_strength(entry, path, faults).map(|traction| OpenLaw::Weld(traction, entry.strength))
         }
         Law::Contact => {
             useless(&mut given_weld, "contact", faults);
@@ -297,7 +297,9 @@ pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> (Vec<Interface>, Vec
         let (name, faces) = (open.name.clone(), mine.iter().map(pair).collect());
         match &open.law {
             OpenLaw::Contact(law) => interfaces.push(Interface { name, law: law.clone(), faces }),
-            OpenLaw::Weld(strength) => welds.push(Weld { name, strength: *strength, faces }),
+            OpenLaw::Weld(strength, throat) => {
+                welds.push(Weld { name, strength: *strength, throat_strength: *throat, faces })
+            }
         }
     }
     (interfaces, welds)
