@@ -85,8 +85,8 @@ const GROWTH: f64 = 4.0;
 /// A pass that is expected to leave more of the gap than this is not worth its time.
 const GAIN: f64 = 0.9;
 
-/// How much larger than ideal the gap turns out for every four-fold growth of the mesh, before any experience: the map comes from
-/// the coarser mesh, and the mesher follows it roughly.
+/// How much larger than ideal the gap turns out for every four-fold growth of the mesh, and for any redesign at least, before any
+/// experience: the map comes from another mesh, and the mesher follows it roughly.
 const LOSS: f64 = 1.15;
 
 /// Exponent of a pass's time in its number of tets, before any experience.
@@ -104,6 +104,14 @@ struct Experience<'a> {
     /// ln of the loss for every four-fold growth.
     loss: f64,
     time_exponent: f64,
+}
+
+/// Tets to ask of the mesher for so many: what it made of earlier orders teaches what it will make of this one.
+pub fn order(steps: &[Step], tets: f64) -> f64 {
+    let made = steps.iter().filter_map(|s| s.predicted.map(|p| s.tets as f64 / p.tets));
+    // an order that was met counts as the experience before any
+    let (sum, count) = made.fold((0.0, 1.0), |(sum, count), ratio| (sum + ratio.ln(), count + 1.0));
+    tets / f64::exp(sum / count).clamp(0.5, 2.0)
 }
 
 fn growth(from: f64, to: f64) -> f64 {
@@ -141,7 +149,7 @@ impl<'a> Experience<'a> {
 
     fn prediction(&self, curve: &Curve, tets: f64, from: f64) -> Prediction {
         let ideal_gap = self.last.gap * curve.gap_at(tets);
-        let gap = ideal_gap * (self.loss * growth(from, tets)).exp();
+        let gap = ideal_gap * (self.loss * growth(from, tets).max(1.0)).exp();
         Prediction { tets, gap, ideal_gap, seconds: self.seconds(tets) }
     }
 }
@@ -283,7 +291,16 @@ mod tests {
         assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));
     }
 
-    /// A pass that fell short of its prediction makes the next prediction humbler.
+    /// A mesher that makes more than it is asked for is asked for less.
+    #[test]
+    fn orders_learn_from_what_was_made() {
+        let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
+        let second = Step { predicted: Some(predicted), ..step(2400, 0.02) };
+        assert_eq!(order(&[step(1000, 0.04)], 3000.0), 3000.0);
+        assert!((order(&[step(1000, 0.04), second], 3000.0) - 3000.0 / 1.2f64.sqrt()).abs() < 1e-9);
+    }
+
+    /// A pass that fell short of its prediction makes the next prediction humbler, also where the mesh does not grow.
     #[test]
     fn experience_teaches() {
         let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
@@ -292,5 +309,9 @@ mod tests {
             Experience::of(&[step(1000, 0.04), second]).map(|e| e.loss).unwrap_or_default()
         };
         assert!(of(0.03) > of(0.018) && of(0.03) > LOSS.ln());
+        let second = Step { predicted: Some(predicted), ..step(2000, 0.03) };
+        let steps = [step(1000, 0.04), second];
+        let Next::Refine(p) = decide(&steps, &LIMITS, &ENDLESS) else { panic!("a pass") };
+        assert!(p.gap > 1.2 * p.ideal_gap, "{p:?}");
     }
 }

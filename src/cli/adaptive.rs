@@ -136,8 +136,9 @@ pub fn analyse(
             percent_up(p.gap),
             about(p.seconds)
         ));
-        let design = estimate.with_tets(&curve, p.tets, &realised);
-        let p = Prediction { tets: design.tets, ..p };
+        let order = plan::order(&steps, p.tets);
+        let design = estimate.with_tets(&curve, order, &realised);
+        let p = Prediction { tets: design.tets * p.tets / order, ..p };
         match remesher.remesh(&design, share.until - log.seconds(), log) {
             Ok(Made { model, mesh, file, quality, seconds }) => {
                 next = (model, Some((mesh, file, quality)), Some(seconds), Some(p));
