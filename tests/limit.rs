@@ -10,6 +10,8 @@ mod common;
 mod exact;
 #[path = "limit/hollow_sphere.rs"]
 mod hollow_sphere;
+#[path = "limit/interaction.rs"]
+mod interaction;
 #[path = "limit/plane_strain.rs"]
 mod plane_strain;
 #[path = "limit/random.rs"]

@@ -38,7 +38,7 @@ pub(super) fn is_at_an_end(load: &LoadSpec) -> bool {
 pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &mut Vec<AssemblyError>) {
     let load = &loads[i];
     let mut value = |key: &str, problem: String, help: &str| {
-        let path = if key.is_empty() { format!("loads[{i}]") } else { format!("loads[{i}].{key}") };
+        let path = if key.is_empty() { load.path(i) } else { format!("{}.{key}", load.path(i)) };
         faults.push(AssemblyError::Value { path, problem, help: help.into() });
     };
     if template.ends.is_empty() {
@@ -114,13 +114,13 @@ pub(super) fn on_end(
         let known: Vec<&str> = ends.iter().map(|e| e.name.as_str()).collect();
         let hint = did_you_mean(name, known.iter().copied());
         let problem = format!("the joint has no member end `{name}`{hint}");
-        return Err(AssemblyError::Unknown { path: format!("loads[{i}].end"), problem, known: known.join(", ") });
+        return Err(AssemblyError::Unknown { path: format!("{}.end", load.path(i)), problem, known: known.join(", ") });
     };
     let at = end.entry.name.as_str();
     let Some(position) = end.entry.points.get(&point) else {
         let known: Vec<&str> = end.entry.points.keys().map(|p: &ActionPoint| p.word()).collect();
         let problem = format!("the member end `{name}` has no point `{}`", point.word());
-        return Err(AssemblyError::Unknown { path: format!("loads[{i}].at"), problem, known: known.join(", ") });
+        return Err(AssemblyError::Unknown { path: format!("{}.at", load.path(i)), problem, known: known.join(", ") });
     };
     let position = within(at, end.scope.point(position))?;
     let axes = member_axes(at, end)?;
@@ -179,7 +179,7 @@ impl PlaneActions {
     }
 }
 
-/// The actions of every load case on the bolt planes of the member ends `wanted`.
+/// The actions of every load case on the bolt planes of the member ends `wanted`; the directions of a polygon are no demand.
 pub(super) fn on_planes(
     loads: &[LoadSpec],
     ends: &[End<'_>],
@@ -199,7 +199,7 @@ pub(super) fn on_planes(
             Some(p) => own(vec3::sub(plane, within(at, end.scope.point(p))?))[0],
             None => 0.0,
         };
-        for load in loads.iter().filter(|l| l.end.as_deref() == Some(&end.name)) {
+        for load in loads.iter().filter(|l| !l.of_polygon && l.end.as_deref() == Some(&end.name)) {
             // check() has refused a load without a point, on_end() one that the end does not have
             let Some(point) = load.at.and_then(|p| end.entry.points.get(&p)) else { continue };
             let arm = own(vec3::sub(within(at, end.scope.point(point))?, plane));

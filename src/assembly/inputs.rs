@@ -366,7 +366,11 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     }
     let sections = || template.sections.iter().map(|s| s.name.as_str());
     for (i, l) in spec.loads.iter().enumerate() {
-        let path = format!("loads[{i}]");
+        let path = l.path(i);
+        // the directions of a polygon are alike: one of them is told
+        if l.of_polygon && spec.loads[..i].iter().any(|o| o.of_polygon) {
+            continue;
+        }
         if actions::is_at_an_end(l) {
             actions::check(&spec.loads, i, template, faults);
             continue;

@@ -259,6 +259,12 @@ pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions:
     }
 }
 
+/// The motions that velocities give the rigid faces, about their reference points \[mm, rad per unit of time\].
+pub fn rigid_motions(model: &AnalysisModel, field: &VelocityField) -> Vec<[f64; 6]> {
+    let space = Tet10Space::new(&model.mesh);
+    model.rigid.iter().map(|r| fit_rigid(model, &space, &field.nodes.u, r).0).collect()
+}
+
 /// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of every contact face, with its own normal; gaps closed.
 fn smallest_margin(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> Option<f64> {
     let margins = contact_faces(model).into_iter().flat_map(|f| {

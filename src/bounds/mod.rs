@@ -20,6 +20,7 @@ pub mod resultants;
 pub mod sampling;
 mod settle;
 pub mod slip;
+pub mod supporting;
 pub mod unlimited;
 pub mod welds;
 

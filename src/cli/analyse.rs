@@ -78,6 +78,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         drawings: Vec::new(),
         schedule: Table::default(),
         bolts: Vec::new(),
+        polygon: None,
     };
     let place = |path: &str| parsed.index.place(path);
     let remesh = match &file.adapt {
@@ -96,6 +97,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         model_file: ("model.yaml".into(), file.clone()),
         remesh,
         mesh_seconds: None,
+        direction: None,
         demand: None,
     };
     finish(vec![case], echo, &limits, folder, log, common)

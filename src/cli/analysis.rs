@@ -4,6 +4,7 @@ use super::adaptive::{self, Adapted, Kept, Share};
 use super::answer::answer;
 use super::interrupt::Interrupt;
 use super::outcome::Outcome;
+use super::polygon::Directions;
 use super::remesh::Remesh;
 use super::{Common, Format, memory_limit, out};
 use crate::adapt::memory::{Limit, room};
@@ -28,12 +29,14 @@ use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use crate::report::plot::{Plot, Series};
+use crate::report::polygon;
 use crate::report::preload_text::mark_halved;
 use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
 use crate::report::static_forces::static_forces;
 use crate::report::text::report_markdown;
 use crate::solve::{Patterns, SolveOptions, Solver};
+use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -119,6 +122,8 @@ pub struct Case<'a> {
     pub remesh: Option<Box<dyn Remesh + 'a>>,
     /// Seconds the mesh took, where this run made it.
     pub mesh_seconds: Option<f64>,
+    /// Of a direction of the spec's polygon: both actions in their units.
+    pub direction: Option<[f64; 2]>,
     /// The forces and moments that the loads demand of a joint; `None`: the loads are a model's, there is no demand.
     pub demand: Option<Vec<EndAction>>,
 }
@@ -156,6 +161,8 @@ pub struct Echo {
     pub schedule: Table,
     /// Where the bolts lie.
     pub bolts: Vec<BoltLine>,
+    /// The polygon asked for.
+    pub polygon: Option<PolygonSpec>,
 }
 
 /// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
@@ -217,6 +224,7 @@ pub fn finish(
     let mut notes: Vec<String> = Vec::new();
     let names: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
     let stems = stems(&cases);
+    let mut directions = Directions::among(&cases, echo.polygon.as_ref());
     // the first mesh is the same for all cases
     let patterns = Patterns::default();
     for (i, case) in cases.into_iter().enumerate() {
@@ -237,7 +245,7 @@ pub fn finish(
         }
         drop(contacts);
         let (file_name, file) = case.model_file.clone();
-        let demand = case.demand.clone();
+        let (demand, direction) = (case.demand.clone(), case.direction);
         let now = log.seconds();
         let until = limits.time.map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (names.len() - i) as f64);
         let Adapted { mut entry, upper, lower } =
@@ -291,7 +299,16 @@ pub fn finish(
         pictures.extend(upper.outcome.picture(&names[i], &upper.model, &echo.mirror, stem, &folder)?);
         pictures.append(&mut maps);
         pictures.extend(convergence(&entry, echo.adapt.map(|a| a.target_gap), stem, &folder)?);
+        if let (Some(directions), Some(direction)) = (&mut directions, direction) {
+            directions.add(direction, &entry, &upper);
+        }
         result.cases.push(entry);
+    }
+    result.polygon = directions.and_then(Directions::polygon);
+    if let Some(polygon) = &result.polygon {
+        folder.write("polygon.svg", polygon::drawing(polygon).as_bytes())?;
+        let [a, b] = polygon.axes.each_ref().map(|a| a.action.as_str());
+        pictures.insert(0, PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") });
     }
     let complete = result.cases.len() == names.len();
     result.verdict = Verdict::worst(result.cases.iter().filter_map(|c| c.demand.as_ref()).map(|d| d.verdict));

@@ -13,6 +13,7 @@ pub mod mesh;
 pub mod new;
 pub mod out;
 pub mod outcome;
+mod polygon;
 pub mod remesh;
 pub mod run;
 pub mod schema;

@@ -7,7 +7,7 @@ use crate::assembly::template::{self, Template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
-use crate::spec::loads::LoadSpec;
+use crate::spec::loads::{ActionPoint, LoadSpec};
 use crate::units::{self, Length};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -91,6 +91,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         parameters: Default::default(),
         friction: Default::default(),
         loads: template.starter_load.iter().cloned().collect(),
+        polygon: None,
         analysis: AnalysisSpec::default(),
     };
     for m in &template.members {
@@ -201,6 +202,14 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
         let _ = writeln!(out, "  - {{{}}}", load_words(l));
     }
     let a = &spec.analysis;
+    if let Some(load) = template.starter_load.as_ref().filter(|l| l.end.is_some()) {
+        let (end, at) = (load.end.as_deref().unwrap_or_default(), load.at.map_or("bolt_plane", ActionPoint::word));
+        let _ = writeln!(
+            out,
+            "\n# polygon: {{end: {end}, at: {at}, My: 100 kN m, N: 200 kN}}  # what is carried of two actions at once, by limit analysis in \
+             several directions; sizes: about what is carried of each alone; directions: 4, 8 (default), 12 … 32"
+        );
+    }
     let _ = write!(
         out,
         "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), elastoplastic, or a list: [elastic, limit]\n  \

@@ -27,6 +27,7 @@ use crate::report::page::{CatalogueRow, PictureRef, ResolvedValue};
 use crate::report::{drawing, schedule};
 use crate::spec::connection;
 use crate::spec::loads::LoadSpec;
+use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -103,11 +104,14 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         folder.write("joint.geo", meshed.geo.as_bytes())?;
     }
     let place = |path: &str| input.spec.index.place(path);
-    let mut cases = cases(&input, &meshed, &kinds, mesh_seconds)?;
+    // a quick look that leaves out collapse leaves out the polygon
+    let polygon = input.spec.value.polygon.as_ref().filter(|_| args.kind != Some(KindArg::Elastic));
+    let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
     let asked = &input.spec.value.analysis;
     let max_passes = args.max_passes.unwrap_or(asked.max_passes);
     if max_passes > 1 {
-        for case in &mut cases {
+        // the directions of a polygon share the first mesh
+        for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
             let kind = (case.name.clone(), case.model.analysis);
             let by_map = ByMap::new(&input.joint.assembly, options.clone(), kind, &place, meshed.mesh.clone());
             case.remesh = Some(Box::new(by_map));
@@ -153,6 +157,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
             .as_ref()
             .map_or_else(Default::default, |e| schedule::schedule(e, plates(&input), stocked_length(e), grip(e))),
         bolts: input.joint.bolts.clone(),
+        polygon: polygon.cloned(),
         input_text: input.text.clone(),
     };
     finish(cases, echo, &limits, folder, log, common)
@@ -329,17 +334,22 @@ pub fn mesh(options: &MeshOptions, input: &SpecFile, log: &Log) -> Result<JointM
     Ok(meshed)
 }
 
-/// A case for each load case and kind of analysis.
+/// A case for each load case and kind of analysis, and one for each direction of `polygon`.
 pub fn cases<'a>(
     input: &SpecFile,
     meshed: &JointMesh,
     kinds: &[AnalysisKind],
+    polygon: Option<&PolygonSpec>,
     mesh_seconds: f64,
 ) -> Result<Vec<Case<'a>>, Diagnostics> {
+    let loads = &input.spec.value.loads;
+    let of_polygon = |name: &String| loads.iter().any(|l| l.of_polygon && l.name == *name);
+    let directions = polygon.map_or(Vec::new(), PolygonSpec::directions);
     let names = from_joint::cases(&input.joint.assembly);
-    let cases = names
-        .iter()
+    let asked = names.iter().filter(|name| !of_polygon(name));
+    let cases = asked
         .flat_map(|name| kinds.iter().enumerate().map(move |(k, kind)| (name, *kind, k > 0)))
+        .chain(directions.iter().map(|d| (&d.case, AnalysisKind::Limit, false)))
         .enumerate()
         .map(|(i, (name, kind, again))| {
             let assembly = &input.joint.assembly;
@@ -355,7 +365,8 @@ pub fn cases<'a>(
                 model_file: (file_name, file),
                 remesh: None,
                 mesh_seconds: Some(mesh_seconds),
-                demand: Some(end_actions(&input.spec.value.loads, name)),
+                direction: directions.iter().find(|d| d.case == *name).map(|d| d.unit),
+                demand: (!of_polygon(name)).then(|| end_actions(loads, name)),
             })
         });
     let mut cases = cases.collect::<Result<Vec<Case>, Diagnostics>>()?;

@@ -4,6 +4,7 @@ use crate::assembly::{self, Joint};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
+use crate::spec::polygon::PolygonFault;
 use crate::spec::yaml::{self, Parsed};
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use std::path::Path;
 pub struct SpecFile {
     /// The text as given.
     pub text: String,
-    /// The spec with its places.
+    /// The spec with its places; the directions of its polygon are among its loads.
     pub spec: Parsed<ConnectionSpec>,
     /// The joint.
     pub joint: Joint,
@@ -26,13 +27,25 @@ pub fn read(path: &Path) -> Result<SpecFile, Diagnostics> {
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
     })?;
-    let spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|mut faults| {
+    let mut spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|mut faults| {
         if top_level(&text, "mesh") && top_level(&text, "bodies") {
             faults.0.truncate(1);
             faults.0[0].help = Some("this looks like a model file: `bracket analyse` reads it".into());
         }
         faults
     })?;
+    let value = &mut spec.value;
+    if let Some(polygon) = &value.polygon {
+        let directions = polygon.loads(&value.loads).map_err(|faults| {
+            let told = |f: PolygonFault| {
+                let mut d = Diagnostic::input("spec/value", f.problem).help(f.help);
+                d.place = spec.index.place(&f.path);
+                d
+            };
+            Diagnostics(faults.into_iter().map(told).collect())
+        })?;
+        value.loads.extend(directions);
+    }
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let joint = assembly::build(&spec, path.parent().unwrap_or(Path::new("")), &catalog)?;
     Ok(SpecFile { text, spec, joint, catalog })

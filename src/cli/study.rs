@@ -88,7 +88,7 @@ impl Source for Spec<'_> {
         options.sizes.factor *= FINER.powi(level as i32);
         let meshed = run::mesh(&options, self.input, self.log)?;
         let seconds = start.elapsed().as_secs_f64();
-        let mut cases = run::cases(self.input, &meshed, &self.kinds, seconds)?;
+        let mut cases = run::cases(self.input, &meshed, &self.kinds, None, seconds)?;
         for case in cases.iter_mut().filter(|_| adaptive) {
             let kind = (case.name.clone(), case.model.analysis);
             let assembly = &self.input.joint.assembly;
@@ -113,6 +113,7 @@ impl Source for Model<'_> {
             model_file: ("model.yaml".into(), self.file.clone()),
             remesh: if adaptive { Some(Box::new(remesh)) } else { None },
             mesh_seconds: Some(start.elapsed().as_secs_f64()),
+            direction: None,
             demand: None,
         }])
     }

@@ -1,5 +1,6 @@
-//! Small fixed-size mathematics: vectors, Mandel tensors, quadrature, dense factors, compensated sums.
+//! Small mathematics: convex polygons, vectors, Mandel tensors, quadrature, dense factors, compensated sums.
 
+pub mod convex;
 pub mod dense;
 pub mod lanes;
 pub mod mandel;

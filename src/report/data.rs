@@ -5,6 +5,7 @@
 
 use super::demand::Demand;
 pub use super::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
+use super::polygon::CapacityPolygon;
 use super::static_forces::StaticForces;
 use crate::adapt::coulomb::FixedPointRun;
 use crate::adapt::preload::Tightened;
@@ -41,6 +42,9 @@ pub struct ResultFile {
     /// Hand checks of the code.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,
+    /// What two actions are carried of together.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polygon: Option<CapacityPolygon>,
     /// What the user must know, beyond any one case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
@@ -392,7 +396,7 @@ impl ResultFile {
     pub fn new(input_hash: impl Into<String>, symmetry: u32, verdict: Verdict) -> Self {
         let (cases, checks, warnings) = (vec![], vec![], vec![]);
         let (tool, input_hash) = (Tool::this(), input_hash.into());
-        Self { schema: SCHEMA, tool, input_hash, symmetry, verdict, cases, checks, warnings }
+        Self { schema: SCHEMA, tool, input_hash, symmetry, verdict, cases, checks, polygon: None, warnings }
     }
 
     /// The text of `result.json`, the same for the same result.

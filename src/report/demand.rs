@@ -63,8 +63,15 @@ pub enum ActionValue {
 }
 
 impl ActionValue {
+    /// Value \[N, N mm\].
+    pub fn value(self) -> f64 {
+        match self {
+            ActionValue::Force(v) | ActionValue::Moment(v) => v,
+        }
+    }
+
     /// Value in the unit of the report, and the unit.
-    fn shown(self) -> (f64, &'static str) {
+    pub(super) fn shown(self) -> (f64, &'static str) {
         match self {
             ActionValue::Force(v) => (1e-3 * v, "kN"),
             ActionValue::Moment(v) => (1e-6 * v, "kN m"),

@@ -23,6 +23,7 @@ pub mod page;
 pub mod plastic_file;
 mod plastic_text;
 pub mod plot;
+pub mod polygon;
 pub mod preload_text;
 pub mod progress;
 pub mod raster;

@@ -7,7 +7,7 @@ use super::limit_text::{collapse, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
 use super::preload_text::preload_words;
-use super::{checks_text, comparison, joint_stiffness, static_forces, summary};
+use super::{checks_text, comparison, joint_stiffness, polygon, static_forces, summary};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
 use crate::model::file::AnalysisKind;
@@ -35,6 +35,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     if data.result.cases.is_empty() {
         paragraph(&mut page, "No analysis was run.");
     }
+    polygon::section(&mut page, &data.result);
     for picture in &data.pictures {
         paragraph(&mut page, &format!("![{}]({})", inline(&picture.caption), picture.file));
     }

@@ -4,6 +4,7 @@
 //! may be left out are `Option`s here: their defaults are the template's, and depend on profiles.
 
 use super::loads::LoadSpec;
+use super::polygon::PolygonSpec;
 use crate::units::{self, INVALID_QUANTITY, Kind, Length, Seconds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -40,6 +41,9 @@ pub struct ConnectionSpec {
     /// Loads.
     #[serde(default)]
     pub loads: Vec<LoadSpec>,
+    /// Capacity polygon of two actions at a member end.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polygon: Option<PolygonSpec>,
     /// What to compute and how far.
     #[serde(default)]
     pub analysis: AnalysisSpec,

@@ -50,6 +50,10 @@ pub struct LoadSpec {
     /// Which of the actions the load factor multiplies, the others are fixed; left out: all of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub factor: Vec<Action>,
+    /// A direction of the capacity polygon, not a load of the user's.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub of_polygon: bool,
 }
 
 impl LoadSpec {
@@ -59,6 +63,23 @@ impl LoadSpec {
         let moments = [(Action::T, self.t), (Action::My, self.my), (Action::Mz, self.mz)];
         let forces = forces.into_iter().filter_map(|(a, v)| Some((a, v?.0)));
         forces.chain(moments.into_iter().filter_map(|(a, v)| Some((a, v?.0)))).collect()
+    }
+
+    /// Gives an action its size \[N, N mm\].
+    pub fn set(&mut self, action: Action, size: f64) {
+        match action {
+            Action::N => self.n = Some(Force(size)),
+            Action::Vy => self.vy = Some(Force(size)),
+            Action::Vz => self.vz = Some(Force(size)),
+            Action::T => self.t = Some(Moment(size)),
+            Action::My => self.my = Some(Moment(size)),
+            Action::Mz => self.mz = Some(Moment(size)),
+        }
+    }
+
+    /// Path of the load in the spec; of a direction of the polygon that of the polygon.
+    pub fn path(&self, i: usize) -> String {
+        if self.of_polygon { "polygon".into() } else { format!("loads[{i}]") }
     }
 
     /// True if the load factor multiplies the action.

@@ -3,6 +3,7 @@
 pub mod connection;
 pub mod expr;
 pub mod loads;
+pub mod polygon;
 pub mod yaml;
 
 pub use connection::ConnectionSpec;

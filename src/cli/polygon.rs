@@ -1,0 +1,51 @@
+//! From the passes of a polygon's directions to the polygon of the result.
+
+use super::adaptive::Kept;
+use super::analysis::Case;
+use super::outcome::Outcome;
+use crate::bounds::UpperFactor;
+use crate::bounds::supporting::{Axes, half_plane};
+use crate::report::data::{CaseResult, Upper};
+use crate::report::demand::ActionValue;
+use crate::report::polygon::{Axis, Bound, CapacityPolygon, Point};
+use crate::spec::polygon::PolygonSpec;
+
+/// A polygon whose directions are being analysed.
+pub struct Directions {
+    spec: PolygonSpec,
+    axes: Axes,
+    points: Vec<Point>,
+}
+
+impl Directions {
+    /// Of the cases to come; `None` where none of them is a direction.
+    pub fn among(cases: &[Case], spec: Option<&PolygonSpec>) -> Option<Self> {
+        let actions = |along: [f64; 2]| {
+            let case = cases.iter().find(|c| c.direction == Some(along))?;
+            Some(case.model.rigid.iter().map(|r| r.action).collect())
+        };
+        // both axes are among the directions
+        Some(Self { spec: spec?.clone(), axes: [actions([1.0, 0.0])?, actions([0.0, 1.0])?], points: Vec::new() })
+    }
+
+    /// Takes in what a direction has left.
+    pub fn add(&mut self, direction: [f64; 2], entry: &CaseResult, best: &Kept) {
+        let (lower, upper) = entry.safe_bounds();
+        let Outcome::Factor(pass) = &best.outcome else { return };
+        let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
+        let mechanism = pass.velocity.as_ref().zip(pass.upper.clone()).or(free);
+        let bound = mechanism.filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
+        let plane = bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
+        let half_plane = plane.map(|p| Bound { normal: p.normal, offset: p.offset });
+        self.points.push(Point { case: entry.name.clone(), direction, lower, upper, half_plane });
+    }
+
+    /// The polygon.
+    pub fn polygon(self) -> Option<CapacityPolygon> {
+        let axes = self.spec.axes()?.map(|(action, size)| Axis {
+            action: action.word().into(),
+            unit: if action.direction().1 { ActionValue::Moment(size) } else { ActionValue::Force(size) },
+        });
+        Some(CapacityPolygon::new([self.spec.end, self.spec.at.word().into()], axes, self.points))
+    }
+}
