@@ -18,6 +18,8 @@ mod limit_analysis;
 mod limits;
 #[path = "cli/plastic_analysis.rs"]
 mod plastic_analysis;
+#[path = "cli/polygon.rs"]
+mod polygon;
 #[path = "cli/preload.rs"]
 mod preload;
 #[path = "cli/result_folder.rs"]

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Directions at most.
 const MOST: u32 = 32;
 /// Sizes an action may have as the unit of its axis \[N, N mm\].
-const SIZES: std::ops::RangeInclusive<f64> = 1.0..=1e15;
+const SIZES: std::ops::RangeInclusive<f64> = 1.0..=1e12;
 
 /// The capacity polygon of two actions at a member's end: what it carries of both at once, by limit analysis in several directions
 /// (dead loads and other load cases have no part in it).

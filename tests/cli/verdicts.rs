@@ -9,7 +9,7 @@ use crate::bench::Bench;
 use crate::expect;
 use serde_json::Value;
 
-const TEMPLATE: &str = "\
+pub const TEMPLATE: &str = "\
 name: arm
 title: Arm on a wall
 members:

@@ -1,0 +1,81 @@
+//! A capacity polygon through the real program: the arm of [`crate::verdicts`] under moment and axial force.
+
+use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::expect;
+use crate::verdicts::TEMPLATE;
+use serde_json::Value;
+
+const HEAD: &str = "template: ./arm.yaml\nmembers: {arm: {profile: IPE80, steel: S235}}\n";
+/// By hand the section carries f_y b h²/4 = 0.47 kN m or f_y b h = 94 kN.
+const POLYGON: &str = "polygon: {end: tip, at: node, My: 0.47 kN m, N: 94 kN, directions: 4}\n";
+
+#[test]
+fn inner_and_outer_hull_hold_the_hinge_by_hand() {
+    let load = "loads: [{name: ULS1, end: tip, at: node, My: 0.1 kN m}]\n";
+    let text = format!("{HEAD}{load}{POLYGON}analysis: {{kind: limit, max_passes: 1}}\n");
+    let bench = Bench::new().file("arm.yaml", TEMPLATE).file("joint.yaml", text);
+    let (_, err) = expect(&bench, &["run", "joint.yaml"], 0);
+    let result: Value = serde_json::from_str(&bench.read("joint/result.json")).expect("JSON");
+    let cases = result["cases"].as_array().expect("cases");
+    assert_eq!(cases.len(), 5, "{err}");
+    // directions are no demand: the verdict is that of the load
+    assert!(cases[1..].iter().all(|c| c.get("demand").is_none()) && result["verdict"] == "ok");
+    let polygon = &result["polygon"];
+    assert_eq!((&polygon["end"], &polygon["at"]), (&"tip".into(), &"node".into()));
+    assert_eq!(polygon["axes"][0]["action"], "My");
+    assert_eq!(polygon["outer_bounded"], true);
+    let number = |v: &Value| v.as_f64().expect("a number");
+    let pair = |v: &Value| [number(&v[0]), number(&v[1])];
+    for (point, case) in polygon["points"].as_array().expect("points").iter().zip(&cases[1..]) {
+        assert_eq!((&point["case"], &point["lower"], &point["upper"]), (&case["name"], &case["lower"], &case["upper"]));
+        assert_eq!(case["certificate"]["strict"], true);
+        let ([a, b], offset) = (pair(&point["half_plane"]["normal"]), number(&point["half_plane"]["offset"]));
+        let direction = pair(&point["direction"]);
+        assert!((a * direction[0] + b * direction[1] - 1.0).abs() < 1e-6);
+        // fibres in one-dimensional stress are admissible: |m| + n² = 1 lies within every half plane
+        for k in 0..=40 {
+            let n = -1.0 + f64::from(k) / 20.0;
+            for m in [1.0 - n * n, n * n - 1.0] {
+                assert!(a * m + b * n <= offset * (1.0 + 1e-9), "{point} cuts ({m}, {n})");
+            }
+        }
+    }
+    // what is carried is no more than the wall can add
+    for corner in polygon["inner"].as_array().expect("corners") {
+        let [m, n] = pair(corner);
+        let (m, n) = (m / 0.47e6 / 1.155, n / 94e3 / 1.155);
+        assert!(m.abs() + n * n <= 1.0 + 1e-6, "{corner}");
+    }
+    assert_eq!(polygon["inner"].as_array().map(Vec::len), Some(4));
+    let report = bench.read("joint/report.md");
+    assert!(report.contains("## Capacity in My and N") && report.contains("](polygon.svg)"), "{report}");
+    assert!(bench.read("joint/polygon.svg").contains("N [kN]"));
+    let (out, _) = expect(&bench, &["verify", "joint"], 0);
+    assert!(out.contains("polygon_90"), "{out}");
+}
+
+#[test]
+fn wrong_polygons_are_refused_with_place_and_cure() {
+    let mut results = Vec::new();
+    for (old, new, code, message, cure) in [
+        ("end: tip", "end: tipp", "spec/unknown", "`tipp`", "tip"),
+        ("at: node", "at: column_face", "spec/unknown", "no point `column_face`", "node"),
+        ("at: node", "at: middle", "yaml/", "middle", ""),
+        ("end: tip, ", "", "yaml/", "end", ""),
+        (", N: 94 kN", "", "spec/value", "a polygon is of two actions, 1 are given", "My: 100 kN m, N: 200 kN"),
+        ("N: 94 kN", "My: 1 kN m", "yaml/duplicate-key", "`My`", "keep one"),
+        ("N: 94 kN", "N: 94 kN, Vz: 1 kN", "spec/value", "3 are given", "give two"),
+        ("N: 94 kN", "N: 0 kN", "spec/value", "`N` is 0e0 N", "of this action alone"),
+        ("N: 94 kN", "N: 94", "yaml/quantity", "needs a unit", "kN"),
+        ("directions: 4", "directions: 6", "spec/value", "multiple of 4 from 4 to 32", "8 shows"),
+        ("directions: 4", "directions: 64", "spec/value", "multiple of 4 from 4 to 32", "8 shows"),
+        ("directions: 4", "direction: 4", "yaml/unknown-key", "did you mean `directions`", ""),
+    ] {
+        let text = format!("{HEAD}{}", POLYGON.replace(old, new));
+        let bench = Bench::new().file("arm.yaml", TEMPLATE).file("joint.yaml", text);
+        let told = Told { exit: 2, code, place: "joint.yaml:3:", message, cure };
+        results
+            .push((format!("`{old}` -> `{new}`"), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
+    }
+    none_wrong(results);
+}
