@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn the_plot_has_both_hulls_and_no_two_texts_meet() {
+    fn the_plot_has_both_hulls_all_points_and_its_scales() {
         for polygon in [square(true), square(false)] {
             let svg = drawing(&polygon);
             assert_eq!(svg.matches("<polygon").count(), 2);

@@ -58,10 +58,10 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
 fn wrong_polygons_are_refused_with_place_and_cure() {
     let mut results = Vec::new();
     for (old, new, code, message, cure) in [
-        ("end: tip", "end: tipp", "spec/unknown", "`tipp`", "tip"),
-        ("at: node", "at: column_face", "spec/unknown", "no point `column_face`", "node"),
-        ("at: node", "at: middle", "yaml/", "middle", ""),
-        ("end: tip, ", "", "yaml/", "end", ""),
+        ("end: tip", "end: tipp", "spec/unknown-name", "`tipp`", "tip"),
+        ("at: node", "at: column_face", "spec/unknown-name", "no point `column_face`", "node"),
+        ("at: node", "at: middle", "yaml/unknown-value", "middle", ""),
+        ("end: tip, ", "", "yaml/missing-key", "end", ""),
         (", N: 94 kN", "", "spec/value", "a polygon is of two actions, 1 are given", "My: 100 kN m, N: 200 kN"),
         ("N: 94 kN", "My: 1 kN m", "yaml/duplicate-key", "`My`", "keep one"),
         ("N: 94 kN", "N: 94 kN, Vz: 1 kN", "spec/value", "3 are given", "give two"),
