@@ -25,6 +25,7 @@ use crate::report::data::{CaseResult, HistoryRow, Quantity, ResultFile};
 use crate::report::demand::{Demand, EndAction};
 use crate::report::figures::{self, Rounding};
 use crate::report::folder::ResultFolder;
+use crate::report::html;
 use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
@@ -338,7 +339,9 @@ pub fn finish(
         notes,
     };
     folder.write("result.json", json.as_bytes())?;
-    folder.write("report.md", report_markdown(&data).as_bytes())?;
+    let report = report_markdown(&data);
+    folder.write("report.md", report.as_bytes())?;
+    html::write(&folder, &report)?;
     let bare = data.result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
     let certified = data.result.cases.iter().all(|c| c.certificate.is_some_and(|x| x.strict) && has_asked_bounds(c));
     for c in &data.result.cases {

@@ -13,6 +13,7 @@ pub mod field_files;
 pub mod figures;
 pub mod folder;
 mod history;
+pub mod html;
 pub mod joint_stiffness;
 mod lettering;
 pub mod limit_case;
