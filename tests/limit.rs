@@ -8,6 +8,8 @@ mod certified;
 mod common;
 #[path = "limit/exact.rs"]
 mod exact;
+#[path = "limit/hard.rs"]
+mod hard;
 #[path = "limit/hollow_sphere.rs"]
 mod hollow_sphere;
 #[path = "limit/interaction.rs"]

@@ -11,6 +11,8 @@ mod common;
 mod coulomb;
 #[path = "plastic/exact.rs"]
 mod exact;
+#[path = "plastic/hard.rs"]
+mod hard;
 #[path = "plastic/random.rs"]
 mod random;
 #[path = "plastic/sphere.rs"]
