@@ -144,6 +144,16 @@ impl Kind {
         }
     }
 
+    /// The unit engineers write most.
+    pub fn usual(self) -> &'static str {
+        match self {
+            Kind::Length => "mm",
+            Kind::Force => "kN",
+            Kind::Moment => "kN m",
+            Kind::Stress => "MPa",
+        }
+    }
+
     /// Its dimension.
     pub fn dim(self) -> Dim {
         match self {
@@ -185,7 +195,7 @@ pub enum UnitError {
         kind: Kind,
     },
     /// A unit is required.
-    #[error("{} {number} needs a unit: write `{number} {}` ({})", kind.word(), kind.accepted().split(',').next().unwrap_or(""), kind.accepted())]
+    #[error("{} {number} needs a unit: write `{number} {}` ({})", kind.word(), kind.usual(), kind.accepted())]
     NoUnit {
         /// What was written.
         number: String,
@@ -423,7 +433,7 @@ mod tests {
     fn refuses_wrong_and_missing_units_by_name() {
         let cases: &[(&str, Kind, &[&str])] = &[
             ("45", Kind::Stress, &["stress 45 needs a unit", "45 MPa"]),
-            ("120", Kind::Moment, &["moment 120 needs a unit", "kN m"]),
+            ("120", Kind::Moment, &["moment 120 needs a unit", "write `120 kN m`"]),
             ("15 kN", Kind::Length, &["length", "`kN` is not one of its units", "mm, cm, m"]),
             ("15 furlong", Kind::Length, &["`furlong`"]),
             ("45 Mpa", Kind::Stress, &["`Mpa`", "MPa"]),

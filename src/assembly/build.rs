@@ -474,6 +474,10 @@ impl<'a> Builder<'a> {
     fn loads(&self, faces: &mut Vec<FaceRule>) -> Result<Vec<FaceLoad>, AssemblyError> {
         let mut out = Vec::new();
         let ends = actions::ends(self.template, self.scope)?;
+        // anything else would multiply pressures
+        if let Some(e) = self.template.sections.iter().find(|e| e.outward.abs() != 1) {
+            return entry_fault(&e.name, format!("`outward` is {}, not 1 or -1", e.outward));
+        }
         for (i, l) in self.spec.loads.iter().enumerate() {
             if actions::is_at_an_end(l) {
                 out.extend(actions::on_end(l, i, &ends, faces)?);

@@ -295,4 +295,10 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
     close(extent(&part(&j, "UPPER").solid), ([-40.0, -40.0, 0.0], [200.0, 40.0, 12.0]));
     let (min, max) = extent(&part(&j, "BOLT").solid);
     assert!((min[2] - (-12.0 - 18.0)).abs() < 1e-9 && (max[2] - (12.0 + 12.5)).abs() < 1e-9, "{min:?} {max:?}");
+    for (wrong, told) in [("outward: 2", "`outward` is 2, not 1 or -1"), ("outward: 0", "`outward` is 0, not 1 or -1")]
+    {
+        std::fs::write(folder.path().join("lap.yaml"), template.replace("outward: 1", wrong)).expect("writable");
+        let e = build(&spec, folder.path(), &catalog).expect_err(wrong);
+        assert!(format!("{e:?}").contains(told), "{e:?}");
+    }
 }

@@ -22,9 +22,9 @@ fn without_costs(value: &mut Value) {
 }
 
 /// The report without the history table, whose columns are seconds and memory.
-fn report_without_costs(text: &str) -> String {
-    let (head, rest) = text.split_once("## Mesh and history").expect("the section");
-    let (_, tail) = rest.split_once("\n## Certificate").expect("the next section");
+fn report_without_costs(text: &str, heading: &str) -> String {
+    let (head, rest) = text.split_once(&format!("{heading}Mesh and history")).expect("the section");
+    let (_, tail) = rest.split_once(&format!("\n{heading}Certificate")).expect("the next section");
     format!("{head}{tail}")
 }
 
@@ -50,6 +50,7 @@ fn the_result_holds_what_the_contract_promises() {
         "block/mesh.msh",
         "block/mesh.png",
         "block/model.yaml",
+        "block/report.html",
         "block/report.md",
         "block/result.json",
         "block.yaml",
@@ -147,8 +148,9 @@ fn two_runs_differ_in_seconds_and_memory_only() {
                 });
                 assert_eq!(a, b);
             }
-            "report.md" => {
-                let [a, b] = [a, b].map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes)));
+            name @ ("report.md" | "report.html") => {
+                let heading = if name == "report.md" { "## " } else { "<h2>" };
+                let [a, b] = [a, b].map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes), heading));
                 assert_eq!(a, b);
             }
             name => {
