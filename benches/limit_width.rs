@@ -7,6 +7,9 @@
 //! Options: `--size-factor F`, `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S` (elements
 //! of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--bins MM`, `--static`, `--threads N`.
 //!
+//! `--weak` solves the static program alone and prints whose yield conditions hold its load factor down: its multipliers are velocities with a
+//! dissipation of their own, which adds up to the load factor.
+//!
 //! Prints both bounds, seconds, and a table by body and place along x: share of the tets, of the dissipation, and of the
 //! width `∫ π(ε) − σ:ε`, which is positive tet by tet and adds up to the bracket's width at unit power.
 #![allow(missing_docs, clippy::unwrap_used)]
@@ -24,10 +27,11 @@ use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;
 use bracket::mesh::TetMesh;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::model::batch::{NONE, YIELD_ROWS};
 use bracket::model::file::{AnalysisKind, Bounds};
 use bracket::model::kinematic::Tet10Space;
 use bracket::model::resolve::resolve;
-use bracket::model::{AnalysisModel, from_joint, tet10};
+use bracket::model::{AnalysisModel, Static, from_joint, tet10};
 use bracket::solve::SolveOptions;
 use common::grid::{Grid, even, joined, name};
 use common::solved;
@@ -55,6 +59,7 @@ struct Options {
     foot: Option<f64>,
     bins: f64,
     bounds: Option<Bounds>,
+    weak: bool,
 }
 
 fn main() {
@@ -73,6 +78,7 @@ fn main() {
             "--bins" => o.bins = number(args.next()),
             "--threads" => threads = number(args.next()) as usize,
             "--static" => o.bounds = Some(Bounds::Static),
+            "--weak" => o.weak = true,
             "--size" => {
                 let text = args.next().unwrap();
                 let (part, size) = text.split_once('=').expect("PART=MM");
@@ -98,6 +104,10 @@ fn main() {
     if let Some(b) = o.bounds {
         model.bounds = b;
     }
+    if o.weak {
+        weak(&model, o.bins);
+        return;
+    }
     let start = Instant::now();
     // the third program, without friction, is not asked for
     let enough = Arc::new(AtomicBool::new(false));
@@ -122,6 +132,45 @@ fn main() {
     }
     println!("  lower {:?} upper {:?}", pass.lower.as_ref().map(|b| b.value()), pass.upper.as_ref().map(|b| b.value()));
     table(&model, &pass, o.bins);
+}
+
+/// Shares of the static program's load factor by body and place: multipliers of the yield points times strength.
+fn weak(model: &AnalysisModel, width: f64) {
+    let statics = Static::limit(model).expect("the model is sound");
+    let program = &statics.program;
+    let options = SolveOptions::default().for_resistance();
+    let solution = bracket::solve::solve(program, &statics.map.block, &options);
+    let factor = solution.x.last().copied().unwrap_or(0.0);
+    println!(
+        "{} tets, static {}: {factor:.4}, {} iterations, {:.1} s",
+        model.mesh.tets.len(),
+        solution.status.words(),
+        solution.iterations,
+        solution.seconds
+    );
+    let mut shares: Vec<(u32, f64)> = Vec::new();
+    for batch in program.elements.batches.iter() {
+        for (lane, &row) in batch.rows.iter().enumerate().filter(|(lane, _)| batch.own[*lane] != NONE) {
+            let rows = row as usize..row as usize + YIELD_ROWS * batch.shape.points();
+            let of_lane: f64 = rows.map(|r| program.h[r] * solution.z[r]).sum();
+            shares.push((batch.rows[lane], of_lane));
+        }
+    }
+    // rows follow the tets, and every tet yields
+    shares.sort_by_key(|s| s.0);
+    assert_eq!(shares.len(), model.mesh.tets.len());
+    let all: f64 = shares.iter().map(|s| s.1).sum();
+    let mut rows: BTreeMap<(u32, i64), [f64; 2]> = BTreeMap::new();
+    for (e, (_, share)) in shares.iter().enumerate() {
+        let x = model.mesh.corners(e).iter().map(|c| 0.25 * c[0]).sum::<f64>();
+        let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
+        row[0] += 1.0;
+        row[1] += share / all * 100.0;
+    }
+    println!("  yield points {all:.4}\n  body            x from   tets   of the factor %");
+    for ((body, bin), r) in rows {
+        println!("  {:12} {:9.0} {:6.0} {:15.1}", model.mesh.bodies[body as usize], bin as f64 * width, r[0], r[1]);
+    }
 }
 
 fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
