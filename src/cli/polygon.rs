@@ -7,7 +7,7 @@ use crate::bounds::UpperFactor;
 use crate::bounds::supporting::{Axes, half_plane};
 use crate::report::data::{CaseResult, Upper};
 use crate::report::demand::ActionValue;
-use crate::report::polygon::{Axis, Bound, CapacityPolygon, Point};
+use crate::report::polygon::{Axis, CapacityPolygon, Point};
 use crate::spec::polygon::PolygonSpec;
 
 /// A polygon whose directions are being analysed.
@@ -35,17 +35,16 @@ impl Directions {
         let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
         let mechanism = pass.velocity.as_ref().zip(pass.upper.clone()).or(free);
         let bound = mechanism.filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
-        let plane = bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
-        let half_plane = plane.map(|p| Bound { normal: p.normal, offset: p.offset });
+        let half_plane = bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
         self.points.push(Point { case: entry.name.clone(), direction, lower, upper, half_plane });
     }
 
     /// The polygon.
     pub fn polygon(self) -> Option<CapacityPolygon> {
-        let axes = self.spec.axes()?.map(|(action, size)| Axis {
-            action: action.word().into(),
-            unit: if action.direction().1 { ActionValue::Moment(size) } else { ActionValue::Force(size) },
-        });
+        let axes = self
+            .spec
+            .axes()?
+            .map(|(action, size)| Axis { action: action.word().into(), unit: ActionValue::of(action, size) });
         Some(CapacityPolygon::new([self.spec.end, self.spec.at.word().into()], axes, self.points))
     }
 }

@@ -385,7 +385,7 @@ fn end_actions(loads: &[LoadSpec], case: &str) -> Vec<EndAction> {
             end: end.clone(),
             at: at.word().into(),
             action: action.word().into(),
-            value: if action.direction().1 { ActionValue::Moment(value) } else { ActionValue::Force(value) },
+            value: ActionValue::of(action, value),
             factored: load.multiplies(action),
         }));
     }

@@ -1,7 +1,9 @@
 //! Convex polygons in the plane: the hull of points, the intersection of half planes.
 
+use serde::{Deserialize, Serialize};
+
 /// A half plane `normal · x ≤ offset`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HalfPlane {
     /// Normal, pointing out of it; of any length.
     pub normal: [f64; 2],

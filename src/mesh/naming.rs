@@ -272,6 +272,17 @@ fn interface(
     }
 }
 
+/// The faces on a surface whose tets are as asked; ordered outward from the first of them.
+fn triangles_on(
+    mesh: &TetMesh,
+    table: &FaceTable,
+    surface: &Surface,
+    asked: impl Fn(&[FaceRow]) -> bool,
+) -> Vec<[u32; 3]> {
+    let faces = table.faces().filter(|rows| asked(rows)).filter_map(|rows| rows.first());
+    faces.map(|row| nodes_of(mesh, row)).filter(|t| on_surface(surface, &corners(mesh, *t))).collect()
+}
+
 /// True when a triangle lies on the surface.
 fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
     match surface {
@@ -302,14 +313,8 @@ fn outer_faces(
 ) {
     for rule in &scene.assembly.faces {
         let Some(body) = scene.body(&rule.part) else { continue };
-        let triangles: Vec<[u32; 3]> = table
-            .faces()
-            .filter_map(|rows| match rows {
-                [row] if mesh.tet_body[row.tet as usize] as usize == body => Some(nodes_of(mesh, row)),
-                _ => None,
-            })
-            .filter(|t| on_surface(&rule.surface, &corners(mesh, *t)))
-            .collect();
+        let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
+        let triangles = triangles_on(mesh, table, &rule.surface, |rows| matches!(rows, [row] if inside(row)));
         if let Surface::Plane { axis, at, min, max } = rule.surface {
             let exact = exact::outer_area(&scene.bodies, body, axis, at, min, max);
             let meshed = total(mesh, &triangles);
@@ -356,14 +361,8 @@ fn preload_cuts(
             continue;
         };
         let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
-        let triangles: Vec<[u32; 3]> = table
-            .faces()
-            .filter_map(|rows| match rows {
-                [p, q] if inside(p) && inside(q) => Some(nodes_of(mesh, p)),
-                _ => None,
-            })
-            .filter(|t| on_surface(&preload.surface, &corners(mesh, *t)))
-            .collect();
+        let both = |rows: &[FaceRow]| matches!(rows, [p, q] if inside(p) && inside(q));
+        let triangles = triangles_on(mesh, table, &preload.surface, both);
         let (meshed, exact) = (total(mesh, &triangles), exact::section_area(&scene.bodies[body], axis, at));
         if disagree(meshed, exact) {
             faults.push(area_fault(format!("the cut {} of a preloaded bolt has", preload.cut), meshed, exact));

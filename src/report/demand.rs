@@ -6,6 +6,7 @@ use super::page::Table;
 use super::text::{inline, strings, table};
 use crate::checks::verdict::Verdict;
 use crate::checks::{Comparison, HandChecks};
+use crate::spec::loads::Action;
 use serde::{Deserialize, Serialize};
 
 /// The demand of a load case and the verdict on it.
@@ -63,6 +64,11 @@ pub enum ActionValue {
 }
 
 impl ActionValue {
+    /// Of an action with this value \[N, N mm\].
+    pub fn of(action: Action, value: f64) -> Self {
+        if action.direction().1 { Self::Moment(value) } else { Self::Force(value) }
+    }
+
     /// Value \[N, N mm\].
     pub fn value(self) -> f64 {
         match self {

@@ -54,25 +54,10 @@ pub struct Point {
     /// Strict upper bound of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
-    /// What the mechanism bounds.
+    /// What the mechanism bounds, in the units of the axes: the normal is the powers of the two units over the power of the direction, the
+    /// offset the upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub half_plane: Option<Bound>,
-}
-
-/// `normal · x ≤ offset`, x in the units of the axes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Bound {
-    /// Powers of the two units over the power of the direction.
-    pub normal: [f64; 2],
-    /// The upper bound of the load factor.
-    pub offset: f64,
-}
-
-impl Bound {
-    /// As geometry.
-    pub fn plane(self) -> HalfPlane {
-        HalfPlane { normal: self.normal, offset: self.offset }
-    }
+    pub half_plane: Option<HalfPlane>,
 }
 
 impl Point {
@@ -89,17 +74,18 @@ fn hulls(points: &[Point]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>, bool) {
     let mut carried: Vec<[f64; 2]> = points.iter().filter_map(|p| Some(p.at(p.lower?))).collect();
     // without loads nothing is needed
     carried.push([0.0; 2]);
-    let planes: Vec<HalfPlane> = points.iter().filter_map(|p| Some(p.half_plane?.plane())).collect();
+    let planes: Vec<HalfPlane> = points.iter().filter_map(|p| p.half_plane).collect();
     let largest = points.iter().flat_map(|p| [p.lower, p.upper]).flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     let reach = FAR * if largest > 0.0 { largest } else { 1.0 };
     let far = |c: &[f64; 2]| c.iter().any(|x| x.abs() >= 0.999 * reach);
-    let corners = clip(&frame(reach), &planes);
+    let corners = clip(&frame([reach; 2]), &planes);
     let closed = bounded(&planes) && !corners.iter().any(far);
     (hull(&carried), hull(&corners.into_iter().filter(|c| !far(c)).collect::<Vec<_>>()), closed)
 }
 
-fn frame(reach: f64) -> [[f64; 2]; 4] {
-    [[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]
+/// The corners of a rectangle around the origin, turning left.
+fn frame([x, y]: [f64; 2]) -> [[f64; 2]; 4] {
+    [[-x, -y], [x, -y], [x, y], [-x, y]]
 }
 
 impl CapacityPolygon {
@@ -179,10 +165,8 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
     let reach = reach.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 });
     let at = |c: [f64; 2]| [MARGIN + 0.5 * SIDE * (1.0 + c[0] / reach[0]), LINE + 0.5 * SIDE * (1.0 - c[1] / reach[1])];
     let mut d = Drawing::default();
-    let planes: Vec<HalfPlane> = polygon.points.iter().filter_map(|p| Some(p.half_plane?.plane())).collect();
-    let box_ =
-        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|c: [f64; 2]| [c[0] * reach[0], c[1] * reach[1]]);
-    let outer: Vec<[f64; 2]> = clip(&box_.map(|c| [c[0] / units[0], c[1] / units[1]]), &planes)
+    let planes: Vec<HalfPlane> = polygon.points.iter().filter_map(|p| p.half_plane).collect();
+    let outer: Vec<[f64; 2]> = clip(&frame([reach[0] / units[0], reach[1] / units[1]]), &planes)
         .into_iter()
         .map(|c| at([c[0] * units[0], c[1] * units[1]]))
         .collect();
@@ -256,7 +240,7 @@ mod tests {
                 direction,
                 lower: Some(0.9),
                 upper: Some(1.1),
-                half_plane: (bounds || k != 2).then_some(Bound { normal: direction, offset: 1.1 }),
+                half_plane: (bounds || k != 2).then_some(HalfPlane { normal: direction, offset: 1.1 }),
             });
         CapacityPolygon::new(["beam_right".into(), "column_face".into()], axes, points.collect())
     }

@@ -15,7 +15,7 @@ use bracket::bounds::supporting::{Axes, half_plane};
 use bracket::math::convex::HalfPlane;
 use bracket::model::AnalysisModel;
 use bracket::report::demand::ActionValue;
-use bracket::report::polygon::{Axis, Bound, CapacityPolygon, Point};
+use bracket::report::polygon::{Axis, CapacityPolygon, Point};
 use bracket::solve::{Patterns, SolveOptions};
 use bracket::spec::polygon::PolygonSpec;
 
@@ -63,7 +63,7 @@ fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
             direction: d.unit,
             lower: Some(bracket.lower().value()),
             upper: Some(upper.value()),
-            half_plane: Some(Bound { normal: plane.normal, offset: plane.offset }),
+            half_plane: Some(plane),
         }
     });
     let points = points.collect();
@@ -92,7 +92,7 @@ fn rectangular_section() {
     inner.iter().for_each(|c| assert!(beyond(*c) <= 1e-6, "{c:?}"));
     // no half plane cuts the exact set, and each of them nearly touches it
     for p in &polygon.points {
-        let plane: HalfPlane = p.half_plane.unwrap().plane();
+        let plane: HalfPlane = p.half_plane.unwrap();
         let exact = support(plane.normal);
         println!("{}: normal {:.4?}, {:.5} of {exact:.5}", p.case, plane.normal, plane.offset);
         assert!(plane.offset >= exact * (1.0 - 1e-6), "{}: {} below {exact}", p.case, plane.offset);
