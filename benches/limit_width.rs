@@ -31,6 +31,7 @@ use bracket::model::batch::{NONE, YIELD_ROWS};
 use bracket::model::file::{AnalysisKind, Bounds};
 use bracket::model::kinematic::Tet10Space;
 use bracket::model::resolve::resolve;
+use bracket::model::super_element::centroid;
 use bracket::model::{AnalysisModel, Static, from_joint, tet10};
 use bracket::solve::SolveOptions;
 use common::grid::{Grid, even, joined, name};
@@ -40,6 +41,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+
+/// Tets with the largest shares that are printed one by one.
+const STRONGEST: usize = 40;
 
 /// Spans `from ≤ |x| ≤ to` that are meshed `factor` times shorter and stretched afterwards.
 #[derive(Clone, Copy)]
@@ -78,6 +82,7 @@ fn main() {
             "--bins" => o.bins = number(args.next()),
             "--threads" => threads = number(args.next()) as usize,
             "--static" => o.bounds = Some(Bounds::Static),
+            "--kinematic" => o.bounds = Some(Bounds::Kinematic),
             "--weak" => o.weak = true,
             "--size" => {
                 let text = args.next().unwrap();
@@ -162,7 +167,7 @@ fn weak(model: &AnalysisModel, width: f64) {
     let all: f64 = shares.iter().map(|s| s.1).sum();
     let mut rows: BTreeMap<(u32, i64), [f64; 2]> = BTreeMap::new();
     for (e, (_, share)) in shares.iter().enumerate() {
-        let x = model.mesh.corners(e).iter().map(|c| 0.25 * c[0]).sum::<f64>();
+        let x = centroid(&model.mesh.corners(e))[0];
         let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
         row[0] += 1.0;
         row[1] += share / all * 100.0;
@@ -170,6 +175,16 @@ fn weak(model: &AnalysisModel, width: f64) {
     println!("  yield points {all:.4}\n  body            x from   tets   of the factor %");
     for ((body, bin), r) in rows {
         println!("  {:12} {:9.0} {:6.0} {:15.1}", model.mesh.bodies[body as usize], bin as f64 * width, r[0], r[1]);
+    }
+    let mut tets: Vec<(usize, f64)> = shares.iter().map(|s| s.1 / all * 100.0).enumerate().collect();
+    tets.sort_by(|a, b| b.1.total_cmp(&a.1));
+    println!("  body              x        y        z    of the factor %   of its volume, mean 1");
+    let volume: f64 = (0..tets.len()).map(|e| model.mesh.volume(e)).sum();
+    for &(e, share) in tets.iter().take(STRONGEST) {
+        let c = centroid(&model.mesh.corners(e));
+        let density = share / 100.0 * volume / model.mesh.volume(e);
+        let body = &model.mesh.bodies[model.mesh.tet_body[e] as usize];
+        println!("  {body:12} {:8.1} {:8.1} {:8.1} {share:15.2} {density:15.0}", c[0], c[1], c[2]);
     }
 }
 
@@ -190,7 +205,7 @@ fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
                 }
             }
         }
-        let x = model.mesh.corners(e).iter().map(|c| 0.25 * c[0]).sum::<f64>();
+        let x = centroid(&model.mesh.corners(e))[0];
         let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
         for (i, value) in [1.0, d * volume / power, (d * volume - work) / power].into_iter().enumerate() {
             row[i] += value;
