@@ -27,7 +27,6 @@ use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;
 use bracket::mesh::TetMesh;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::model::batch::{NONE, YIELD_ROWS};
 use bracket::model::file::{AnalysisKind, Bounds};
 use bracket::model::kinematic::Tet10Space;
 use bracket::model::resolve::resolve;
@@ -153,20 +152,10 @@ fn weak(model: &AnalysisModel, width: f64) {
         solution.iterations,
         solution.seconds
     );
-    let mut shares: Vec<(u32, f64)> = Vec::new();
-    for batch in program.elements.batches.iter() {
-        for (lane, &row) in batch.rows.iter().enumerate().filter(|(lane, _)| batch.own[*lane] != NONE) {
-            let rows = row as usize..row as usize + YIELD_ROWS * batch.shape.points();
-            let of_lane: f64 = rows.map(|r| program.h[r] * solution.z[r]).sum();
-            shares.push((batch.rows[lane], of_lane));
-        }
-    }
-    // rows follow the tets, and every tet yields
-    shares.sort_by_key(|s| s.0);
-    assert_eq!(shares.len(), model.mesh.tets.len());
-    let all: f64 = shares.iter().map(|s| s.1).sum();
+    let shares = statics.yield_shares(&solution.z);
+    let all: f64 = shares.iter().sum();
     let mut rows: BTreeMap<(u32, i64), [f64; 2]> = BTreeMap::new();
-    for (e, (_, share)) in shares.iter().enumerate() {
+    for (e, share) in shares.iter().enumerate() {
         let x = centroid(&model.mesh.corners(e))[0];
         let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
         row[0] += 1.0;
@@ -176,7 +165,7 @@ fn weak(model: &AnalysisModel, width: f64) {
     for ((body, bin), r) in rows {
         println!("  {:12} {:9.0} {:6.0} {:15.1}", model.mesh.bodies[body as usize], bin as f64 * width, r[0], r[1]);
     }
-    let mut tets: Vec<(usize, f64)> = shares.iter().map(|s| s.1 / all * 100.0).enumerate().collect();
+    let mut tets: Vec<(usize, f64)> = shares.iter().map(|s| s / all * 100.0).enumerate().collect();
     tets.sort_by(|a, b| b.1.total_cmp(&a.1));
     println!("  body              x        y        z    of the factor %   of its volume, mean 1");
     let volume: f64 = (0..tets.len()).map(|e| model.mesh.volume(e)).sum();

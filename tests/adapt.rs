@@ -33,7 +33,7 @@ fn adaptive(name: &str, yaml: &str, mesh: TetMesh, growth: f64, most: usize) -> 
         if growth * tets > most as f64 {
             return steps;
         }
-        let estimate = rates::estimate(&s.model, s.pass.contributions.as_ref().unwrap());
+        let estimate = rates::estimate(&s.model, s.pass.contributions.as_ref().unwrap(), None);
         let singular = estimate.rates.iter().filter(|q| **q < 1.0).count();
         let parts = |wanted: &[f64]| bisect::refine(&mesh, wanted).parts(mesh.tets.len());
         let curve = estimate.curve(2.0 * growth * tets, &parts);

@@ -69,6 +69,16 @@ pub struct LimitPass {
     pub moves: Option<String>,
     /// Contributions to the gap of the bracket that answers: under Coulomb's law that with the bound without friction.
     pub contributions: Option<Contributions>,
+    /// What each tet's yield conditions hold the lower bound that answers down by: shares of the load factor, the dissipation of
+    /// the static program's own multipliers. Where they are is no mechanism of the kinematic program.
+    pub held: Option<Vec<f64>>,
+}
+
+/// What the static program leaves: an admissible field, its load factor, and what holds it down.
+struct Carried {
+    stress: StressField,
+    bound: LowerFactor,
+    held: Vec<f64>,
 }
 
 impl LimitPass {
@@ -96,31 +106,33 @@ impl LimitPass {
         Ok(())
     }
 
-    /// The lower bound of the model without friction.
+    /// The lower bound of the model without friction; what holds it down.
     fn add_frictionless(
         &mut self,
         smooth: &AnalysisModel,
         options: &PassOptions,
         progress: &Progress,
-    ) -> Result<(), PassError> {
+    ) -> Result<Option<Vec<f64>>, PassError> {
         if let Ok(Some(free)) = free_mechanism::find(smooth) {
             self.slides = Some(moves(smooth, &free.field));
-            return Ok(());
+            return Ok(None);
         }
         progress(Program::Static, Event::Frictionless);
         let (_, statics): Both<<Collapse as Problem>::Answer, _> =
             both::<Collapse, Resistance>(smooth, options, progress)?;
+        let mut held = None;
         if let Some(s) = statics {
             self.frictionless_run = Some(s.run);
-            if let Some((field, bound)) = s.answer {
-                self.frictionless_stress = Some(field);
-                self.frictionless = Some(bound);
+            if let Some(carried) = s.answer {
+                self.frictionless_stress = Some(carried.stress);
+                self.frictionless = Some(carried.bound);
+                held = Some(carried.held);
             }
         }
         if let (Some(l), Some(u)) = (&self.frictionless, &self.upper) {
             self.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
         }
-        Ok(())
+        Ok(held)
     }
 }
 
@@ -184,9 +196,10 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
     let wants_frictionless = model.has_friction() && statics.as_ref().is_some_and(|s| s.run.refusal.is_none());
     if let Some(s) = statics {
         pass.statics = Some(s.run);
-        if let Some((field, bound)) = s.answer {
-            pass.stress = Some(field);
-            pass.lower = Some(bound);
+        if let Some(carried) = s.answer {
+            pass.stress = Some(carried.stress);
+            pass.lower = Some(carried.bound);
+            pass.held = Some(carried.held);
         }
     }
     if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
@@ -197,7 +210,11 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             Ok(smooth) => {
                 let mut options = options.clone();
                 options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
-                pass.add_frictionless(&AnalysisModel { bounds: Bounds::Static, ..smooth }, &options, progress)?;
+                let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
+                let held = pass.add_frictionless(&smooth, &options, progress)?;
+                if model.has_coulomb() && held.is_some() {
+                    pass.held = held;
+                }
             }
             Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
         }
@@ -260,7 +277,7 @@ impl<'a> Problem<'a> for Collapse {
 }
 
 impl<'a> Problem<'a> for Resistance<'a> {
-    type Answer = (StressField, LowerFactor);
+    type Answer = Carried;
     const PROGRAM: Program = Program::Static;
 
     fn accuracy(&self, asked: &SolveOptions) -> SolveOptions {
@@ -297,7 +314,8 @@ impl<'a> Problem<'a> for Resistance<'a> {
         let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor };
         let dead = dead_stress(model, patterns).transpose()?;
         let lower = limit_lower::project(model, &approximate, dead.as_ref(), patterns).map_err(in_words)?;
-        Ok((lower.field, LowerFactor::new(lower.certificate)))
+        let held = statics.yield_shares(&solution.z);
+        Ok(Carried { stress: lower.field, bound: LowerFactor::new(lower.certificate), held })
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {

@@ -83,12 +83,29 @@ pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
     mesh.tets.iter().map(|t| t.iter().map(|n| nodes[*n as usize]).fold(SMOOTH, f64::min)).collect()
 }
 
-/// What the next mesh is designed by: contributions of a pass on `model`, those of contacts shared out to the tets beside them.
-pub fn estimate(model: &AnalysisModel, contributions: &Contributions) -> Estimate {
-    let contributions = contributions.by_tet(model);
+/// Part of the gap that the design gives to the places that hold the lower bound of a load factor down; the rest stays where the
+/// contributions are.
+///
+/// Contributions follow the mechanism: a tet at rest has none, whatever its stress. But the mechanism of the static program's multipliers may
+/// be another one (the paper's joint: its supports, plate and bolts, against the beam's end), and the lower bound rises only where that one is.
+const HELD: f64 = 0.5;
+
+/// What the next mesh is designed by: contributions of a pass on `model`, those of contacts shared out to the tets beside them, and of
+/// limit analysis what holds the lower bound down in each tet.
+pub fn estimate(model: &AnalysisModel, contributions: &Contributions, held: Option<&[f64]>) -> Estimate {
+    let mut contributions = contributions.by_tet(model);
     let rates = match model.analysis {
         AnalysisKind::Limit => vec![PLASTIC; contributions.len()],
         _ => elastic(&model.mesh, &contributions),
     };
+    if let Some(held) = held {
+        let total = |x: &[f64]| x.iter().map(|c| c.max(0.0)).sum::<f64>();
+        let (gap, all) = (total(&contributions), total(held));
+        if all > 0.0 {
+            for (c, held) in contributions.iter_mut().zip(held) {
+                *c = (1.0 - HELD) * c.max(0.0) + HELD * gap / all * held.max(0.0);
+            }
+        }
+    }
     Estimate { contributions, rates }
 }

@@ -117,7 +117,7 @@ pub fn analyse(
         let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
         let left = Left { seconds: share.until - log.seconds(), bytes: room(limits.memory).map(|r| r.bytes) };
         let Some(last) = kept.iter().find(|k| k.index == index) else { break };
-        let estimate = last.outcome.contributions().map(|c| rates::estimate(&last.model, c));
+        let estimate = last.outcome.contributions().map(|c| rates::estimate(&last.model, c, last.outcome.held()));
         let Some(estimate) = estimate else { break };
         let realised = |wanted: &[f64]| remesher.realised(wanted);
         let (choice, curve) = plan::next(&steps, best_gap, adapt, &left, &mut |most| estimate.curve(most, &realised));

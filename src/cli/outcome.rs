@@ -73,6 +73,14 @@ impl Outcome {
         }
     }
 
+    /// What each tet holds the lower bound of a load factor down by.
+    pub fn held(&self) -> Option<&[f64]> {
+        match self {
+            Outcome::Energy(_) => None,
+            Outcome::Factor(p) => p.held.as_deref(),
+        }
+    }
+
     /// The stress behind the lower bound of the answer, and the load factor it carries.
     pub fn stress(&self, entry: &CaseResult) -> Option<(&StressField, f64)> {
         match self {

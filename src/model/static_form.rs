@@ -6,6 +6,7 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, FacePair};
 use super::assemble::assemble;
+use super::batch::{NONE, YIELD_ROWS};
 use super::contact_modes::{ContactMode, contact_modes};
 use super::cuts;
 use super::dofs::DofMap;
@@ -459,6 +460,25 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
+    /// What the yield conditions of each tet hold the optimum down by, from the rows' multipliers z: they are velocities, and this is
+    /// their dissipation. Zero in bodies that never yield.
+    ///
+    /// # Units
+    /// Those of the objective; in limit analysis of proportional loads, parts of the load factor that add up to it (welds apart).
+    pub fn yield_shares(&self, z: &[f64]) -> Vec<f64> {
+        let mut shares = vec![0.0; self.elements.model.mesh.tets.len()];
+        for batch in self.program.elements.batches.iter() {
+            let rows = YIELD_ROWS * batch.shape.points();
+            for (own, first) in batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE) {
+                // tets without unknowns of their own share their start with the next that has some
+                let e = self.own.partition_point(|start| *start <= own as usize) - 1;
+                let first = first as usize;
+                shares[e] = (first..first + rows).map(|r| self.program.h[r] * z[r]).sum();
+            }
+        }
+        shares
+    }
+
     /// Stress parameters of every element from the unknowns of a program, as [`SuperElement::stress`] takes them; zero in bodies
     /// that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {

@@ -115,7 +115,12 @@ fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
         Err(e) => panic!("{e:?}"),
     };
     let bar = t / (4.0 * length);
-    let bracket = strict(name, &model, &run(&model)).map(|factor| factor / bar);
+    let pass = run(&model);
+    let bracket = strict(name, &model, &pass);
+    // what holds the lower bound down adds up to it
+    let held: f64 = pass.held.as_ref().unwrap().iter().sum();
+    assert!((held / (bracket[0] * FY) - 1.0).abs() < 1e-3, "{held} against {}", bracket[0] * FY);
+    let bracket = bracket.map(|factor| factor / bar);
     println!("{name}: {bracket:?} of a bar's");
     assert!(bracket[0] <= 2.0 / 3f64.sqrt() && bracket[1] >= 1.0, "{bracket:?}");
     bracket
