@@ -47,9 +47,9 @@ fn hollow_sphere() {
     check(6, 4, 0.12);
 }
 
-/// At most 2 % wide.
+/// At most 1 % wide.
 #[test]
 #[ignore = "heavy: minutes"]
 fn hollow_sphere_fine() {
-    check(16, 8, 0.02);
+    check(20, 9, 0.01);
 }
