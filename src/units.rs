@@ -187,7 +187,7 @@ pub enum UnitError {
         kind: Kind,
     },
     /// A comma among digits.
-    #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands", kind.word())]
+    #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands{}", kind.word(), pointed(text))]
     Comma {
         /// What was written.
         text: String,
@@ -227,6 +227,22 @@ fn split(text: &str) -> Option<(f64, &str)> {
         end = i + 1;
     }
     Some((text[..end].parse().ok()?, text[end..].trim()))
+}
+
+/// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything else.
+pub fn with_point(text: &str) -> Option<String> {
+    let (whole, rest) = text.trim().split_once(',')?;
+    let digits = whole.trim_start_matches(['+', '-']);
+    let decimals: String = rest.chars().take_while(char::is_ascii_digit).collect();
+    let unit = &rest[decimals.len()..];
+    let a_number = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) && !decimals.is_empty();
+    let clear = decimals.len() != 3 && !unit.contains([',', '.']);
+    (a_number && clear).then(|| format!("{whole}.{decimals}{unit}"))
+}
+
+/// The end of a message about a comma.
+fn pointed(text: &str) -> String {
+    with_point(text).map_or_else(String::new, |t| format!("; write `{t}`"))
 }
 
 /// Reads a text as a quantity of the given kind, in internal units.
@@ -438,6 +454,8 @@ mod tests {
             ("15 furlong", Kind::Length, &["`furlong`"]),
             ("45 Mpa", Kind::Stress, &["`Mpa`", "MPa"]),
             ("thick", Kind::Length, &["`thick` is not a length"]),
+            ("20,5 mm", Kind::Length, &["a point before its decimals", "; write `20.5 mm`"]),
+            ("-20,5", Kind::Length, &["; write `-20.5`"]),
             ("1e999 mm", Kind::Length, &["finite"]),
             ("", Kind::Force, &["not a force"]),
         ];
@@ -447,6 +465,19 @@ mod tests {
                 assert!(message.contains(word), "`{text}`: `{message}` lacks `{word}`");
             }
         }
+    }
+
+    #[test]
+    fn a_comma_is_told_to_be_a_point_only_where_it_must_be() {
+        for (text, told) in [("0,3", Some("0.3")), ("+1,25 kN", Some("+1.25 kN")), ("1,5cm", Some("1.5cm"))] {
+            assert_eq!(with_point(text).as_deref(), told, "{text}");
+        }
+        // thousands, two commas, no number
+        for text in ["1,200 mm", "1,2,3", "1,2.5", ",5", "1,", "a,5", "12 mm", ""] {
+            assert_eq!(with_point(text), None, "{text}");
+        }
+        let message = parse("1,200 mm", Kind::Length).expect_err("thousands").to_string();
+        assert!(message.contains("nothing between its thousands") && !message.contains("write"), "{message}");
     }
 
     #[test]

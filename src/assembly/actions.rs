@@ -105,6 +105,7 @@ pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &
 pub(super) fn on_end(
     load: &LoadSpec,
     i: usize,
+    template: &Template,
     ends: &[End<'_>],
     faces: &mut Vec<FaceRule>,
 ) -> Result<Vec<FaceLoad>, AssemblyError> {
@@ -112,7 +113,11 @@ pub(super) fn on_end(
     let (Some(name), Some(point)) = (&load.end, load.at) else { return Ok(Vec::new()) };
     let Some(end) = ends.iter().find(|e| e.name == *name) else {
         let known: Vec<&str> = ends.iter().map(|e| e.name.as_str()).collect();
-        let hint = did_you_mean(name, known.iter().copied());
+        let only = template.ends.iter().find(|e| e.names().contains(name)).and_then(|e| e.when.as_ref());
+        let hint = match only {
+            Some(when) => format!(": template `{}` has it only where `{}`", template.name, when.text()),
+            None => did_you_mean(name, known.iter().copied()),
+        };
         let problem = format!("the joint has no member end `{name}`{hint}");
         return Err(AssemblyError::Unknown { path: format!("{}.end", load.path(i)), problem, known: known.join(", ") });
     };

@@ -338,4 +338,16 @@ fn a_faulty_template_of_the_user_is_named() {
     assert!(d.message.contains("a length [mm] is wanted, this number has no unit"), "{d:#?}");
     let d = fault("{part: COLUMN, thickness: column.tf}", "{part: COLUMNS, thickness: column.tf}");
     assert!(d.message.contains("there is no part `COLUMNS`"), "{d:#?}");
+    // each in the template's file, on the line of its entry
+    for (old, new) in [
+        ("{name: face, value: column.h / 2}", "{name: face, value: colum.h / 2}"),
+        ("- that: gauge_least <= gauge_most\n", "- that: gauge_leats <= gauge_most\n"),
+        ("  width: plate.width\n", "  width: plate.widht\n"),
+        ("  - name: COLUMN\n", "  - name: column\n"),
+    ] {
+        let d = fault(old, new);
+        let line = shipped[..shipped.find(old).expect("it is there")].matches('\n').count() + 1;
+        assert_eq!(d.place.file.as_deref().and_then(|f| f.file_name()), Some("mine.yaml".as_ref()), "{new}: {d:#?}");
+        assert_eq!(d.place.line, Some(line), "{new}: {d:#?}");
+    }
 }

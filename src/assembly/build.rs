@@ -8,7 +8,7 @@ use super::joint::{
 };
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
-use super::template::{Axis, BoltEntry, PartEntry, RectangleEntry, RoleEntry, Template};
+use super::template::{Axis, BoltEntry, Origin, PartEntry, RectangleEntry, RoleEntry, Template};
 use super::{actions, inputs, symmetry, template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -51,14 +51,21 @@ pub struct BoltLine {
 
 /// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by path).
 pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> Result<Joint, Diagnostics> {
-    let placed = |faults: Vec<AssemblyError>| Diagnostics(faults.into_iter().map(|f| f.placed(&spec.index)).collect());
-    let (template, _) = template::load(&spec.value.template, base).map_err(|faults| {
+    let (template, origin) = template::load(&spec.value.template, base).map_err(|faults| {
         let at_spec = |d: Diagnostic| match &d.place {
             p if p.file.is_none() => Diagnostic { place: spec.index.place("template"), ..d },
             _ => d,
         };
         Diagnostics(faults.0.into_iter().map(at_spec).collect())
     })?;
+    // what is wrong with a template of the user's is told in its own file
+    let one = |f: AssemblyError| match (&origin, &f) {
+        (Origin::File { .. }, AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. }) => {
+            origin.placed(&template, f)
+        }
+        _ => f.placed(&spec.index),
+    };
+    let placed = |faults: Vec<AssemblyError>| Diagnostics(faults.into_iter().map(&one).collect());
     let inputs = Inputs::read(&spec.value, &template, catalog).map_err(&placed)?;
     let mut scope = inputs.scope();
     let resolved = scope.resolve(&template, &inputs.given).map_err(&placed)?;
@@ -480,7 +487,7 @@ impl<'a> Builder<'a> {
         }
         for (i, l) in self.spec.loads.iter().enumerate() {
             if actions::is_at_an_end(l) {
-                out.extend(actions::on_end(l, i, &ends, faces)?);
+                out.extend(actions::on_end(l, i, self.template, &ends, faces)?);
                 continue;
             }
             // inputs.rs has refused loads without a known section

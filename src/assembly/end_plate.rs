@@ -8,10 +8,11 @@ use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::expr::{Expr, ExprError};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndPlateEntry {
     /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the other beam.

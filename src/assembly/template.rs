@@ -3,11 +3,13 @@
 //! A template is data. Adding a connection type means adding a file; no line of Rust knows a template by name.
 
 use super::end_plate::EndPlateEntry;
-use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
+use super::error::AssemblyError;
+use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
 use crate::spec::loads::{ActionPoint, LoadSpec};
-use crate::spec::yaml;
+use crate::spec::yaml::{self, Parsed, PlaceIndex};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -16,7 +18,7 @@ use std::path::{Path, PathBuf};
 pub const SHIPPED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
 /// A coordinate axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
     /// Along the beams.
@@ -35,7 +37,7 @@ impl Axis {
 }
 
 /// A connection template.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Template {
     /// Name, as a spec says it.
@@ -85,7 +87,7 @@ pub struct Template {
 }
 
 /// A member role.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MemberRole {
     /// Role, the key under `members`.
@@ -99,7 +101,7 @@ pub struct MemberRole {
 }
 
 /// What a parameter holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ParameterKind {
     /// A length.
@@ -113,7 +115,7 @@ pub enum ParameterKind {
 }
 
 /// A parameter of the spec. `plate.*` and `bolts.*` stand there; everything else under `parameters`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Parameter {
     /// Name.
@@ -179,8 +181,21 @@ impl<'de> Deserialize<'de> for Default {
     }
 }
 
+impl JsonSchema for Default {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Default".into()
+    }
+    fn json_schema(g: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let expression = g.subschema_for::<Expr>();
+        schemars::json_schema!({
+            "description": "A default: one expression, or one per entry of a list.",
+            "anyOf": [expression, {"type": "array", "items": expression}],
+        })
+    }
+}
+
 /// A named intermediate value.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Definition {
     /// Name.
@@ -193,7 +208,7 @@ pub struct Definition {
 ///
 /// In expressions `each` is the value and `each.n` the number from 1; in texts `{#each}` is the label (or the number)
 /// and `{@each}` the index from 0.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Loop {
     /// Name of the variable.
@@ -209,7 +224,7 @@ pub struct Loop {
 }
 
 /// A condition on the values.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Check {
     /// Loops.
@@ -228,7 +243,7 @@ pub struct Check {
 }
 
 /// Role of a part in a template.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RoleEntry {
     /// A rolled member.
@@ -238,7 +253,7 @@ pub enum RoleEntry {
 }
 
 /// A member or plate.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartEntry {
     /// Identifier.
@@ -263,7 +278,7 @@ pub struct PartEntry {
 }
 
 /// One solid of a part: a profile or a box.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolidEntry {
     /// Loops.
@@ -281,7 +296,7 @@ pub struct SolidEntry {
 }
 
 /// A length of rolled section.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProfileEntry {
     /// Member role.
@@ -299,7 +314,7 @@ pub struct ProfileEntry {
 }
 
 /// A box; the order of the two ends does not matter.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoxEntry {
     /// Extent along x.
@@ -311,7 +326,7 @@ pub struct BoxEntry {
 }
 
 /// The plane at mid-thickness of a box: normal axis, and extents that differ from the box's.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MidEntry {
     /// Direction of the thickness.
@@ -325,7 +340,7 @@ pub struct MidEntry {
 }
 
 /// A bolt with hexagon head and nut, from the bearing face of the head through parts to that of the nut.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoltEntry {
     /// Identifier.
@@ -358,7 +373,7 @@ pub struct BoltEntry {
 }
 
 /// One part a bolt passes.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GripEntry {
     /// Its name.
@@ -368,7 +383,7 @@ pub struct GripEntry {
 }
 
 /// A rectangle on a coordinate plane.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RectangleEntry {
     /// Normal axis.
@@ -384,7 +399,7 @@ pub struct RectangleEntry {
 }
 
 /// An open interface.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ContactEntry {
     /// Name of the surface.
@@ -403,7 +418,7 @@ pub struct ContactEntry {
 }
 
 /// Fillet welds along both sides of a plate.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WeldEntry {
     /// Name of the surface.
@@ -427,7 +442,7 @@ pub struct WeldEntry {
 }
 
 /// A face that loads can name.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SectionEntry {
     /// Name, as a load says it.
@@ -447,7 +462,7 @@ pub struct SectionEntry {
 
 /// A member end that N, V, M and T can act on. The member's own axes: x′ along `outward`, out of the joint; z′ along `depth`;
 /// y′ = z′ × x′. The end section stays plane.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndEntry {
     /// Name, as a load says it.
@@ -487,7 +502,7 @@ impl EndEntry {
 }
 
 /// A support.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SupportEntry {
     /// Name of the face.
@@ -509,7 +524,7 @@ pub struct SupportEntry {
 }
 
 /// Two parts that must stay apart.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClearanceEntry {
     /// Loops.
@@ -525,18 +540,98 @@ pub struct ClearanceEntry {
     pub reason: String,
 }
 
+/// True for what names a file of the user's rather than a shipped template.
+pub fn is_path(name: &str) -> bool {
+    name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml")
+}
+
+/// Where a template comes from.
+#[derive(Clone, Debug)]
+pub enum Origin {
+    /// It is a part of the program.
+    Shipped,
+    /// A file of the user's.
+    File {
+        /// The file.
+        file: PathBuf,
+        /// Lines and columns of its entries.
+        index: PlaceIndex,
+    },
+}
+
+impl Origin {
+    /// The diagnostic of a fault that is the template's own, placed in its file; any other fault as it is.
+    pub fn placed(&self, template: &Template, error: AssemblyError) -> Diagnostic {
+        let entry = match &error {
+            AssemblyError::Template { at, .. } | AssemblyError::TemplateEntry { at, .. } => Some(template.path_of(at)),
+            _ => None,
+        };
+        let d = Diagnostic::from(error);
+        match (self, entry) {
+            (Origin::File { index, .. }, Some(Some(path))) => Diagnostic { place: index.place(&path), ..d },
+            (Origin::File { file, .. }, Some(None)) => {
+                let place = Place { file: Some(file.clone()), ..Place::default() };
+                Diagnostic { place, ..d }
+            }
+            _ => d,
+        }
+    }
+}
+
+impl Template {
+    /// The path of an entry in the template's file, from the word an [`AssemblyError`] has for it: the entry's name, as it stands there or
+    /// with its loops filled in, the text of a check, or a key of `hand_checks`.
+    fn path_of(&self, at: &str) -> Option<String> {
+        if at.starts_with("hand_checks.") {
+            return Some(at.to_owned());
+        }
+        if let Some(text) = at.strip_prefix("checks: ") {
+            return self.checks.iter().position(|c| c.that.text() == text).map(|i| format!("checks[{i}]"));
+        }
+        fn texts<T>(list: &[T], name: impl Fn(&T) -> &String) -> Vec<&str> {
+            list.iter().map(|entry| name(entry).as_str()).collect()
+        }
+        // an entry of a list of lengths stands under the list's name
+        let base = at.rsplit_once('.').filter(|(_, n)| n.parse::<usize>().is_ok()).map_or(at, |(base, _)| base);
+        let lists = [
+            ("parameters", texts(&self.parameters, |e| &e.name)),
+            ("define", texts(&self.define, |e| &e.name)),
+            ("parts", texts(&self.parts, |e| &e.name)),
+            ("bolts", texts(&self.bolts, |e| &e.name)),
+            ("contacts", texts(&self.contacts, |e| &e.name)),
+            ("welds", texts(&self.welds, |e| &e.name)),
+            ("sections", texts(&self.sections, |e| &e.name)),
+            ("ends", texts(&self.ends, |e| &e.name)),
+            ("supports", texts(&self.supports, |e| &e.name)),
+        ];
+        let exactly = lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| *n == base)?)));
+        let filled = || lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| fills(n, at))?)));
+        exactly.or_else(filled).map(|(list, i)| format!("{list}[{i}]"))
+    }
+}
+
+/// True when `name` is `pattern` with something in place of each `{…}`.
+fn fills(pattern: &str, name: &str) -> bool {
+    match pattern.split_once('{').and_then(|(head, rest)| Some((head, rest.split_once('}')?.1))) {
+        None => pattern == name,
+        Some((head, tail)) => name.strip_prefix(head).is_some_and(|rest| {
+            rest.char_indices().skip(1).map(|(i, _)| i).chain([rest.len()]).any(|i| i > 0 && fills(tail, &rest[i..]))
+        }),
+    }
+}
+
 /// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or `.yml` or holds a
 /// separator, and is taken relative to `base` (the folder of the spec).
-pub fn load(name: &str, base: &Path) -> Result<(Template, PathBuf), Diagnostics> {
-    let is_path = name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml");
-    if is_path {
-        let file = base.join(name);
+pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
+    if is_path(name) {
+        let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };
         let text = std::fs::read_to_string(&file).map_err(|e| {
             Diagnostic::input("template/unreadable", format!("template `{}` cannot be read: {e}", file.display()))
                 .path("template")
                 .help("the path is relative to the spec; `bracket templates` lists the shipped ones")
         })?;
-        return Ok((yaml::parse::<Template>(&text, &file)?.value, file));
+        let Parsed { value, index } = yaml::parse::<Template>(&text, &file)?;
+        return Ok((value, Origin::File { file, index }));
     }
     let Some((shipped, text)) = SHIPPED.iter().find(|(n, _)| *n == name) else {
         let hint = did_you_mean(name, SHIPPED.iter().map(|(n, _)| *n));
@@ -547,5 +642,5 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, PathBuf), Diagnostics>
             .into());
     };
     let file = PathBuf::from(format!("templates/{shipped}.yaml"));
-    Ok((yaml::parse::<Template>(text, &file)?.value, file))
+    Ok((yaml::parse::<Template>(text, &file)?.value, Origin::Shipped))
 }

@@ -306,3 +306,23 @@ fn the_shipped_folder_loads_as_a_user_folder() {
     let skipped = catalog.warnings().iter().filter(|w| w.code == "catalog/unused-table").count();
     assert_eq!(skipped, 3);
 }
+
+#[test]
+fn a_bolt_size_that_is_not_made_is_answered_with_its_neighbours() {
+    let catalog = Catalog::builtin().expect("sound");
+    for (name, told) in [
+        ("M21", ", the nearest are `M20` and `M22`"),
+        ("m 19", ", the nearest are `M18` and `M20`"),
+        ("HV M21", ", the nearest are `HV M20` and `HV M22`"),
+        ("M500", ", the nearest is `M"),
+        ("M1", ", the nearest is `M"),
+    ] {
+        let message = catalog.bolt(name).expect_err(name).to_string();
+        assert!(message.contains(told), "{name}: {message}");
+    }
+    // no size at all: the closest spelling, if any
+    for name in ["", "M", "bolt", "Mx", "MNAN", "8.8"] {
+        let message = catalog.bolt(name).expect_err(name).to_string();
+        assert!(!message.contains("nearest"), "{name}: {message}");
+    }
+}

@@ -229,8 +229,7 @@ impl Check {
         otherwise: Status,
     ) -> Self {
         let sign = if holds(required, provided) { "≥" } else { "<" };
-        let formula =
-            format!("{symbol} = {} {sign} {rule} = {}", Unit::Length.show(provided), Unit::Length.show(required));
+        let formula = comparison(symbol, provided, sign, required, rule);
         Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
     }
 
@@ -244,8 +243,7 @@ impl Check {
         otherwise: Status,
     ) -> Self {
         let sign = if holds(provided, allowed) { "≤" } else { ">" };
-        let formula =
-            format!("{symbol} = {} {sign} {rule} = {}", Unit::Length.show(provided), Unit::Length.show(allowed));
+        let formula = comparison(symbol, provided, sign, allowed, rule);
         Self::limit(topic, subject.into(), clause, title, formula, (provided, allowed), otherwise)
     }
 
@@ -302,6 +300,13 @@ impl Check {
     }
 }
 
+/// `e1 = 23 mm < 1.2 d0 = 24 mm`; a rule that is a plain length is not repeated: `a = 6 mm ≥ 3 mm`.
+fn comparison(symbol: &str, provided: f64, sign: &str, limit: f64, rule: impl fmt::Display) -> String {
+    let (provided, limit, rule) = (Unit::Length.show(provided), Unit::Length.show(limit), rule.to_string());
+    let end = if rule == limit { limit } else { format!("{rule} = {limit}") };
+    format!("{symbol} = {provided} {sign} {end}")
+}
+
 /// Whether a demand is within a resistance; never true of what is not a number.
 fn holds(demand: f64, resistance: f64) -> bool {
     demand <= resistance + ROUNDING * resistance.abs()
@@ -333,6 +338,9 @@ mod tests {
         assert_eq!(check(f64::NAN).status, Status::Failed);
         assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
         assert!(check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"), "{}", check(23.99).formula);
+        let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
+        let throat = Check::at_least(topic, what, "a", (3.0, "3 mm"), 6.0, Status::Failed);
+        assert_eq!(throat.formula, "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");
     }
 

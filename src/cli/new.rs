@@ -3,7 +3,7 @@
 use super::{Common, Outcome};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::scope::Resolved;
-use crate::assembly::template::{self, Template};
+use crate::assembly::template::{self, Origin, Template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
@@ -11,7 +11,7 @@ use crate::spec::loads::{ActionPoint, LoadSpec};
 use crate::units::{self, Length};
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Bolts of the starter.
 const BOLT: (&str, &str) = ("M18", "8.8");
@@ -29,9 +29,13 @@ pub struct NewArgs {
 
 /// Runs `bracket new`.
 pub fn run(args: &NewArgs, common: &Common) -> Outcome {
-    let (template, _) = template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
+    let (template, origin) = template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
-    let text = starter(&template, &args.template, &catalog)?;
+    let name = match (&args.output, &origin) {
+        (Some(spec), Origin::File { file, .. }) => seen_from(file, spec),
+        _ => args.template.clone(),
+    };
+    let text = starter(&template, &origin, &name, &catalog)?;
     let Some(path) = &args.output else {
         print!("{text}");
         return Ok(0);
@@ -47,6 +51,26 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
 pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
     faults.0.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
     faults
+}
+
+/// The path of a template as a spec at `spec` says it: relative to the spec's folder, absolute where there is no such path or the user
+/// gave it so.
+fn seen_from(template: &Path, spec: &Path) -> String {
+    let plain = || template.display().to_string();
+    let folder = spec.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (Ok(file), Ok(folder)) = (template.canonicalize(), folder.canonicalize()) else { return plain() };
+    if template.is_absolute() {
+        return plain();
+    }
+    let shared = file.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        return file.display().to_string();
+    }
+    let up = folder.components().skip(shared).map(|_| Component::ParentDir);
+    let path: PathBuf = up.chain(file.components().skip(shared)).collect();
+    let text = path.display().to_string();
+    // a name alone is that of a shipped template
+    if template::is_path(&text) { text } else { format!("./{text}") }
 }
 
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
@@ -121,10 +145,16 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
 }
 
 /// The text of the starter: required values stand, defaults stand in comments that can be switched on.
-pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<String, Diagnostics> {
+pub fn starter(
+    template: &Template,
+    origin: &Origin,
+    name: &str,
+    catalog: &Catalog,
+) -> Result<String, Diagnostics> {
     let spec = example(template, name);
-    let wrong =
-        |faults: Vec<crate::assembly::AssemblyError>| Diagnostics(faults.into_iter().map(Diagnostic::from).collect());
+    let wrong = |faults: Vec<crate::assembly::AssemblyError>| {
+        Diagnostics(faults.into_iter().map(|f| origin.placed(template, f)).collect())
+    };
     let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
     let resolved = inputs.scope().resolve(template, &inputs.given).map_err(wrong)?;
     let mut out = String::new();
@@ -148,6 +178,9 @@ pub fn starter(template: &Template, name: &str, catalog: &Catalog) -> Result<Str
          # gamma_M2: 1.25  # partial factor of bolts and welds; 0.5 to 3\n  \
          # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n\n",
     );
+    // blanks, `#` and quotes in a path would end the text
+    let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
+    let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
     let _ = writeln!(out, "template: {name}\n\nmembers:");
     for m in &template.members {
         let _ = writeln!(out, "  {}: {{profile: {}, steel: {}}}  # {}", m.role, m.profile, m.steel, about(&m.about));
@@ -284,8 +317,8 @@ mod tests {
     #[test]
     fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         for (name, _) in SHIPPED {
-            let (template, _) = template::load(name, Path::new(".")).expect("shipped");
-            let text = starter(&template, name, &Catalog::builtin().expect("sound")).expect("a starter");
+            let (template, origin) = template::load(name, Path::new(".")).expect("shipped");
+            let text = starter(&template, &origin, name, &Catalog::builtin().expect("sound")).expect("a starter");
             let joint = assemble(&text);
             for p in &template.parameters {
                 let key = p.name.rsplit('.').next().expect("a name");
@@ -307,6 +340,31 @@ mod tests {
             assert_eq!(joint.assembly.parts.len(), all.assembly.parts.len());
             assert!(text(&joint).abs_diff(text(&all)) < 200);
         }
+    }
+
+    /// Whatever the two folders are: the spec's folder and the path in the spec lead to the template's file.
+    #[test]
+    fn a_template_by_path_is_named_as_the_spec_sees_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |path: &str| folder.path().join(path);
+        std::fs::create_dir_all(at("joints/b 2/c")).expect("writable");
+        std::fs::create_dir_all(at("own")).expect("writable");
+        std::fs::write(at("own/t.yaml"), "x").expect("writable");
+        let dots = |path: &str| at("joints").join("..").join(path);
+        for (spec, told) in [("joints/b 2/c/s.yaml", "../../../own/t.yaml"), ("own/s.yaml", "t.yaml"), ("s.yaml", "own/t.yaml")] {
+            // an absolute path stays; a relative one is turned to the spec's folder
+            assert_eq!(seen_from(&at("own/t.yaml"), &at(spec)), at("own/t.yaml").display().to_string());
+            let relative = relative_to_here(&dots("own/t.yaml"));
+            assert_eq!(seen_from(&relative, &dots(spec)), told, "{spec}");
+        }
+        assert_eq!(seen_from(Path::new("absent.yaml"), &at("own/s.yaml")), "absent.yaml");
+    }
+
+    /// A path from the working folder up to the root and down again.
+    fn relative_to_here(path: &Path) -> PathBuf {
+        let here = std::env::current_dir().expect("a working folder").canonicalize().expect("it exists");
+        let up = here.components().skip(1).map(|_| Component::ParentDir);
+        up.chain(path.components().skip(1)).collect()
     }
 
     #[test]

@@ -62,6 +62,8 @@ pub struct RunArgs {
 pub enum KindArg {
     /// Energy and displacement of the elastic joint.
     Elastic,
+    /// Energy of the elastic, perfectly plastic joint under the given load.
+    Elastoplastic,
     /// Load at collapse.
     Limit,
 }
@@ -78,6 +80,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let input = spec_file::read(&args.spec)?;
     let kinds = match args.kind {
         Some(KindArg::Elastic) => vec![AnalysisKind::Elastic],
+        Some(KindArg::Elastoplastic) => vec![AnalysisKind::Elastoplastic],
         Some(KindArg::Limit) => vec![AnalysisKind::Limit],
         None => analysis_kinds(&input)?,
     };
@@ -105,7 +108,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     }
     let place = |path: &str| input.spec.index.place(path);
     // a quick look that leaves out collapse leaves out the polygon
-    let polygon = input.spec.value.polygon.as_ref().filter(|_| args.kind != Some(KindArg::Elastic));
+    let polygon = input.spec.value.polygon.as_ref().filter(|_| matches!(args.kind, None | Some(KindArg::Limit)));
     let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
     let asked = &input.spec.value.analysis;
     let max_passes = args.max_passes.unwrap_or(asked.max_passes);

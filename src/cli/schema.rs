@@ -1,6 +1,7 @@
 //! `bracket schema`.
 
 use super::{Common, Outcome};
+use crate::assembly::template::Template;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
@@ -16,6 +17,8 @@ pub enum Kind {
     Spec,
     /// MODEL.yaml, for `bracket analyse`.
     Model,
+    /// A connection template of your own, for `template: ./FILE.yaml` of a spec.
+    Template,
 }
 
 /// Print the JSON Schema of an input file.
@@ -40,6 +43,7 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     let mut schema = match kind {
         Kind::Spec => of::<ConnectionSpec>(),
         Kind::Model => of::<ModelFile>(),
+        Kind::Template => of::<Template>(),
     };
     plain(&mut schema);
     serde_json::to_string_pretty(&schema).map(|t| t + "\n").map_err(|e| {
@@ -60,11 +64,13 @@ fn plain(value: &mut Value) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::template::SHIPPED;
+    use crate::spec::yaml;
     use std::path::Path;
 
     #[test]
     fn committed_schemas_are_fresh() {
-        for (kind, name) in [(Kind::Spec, "spec"), (Kind::Model, "model")] {
+        for (kind, name) in [(Kind::Spec, "spec"), (Kind::Model, "model"), (Kind::Template, "template")] {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("schemas/{name}.schema.json"));
             let fresh = text(kind).expect("a schema is JSON");
             if std::env::var_os("BRACKET_WRITE_SCHEMAS").is_some() {
@@ -78,9 +84,109 @@ mod tests {
         }
     }
 
+    /// What of `value` a schema refuses, as far as the keywords of ours go; paths with reasons.
+    fn refused(value: &Value, schema: &Value, root: &Value, at: &str) -> Vec<String> {
+        let sub = |key: &str| schema.get(key);
+        let mut out = Vec::new();
+        if let Some(name) = sub("$ref").and_then(Value::as_str) {
+            let target = root.pointer(name.trim_start_matches('#')).unwrap_or_else(|| panic!("{name} leads nowhere"));
+            out.extend(refused(value, target, root, at));
+        }
+        for one in sub("allOf").and_then(Value::as_array).into_iter().flatten() {
+            out.extend(refused(value, one, root, at));
+        }
+        for key in ["anyOf", "oneOf"] {
+            let Some(ways) = sub(key).and_then(Value::as_array) else { continue };
+            if ways.iter().all(|way| !refused(value, way, root, at).is_empty()) {
+                out.push(format!("{at}: {value} fits none of {key}"));
+            }
+        }
+        let kind = match value {
+            Value::Null => "null",
+            Value::Bool(_) => "boolean",
+            Value::Number(n) if n.is_f64() => "number",
+            Value::Number(_) => "integer",
+            Value::String(_) => "string",
+            Value::Array(_) => "array",
+            Value::Object(_) => "object",
+        };
+        let is = |wanted: &Value| wanted == kind || (wanted == "number" && kind == "integer");
+        match sub("type") {
+            Some(Value::Array(kinds)) if !kinds.iter().any(is) => out.push(format!("{at}: {kind}")),
+            Some(wanted @ Value::String(_)) if !is(wanted) => out.push(format!("{at}: {kind}")),
+            _ => {}
+        }
+        if sub("enum").and_then(Value::as_array).is_some_and(|e| !e.contains(value)) {
+            out.push(format!("{at}: {value} is no word of the list"));
+        }
+        if sub("const").is_some_and(|c| c != value) {
+            out.push(format!("{at}: {value}"));
+        }
+        match value {
+            Value::Object(map) => {
+                let known = sub("properties").and_then(Value::as_object);
+                for (key, v) in map {
+                    let below = format!("{at}.{key}");
+                    match (known.and_then(|k| k.get(key)), sub("additionalProperties")) {
+                        (Some(s), _) => out.extend(refused(v, s, root, &below)),
+                        (None, Some(Value::Bool(false))) => out.push(format!("{below}: unknown key")),
+                        (None, Some(s @ Value::Object(_))) => out.extend(refused(v, s, root, &below)),
+                        (None, _) => {}
+                    }
+                }
+                for needed in sub("required").and_then(Value::as_array).into_iter().flatten() {
+                    if !map.contains_key(needed.as_str().expect("a key")) {
+                        out.push(format!("{at}: lacks {needed}"));
+                    }
+                }
+            }
+            Value::Array(list) => {
+                for (i, v) in list.iter().enumerate() {
+                    let item = match sub("items") {
+                        Some(Value::Array(each)) => each.get(i),
+                        item => item,
+                    };
+                    out.extend(item.iter().flat_map(|s| refused(v, s, root, &format!("{at}[{i}]"))));
+                }
+            }
+            _ => {}
+        }
+        out
+    }
+
+    /// The shipped templates are what the schema allows, and what the reader refuses the schema refuses too.
+    #[test]
+    fn the_schema_of_templates_fits_the_shipped_ones_and_refuses_ten_wrong_ones() {
+        let schema: Value = serde_json::from_str(&text(Kind::Template).expect("a schema")).expect("JSON");
+        let read = |text: &str| yaml::parse::<Value>(text, Path::new("t.yaml")).expect("YAML").value;
+        for (name, text) in SHIPPED {
+            assert_eq!(refused(&read(text), &schema, &schema, name), Vec::<String>::new());
+        }
+        let (_, text) = SHIPPED.iter().find(|(n, _)| *n == "t_stub").expect("shipped");
+        for (old, new) in [
+            ("title:", "titel:"),
+            ("parts:", "part:"),
+            ("kind: length", "kind: lenght"),
+            ("role: member", "role: membre"),
+            ("axis: z", "axis: w"),
+            ("outward: ", "outwards: "),
+            ("fix: [", "fix: [w, "),
+            ("between: [", "betwixt: ["),
+            ("toward: ", "toward: [1, 2] #"),
+            ("members:", "members: 3\nx:"),
+            ("name: t_stub", "name: 7"),
+        ] {
+            assert!(text.contains(old), "{old}");
+            let wrong = text.replacen(old, new, 1);
+            let value = yaml::parse::<Value>(&wrong, Path::new("t.yaml")).expect(new).value;
+            assert!(!refused(&value, &schema, &schema, "").is_empty(), "the schema lets `{new}` pass");
+            assert!(yaml::parse::<Template>(&wrong, Path::new("t.yaml")).is_err(), "the reader lets `{new}` pass");
+        }
+    }
+
     #[test]
     fn schemas_are_draft_07_and_strict() {
-        for kind in [Kind::Spec, Kind::Model] {
+        for kind in [Kind::Spec, Kind::Model, Kind::Template] {
             let schema: Value = serde_json::from_str(&text(kind).expect("a schema")).expect("JSON");
             assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
             assert_eq!(schema["additionalProperties"], false);

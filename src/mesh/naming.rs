@@ -263,8 +263,12 @@ fn interface(
             Diagnostic::input(
                 "mesh/interface-empty",
                 format!(
-                    "the {} ({}) and the {} ({}) do not touch, but an interface between them is asked for",
-                    pa.label, pa.name, pb.label, pb.name
+                    "the {} ({}) and the {} ({}) do not touch{}, but an interface between them is asked for",
+                    pa.label,
+                    pa.name,
+                    pb.label,
+                    pb.name,
+                    on.map_or_else(String::new, |(name, s)| format!(" {} ({name})", looked_for(s)))
                 ),
             )
             .help("move the parts together, or remove the contact from the template"),
@@ -281,6 +285,30 @@ fn triangles_on(
 ) -> Vec<[u32; 3]> {
     let faces = table.faces().filter(|rows| asked(rows)).filter_map(|rows| rows.first());
     faces.map(|row| nodes_of(mesh, row)).filter(|t| on_surface(surface, &corners(mesh, *t))).collect()
+}
+
+/// Where a surface was looked for, in words.
+fn looked_for(surface: &Surface) -> String {
+    let mm = |x: f64| (1e3 * x).round() / 1e3;
+    match surface {
+        Surface::Plane { axis, at, min, max } => {
+            format!("on the plane {} = {} mm, {}", ["x", "y", "z"][*axis], mm(*at), extent(min, max, Some(*axis)))
+        }
+        Surface::Mantle { base, axis, radius, length } => {
+            let [x, y, z] = base.map(mm);
+            let [u, v, w] = axis.map(mm);
+            let (r, l) = (mm(*radius), mm(*length));
+            format!("on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), {l} mm long")
+        }
+    }
+}
+
+/// `x from 0 to 200 mm, z from -9 to 9 mm`: the sides of a box, one left out.
+fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
+    let mm = |x: f64| (1e3 * x).round() / 1e3;
+    let sides = (0..3).filter(|k| Some(*k) != without);
+    let words = sides.map(|k| format!("{} from {} to {} mm", ["x", "y", "z"][k], mm(min[k]), mm(max[k])));
+    words.collect::<Vec<_>>().join(", ")
 }
 
 /// True when a triangle lies on the surface.
@@ -328,13 +356,22 @@ fn outer_faces(
             checks.areas.push(AreaCheck { name: rule.name.clone(), meshed, exact });
         }
         if triangles.is_empty() {
-            let part = scene.bodies[body].part;
+            let (part, bounds) = (scene.bodies[body].part, scene.bodies[body].bounds);
             faults.push(
                 Diagnostic::input(
                     "mesh/face-empty",
-                    format!("the face {} was not found on the {} ({})", rule.name, part.label, part.name),
+                    format!(
+                        "the face {} was not found on the {} ({}): looked for {}",
+                        rule.name,
+                        part.label,
+                        part.name,
+                        looked_for(&rule.surface)
+                    ),
                 )
-                .help("check the coordinates of this load or support against the part's dimensions"),
+                .help(format!(
+                    "the part reaches {}; move the face of this load or support, or its plane, to where the part ends",
+                    extent(&bounds.min, &bounds.max, None)
+                )),
             );
             continue;
         }

@@ -67,7 +67,7 @@ const TOPICS: [(Topic, &str, &str); 6] = [
         Topic::Welds,
         "Welds",
         "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet welds on both sides need these throats to be as \
-         strong. Welds with a throat have its strength in limit analysis; here,  those of the flanges take moment and axial force, those of the web the shear force.",
+         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force.",
     ),
     (
         Topic::ComponentMethod,

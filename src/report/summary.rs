@@ -6,7 +6,7 @@ use super::page::Table;
 use super::text::{paragraph, strings, table};
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
-use crate::checks::{Check, Status, Topic};
+use crate::checks::{Check, Status, Topic, Unit};
 
 /// A row, and the utilisation by which it may govern; `None`: it decides nothing.
 struct Row {
@@ -74,7 +74,7 @@ fn row(c: &Check) -> Row {
     let status = match (c.status, decides) {
         (Status::Failed, _) => "FAILED",
         (Status::Ok, true) => "OK",
-        (Status::Ok, false) => "holds",
+        (Status::Ok, false) => "OK, information",
         (Status::Warning, _) => "exceeded, information",
         (Status::Information, _) => "information",
     };
@@ -87,8 +87,8 @@ fn row(c: &Check) -> Row {
         c.clause.clone(),
         status.into(),
     ];
-    // a distance of the detailing decides, but says nothing of strength
-    let strength = decides && (c.topic != Topic::Detailing || c.status == Status::Failed);
+    // a least distance or throat decides, but says nothing of strength
+    let strength = decides && (c.unit != Unit::Length || c.status == Status::Failed);
     Row { cells, governs_by: strength.then_some(c.utilisation.unwrap_or(f64::INFINITY)) }
 }
 

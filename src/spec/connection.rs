@@ -16,15 +16,15 @@ use std::fmt;
 #[serde(deny_unknown_fields)]
 pub struct ConnectionSpec {
     /// Title block of the report.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub project: Project,
     /// Design code and its factors.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub code: Code,
     /// Name of a connection template (`bracket templates`), or the path of your own, relative to this file.
     pub template: String,
     /// Members by role.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub members: BTreeMap<String, MemberSpec>,
     /// End plate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -33,24 +33,24 @@ pub struct ConnectionSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bolts: Option<BoltSpec>,
     /// Parameters of the template beyond the fixed part, by name.
-    #[serde(default, deserialize_with = "null_is_empty", skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, deserialize_with = "null_is_default", skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, ParameterValue>,
     /// Friction on contact surfaces.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub friction: FrictionSpec,
     /// Loads.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub loads: Vec<LoadSpec>,
     /// Capacity polygon of two actions at a member end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub polygon: Option<PolygonSpec>,
     /// What to compute and how far.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "null_is_default")]
     pub analysis: AnalysisSpec,
 }
 
-/// `parameters:` with nothing but comments below it is an empty map.
-fn null_is_empty<'de, D: Deserializer<'de>>(d: D) -> Result<BTreeMap<String, ParameterValue>, D::Error> {
+/// A key with nothing but comments below it, as in `parameters:`, says no more than one that is left out.
+fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(d: D) -> Result<T, D::Error> {
     Ok(Option::deserialize(d)?.unwrap_or_default())
 }
 

@@ -210,6 +210,19 @@ impl<'de> Deserialize<'de> for Expr {
     }
 }
 
+impl schemars::JsonSchema for Expr {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Expression".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "A number, true or false, or an expression: numbers with units (`15 mm`), names (`beam.h`, `plate.thickness`), \
+                + - * /, comparisons, `and`, `or`, `not`, min, max, abs, if and others (templates/README.md).",
+            "type": ["number", "boolean", "string"],
+        })
+    }
+}
+
 fn fault(text: &str, span: Range<usize>, message: impl Into<String>) -> ExprError {
     ExprError { message: message.into(), text: text.to_owned(), span }
 }

@@ -34,7 +34,10 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());
     }
-    let outline = Outline::read(text).map_err(|e| from_serde(&e, &PlaceIndex::new(file), file))?;
+    let outline = Outline::read(text).map_err(|e| {
+        let d = from_serde(&e, &PlaceIndex::new(file), file);
+        if d.code == "yaml/syntax" { tab(text, file).unwrap_or(d) } else { d }
+    })?;
     let index = PlaceIndex::read(text, file);
     let mut faults = Vec::new();
     outline.faults(&index, text, &mut faults);
@@ -43,6 +46,18 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     }
     let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
     Ok(Parsed { value, index })
+}
+
+/// The first line that is indented with a tab, which YAML does not allow.
+fn tab(text: &str, file: &Path) -> Option<Diagnostic> {
+    let at = text.lines().enumerate().find_map(|(i, line)| {
+        let body = line.trim_start_matches([' ', '\t']);
+        let column = line[..line.len() - body.len()].find('\t')?;
+        (!body.is_empty() && !body.starts_with('#')).then_some((i + 1, column + 1))
+    });
+    let (line, column) = at?;
+    let d = Diagnostic::input("yaml/tab", format!("line {line} is indented with a tab, which YAML does not allow"));
+    Some(d.file(file).at(line, column).help("indent with blanks, two a level; many editors can replace all tabs at once"))
 }
 
 /// Writes a value as a YAML document.
@@ -99,7 +114,10 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         if let Some((path, rest)) = split_at_marker(text, marker) {
             let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
             let d = Diagnostic::input("yaml/type", format!("{at}{marker}{}", in_words(rest)));
-            let d = d.help("write the kind of value that is expected here; `bracket schema` lists them");
+            let d = d.help(match rest.split('"').nth(1).and_then(crate::units::with_point) {
+                Some(number) => format!("a number has a point before its decimals: `{number}`"),
+                None => "write the kind of value that is expected here; `bracket schema` lists them".into(),
+            });
             return named(d, path);
         }
     }

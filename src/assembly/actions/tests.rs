@@ -120,6 +120,8 @@ fn wrong_actions_are_told_with_place_and_cure() {
         spec("[{name: A, end: beam_left, at: node, My: 7 kN m}]").replace("double_sided: true", "double_sided: false");
     let d = joint(&one_sided).map(drop).expect_err("there is no left beam").0.remove(0);
     assert!(d.message.contains("no member end `beam_left`"), "{d:#?}");
+    assert!(d.message.contains("`beam_to_column_end_plate` has it only where `double_sided`"), "{d:#?}");
+    assert!(d.help.as_ref().is_some_and(|h| h.contains("known here: beam_right")), "{d:#?}");
     let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, at: node, N: 7 kN}]";
     let d = joint(&spec(twice)).map(drop).expect_err("twice").0.remove(0);
     assert_eq!(d.place.path.as_deref(), Some("loads[1].end"), "{d:#?}");

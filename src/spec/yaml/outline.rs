@@ -23,6 +23,8 @@ pub(super) enum Outline {
     Seq(Vec<Outline>),
     /// A number that is NaN or infinite.
     NotFinite,
+    /// Nothing after the key.
+    Nothing,
     /// Anything else.
     Other,
 }
@@ -45,6 +47,13 @@ impl Outline {
                 let mut seen = BTreeSet::new();
                 for (key, value) in entries {
                     let at = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                    if matches!(value, Outline::Nothing) && is_half_a_number(key) {
+                        let message = format!("the comma before `{key}` ends an entry, and `{key}` becomes a key of its own");
+                        let mut d = Diagnostic::input("yaml/comma", message);
+                        d.place = index.place(&at);
+                        faults.push(d.help("a number has a point before its decimals: `20.5 mm`, not `20,5 mm`"));
+                        continue;
+                    }
                     if !seen.insert(key) {
                         let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
                         let mut d =
@@ -65,9 +74,14 @@ impl Outline {
                 d.place = index.place(path);
                 faults.push(d.help("write a finite number; leave the key out where a limit is absent"));
             }
-            Outline::Other => {}
+            Outline::Nothing | Outline::Other => {}
         }
     }
+}
+
+/// What a decimal comma leaves behind between braces: `{t: 20,5 mm}` has the keys `t` and `5 mm`. No key of ours begins with a digit.
+fn is_half_a_number(key: &str) -> bool {
+    key.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Counts values down while reading.
@@ -111,10 +125,10 @@ impl<'de> Visitor<'de> for Seed<'_> {
         Ok(Outline::Other)
     }
     fn visit_unit<E>(self) -> Result<Outline, E> {
-        Ok(Outline::Other)
+        Ok(Outline::Nothing)
     }
     fn visit_none<E>(self) -> Result<Outline, E> {
-        Ok(Outline::Other)
+        Ok(Outline::Nothing)
     }
     fn visit_some<D: Deserializer<'de>>(self, d: D) -> Result<Outline, D::Error> {
         self.deserialize(d)
