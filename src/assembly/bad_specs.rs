@@ -180,7 +180,7 @@ const CASES: &[Case] = &[
         new: "size: M19",
         code: "catalog/unknown-name",
         path: "bolts.size",
-        words: &["`M19` is not in the catalogue", "did you mean `M1"],
+        words: &["`M19` is not in the catalogue", "the nearest are `M18` and `M20`"],
     },
     Case {
         old: "beam_length: 1000",

@@ -6,9 +6,10 @@ use super::joint::{
     Action, Assembly, BoltPreload, Clearance, FaceLoad, FaceRule, FaceSupport, InterfaceRule, MidPlane, Part,
     PartMaterial, PartRole, Solid, Surface, WeldRule,
 };
+use super::origin::Origin;
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
-use super::template::{Axis, BoltEntry, Origin, PartEntry, RectangleEntry, RoleEntry, Template};
+use super::template::{Axis, BoltEntry, PartEntry, RectangleEntry, RoleEntry, Template};
 use super::{actions, inputs, symmetry, template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};

@@ -6,6 +6,7 @@ pub mod end_plate;
 pub mod error;
 pub mod inputs;
 pub mod joint;
+pub mod origin;
 pub mod part;
 pub mod scope;
 pub mod symmetry;

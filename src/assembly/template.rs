@@ -3,12 +3,12 @@
 //! A template is data. Adding a connection type means adding a file; no line of Rust knows a template by name.
 
 use super::end_plate::EndPlateEntry;
-use super::error::AssemblyError;
-use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
+use super::origin::Origin;
+use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
 use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
 use crate::spec::loads::{ActionPoint, LoadSpec};
-use crate::spec::yaml::{self, Parsed, PlaceIndex};
+use crate::spec::yaml::{self, Parsed};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -543,81 +543,6 @@ pub struct ClearanceEntry {
 /// True for what names a file of the user's rather than a shipped template.
 pub fn is_path(name: &str) -> bool {
     name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml")
-}
-
-/// Where a template comes from.
-#[derive(Clone, Debug)]
-pub enum Origin {
-    /// It is a part of the program.
-    Shipped,
-    /// A file of the user's.
-    File {
-        /// The file.
-        file: PathBuf,
-        /// Lines and columns of its entries.
-        index: PlaceIndex,
-    },
-}
-
-impl Origin {
-    /// The diagnostic of a fault that is the template's own, placed in its file; any other fault as it is.
-    pub fn placed(&self, template: &Template, error: AssemblyError) -> Diagnostic {
-        let entry = match &error {
-            AssemblyError::Template { at, .. } | AssemblyError::TemplateEntry { at, .. } => Some(template.path_of(at)),
-            _ => None,
-        };
-        let d = Diagnostic::from(error);
-        match (self, entry) {
-            (Origin::File { index, .. }, Some(Some(path))) => Diagnostic { place: index.place(&path), ..d },
-            (Origin::File { file, .. }, Some(None)) => {
-                let place = Place { file: Some(file.clone()), ..Place::default() };
-                Diagnostic { place, ..d }
-            }
-            _ => d,
-        }
-    }
-}
-
-impl Template {
-    /// The path of an entry in the template's file, from the word an [`AssemblyError`] has for it: the entry's name, as it stands there or
-    /// with its loops filled in, the text of a check, or a key of `hand_checks`.
-    fn path_of(&self, at: &str) -> Option<String> {
-        if at.starts_with("hand_checks.") {
-            return Some(at.to_owned());
-        }
-        if let Some(text) = at.strip_prefix("checks: ") {
-            return self.checks.iter().position(|c| c.that.text() == text).map(|i| format!("checks[{i}]"));
-        }
-        fn texts<T>(list: &[T], name: impl Fn(&T) -> &String) -> Vec<&str> {
-            list.iter().map(|entry| name(entry).as_str()).collect()
-        }
-        // an entry of a list of lengths stands under the list's name
-        let base = at.rsplit_once('.').filter(|(_, n)| n.parse::<usize>().is_ok()).map_or(at, |(base, _)| base);
-        let lists = [
-            ("parameters", texts(&self.parameters, |e| &e.name)),
-            ("define", texts(&self.define, |e| &e.name)),
-            ("parts", texts(&self.parts, |e| &e.name)),
-            ("bolts", texts(&self.bolts, |e| &e.name)),
-            ("contacts", texts(&self.contacts, |e| &e.name)),
-            ("welds", texts(&self.welds, |e| &e.name)),
-            ("sections", texts(&self.sections, |e| &e.name)),
-            ("ends", texts(&self.ends, |e| &e.name)),
-            ("supports", texts(&self.supports, |e| &e.name)),
-        ];
-        let exactly = lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| *n == base)?)));
-        let filled = || lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| fills(n, at))?)));
-        exactly.or_else(filled).map(|(list, i)| format!("{list}[{i}]"))
-    }
-}
-
-/// True when `name` is `pattern` with something in place of each `{…}`.
-fn fills(pattern: &str, name: &str) -> bool {
-    match pattern.split_once('{').and_then(|(head, rest)| Some((head, rest.split_once('}')?.1))) {
-        None => pattern == name,
-        Some((head, tail)) => name.strip_prefix(head).is_some_and(|rest| {
-            rest.char_indices().skip(1).map(|(i, _)| i).chain([rest.len()]).any(|i| i > 0 && fills(tail, &rest[i..]))
-        }),
-    }
 }
 
 /// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or `.yml` or holds a

@@ -86,7 +86,8 @@ impl Catalog {
             all.min_by(|a, b| nearer(a, b)).map(|b| format!("`{}`", Entry::name(b)))
         };
         let found: Vec<String> = [side(|d, s| d < s), side(|d, s| d > s)].into_iter().flatten().collect();
-        (!found.is_empty()).then(|| format!(", the nearest {} {}", if found.len() > 1 { "are" } else { "is" }, found.join(" and ")))
+        (!found.is_empty())
+            .then(|| format!(", the nearest {} {}", if found.len() > 1 { "are" } else { "is" }, found.join(" and ")))
     }
 
     /// The bolt grade, for example `8.8`.

@@ -127,7 +127,7 @@ fn unknown_names_come_with_a_proposal() {
     for (error, expected) in [
         (catalog.profile("HEB205").err(), "profile `HEB205` is not in the catalogue, did you mean `HEB200`?"),
         (catalog.profile("IPE 36").err(), "did you mean `IPE360`?"),
-        (catalog.bolt("M19").err(), "did you mean `M1"),
+        (catalog.bolt("M19").err(), "the nearest are `M18` and `M20`"),
         (catalog.bolt_grade("8.9").err(), "did you mean `8.8`?"),
         (catalog.steel("S325").err(), "did you mean `S235`?"),
         (catalog.friction_class("E").err(), "friction class `E` is not in the catalogue"),

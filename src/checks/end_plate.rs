@@ -205,6 +205,7 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
         let e1 = (end < 4.0 * thinner + 40.0).then_some(end);
         let flange = Pattern { e1, e2: Some(0.5 * (c.section.b - e.gauge)), p1: None, p2: None, ..plate };
         out.extend(pattern_checks("column flange", &flange));
+        out.extend(overhang(e, c));
     }
     let stiffener = e.column.as_ref().map_or(0.0, |c| c.stiffener);
     let leg = |throat: f64| SQRT_2 * throat;
@@ -240,6 +241,17 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
     out.push(length);
     out.extend(stocked.map(|l| bolt_length::shank_check(&subject, b, l, grip, WASHERS)));
     out
+}
+
+/// A plate wider than the column's flange, which bears on the flange alone: allowed, but seldom meant. Nothing where it fits.
+///
+/// # Source
+/// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
+fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
+    let what = ("EN 1993-1-8:2005 Figure 6.8", "end plate no wider than the column flange, where it bears");
+    let rule = (c.section.b, format!("b_fc of {}", c.section.name));
+    let check = Check::at_most((Topic::Detailing, "end plate"), what, "b_p", rule, e.width, Status::Warning);
+    (check.status != Status::Ok).then_some(check)
 }
 
 /// Thickness of what the end plate is bolted to.

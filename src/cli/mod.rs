@@ -6,6 +6,7 @@ pub mod analysis;
 pub mod answer;
 pub mod aside;
 pub mod catalog;
+mod derived;
 pub mod doctor;
 pub mod interrupt;
 pub mod memory_limit;

@@ -2,8 +2,9 @@
 
 use super::{Common, Outcome};
 use crate::assembly::inputs::Inputs;
+use crate::assembly::origin::Origin;
 use crate::assembly::scope::Resolved;
-use crate::assembly::template::{self, Origin, Template};
+use crate::assembly::template::{self, Template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
@@ -145,12 +146,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
 }
 
 /// The text of the starter: required values stand, defaults stand in comments that can be switched on.
-pub fn starter(
-    template: &Template,
-    origin: &Origin,
-    name: &str,
-    catalog: &Catalog,
-) -> Result<String, Diagnostics> {
+pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catalog) -> Result<String, Diagnostics> {
     let spec = example(template, name);
     let wrong = |faults: Vec<crate::assembly::AssemblyError>| {
         Diagnostics(faults.into_iter().map(|f| origin.placed(template, f)).collect())
@@ -351,7 +347,9 @@ mod tests {
         std::fs::create_dir_all(at("own")).expect("writable");
         std::fs::write(at("own/t.yaml"), "x").expect("writable");
         let dots = |path: &str| at("joints").join("..").join(path);
-        for (spec, told) in [("joints/b 2/c/s.yaml", "../../../own/t.yaml"), ("own/s.yaml", "t.yaml"), ("s.yaml", "own/t.yaml")] {
+        for (spec, told) in
+            [("joints/b 2/c/s.yaml", "../../../own/t.yaml"), ("own/s.yaml", "t.yaml"), ("s.yaml", "own/t.yaml")]
+        {
             // an absolute path stays; a relative one is turned to the spec's folder
             assert_eq!(seen_from(&at("own/t.yaml"), &at(spec)), at("own/t.yaml").display().to_string());
             let relative = relative_to_here(&dots("own/t.yaml"));

@@ -158,6 +158,14 @@ impl Outcome {
         Ok(())
     }
 
+    /// The part of a mechanism's dissipation that is not that of welds; `None` where nothing dissipates.
+    fn part_of_the_bodies(&self) -> Option<f64> {
+        let Outcome::Factor(pass) = self else { return None };
+        let c = pass.upper.as_ref()?.certificate();
+        let [bodies, welds] = [&c.dissipation, &c.welds].map(|d| d.iter().sum::<f64>());
+        (bodies + welds > 0.0).then(|| bodies / (bodies + welds))
+    }
+
     /// The deformed shape with the size of the displacement as colours, or the mechanism with its dissipation.
     pub fn picture(
         &self,
@@ -187,11 +195,20 @@ impl Outcome {
                 format!("Case {}: deformed shape, {factor} times enlarged", name),
             ),
             Some(v) => {
-                (values, range) = plastic_zones(model, &dissipation_densities(model, v, limit::SUBDIVISIONS));
+                let mut densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
+                let words = match self.part_of_the_bodies() {
+                    Some(part) if part < LITTLE => {
+                        // what rounding leaves of the flow is no picture of it
+                        densities.fill(0.0);
+                        "the welds dissipate all, the parts do not flow"
+                    }
+                    _ => "coloured by its dissipation",
+                };
+                (values, range) = plastic_zones(model, &densities);
                 (
                     Field { name: "dissipation, relative", unit: "", values: &values, range },
                     format!("mechanism_{stem}.png"),
-                    format!("Case {}: mechanism of the upper bound, coloured by its dissipation", name),
+                    format!("Case {name}: mechanism of the upper bound, {words}"),
                 )
             }
         };
@@ -202,6 +219,9 @@ impl Outcome {
         Ok(Some(PictureRef { file, caption }))
     }
 }
+
+/// Part of the dissipation below which bodies do not flow beside their welds.
+const LITTLE: f64 = 1e-3;
 
 /// A round factor that draws the largest displacement as about a twentieth of the shape; `None` where nothing moves.
 fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
@@ -217,8 +237,8 @@ fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
 }
 
-/// Dissipation densities at the nodes over their mean where the mechanism dissipates, and the range of colours: a single
-/// corner with a huge density must not leave all the rest dark.
+/// Dissipation densities at the nodes over their mean where the mechanism dissipates, and the range of colours: up to the largest value
+/// drawn, but no further than the mean, for a single corner with a huge density must not leave all the rest dark.
 fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
     let mesh = &model.mesh;
     let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];
@@ -233,5 +253,8 @@ fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<
         });
     }
     let mean = if total > 0.0 { square / total } else { 1.0 };
-    (nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect(), Some([0.0, 1.0]))
+    let values: Vec<f64> = nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect();
+    let largest = values.iter().fold(0.0f64, |m, x| m.max(*x));
+    let top = if largest > 0.0 { largest.min(1.0) } else { 1.0 };
+    (values, Some([0.0, top]))
 }

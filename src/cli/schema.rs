@@ -174,7 +174,7 @@ mod tests {
             ("between: [", "betwixt: ["),
             ("toward: ", "toward: [1, 2] #"),
             ("members:", "members: 3\nx:"),
-            ("name: t_stub", "name: 7"),
+            ("name: t_stub", "name: [t_stub]"),
         ] {
             assert!(text.contains(old), "{old}");
             let wrong = text.replacen(old, new, 1);

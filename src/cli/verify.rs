@@ -1,6 +1,7 @@
 //! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and mesh alone.
 
 use super::analysis::entry_stem;
+use super::derived::{Proved, case_differences, polygon_differences};
 use super::outcome::{DEAD_FIELD, LIVE_FIELD};
 use super::{Common, Format, Outcome, out};
 use crate::adapt::limit::{self, LimitPass};
@@ -65,12 +66,18 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
     let result = ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
     let mut findings = Vec::new();
     let mut refuted = Vec::new();
+    let mut proved = Vec::new();
     for (i, case) in result.cases.iter().enumerate() {
         let stem = entry_stem(&result.cases[..i], case);
-        let (found, other) = verify_case(&args.folder, case, &stem, result.symmetry)?;
+        let (found, (other, of_case)) = verify_case(&args.folder, case, &stem, result.symmetry)?;
         findings.extend(found);
         refuted.extend(other);
+        if let Some(of_case) = of_case {
+            refuted.extend(case_differences(case, &of_case));
+            proved.extend(result.polygon.is_some().then_some(of_case));
+        }
     }
+    refuted.extend(result.polygon.iter().flat_map(|claimed| polygon_differences(claimed, &proved)));
     let confirmed = findings.iter().all(|f| f.confirmed) && refuted.is_empty();
     match common.format {
         Format::Json => {
@@ -120,13 +127,16 @@ fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
     })
 }
 
+/// Sentences for what does not agree, and what the files of a case have proved.
+type Confirmed = (Vec<String>, Option<Proved>);
+
 /// Recomputes the bounds of a case, and everything that follows from them; sentences for what does not agree.
 fn verify_case(
     folder: &Path,
     case: &CaseResult,
     stem: &str,
     symmetry: u32,
-) -> Result<(Vec<Finding>, Vec<String>), Diagnostics> {
+) -> Result<(Vec<Finding>, Confirmed), Diagnostics> {
     let own = folder.join(format!("model_{stem}.yaml"));
     let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
     // where the better lower bound is of another mesh, that stands beside its field
@@ -135,6 +145,7 @@ fn verify_case(
     let mut refuted = Vec::new();
     let mut findings = Vec::new();
     let mut found: Option<CaseResult> = None;
+    let (mut mechanism, mut carried) = (None, None);
     let sides = match &other {
         None => vec![(&model, [true, true])],
         Some(other) => vec![(&model, [true, false]), (other, [false, true])],
@@ -145,8 +156,23 @@ fn verify_case(
         }
         let scene = Scene { model, case, folder, stem, wanted };
         let (new, entry) = match model.analysis {
-            AnalysisKind::Limit => scene.factors(&mut refuted)?,
-            _ => scene.energies(&mut refuted)?,
+            AnalysisKind::Limit => {
+                let (new, entry, pass) = scene.factors(&mut refuted)?;
+                let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
+                mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
+                let (stress, bound) = match case.problem {
+                    Problem::Coulomb => (pass.frictionless_stress, pass.frictionless),
+                    _ => (pass.stress, pass.lower),
+                };
+                let factor = bound.map(|b| b.certificate().factor);
+                carried = stress.zip(factor).map(|(s, f)| (model.clone(), s, f)).or(carried);
+                (new, entry)
+            }
+            _ => {
+                let (new, entry, pass) = scene.energies(&mut refuted)?;
+                carried = pass.stress.map(|s| (model.clone(), s, 1.0)).or(carried);
+                (new, entry)
+            }
         };
         findings.extend(new);
         found = Some(match found {
@@ -160,9 +186,9 @@ fn verify_case(
             },
         });
     }
-    let Some(found) = found else { return Ok((findings, refuted)) };
-    refuted.extend(derived_differences(case, &found));
-    Ok((findings, refuted))
+    let Some(entry) = found else { return Ok((findings, (refuted, None))) };
+    refuted.extend(derived_differences(case, &entry));
+    Ok((findings, (refuted, Some(Proved { entry, model, mechanism, stress: carried }))))
 }
 
 /// A case of a result folder.
@@ -181,7 +207,7 @@ impl Scene<'_> {
     }
 
     /// The bounds of the energy, and the entry they make.
-    fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
+    fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult, Pass), Diagnostics> {
         let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let yields = given.analysis == AnalysisKind::Elastoplastic;
@@ -256,11 +282,12 @@ impl Scene<'_> {
                 Err(e) => refuted.push(format!("{}: {e}", case.name)),
             }
         }
-        Ok((findings, case_result(&case.name, given, &pass, None)))
+        let entry = case_result(&case.name, given, &pass, None);
+        Ok((findings, entry, pass))
     }
 
     /// The bounds of the load factor, and the entry they make.
-    fn factors(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult), Diagnostics> {
+    fn factors(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult, LimitPass), Diagnostics> {
         let Self { model, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let coulomb = case.problem == Problem::Coulomb;
@@ -323,7 +350,7 @@ impl Scene<'_> {
         if let Some(Upper::Unbounded(_)) = case.upper {
             found.upper = case.upper;
         }
-        Ok((findings, found))
+        Ok((findings, found, pass))
     }
 
     /// The upper bound of stored velocities.

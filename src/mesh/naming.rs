@@ -288,7 +288,7 @@ fn triangles_on(
 }
 
 /// Where a surface was looked for, in words.
-fn looked_for(surface: &Surface) -> String {
+pub(super) fn looked_for(surface: &Surface) -> String {
     let mm = |x: f64| (1e3 * x).round() / 1e3;
     match surface {
         Surface::Plane { axis, at, min, max } => {

@@ -467,4 +467,4 @@ pub fn input_hash(pieces: &[(&str, &[u8])]) -> String {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -1,7 +1,7 @@
 //! What a load case demands, and what the joint can carry of it.
 
 use super::data::{CaseResult, Problem, ResultFile, Upper};
-use super::figures::bracket;
+use super::figures::{Rounding, bracket, significant};
 use super::page::Table;
 use super::text::{inline, strings, table};
 use crate::checks::verdict::Verdict;
@@ -122,6 +122,10 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
         let (lower, upper) = case.safe_bounds();
         for a in &demand.actions {
             let (value, unit) = a.value.shown();
+            let size = |factor: f64, rounding| {
+                let sign = if value < 0.0 { "−" } else { "" };
+                format!("{sign}{}", significant(factor * value.abs(), 3, rounding))
+            };
             let (low, high) = match (lower, upper) {
                 (Some(l), Some(u)) if a.factored && value != 0.0 => {
                     let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
@@ -129,6 +133,11 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
                     (format!("{sign}{l}"), format!("{sign}{u}"))
                 }
                 _ if !a.factored => ("fixed".into(), "fixed".into()),
+                // one side alone says in words which it is
+                (Some(l), None) if value != 0.0 => {
+                    (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
+                }
+                (None, Some(u)) if value != 0.0 => ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up))),
                 _ => ("–".into(), "–".into()),
             };
             let place = format!("{} at {}", a.end, a.at);
@@ -160,5 +169,34 @@ mod tests {
         assert_eq!(verdict(&HandChecks::default(), 1.1, 1.2), Verdict::Ok);
         assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
         assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
+    }
+
+    /// Where one bound is missing the other is told, with its side in words.
+    #[test]
+    fn one_bound_alone_is_told_as_what_it_is() {
+        let action = |value| EndAction {
+            end: "beam_right".into(),
+            at: "node".into(),
+            action: "My".into(),
+            value: ActionValue::Moment(value),
+            factored: true,
+        };
+        let text = |lower: Option<f64>, upper: Option<f64>| {
+            let mut case = crate::report::data::tests::case();
+            (case.problem, case.lower, case.upper) = (Problem::Frictionless, lower, upper.map(Upper::Finite));
+            let actions = vec![action(40e6), action(-10e6)];
+            case.demand = Some(Demand::new((lower, upper), actions, &HandChecks::default(), "TOP"));
+            let mut result = ResultFile::new("", 1, Verdict::Undecided);
+            result.cases.push(case);
+            let mut page = String::new();
+            demands(&mut page, &result);
+            page
+        };
+        let page = text(None, Some(1.2));
+        assert!(page.contains("| – | at most 48.1 |") && page.contains("| – | at most −12.1 |"), "{page}");
+        let page = text(Some(0.8), None);
+        assert!(page.contains("| at least 31.9 | – |") && page.contains("| at least −7.99 | – |"), "{page}");
+        let page = text(None, None);
+        assert!(page.contains("| – | – |"), "{page}");
     }
 }

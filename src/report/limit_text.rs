@@ -17,6 +17,21 @@ pub(super) fn collapse(page: &mut String, case: &CaseResult) {
             ),
         );
     }
+    if let (Some(load), None, Some(Upper::Finite(upper))) = (case.load, case.lower, case.upper)
+        && upper > 0.0
+    {
+        let most = significant((upper * load.value() * load.scale()).next_up(), 4, Rounding::Up);
+        let word = if is_strict(case) { "is" } else { "is estimated as" };
+        let unit = load.unit();
+        paragraph(
+            page,
+            &format!(
+                "The given load of the whole structure is {}; the load at collapse {word} at most {most} {unit}: how much of it is carried \
+                 at least is not known.",
+                load.words()
+            ),
+        );
+    }
     if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
         let low = significant(lower, 4, Rounding::Down);
         // the associated model is stronger than the Coulomb structure it may stand for

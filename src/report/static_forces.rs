@@ -38,6 +38,20 @@ pub struct BoltForce {
     pub tension: f64,
     /// Shear \[N\].
     pub shear: f64,
+    /// Where the bolt is; results of earlier versions do not tell it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place: Option<BoltPlace>,
+}
+
+/// Where a bolt is, and which part its force is taken from: enough to find its force again in the field.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoltPlace {
+    /// The part under its nut.
+    pub under: String,
+    /// Unit vector from head to nut.
+    pub axis: [f64; 3],
+    /// Centre of the head's bearing face \[mm\].
+    pub position: [f64; 3],
 }
 
 /// Compression between two parts of the meshed part.
@@ -82,7 +96,8 @@ pub fn static_forces(
         }
         let tension = vec3::dot(force, line.axis);
         let shear = vec3::norm(vec3::along(force, -tension, line.axis));
-        Some(BoltForce { bolt: line.part.clone(), tension, shear })
+        let place = BoltPlace { under: line.last.clone(), axis: line.axis, position: line.position };
+        Some(BoltForce { bolt: line.part.clone(), tension, shear, place: Some(place) })
     });
     let is_bolt = |name: &String| lines.iter().any(|l| l.part == *name);
     let contacts = found.iter().filter_map(|c| {

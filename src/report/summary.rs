@@ -118,6 +118,27 @@ mod tests {
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("**FAILED**") && !page.contains("**0.9**"), "{page}");
+        // a throat below its least is told, one above it does not compete however near it is
+        result.checks.pop();
+        let throat = |a: f64, case: &str| {
+            let what = ((Topic::Welds, "beam web"), ("4.5.2", "least throat"));
+            Check::at_least(what.0, what.1, "a", (3.0, "3 mm"), a, Status::Failed).of_case(case)
+        };
+        result.checks.push(throat(3.1, "ULS1"));
+        let mut page = String::new();
+        table_of_checks(&mut page, &result);
+        let line = |words: &str| page.lines().find(|l| l.contains(words)).unwrap_or_default().to_owned();
+        assert!(line("least throat").contains("0.9677") && !line("least throat").contains("**"), "{page}");
+        assert!(page.contains("**0.9**"), "{page}");
+        result.checks.push(throat(2.9, "ULS2"));
+        let mut page = String::new();
+        table_of_checks(&mut page, &result);
+        assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
+        // information that holds says so in the word of the other checks
+        result.checks.push(check(Topic::ComponentMethod, 0.5, Status::Warning));
+        let mut page = String::new();
+        table_of_checks(&mut page, &result);
+        assert!(page.contains("OK, information") && !page.contains("holds"), "{page}");
         // without a load nothing is a demand
         result.checks.iter_mut().for_each(|c| c.case = None);
         let mut page = String::new();

@@ -10,6 +10,7 @@ use super::preload_text::preload_words;
 use super::{checks_text, comparison, joint_stiffness, polygon, static_forces, summary};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::verdict::Verdict;
+use crate::checks::{Status, Topic};
 use crate::model::file::AnalysisKind;
 
 /// The text of `report.md`, the same for the same data.
@@ -314,7 +315,9 @@ fn raw_bracket(raw: RawBracket) -> String {
 
 fn warnings(page: &mut String, data: &ReportData) {
     let of_cases = data.result.cases.iter().flat_map(|c| c.warnings.iter().map(move |w| format!("{}: {w}", c.name)));
-    let all: Vec<String> = data.result.warnings.iter().cloned().chain(of_cases).collect();
+    let detailing = data.result.checks.iter().filter(|c| c.topic == Topic::Detailing && c.status == Status::Warning);
+    let detailing = detailing.map(|c| format!("detailing: {}", c.sentence()));
+    let all: Vec<String> = data.result.warnings.iter().cloned().chain(detailing).chain(of_cases).collect();
     if !all.is_empty() {
         heading(page, "Warnings");
         for warning in all {

@@ -57,7 +57,11 @@ fn tab(text: &str, file: &Path) -> Option<Diagnostic> {
     });
     let (line, column) = at?;
     let d = Diagnostic::input("yaml/tab", format!("line {line} is indented with a tab, which YAML does not allow"));
-    Some(d.file(file).at(line, column).help("indent with blanks, two a level; many editors can replace all tabs at once"))
+    Some(
+        d.file(file)
+            .at(line, column)
+            .help("indent with blanks, two a level; many editors can replace all tabs at once"),
+    )
 }
 
 /// Writes a value as a YAML document.

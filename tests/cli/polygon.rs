@@ -52,6 +52,41 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     assert!(bench.read("joint/polygon.svg").contains("N [kN]"));
     let (out, _) = expect(&bench, &["verify", "joint"], 0);
     assert!(out.contains("polygon_90"), "{out}");
+    refutes_every_change(&bench, &result);
+}
+
+/// One number of the polygon after the other, changed: `verify` finds it in the stored mechanisms and models.
+fn refutes_every_change(bench: &Bench, result: &Value) {
+    let scale = |v: &mut Value| *v = (v.as_f64().expect("a number") * 1.001).into();
+    let write =
+        |value: &Value| std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}")).expect("written");
+    for (pointer, words) in [
+        ("/inner/0/0", "inner is not the hull"),
+        ("/outer/1/0", "outer is not the intersection"),
+        ("/points/0/lower", "is not the bound of its case"),
+        ("/points/2/upper", "is not the bound of its case"),
+        ("/points/1/half_plane/normal/1", "half_plane is not what the mechanism bounds"),
+        ("/points/3/half_plane/offset", "half_plane is not what the mechanism bounds"),
+        ("/axes/0/unit/moment", "the unit of My"),
+        ("/axes/1/unit/force", "the unit of N"),
+        ("/points/1/direction/1", "the cases of its two axes"),
+        ("/points/2/direction/0", "not loaded in its direction"),
+    ] {
+        let mut changed = result.clone();
+        scale(changed.pointer_mut(&format!("/polygon{pointer}")).unwrap_or_else(|| panic!("no {pointer}")));
+        write(&changed);
+        let (out, _) = expect(bench, &["verify", "joint"], 1);
+        assert!(out.contains("REFUTED: polygon") && out.contains(words), "{pointer}: {out}");
+    }
+    let mut changed = result.clone();
+    changed["polygon"]["outer_bounded"] = false.into();
+    changed["polygon"]["inner"].as_array_mut().expect("corners").pop();
+    changed["polygon"]["points"][0]["case"] = "polygon_45".into();
+    write(&changed);
+    let (out, _) = expect(bench, &["verify", "joint"], 1);
+    assert!(out.contains("REFUTED: polygon"), "{out}");
+    write(result);
+    expect(bench, &["verify", "joint"], 0);
 }
 
 #[test]

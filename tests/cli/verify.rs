@@ -137,3 +137,52 @@ fn what_is_missing_or_torn_is_named() {
     let (_, err) = expect(&bench, &["verify", "nowhere"], 2);
     assert!(err.contains("nowhere") && err.contains("help: "), "{err}");
 }
+
+/// A splice under one moment: bolts, contact between the plates, a stiffness.
+const SPLICE: &str = "\
+template: beam_splice
+members: {beam: {profile: IPE200, steel: S235}}
+plate: {thickness: 15, width: 160}
+bolts: {size: M16, grade: \"8.8\", rows: [-50, 50]}
+friction: {mu: 0.3, law: associated}
+loads: [{name: ULS1, end: beam_right, at: bolt_plane, My: 10 kN m}]
+analysis: {kind: elastic, max_passes: 1}
+";
+
+#[test]
+fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
+    let bench = Bench::new().file("joint.yaml", SPLICE);
+    expect(&bench, &["run", "joint.yaml", "--size-factor", "4", "-q"], 0);
+    let (out, _) = expect(&bench, &["verify", "joint"], 0);
+    assert!(!out.contains("REFUTED"), "{out}");
+    let result: Value = serde_json::from_str(&bench.read("joint/result.json")).expect("JSON");
+    let write = |value: &Value| {
+        std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}")).expect("written");
+    };
+    for (pointer, words) in [
+        ("/joint_stiffness/lower", "joint_stiffness is not what"),
+        ("/joint_stiffness/upper", "joint_stiffness is not what"),
+        ("/joint_stiffness/rotation/0", "joint_stiffness is not what"),
+        ("/joint_stiffness/moment", "joint_stiffness is not what"),
+        ("/static_forces/bolts/0/tension", "the forces of bolt"),
+        ("/static_forces/bolts/1/shear", "the forces of bolt"),
+        ("/static_forces/contacts/0/compression", "the compression between the parts"),
+        ("/static_forces/contacts/0/centre/2", "the compression between the parts"),
+        ("/static_forces/load_factor", "the load factor is not that of the stress"),
+    ] {
+        let mut changed = result.clone();
+        let value = changed.pointer_mut(&format!("/cases/0{pointer}")).unwrap_or_else(|| panic!("no {pointer}"));
+        // a shear that is all but nothing beside the tension still counts
+        *value = (value.as_f64().expect("a number") * 1.001 + 1e-3).into();
+        write(&changed);
+        let (out, _) = expect(&bench, &["verify", "joint"], 1);
+        assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
+    }
+    // a result of an earlier version does not tell where its bolts are
+    let mut older = result.clone();
+    for bolt in older["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
+        bolt.as_object_mut().expect("a bolt").remove("place").expect("its place");
+    }
+    write(&older);
+    expect(&bench, &["verify", "joint"], 0);
+}

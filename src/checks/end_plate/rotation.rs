@@ -133,6 +133,49 @@ impl JointStiffness {
     }
 }
 
+impl JointStiffness {
+    /// The same joint under `total` and a bracket of the rotation that have been recomputed; what is not of the analysis, the beam's
+    /// rotation and flexural stiffness and the component method, stays as it was told. Without the class at the beam's own length, for the
+    /// length is not told.
+    pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
+        let flexural = self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
+        let each = self.ends.iter().map(|end| PureMoment {
+            case: String::new(),
+            end: end.clone(),
+            moment: self.moment,
+            beam_rotation: self.beam_rotation,
+            flexural,
+            system_length: None,
+            column: !self.classes.is_empty(),
+            bends_column: self.contains_column,
+            component_method: self.component_method,
+        });
+        let each: Vec<PureMoment> = each.collect();
+        Self::new(&each.iter().collect::<Vec<_>>(), total, rotation)
+    }
+
+    /// Whether two of them tell the same, the class at the beam's own length apart, where `near` says when two numbers are the same.
+    pub fn agrees(&self, other: &Self, near: impl Fn(f64, f64) -> bool) -> bool {
+        let open = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            (Some(a), Some(b)) => near(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let class = |(a, b): (&FrameClass, &FrameClass)| {
+            a.frame == b.frame
+                && near(a.rigid_from, b.rigid_from)
+                && open(a.not_rigid_below, b.not_rigid_below)
+                && open(a.pinned_to, b.pinned_to)
+        };
+        self.ends == other.ends
+            && near(self.moment, other.moment)
+            && (0..2).all(|i| near(self.rotation[i], other.rotation[i]))
+            && near(self.lower, other.lower)
+            && open(self.upper, other.upper)
+            && self.classes.len() == other.classes.len()
+            && self.classes.iter().zip(&other.classes).all(class)
+    }
+}
+
 impl FrameClass {
     /// Lengths at which E I_b/L_b meets the boundaries of 5.2.2.5(1), and the class at the beam's own length.
     fn new(frame: Frame, m: &PureMoment, lower: f64, upper: Option<f64>) -> Self {
@@ -189,6 +232,39 @@ mod tests {
         assert_eq!(at(30e3), Some([StiffnessClass::SemiRigid, StiffnessClass::Rigid]));
         assert_eq!(at(990.0), Some([StiffnessClass::NominallyPinned; 2]));
         assert_eq!(at(2000.0), Some([StiffnessClass::NominallyPinned, StiffnessClass::SemiRigid]));
+    }
+
+    /// What a result tells is found again from its own moment and rotation, and every number of it that is changed is not.
+    #[test]
+    fn a_stiffness_is_found_again_and_every_change_is_seen() {
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
+        let phi = [3e-3, 6e-3];
+        let told = JointStiffness::new(&[&moment("r")], 1e6, phi).expect("one moment");
+        let found = |s: &JointStiffness| s.again(1e6, phi).is_some_and(|a| a.agrees(s, close));
+        assert!(found(&told));
+        let more = |x: &mut f64| *x *= 1.001;
+        type Change<'a> = &'a dyn Fn(&mut JointStiffness);
+        let changes: [Change<'_>; 12] = [
+            &|s| more(&mut s.moment),
+            &|s| more(&mut s.rotation[0]),
+            &|s| more(&mut s.rotation[1]),
+            &|s| more(&mut s.beam_rotation),
+            &|s| more(&mut s.lower),
+            &|s| s.upper.iter_mut().for_each(more),
+            &|s| s.upper = None,
+            &|s| more(&mut s.classes[0].rigid_from),
+            &|s| more(&mut s.classes[1].rigid_from),
+            &|s| s.classes[0].not_rigid_below.iter_mut().for_each(more),
+            &|s| s.classes[1].pinned_to.iter_mut().for_each(more),
+            &|s| s.classes.truncate(1),
+        ];
+        for (i, change) in changes.iter().enumerate() {
+            let mut other = told.clone();
+            change(&mut other);
+            assert!(!found(&other), "change {i}: {other:?}");
+        }
+        assert!(!told.again(1e6, [3e-3, 6.001e-3]).is_some_and(|a| a.agrees(&told, close)), "another bracket");
+        assert!(told.again(2e6, phi).is_none(), "another load");
     }
 
     /// A rotation that may be the beam's alone has no upper bound of the stiffness; one that is below it gives none at all.

@@ -401,3 +401,27 @@ fn clause_6_2_6_1_a_doubler_counts_or_is_told() {
     let counts = checks(&joint("doubler: true", load));
     assert!((area(&counts) - area(&bare) - 134.0 * 9.0).abs() < 1e-9 && counts.notes.is_empty());
 }
+
+/// A plate wider than the column's flange is told with both numbers; columns of bolts outside of the flange are refused before.
+#[test]
+fn a_plate_wider_than_the_flange_is_a_warning_and_bolts_beside_it_an_error() {
+    let load = "{name: ULS1, end: beam_right, at: column_face, My: 40 kN m}";
+    let wide = |width: &str, gauge: &str| {
+        joint("", load)
+            .replace("{thickness: 15}", &format!("{{thickness: 15, width: {width}}}"))
+            .replace("rows:", &format!("gauge: {gauge}, rows:"))
+    };
+    let title = "end plate no wider than the column flange, where it bears";
+    let h = checks(&wide("250", "110"));
+    let check = find(&h, "end plate", title);
+    assert_eq!((check.status, check.demand, check.resistance), (Status::Warning, Some(250.0), Some(200.0)));
+    assert!(check.formula.contains("b_p = 250 mm > b_fc of HEB200 = 200 mm"), "{}", check.formula);
+    assert!(!h.failed(), "{h:#?}");
+    let h = checks(&wide("200", "110"));
+    assert!(h.checks.iter().all(|c| c.title != title));
+    let d = of_spec(&wide("300", "220"), std::path::Path::new(".")).expect_err("bolts beside the flange").0.remove(0);
+    assert_eq!((d.code, d.place.path.as_deref()), ("spec/rule", Some("bolts.gauge")));
+    for words in ["gauge 220 mm", "300 mm wide", "column flange (200 mm wide)"] {
+        assert!(d.message.contains(words), "{d:#?}");
+    }
+}

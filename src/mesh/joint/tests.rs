@@ -1,6 +1,7 @@
 //! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with fake mesher scripts.
 
 use super::*;
+use crate::assembly::joint::Surface;
 use crate::diag::Diagnostic;
 use crate::geometry::fixtures::{lap_joint, move_part, paper_joint};
 
@@ -110,6 +111,30 @@ fn step_file_holds_every_part_as_a_solid() {
     assert_eq!(text.matches("MANIFOLD_SOLID_BREP").count(), 3);
     assert!(text.contains("CYLINDRICAL_SURFACE"), "true circles");
     assert!(text.contains(".MILLI."), "millimetres");
+}
+
+/// A face beside its part is told with where it was looked for and where the part is.
+#[test]
+fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
+    let mut joint = lap_joint();
+    let face = joint.faces.first_mut().expect("a face");
+    let Surface::Plane { at, .. } = &mut face.surface else { panic!("a plane") };
+    *at += 7.25;
+    let (name, part, plane) =
+        (face.name.clone(), face.part.clone(), format!("on the plane x = {at} mm, y from -30 to 30 mm"));
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let faults =
+        mesh_joint(&joint, &MeshOptions::new(dir.path()), &mut |_| {}).expect_err("the face is beside its part");
+    let d = faults.0.iter().find(|d| d.code == "mesh/face-empty").unwrap_or_else(|| panic!("{faults:#?}"));
+    for words in [&name, &part, &plane] {
+        assert!(d.message.contains(words), "{words}: {}", d.message);
+    }
+    let help = d.help.as_deref().unwrap_or_default();
+    assert!(help.contains("the part reaches x from ") && help.contains("move the face"), "{help}");
+    // a mantle in its own words
+    let mantle = Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
+    let told = crate::mesh::naming::looked_for(&mantle);
+    assert_eq!(told, "on the cylinder of radius 9 mm from (1, 2, 3) mm along (0, 0, 1), 40 mm long");
 }
 
 #[test]

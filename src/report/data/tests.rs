@@ -1,6 +1,6 @@
 use super::*;
 
-fn case() -> CaseResult {
+pub(crate) fn case() -> CaseResult {
     CaseResult {
         name: "TOP".into(),
         analysis: AnalysisKind::Elastic,

@@ -48,7 +48,8 @@ impl Outline {
                 for (key, value) in entries {
                     let at = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
                     if matches!(value, Outline::Nothing) && is_half_a_number(key) {
-                        let message = format!("the comma before `{key}` ends an entry, and `{key}` becomes a key of its own");
+                        let message =
+                            format!("the comma before `{key}` ends an entry, and `{key}` becomes a key of its own");
                         let mut d = Diagnostic::input("yaml/comma", message);
                         d.place = index.place(&at);
                         faults.push(d.help("a number has a point before its decimals: `20.5 mm`, not `20,5 mm`"));
