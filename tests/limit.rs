@@ -6,6 +6,8 @@ mod bracketed;
 #[path = "limit/certified.rs"]
 mod certified;
 mod common;
+#[path = "limit/coulomb.rs"]
+mod coulomb;
 #[path = "limit/exact.rs"]
 mod exact;
 #[path = "limit/hard.rs"]

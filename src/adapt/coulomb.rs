@@ -12,10 +12,12 @@ use crate::bounds::bracket::UpperBound;
 use crate::bounds::certificate::certify_displacement;
 use crate::bounds::fields::DisplacementField;
 use crate::bounds::recover::{self, RecoverError};
+use crate::math::Sum;
 use crate::math::vec3::{self, V3};
 use crate::model::dofs::DofMap;
 use crate::model::file::Bounds;
 use crate::model::holds::ModelError;
+use crate::model::kinematic::ControlPoint;
 use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, ConicProgram, Kinematic, Static};
 use crate::solve::{Patterns, Solution};
@@ -27,6 +29,11 @@ use std::time::Instant;
 pub const TOLERANCE: f64 = 1e-3;
 /// Problems solved at most.
 const MOST_SOLVES: usize = 60;
+/// The same in limit analysis, where a problem costs many times more and its answer is an estimate: the slips change by less than
+/// this part of the largest, or what is missing to Coulomb's law dissipates less than this part of the load factor.
+const LIMIT_TOLERANCE: [f64; 2] = [1e-2, 1e-3];
+/// Problems of limit analysis at most.
+const MOST_LIMIT_SOLVES: usize = 10;
 /// A contact point whose pressure is below this part of the largest is open: its slip means nothing.
 const PRESSED: f64 = 1e-6;
 /// Changes below this part of the largest displacement are the solver's noise.
@@ -42,6 +49,9 @@ pub struct FixedPointRun {
     /// Part of the change that a plain step leaves, where two of them show it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contraction: Option<f64>,
+    /// Limit analysis: `∫ r_N |s − μ‖g_T‖|`, what the last shift misses Coulomb's law by, part of the load factor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub missing: Option<f64>,
 }
 
 /// Where the fixed point of a program has come to.
@@ -77,14 +87,30 @@ struct State {
 impl Slips {
     /// Of a program whose cones are not shifted yet; it starts with the shift that another one with the same contacts ended with.
     pub(super) fn new(kinematic: &Kinematic, start: Option<&Slid>) -> Self {
-        let (program, points) = (&kinematic.program, kinematic.points.len());
+        let points = kinematic.points.len();
         let (values, run) = match start {
             Some(slid) => (slid.values.clone(), slid.run.clone()),
             None => (vec![0.0; points], FixedPointRun::default()),
         };
+        Self::with(kinematic, FixedPoint::starting_at(values), run)
+    }
+
+    /// Of a program of limit analysis; it starts after the problem with associated friction, which has these velocities.
+    pub(super) fn after(model: &AnalysisModel, kinematic: &Kinematic, velocities: Option<&[V3]>) -> Self {
+        let mut fixed_point = FixedPoint::new(kinematic.points.len());
+        if let Some(u) = velocities {
+            let all = vec![true; kinematic.points.len()];
+            fixed_point.image(&slips(model, kinematic, u), &all);
+            fixed_point.step(&all);
+        }
+        Self::with(kinematic, fixed_point, FixedPointRun::default())
+    }
+
+    fn with(kinematic: &Kinematic, fixed_point: FixedPoint, run: FixedPointRun) -> Self {
+        let program = &kinematic.program;
         let earlier = run.solves;
-        let state = State { fixed_point: FixedPoint::starting_at(values), run, earlier, converged: false };
-        let rows = program.cone_starts().into_iter().take(points).collect();
+        let state = State { fixed_point, run, earlier, converged: false };
+        let rows = program.cone_starts().into_iter().take(kinematic.points.len()).collect();
         Self { offsets: program.h.clone(), rows, state: Mutex::new(state) }
     }
 
@@ -106,18 +132,18 @@ impl Slips {
 
     /// What to solve after this solution; `None`: it was the last.
     pub(super) fn another(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution) -> Option<Another> {
-        let points = &of.points;
         let u: Vec<V3> = of.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-        let image: Vec<f64> = points
-            .iter()
-            .map(|p| if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(&u) } else { 0.0 })
-            .collect();
+        let image = slips(model, of, &u);
         let force: Vec<f64> = self.rows.iter().map(|r| solution.z[*r]).collect();
         let largest = force.iter().fold(0.0, |m: f64, f| m.max(*f));
         let pressed: Vec<bool> = force.iter().map(|f| *f > PRESSED * largest).collect();
         let shift = image.iter().zip(&pressed).filter(|(_, p)| **p).fold(0.0, |m: f64, (s, _)| m.max(*s));
         let moved = u.iter().fold(0.0, |m: f64, u| m.max(vec3::norm(*u)));
         let mut state = self.state();
+        let missing = load_factor(of, solution).map(|factor| {
+            let points = force.iter().zip(image.iter().zip(state.fixed_point.point()));
+            Sum::of(points.map(|(f, (g, s))| f * (g - s).abs())) / factor.abs().max(f64::MIN_POSITIVE)
+        });
         let change = state.fixed_point.image(&image, &pressed);
         // the first that was measured
         let contraction = state.run.contraction.or(state.fixed_point.contraction());
@@ -128,14 +154,32 @@ impl Slips {
             solves: state.earlier + solves,
             change: if change > NOISE * moved { change / shift.max(change) } else { 0.0 },
             contraction,
+            missing,
         };
-        state.converged = change <= TOLERANCE * (1.0 - slow) * shift || change <= NOISE * moved;
-        if state.converged || solves >= MOST_SOLVES {
+        let (tolerance, most) = match missing {
+            Some(_) => (LIMIT_TOLERANCE[0], MOST_LIMIT_SOLVES),
+            None => (TOLERANCE, MOST_SOLVES),
+        };
+        state.converged = change <= tolerance * (1.0 - slow) * shift
+            || change <= NOISE * moved
+            || missing.is_some_and(|m| m <= LIMIT_TOLERANCE[1]);
+        if state.converged || solves >= most {
             return None;
         }
         state.fixed_point.step(&pressed);
         let offsets = self.at(state.fixed_point.point());
         Some(Another { offsets, number: state.run.solves, change: state.run.change })
+    }
+
+    /// `∫ μ r_N ‖g_T‖` of a solution, the power of friction without dilation.
+    pub(super) fn friction(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution, u: &[V3]) -> f64 {
+        Sum::of(self.rows.iter().zip(slips(model, of, u)).map(|(r, slip)| solution.z[*r] * slip))
+    }
+
+    /// How it went, and whether it has come to a fixed point.
+    pub(super) fn ended(&self) -> (FixedPointRun, bool) {
+        let state = self.state();
+        (state.run.clone(), state.converged)
     }
 
     /// Where it has come to; an error where that is no fixed point.
@@ -147,6 +191,17 @@ impl Slips {
         let values = state.fixed_point.point().to_vec();
         Ok(Slid { shift: of.cone_shift(model, &values), values, run: state.run.clone() })
     }
+}
+
+/// `μ‖g_T‖` of nodal values at the contact points with Coulomb's law, zero at the others.
+fn slips(model: &AnalysisModel, of: &Kinematic, u: &[V3]) -> Vec<f64> {
+    let slip = |p: &ControlPoint| if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(u) } else { 0.0 };
+    of.points.iter().map(slip).collect()
+}
+
+/// The load factor of a program of limit analysis, the multiplier of the unit power; `None`: another kind.
+fn load_factor(of: &Kinematic, solution: &Solution) -> Option<f64> {
+    solution.x.last().copied().filter(|_| !of.program.live.is_empty())
 }
 
 impl Slid {

@@ -1,5 +1,6 @@
 //! One pass of limit analysis: both programs on one mesh, their strict bounds of the load factor.
 
+use super::coulomb_limit::{self, CoulombEstimate};
 use super::pass::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, check_identity, runs};
 use super::problem::{Problem, Program};
 use super::words;
@@ -24,6 +25,9 @@ use std::time::Instant;
 
 /// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who repeats the certificate.
 pub const SUBDIVISIONS: u32 = 1;
+
+/// How far an estimate may be beyond a bound, part of both: what the fixed point leaves open, and the solver.
+const OPEN: f64 = 5e-3;
 
 /// The kinematic program of limit analysis.
 struct Collapse(Kinematic);
@@ -61,6 +65,8 @@ pub struct LimitPass {
     /// The lower bound without friction and the upper one with associated friction: the bracket of the structure under
     /// Coulomb's law.
     pub coulomb: Option<FactorBracket>,
+    /// What a fixed point finds for Coulomb's law, where the model asks for it.
+    pub coulomb_estimate: Option<CoulombEstimate>,
     /// A stress field that proves that the load factor has no limit. No program was solved then.
     pub unlimited: Option<Unlimited>,
     /// A mechanism at zero load. No program was solved then; `lower` is zero, from no stress at all or that of the dead loads.
@@ -104,6 +110,22 @@ impl LimitPass {
         }
         self.contributions = Some(c);
         Ok(())
+    }
+
+    /// An estimate that passes a bound of the structure under Coulomb's law by more than the fixed point leaves open is none.
+    fn inside_bounds(&self, found: CoulombEstimate) -> CoulombEstimate {
+        let Some(factor) = found.factor else { return found };
+        let (low, up) =
+            (self.frictionless.as_ref().map(LowerFactor::value), self.upper.as_ref().map(UpperFactor::value));
+        let open = OPEN * low.into_iter().chain(up).chain([factor]).fold(0.0, |m: f64, x| m.max(x.abs()));
+        let beyond = low.filter(|l| factor < l - open).or(up.filter(|u| factor > u + open));
+        match beyond {
+            Some(bound) => {
+                let trouble = format!("it ended at {factor:.4}, beyond the bound {bound:.4}");
+                CoulombEstimate { factor: None, trouble: Some(trouble), ..found }
+            }
+            None => found,
+        }
     }
 
     /// The lower bound of the model without friction; what holds it down.
@@ -205,19 +227,28 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
     if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
         pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
     }
+    let rest = || {
+        let mut options = options.clone();
+        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+        options
+    };
     if wants_frictionless && !options.solve.interrupted() {
         match resolve::without_friction(model) {
             Ok(smooth) => {
-                let mut options = options.clone();
-                options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
-                let held = pass.add_frictionless(&smooth, &options, progress)?;
+                let held = pass.add_frictionless(&smooth, &rest(), progress)?;
                 if model.has_coulomb() && held.is_some() {
                     pass.held = held;
                 }
             }
             Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
         }
+    }
+    // there is nothing to estimate where the problem with associated friction has no answer
+    let failed = pass.kinematic.is_some() && pass.velocity.is_none();
+    if model.coulomb_estimate && model.has_coulomb_friction() && !failed && !options.solve.interrupted() {
+        let found = coulomb_limit::estimate(model, pass.velocity.as_ref(), &rest(), progress)?;
+        pass.coulomb_estimate = Some(pass.inside_bounds(found));
     }
     pass.add_contributions(model)?;
     Ok(pass)

@@ -1,6 +1,7 @@
 //! Passes of dual analysis over meshes, and which mesh comes next.
 
 pub mod coulomb;
+pub mod coulomb_limit;
 pub mod fixed_point;
 pub mod limit;
 pub mod memory;

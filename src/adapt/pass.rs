@@ -178,6 +178,8 @@ pub enum Event<'a> {
     Certify,
     /// The static program of limit analysis is solved once more, every friction coefficient zero.
     Frictionless,
+    /// Limit analysis: the fixed point for Coulomb's law begins.
+    Coulomb,
     /// It is solved once more with a yield condition on so many tets.
     Yielding {
         /// Tets with a yield condition.

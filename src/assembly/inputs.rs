@@ -8,7 +8,9 @@ use super::scope::{Given, Resolved, Scope, path_of};
 use super::template::{Parameter, ParameterKind, Template};
 use crate::catalog::{self, BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
 use crate::diag::did_you_mean;
-use crate::spec::connection::{ConnectionSpec, FySource, MeshSize, ParameterValue, PreloadSpec};
+use crate::spec::connection::{
+    AnalysisKind, ConnectionSpec, FrictionLaw, FySource, MeshSize, ParameterValue, PreloadSpec,
+};
 use crate::spec::expr::Value;
 use crate::units::{self, Length};
 use std::collections::BTreeMap;
@@ -120,6 +122,7 @@ impl<'a> Inputs<'a> {
             });
         }
         numbers(spec, &mut faults);
+        coulomb_estimate(spec, mu, &mut faults);
         loads(spec, template, &mut faults);
         let given = given(spec, template, &mut faults);
         if faults.is_empty() {
@@ -357,6 +360,29 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
             help: "keep one of them: `class` takes mu from the catalogue".into(),
         });
     }
+}
+
+/// An estimate under Coulomb's law needs limit analysis and that law.
+fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyError>) {
+    let a = &spec.analysis;
+    let (problem, help) = match () {
+        _ if !a.coulomb_estimate => return,
+        _ if !a.kind.0.contains(&AnalysisKind::Limit) => (
+            "it estimates the load factor of limit analysis, which `kind` does not ask for",
+            "write `kind: limit` or a list with `limit`, or leave `coulomb_estimate` out",
+        ),
+        _ if spec.friction.law != FrictionLaw::Coulomb => (
+            "the law of friction is `associated`: there is nothing to estimate beside its bracket",
+            "write `law: coulomb` under `friction`, or leave `coulomb_estimate` out",
+        ),
+        _ if mu == 0.0 => (
+            "without friction there is nothing to estimate beside the bracket",
+            "give `mu` or `class` under `friction`, or leave `coulomb_estimate` out",
+        ),
+        () => return,
+    };
+    let path = "analysis.coulomb_estimate".into();
+    faults.push(AssemblyError::Value { path, problem: problem.into(), help: help.into() });
 }
 
 fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {

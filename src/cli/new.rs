@@ -245,7 +245,8 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
          target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; meshes are refined where it comes from until it is reached\n  \
          # max_passes: {}  # meshes at most; 1: the first one alone\n  \
          # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
-         # time_limit: 20 min  # s, min, h; no limit by default\n  mesh:\n    \
+         # time_limit: 20 min  # s, min, h; no limit by default\n  \
+         # coulomb_estimate: false  # limit with friction: estimate the load under Coulomb's law as well; up to ten solves more a mesh\n  mesh:\n    \
          size: auto  # auto, or a length from 0.5 mm to 1000 mm\n    \
          # layers: true  # a mesh plane at mid-thickness of every plate, flange, web and stiffener\n    \
          # segments: {}  # sides of the meshed bolt circles; even, 12 to 48\n",

@@ -69,6 +69,7 @@ pub struct ByMap<'a> {
     options: MeshOptions,
     case: String,
     kind: AnalysisKind,
+    coulomb_estimate: bool,
     place: Places<'a>,
     mesh: TetMesh,
     edges: Edges,
@@ -86,7 +87,12 @@ impl<'a> ByMap<'a> {
         mesh: TetMesh,
     ) -> Self {
         let edges = Edges::new(&mesh);
-        Self { assembly, options, case, kind, place, mesh, edges, filling: FILLING }
+        Self { assembly, options, case, kind, coulomb_estimate: false, place, mesh, edges, filling: FILLING }
+    }
+
+    /// With an estimate of the load factor under Coulomb's law on every mesh, if `asked`.
+    pub fn estimating(self, asked: bool) -> Self {
+        Self { coulomb_estimate: asked, ..self }
     }
 }
 
@@ -122,6 +128,7 @@ impl Remesh for ByMap<'_> {
         let mut file =
             from_joint::model_file(self.assembly, &joint.mesh, &joint.symmetry_used, "mesh.msh", &self.case, self.kind);
         file.symmetry = joint.copies;
+        file.coulomb_estimate = self.coulomb_estimate;
         let model = resolve(&file, joint.mesh.clone(), self.place)?;
         self.edges = Edges::new(&joint.mesh);
         self.mesh = joint.mesh.clone();

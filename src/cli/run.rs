@@ -117,7 +117,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
             let kind = (case.name.clone(), case.model.analysis);
             let by_map = ByMap::new(&input.joint.assembly, options.clone(), kind, &place, meshed.mesh.clone());
-            case.remesh = Some(Box::new(by_map));
+            case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
         }
     }
     limits.interrupt.check("meshing")?;
@@ -359,6 +359,8 @@ pub fn cases<'a>(
             let mut file =
                 from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", name, kind);
             file.symmetry = meshed.copies;
+            let estimates = input.spec.value.analysis.coulomb_estimate && !of_polygon(name);
+            file.coulomb_estimate = estimates && kind == AnalysisKind::Limit;
             let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
             let file_name =
                 if i == 0 { "model.yaml".into() } else { format!("model_{}.yaml", stem_of(name, kind, again)) };

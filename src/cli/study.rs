@@ -92,7 +92,8 @@ impl Source for Spec<'_> {
         for case in cases.iter_mut().filter(|_| adaptive) {
             let kind = (case.name.clone(), case.model.analysis);
             let assembly = &self.input.joint.assembly;
-            case.remesh = Some(Box::new(ByMap::new(assembly, options.clone(), kind, self.place, meshed.mesh.clone())));
+            let by_map = ByMap::new(assembly, options.clone(), kind, self.place, meshed.mesh.clone());
+            case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
         }
         Ok(cases)
     }

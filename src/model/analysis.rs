@@ -195,6 +195,8 @@ pub struct AnalysisModel {
     pub analysis: AnalysisKind,
     /// Which bounds.
     pub bounds: Bounds,
+    /// Limit analysis: estimate the load factor under Coulomb's law as well.
+    pub coulomb_estimate: bool,
     /// The mesh, split along open interfaces; load cases of one joint and what is derived from a model share it.
     pub mesh: Arc<TetMesh>,
     /// Materials.

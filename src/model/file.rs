@@ -18,6 +18,10 @@ pub struct ModelFile {
     /// Which bounds to compute.
     #[serde(default)]
     pub bounds: Bounds,
+    /// Limit analysis with `friction: coulomb`: estimate the load factor under Coulomb's law by a fixed point, which solves the
+    /// kinematic program up to ten times more.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub coulomb_estimate: bool,
     /// Materials by name.
     pub materials: BTreeMap<String, MaterialEntry>,
     /// Material of every physical volume.

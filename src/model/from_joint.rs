@@ -91,6 +91,7 @@ pub fn model_file(
         nodes: Nodes::Shared,
         analysis,
         bounds: Bounds::Both,
+        coulomb_estimate: false,
         materials,
         bodies: kept.iter().map(|p| (p.name.clone(), p.material.clone())).collect(),
         interfaces,

@@ -119,6 +119,7 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     let mut model = AnalysisModel {
         analysis: file.analysis,
         bounds: file.bounds,
+        coulomb_estimate: file.coulomb_estimate,
         mesh: Arc::new(cut.mesh),
         materials,
         body_material,

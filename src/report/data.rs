@@ -170,13 +170,14 @@ pub struct CaseResult {
     /// Raw bracket of the problem with associated friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub associated: Option<RawBracket>,
-    /// Value of the fixed point for Coulomb friction: an estimate.
+    /// Limit analysis, where asked for: the load factor of the fixed point for Coulomb's law, an estimate. That law may have several
+    /// load factors for one structure; this is one of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
     /// The preloaded bolts of an elastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<Tightened>,
-    /// Coulomb friction in elastic analysis: how the fixed point went.
+    /// Coulomb friction: how the fixed point went; in limit analysis that of the estimate, where it was reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_point: Option<FixedPointRun>,
     /// The only load, at load factor 1, of the whole structure: the one whose displacement or collapse is bracketed.

@@ -106,6 +106,16 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
     warnings
 }
 
+/// Why there is no estimate under Coulomb's law although one was asked for.
+fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
+    let why = match &pass.coulomb_estimate {
+        Some(e) => e.trouble.clone()?,
+        None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => return None,
+        None => "the program with associated friction has no answer to begin with".into(),
+    };
+    Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
+}
+
 /// What each body and each weld adds to the dissipation of a mechanism.
 fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
     let mesh = &model.mesh;
@@ -135,6 +145,7 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
     let mut certificate = certificate(pass, low);
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
+    warnings.extend(estimate_missing(model, pass));
     // what a solver says of an upper bound no residual proves, and a result is strict only as a whole
     if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
         c.strict = false;
@@ -163,9 +174,9 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         demand: None,
         frictionless,
         associated,
-        coulomb_estimate: None,
+        coulomb_estimate: pass.coulomb_estimate.as_ref().and_then(|e| e.factor),
         preload: Vec::new(),
-        fixed_point: None,
+        fixed_point: pass.coulomb_estimate.as_ref().filter(|e| e.factor.is_some()).map(|e| e.run.clone()),
         load: only_load(model).filter(|l| l.value() > 0.0),
         load_displacement: None,
         load_displacement_at_least: None,

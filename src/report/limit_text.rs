@@ -1,9 +1,25 @@
 //! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
 
 use super::data::{CaseResult, Problem, Quantity, Upper};
-use super::figures::{Rounding, bracket, significant};
+use super::figures::{Rounding, bracket, percent_up, significant};
 use super::page::Table;
 use super::text::{inline, is_strict, paragraph, strings, table};
+use crate::adapt::coulomb::FixedPointRun;
+
+/// The load factor that a fixed point finds under Coulomb's law.
+pub(super) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
+    let value = significant(factor, 4, Rounding::Nearest);
+    let how = run.map_or(String::new(), |run| {
+        let open = run.missing.map_or(String::new(), |m| {
+            format!(", after which {} of it are missing to Coulomb's law", percent_up(m))
+        });
+        format!(
+            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load factors, and this is one of them.",
+            run.solves
+        )
+    });
+    format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound).{how}")
+}
 
 /// What the load factor means to an engineer.
 pub(super) fn collapse(page: &mut String, case: &CaseResult) {

@@ -78,6 +78,7 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             let tets = fixed(tets as f64, 0, Rounding::Nearest);
             log.line(format!("{case}: the {name} program with yield conditions in {tets} tets"));
         }
+        Event::Coulomb => log.line(format!("{case}: Coulomb's law by a fixed point on the {name} program")),
         Event::Frictionless => log.line(format!("{case}: the {name} program once more, without friction")),
         Event::Ended(run) => {
             log.end(program);

@@ -3,7 +3,7 @@
 use super::data::{CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper};
 use super::demand::demands;
 use super::figures::{Rounding, bracket, percent_up, residual, significant};
-use super::limit_text::{collapse, mechanism};
+use super::limit_text::{collapse, estimate_words, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
 use super::preload_text::preload_words;
@@ -264,12 +264,10 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
     for bolt in &case.preload {
         paragraph(page, &preload_words(bolt));
     }
-    if let Some(run) = &case.fixed_point {
-        paragraph(page, &fixed_point_words(run));
-    }
-    if let Some(estimate) = case.coulomb_estimate {
-        let value = significant(estimate, 4, Rounding::Nearest);
-        paragraph(page, &format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound)."));
+    match (case.coulomb_estimate, &case.fixed_point) {
+        (Some(estimate), run) => paragraph(page, &estimate_words(estimate, run.as_ref())),
+        (None, Some(run)) => paragraph(page, &fixed_point_words(run)),
+        (None, None) => {}
     }
     if let Some(peak) = case.peak_contact_pressure {
         let side =

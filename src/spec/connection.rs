@@ -275,6 +275,10 @@ pub struct AnalysisSpec {
     /// Wall time at most: `20 min`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_limit: Option<Seconds>,
+    /// Limit analysis: estimate the load factor under Coulomb's law as well, by a fixed point that solves the kinematic program up
+    /// to ten times more on every mesh; the directions of a polygon have none.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub coulomb_estimate: bool,
     /// Mesh.
     pub mesh: MeshSpec,
 }
@@ -287,6 +291,7 @@ impl Default for AnalysisSpec {
             max_passes: 6,
             max_macro_tets: 200_000,
             time_limit: None,
+            coulomb_estimate: false,
             mesh: MeshSpec::default(),
         }
     }

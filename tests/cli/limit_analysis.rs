@@ -240,14 +240,14 @@ fn what_moves_without_load_carries_nothing() {
 /// Coulomb's law is bracketed from below without friction, from above with associated friction; both stand beside it.
 #[test]
 fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
-    let solved = |friction: &str, code: i32| {
-        let model = STACK.replace("friction: associated", friction);
+    let solved = |friction: &str, keys: &str| {
+        let model = STACK.replace("friction: associated", friction) + keys;
         let bench = Bench::new().file("stack.yaml", model).file("m.msh", mesh(60.0));
-        let (_, err) = expect(&bench, &["analyse", "stack.yaml"], code);
+        let (_, err) = expect(&bench, &["analyse", "stack.yaml"], 0);
         let (found, _) = expect(&bench, &["verify", "stack"], 0);
         (result(&bench, "stack")["cases"][0].clone(), bench.read("stack/report.md"), err, found)
     };
-    let (associated, report, err, found) = solved("friction: associated", 0);
+    let (associated, report, err, found) = solved("friction: associated", "");
     assert!(err.contains("once more, without friction"), "{err}");
     assert_eq!(found.matches("confirmed").count(), 3, "{found}");
     assert_eq!(associated["problem"], "associated");
@@ -256,7 +256,7 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert!(smooth > 2.0 && smooth <= lower * (1.0 + 1e-6) && lower < upper && upper < 4.0, "{associated}");
     assert!(report.contains("Without dilation (Coulomb's law") && report.contains("static, frictionless"), "{report}");
 
-    let (coulomb, report, _, found) = solved("friction: coulomb", 0);
+    let (coulomb, report, _, found) = solved("friction: coulomb", "");
     assert_eq!(found.matches("confirmed").count(), 3, "{found}");
     assert_eq!(coulomb["problem"], "coulomb");
     assert_eq!(number(&coulomb["lower"]), smooth);
@@ -265,6 +265,21 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert_eq!(coulomb["certificate"]["strict"], true);
     assert!((number(&coulomb["gap"]) - (upper - smooth) / smooth).abs() < 1e-12);
     assert!(report.contains("Under Coulomb's law the load factor is at least"), "{report}");
+    assert!(!report.contains("Fixed point") && coulomb.get("coulomb_estimate").is_none(), "{report}");
+
+    // what lies between them, where it is asked for; the bounds stay as they are
+    let (estimated, report, err, found) = solved("friction: coulomb", "coulomb_estimate: true\n");
+    assert_eq!(found.matches("confirmed").count(), 3, "{found}");
+    assert_eq!([&estimated["lower"], &estimated["upper"]], [&coulomb["lower"], &coulomb["upper"]]);
+    let estimate = number(&estimated["coulomb_estimate"]);
+    assert!(smooth * (1.0 - 1e-3) <= estimate && estimate <= upper * (1.0 + 1e-3), "{estimated}");
+    let run = &estimated["fixed_point"];
+    assert!(number(&run["solves"]) <= 10.0 && number(&run["missing"]) < 0.02, "{run}");
+    assert!(err.contains("Coulomb's law by a fixed point"), "{err}");
+    assert!(
+        report.contains("Fixed point for Coulomb friction: ") && report.contains("an estimate, not a bound"),
+        "{report}"
+    );
 }
 
 /// A block that friction alone holds: free to slide without load it is held at a point, driven by a load it carries nothing

@@ -3,10 +3,11 @@
 use super::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
-use crate::model::file::{AnalysisKind, Law, LoadEntry, ModelFile};
+use crate::model::file::{AnalysisKind, Friction, Law, LoadEntry, ModelFile};
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
 pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) {
+    check_estimate(file, faults);
     if file.analysis != AnalysisKind::Limit {
         return;
     }
@@ -41,6 +42,35 @@ pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
         let help = "write the load to be increased under `loads`; what stands under `dead` stays as it is";
         faults.add("model/no-live-load", "loads", m, help);
     }
+}
+
+/// An estimate under Coulomb's law needs limit analysis and a contact with that law.
+fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
+    if !file.coulomb_estimate {
+        return;
+    }
+    let kind = match file.analysis {
+        AnalysisKind::Elastic => Some("elastic"),
+        AnalysisKind::Elastoplastic => Some("elastoplastic"),
+        AnalysisKind::Limit => None,
+    };
+    let coulomb = |mu: Option<f64>, friction: Option<Friction>| {
+        mu.is_some_and(|mu| mu > 0.0) && friction == Some(Friction::Coulomb)
+    };
+    let any = file.interfaces.iter().any(|i| coulomb(i.mu, i.friction))
+        || file.supports.iter().any(|s| coulomb(s.mu, s.friction));
+    let (m, help) = match kind {
+        Some(kind) => (
+            format!("`coulomb_estimate` with `analysis: {kind}`: it estimates the load factor of limit analysis"),
+            "leave it out: the other kinds reach Coulomb's law by themselves",
+        ),
+        None if !any => (
+            "`coulomb_estimate`, but no contact has `friction: coulomb` and a `mu` above 0".to_owned(),
+            "give the contact `friction: coulomb`, or leave `coulomb_estimate` out",
+        ),
+        None => return,
+    };
+    faults.add("model/value", "coulomb_estimate", m, help);
 }
 
 /// The bodies whose material has no yield strength, in the order of the mesh.
