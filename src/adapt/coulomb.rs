@@ -171,7 +171,7 @@ impl Slips {
         Some(Another { offsets, number: state.run.solves, change: state.run.change })
     }
 
-    /// `∫ μ r_N ‖g_T‖` of a solution, the power of friction without dilation.
+    /// `∫ μ r_N ‖g_T‖` of a solution with the velocities u, the power of friction without dilation.
     pub(super) fn friction(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution, u: &[V3]) -> f64 {
         Sum::of(self.rows.iter().zip(slips(model, of, u)).map(|(r, slip)| solution.z[*r] * slip))
     }
@@ -200,7 +200,7 @@ fn slips(model: &AnalysisModel, of: &Kinematic, u: &[V3]) -> Vec<f64> {
 }
 
 /// The load factor of a program of limit analysis, the multiplier of the unit power; `None`: another kind.
-fn load_factor(of: &Kinematic, solution: &Solution) -> Option<f64> {
+pub(super) fn load_factor(of: &Kinematic, solution: &Solution) -> Option<f64> {
     solution.x.last().copied().filter(|_| !of.program.live.is_empty())
 }
 

@@ -11,7 +11,7 @@
 //! V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb friction problem via convex
 //! optimization, ZAMM 91 (2011), 155–175.
 
-use super::coulomb::{FixedPointRun, Slips};
+use super::coulomb::{FixedPointRun, Slips, load_factor};
 use super::limit::{SUBDIVISIONS, velocity};
 use super::pass::{Both, Event, PassError, PassOptions, Progress, both_of};
 use super::problem::{Another, Problem, Program};
@@ -29,8 +29,12 @@ use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 /// What the fixed point has come to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoulombEstimate {
-    /// The load factor at the fixed point; `None`: it was not reached.
+    /// The load factor at the fixed point, the dissipation evaluated as that of the upper bound is; where it is a little beyond a bound
+    /// of the structure under Coulomb's law, that bound. `None`: it was not reached.
     pub factor: Option<f64>,
+    /// The load factor of the program itself, whose quadrature of the dissipation is coarser (measured on coarse stacks of blocks: up to
+    /// a tenth more than the upper bound).
+    pub raw: Option<f64>,
     /// How it went, the problem with associated friction included.
     pub run: FixedPointRun,
     /// Iterations of its solves.
@@ -55,8 +59,9 @@ impl Sliding {
 }
 
 impl<'a> Problem<'a> for Sliding {
-    /// The load factor, the steps that led to it, and whether they have come to a fixed point.
-    type Answer = (f64, FixedPointRun, bool);
+    /// The load factor by the finer quadrature and the program's own, the steps that led there, and whether they have come to a fixed
+    /// point.
+    type Answer = ([f64; 2], FixedPointRun, bool);
     const PROGRAM: Program = Program::Kinematic;
 
     /// The load factor is of the stresses: they must balance.
@@ -85,13 +90,13 @@ impl<'a> Problem<'a> for Sliding {
         self.slips.another(model, &self.program, solution)
     }
 
-    /// The power of yield is evaluated as that of the upper bound is, finer than by the program.
     fn recover(&self, model: &AnalysisModel, solution: &Solution, _: &Patterns) -> Result<Self::Answer, RecoverError> {
         let u: Vec<V3> = self.program.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
         let friction = self.slips.friction(model, &self.program, solution, &u);
         let power = certify_upper(model, &velocity(DisplacementField { u }), SUBDIVISIONS);
         let (run, converged) = self.slips.ended();
-        Ok((power.factor + friction / power.live_power, run, converged))
+        let raw = load_factor(&self.program, solution).unwrap_or(f64::NAN);
+        Ok(([power.factor + friction / power.live_power, raw], run, converged))
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
@@ -118,7 +123,7 @@ pub(super) fn estimate(
         both_of::<Sliding, Static>(model, options, progress, Some(build), none)?;
     let Some(done) = kinematic else { return Ok(CoulombEstimate::default()) };
     let iterations = done.run.iterations;
-    let Some((factor, run, converged)) = done.answer else {
+    let Some(([factor, raw], run, converged)) = done.answer else {
         let words = match done.run.status {
             SolveStatus::TooLarge => "its problems do not fit into the memory".to_owned(),
             status => format!("one of its problems ended with status `{}`", status.words()),
@@ -127,7 +132,7 @@ pub(super) fn estimate(
     };
     if !converged {
         let words = format!("it was not reached in {} problems", run.solves);
-        return Ok(CoulombEstimate { factor: None, run, iterations, trouble: Some(words) });
+        return Ok(CoulombEstimate { run, iterations, trouble: Some(words), ..CoulombEstimate::default() });
     }
-    Ok(CoulombEstimate { factor: Some(factor), run, iterations, trouble: None })
+    Ok(CoulombEstimate { factor: Some(factor), raw: Some(raw), run, iterations, trouble: None })
 }

@@ -26,8 +26,9 @@ use std::time::Instant;
 /// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who repeats the certificate.
 pub const SUBDIVISIONS: u32 = 1;
 
-/// How far an estimate may be beyond a bound, part of both: what the fixed point leaves open, and the solver.
-const OPEN: f64 = 5e-3;
+/// How far beyond a bound an estimate may be, part of it: what the fixed point leaves open, and the quadrature
+/// of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
+const OPEN: f64 = 1e-2;
 
 /// The kinematic program of limit analysis.
 struct Collapse(Kinematic);
@@ -112,20 +113,18 @@ impl LimitPass {
         Ok(())
     }
 
-    /// An estimate that passes a bound of the structure under Coulomb's law by more than the fixed point leaves open is none.
+    /// The estimate within the certified bounds of the structure under Coulomb's law; one that is far beyond them is none.
     fn inside_bounds(&self, found: CoulombEstimate) -> CoulombEstimate {
         let Some(factor) = found.factor else { return found };
-        let (low, up) =
-            (self.frictionless.as_ref().map(LowerFactor::value), self.upper.as_ref().map(UpperFactor::value));
-        let open = OPEN * low.into_iter().chain(up).chain([factor]).fold(0.0, |m: f64, x| m.max(x.abs()));
-        let beyond = low.filter(|l| factor < l - open).or(up.filter(|u| factor > u + open));
-        match beyond {
-            Some(bound) => {
-                let trouble = format!("it ended at {factor:.4}, beyond the bound {bound:.4}");
-                CoulombEstimate { factor: None, trouble: Some(trouble), ..found }
-            }
-            None => found,
+        // only a bound with its certificate corrects an estimate
+        let low = self.frictionless.as_ref().filter(|l| l.is_strict()).map_or(f64::NEG_INFINITY, LowerFactor::value);
+        let up = self.upper.as_ref().filter(|u| u.is_strict()).map_or(f64::INFINITY, UpperFactor::value);
+        let drawn = factor.max(low).min(up);
+        if (factor - drawn).abs() > OPEN * drawn.abs() {
+            let trouble = format!("it ended at {factor:.4}, beyond the bound {drawn:.4}");
+            return CoulombEstimate { factor: None, trouble: Some(trouble), ..found };
         }
+        CoulombEstimate { factor: Some(drawn), ..found }
     }
 
     /// The lower bound of the model without friction; what holds it down.

@@ -6,8 +6,9 @@ use crate::common::{Block, solved};
 use crate::random::assembly;
 use bracket::adapt::coulomb_limit::CoulombEstimate;
 use bracket::adapt::limit::LimitPass;
-use bracket::model::AnalysisModel;
 use bracket::model::file::Friction;
+use bracket::model::{AnalysisModel, Flow, Kinematic};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 /// The model under Coulomb's law, its load factor to be estimated.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {
@@ -20,7 +21,7 @@ fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {
 /// λ_low(μ = 0), the estimate and λ_up(associated).
 fn three(name: &str, m: &AnalysisModel) -> (LimitPass, [f64; 3]) {
     let pass = run(m);
-    let CoulombEstimate { factor, run, iterations, trouble } = pass.coulomb_estimate.clone().unwrap();
+    let CoulombEstimate { factor, run, iterations, trouble, .. } = pass.coulomb_estimate.clone().unwrap();
     let up = pass.upper.as_ref().unwrap().value();
     let low = pass.frictionless.as_ref().map_or(0.0, |l| l.value());
     println!("{name}: {low:.6} ≤ {factor:?} ≤ {up:.6}, {iterations} iterations, {run:?}, {trouble:?}");
@@ -108,14 +109,22 @@ fn stacks(seeds: std::ops::Range<u64>) {
         };
         let low = pass.frictionless.as_ref().map_or(0.0, |l| l.value());
         let up = pass.upper.as_ref().unwrap().value();
-        println!("seed {seed}: {:?} its {low:.5} ≤ {factor:.5} ≤ {up:.5}, {:?}", estimate.iterations, estimate.run);
-        assert!(low * (1.0 - 1e-3) <= factor && factor <= up * (1.0 + 1e-3), "seed {seed}: {low} {factor} {up}");
+        let raw = estimate.raw.unwrap();
+        // the program with associated friction itself: what it finds bounds what the fixed point finds on the same mesh
+        let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
+        let prepared = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default());
+        let associated = prepared.unwrap().solve(&SolveOptions { gap: 1e-7, ..SolveOptions::default() });
+        assert_eq!(associated.status, SolveStatus::Optimal, "seed {seed}");
+        let most = *associated.x.last().unwrap();
+        println!("seed {seed}: {low:.5} ≤ {factor:.5} (raw {raw:.5} ≤ {most:.5}) ≤ {up:.5}, {estimate:?}");
+        assert!(low <= factor && factor <= up, "seed {seed}: {low} {factor} {up}");
+        assert!(low * (1.0 - 1e-3) <= raw && raw <= most * (1.0 + 1e-3), "seed {seed}: {low} {raw} {most}");
         assert!(estimate.run.solves <= 10, "seed {seed}");
         found += 1;
         apart += usize::from(factor < 0.99 * up);
     }
     println!("{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: {not_reached:#?}");
-    assert!(found > 0);
+    assert!(found >= 20 && not_reached.len() * 10 <= found, "{not_reached:#?}");
 }
 
 #[test]
