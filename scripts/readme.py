@@ -7,9 +7,11 @@ A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -
   picture  the picture of the mesh, copied from results/paper_joint to docs/
   spec     examples/paper_joint/joint.yaml without its comments
   result   the history table and the bracket, from results/paper_joint/result.json
+  study    table and plot of docs/study, what `bracket study` left of the paper's joint (its times are of one machine: never checked)
   help     what `bracket --help` prints
 """
 
+import csv
 import math
 import os
 import pathlib
@@ -99,6 +101,20 @@ def bracket(_check: bool) -> str:
     return "\n".join(lines).rstrip("\n")
 
 
+def study(_check: bool) -> str:
+    """The rows of the stored study, and its plot."""
+    path = ROOT / "docs" / "study" / "study.csv"
+    if not path.is_file():
+        raise Fault(f"{path.relative_to(ROOT)} is missing: run scripts/study.sh")
+    lines = ["| meshes | macro tets | certified gap | all meshes so far [s] | peak memory [MiB] |", "| --- | ---: | ---: | ---: | ---: |"]
+    with path.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            gap = f"{math.ceil(1e4 * float(row['gap'])) / 100:.2f} %" if row["gap"] else "–"
+            seconds = f"{float(row['total_seconds']):.0f}"
+            lines.append(f"| {row['meshes']} | {row['macro_tets']} | {gap} | {seconds} | {row['peak_memory_mib']} |")
+    return "\n".join([*lines, "", "![Certified gap against the number of tets](docs/study/tets.png)"])
+
+
 def help_text(_check: bool) -> str:
     """The subcommands."""
     program = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "release" / "bracket"
@@ -108,7 +124,7 @@ def help_text(_check: bool) -> str:
     return "```text\n" + "\n".join(line.rstrip() for line in text.strip().splitlines()) + "\n```"
 
 
-BLOCKS = {"picture": picture, "spec": spec, "result": bracket, "help": help_text}
+BLOCKS = {"picture": picture, "spec": spec, "result": bracket, "study": study, "help": help_text}
 
 
 def same(old: str, new: str) -> bool:

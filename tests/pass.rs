@@ -42,6 +42,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
             Event::Certify => "certify".into(),
             Event::Frictionless => "frictionless".into(),
             Event::Yielding { tets } => format!("yielding {tets}"),
+            Event::Coulomb => "coulomb".into(),
             Event::Ended(run) => format!("ended {}", run.status.words()),
         };
         kept.lock().expect("whole").push(format!("{} {word}", program.name()));
