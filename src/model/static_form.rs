@@ -470,10 +470,12 @@ impl Static<'_> {
         for batch in self.program.elements.batches.iter() {
             let rows = YIELD_ROWS * batch.shape.points();
             for (own, first) in batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE) {
-                // tets without unknowns of their own share their start with the next that has some
+                // tets without unknowns of their own share their start with the next that has some; welds follow the tets
                 let e = self.own.partition_point(|start| *start <= own as usize) - 1;
-                let first = first as usize;
-                shares[e] = (first..first + rows).map(|r| self.program.h[r] * z[r]).sum();
+                if let Some(share) = shares.get_mut(e) {
+                    let first = first as usize;
+                    *share = (first..first + rows).map(|r| self.program.h[r] * z[r]).sum();
+                }
             }
         }
         shares
