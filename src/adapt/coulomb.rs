@@ -132,7 +132,7 @@ impl Slips {
 
     /// What to solve after this solution; `None`: it was the last.
     pub(super) fn another(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution) -> Option<Another> {
-        let u: Vec<V3> = of.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let u = of.nodal(&solution.x);
         let image = slips(model, of, &u);
         let force: Vec<f64> = self.rows.iter().map(|r| solution.z[*r]).collect();
         let largest = force.iter().fold(0.0, |m: f64, f| m.max(*f));

@@ -91,7 +91,7 @@ impl<'a> Problem<'a> for Sliding {
     }
 
     fn recover(&self, model: &AnalysisModel, solution: &Solution, _: &Patterns) -> Result<Self::Answer, RecoverError> {
-        let u: Vec<V3> = self.program.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let u = self.program.nodal(&solution.x);
         let friction = self.slips.friction(model, &self.program, solution, &u);
         let power = certify_upper(model, &velocity(DisplacementField { u }), SUBDIVISIONS);
         let (run, converged) = self.slips.ended();

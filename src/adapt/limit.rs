@@ -94,15 +94,20 @@ impl LimitPass {
         runs(&self.kinematic, &self.statics)
     }
 
+    /// The stress of the lower bound that answers, and that bound: under Coulomb's law the one without friction.
+    pub fn carried(&self, coulomb: bool) -> Option<(&StressField, &LowerFactor)> {
+        let (stress, bound) = match coulomb {
+            true => (&self.frictionless_stress, &self.frictionless),
+            false => (&self.stress, &self.lower),
+        };
+        stress.as_ref().zip(bound.as_ref())
+    }
+
     /// Contributions to the gap of the bracket that answers; their sum is asserted where both fields are admissible.
     fn add_contributions(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
         let smooth = model.has_coulomb().then(|| model.without_friction());
-        let (stress, lower) = match &smooth {
-            Some(_) => (&self.frictionless_stress, &self.frictionless),
-            None => (&self.stress, &self.lower),
-        };
         let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
-        let (Some(stress), Some(lower)) = (stress, lower) else { return Ok(()) };
+        let Some((stress, lower)) = self.carried(smooth.is_some()) else { return Ok(()) };
         let (low, up) = (lower.certificate().factor, upper.certificate());
         let pair = LimitPair { velocity, live_power: up.live_power, subdivisions: SUBDIVISIONS, stress, factor: low };
         let c = limit_contributions(smooth.as_ref().unwrap_or(model), &pair);
@@ -284,8 +289,7 @@ impl<'a> Problem<'a> for Collapse {
         solution: &Solution,
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError> {
-        let u = self.0.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
-        let field = velocity(DisplacementField { u });
+        let field = velocity(DisplacementField { u: self.0.nodal(&solution.x) });
         let upper = limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
             UpperError::Recover(e) => e,
             e => RecoverError::Factor(e.to_string()),

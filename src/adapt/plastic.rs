@@ -383,7 +383,7 @@ impl<'a> Problem<'a> for Flowing {
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError> {
         if self.rough {
-            let u = self.kinematic.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+            let u = self.kinematic.nodal(&solution.x);
             let field = PlasticField::elastic(DisplacementField { u }, model.mesh.tets.len());
             return Ok(Found {
                 certified: None,

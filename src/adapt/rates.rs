@@ -99,8 +99,8 @@ pub fn estimate(model: &AnalysisModel, contributions: &Contributions, held: Opti
         _ => elastic(&model.mesh, &contributions),
     };
     let total = |x: &[f64]| x.iter().map(|c| c.max(0.0)).sum::<f64>();
-    if let Some((held, all)) = held.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0) {
-        let gap = total(&contributions);
+    let gap = total(&contributions);
+    if let Some((held, all)) = held.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0 && gap > 0.0) {
         // squared: two mechanisms in one place (C1: 0.2 to 0.4) are hardly told apart, two in different ones (the joint: 0.7) are
         let part = apart(&model.mesh, &contributions, held).powi(2);
         for (c, held) in contributions.iter_mut().zip(held) {

@@ -91,7 +91,7 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     program.h = vec![0.0; program.g.nrows()];
     let Some(x) = collapse::direction(&program, &modes, &SolveOptions::default()) else { return Ok(None) };
     let x = settled(&program, &modes, &x);
-    let u = kinematic.map.expand(&x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+    let u = kinematic.nodal(&x);
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
     let certificate = certify_free(model, &field);
     Ok(is_free(&certificate).then_some(FreeMechanism { field, certificate }))

@@ -86,7 +86,7 @@ pub fn project(
     let power = power_on(&x);
     let opened = projector.opened(x);
     let certified = opened.iter().filter(|x| power_on(x) > LEAST_POWER * before.abs()).map(|x| {
-        let u = kinematic.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let u = kinematic.nodal(x);
         let field = VelocityField { nodes: DisplacementField { u }, flow: field.flow };
         let certificate = certify_upper(model, &field, subdivisions);
         Upper { field, certificate }

@@ -8,7 +8,7 @@
 use super::fields::{DisplacementField, StressField};
 use super::plastic_field::{InnerNodes, PlasticField, mean, with_plastic_strain};
 use super::recover::{RecoverError, balanced_stress, interface_tractions, opened, smallest_margin, stress_field};
-use crate::math::vec3::{self, V3};
+use crate::math::vec3;
 use crate::model::split_tet10::INNER_UNKNOWNS;
 use crate::model::{AnalysisModel, Kinematic, Static};
 use crate::solve::{Patterns, Solution};
@@ -25,7 +25,7 @@ pub fn plastic_motion(
     patterns: &Patterns,
 ) -> Result<PlasticField, RecoverError> {
     let program = &kinematic.program;
-    let given: Vec<V3> = kinematic.map.expand(&solution.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+    let given = kinematic.nodal(&solution.x);
     let x = &solution.x[..kinematic.map.n];
     let slack: Vec<f64> = program.g.mul(x).iter().zip(offsets).map(|(a, b)| a + b).collect();
     let violated = smallest_margin(program, &slack) < 0.0;

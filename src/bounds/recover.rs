@@ -101,8 +101,7 @@ pub(super) fn opened(
         let step = -1.1 * violation / gain;
         x.iter_mut().zip(&opening).for_each(|(x, w)| *x += step * w);
     }
-    let full = kinematic.map.expand(&x);
-    Ok(DisplacementField { u: full.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
+    Ok(DisplacementField { u: kinematic.nodal(&x) })
 }
 
 /// Smallest margin of the contact cones in the rows `s` \[mm\].

@@ -173,12 +173,7 @@ pub fn entry_stem(earlier: &[CaseResult], entry: &CaseResult) -> String {
 
 /// The file name of a case; `again`: it was analysed in another way before.
 pub fn stem_of(case: &str, analysis: AnalysisKind, again: bool) -> String {
-    let kind = match analysis {
-        AnalysisKind::Elastic => "elastic",
-        AnalysisKind::Elastoplastic => "elastoplastic",
-        AnalysisKind::Limit => "limit",
-    };
-    if again { format!("{}_{kind}", file_stem(case)) } else { file_stem(case) }
+    if again { format!("{}_{}", file_stem(case), analysis.word()) } else { file_stem(case) }
 }
 
 /// A file name made of a case's name, short enough for every file system.

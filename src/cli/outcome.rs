@@ -86,11 +86,7 @@ impl Outcome {
         match self {
             Outcome::Energy(p) => p.stress.as_ref().map(|s| (s, 1.0)),
             Outcome::Factor(p) => {
-                let (stress, bound) = match entry.problem {
-                    Problem::Coulomb => (&p.frictionless_stress, &p.frictionless),
-                    _ => (&p.stress, &p.lower),
-                };
-                stress.as_ref().zip(bound.as_ref().map(|b| b.certificate().factor))
+                p.carried(entry.problem == Problem::Coulomb).map(|(stress, bound)| (stress, bound.certificate().factor))
             }
         }
     }

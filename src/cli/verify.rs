@@ -158,14 +158,11 @@ fn verify_case(
         let (new, entry) = match model.analysis {
             AnalysisKind::Limit => {
                 let (new, entry, pass) = scene.factors(&mut refuted)?;
+                let answers = pass.carried(case.problem == Problem::Coulomb);
+                let of_answer = answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
+                carried = of_answer.or(carried);
                 let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
                 mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
-                let (stress, bound) = match case.problem {
-                    Problem::Coulomb => (pass.frictionless_stress, pass.frictionless),
-                    _ => (pass.stress, pass.lower),
-                };
-                let factor = bound.map(|b| b.certificate().factor);
-                carried = stress.zip(factor).map(|(s, f)| (model.clone(), s, f)).or(carried);
                 (new, entry)
             }
             _ => {

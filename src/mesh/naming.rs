@@ -287,9 +287,13 @@ fn triangles_on(
     faces.map(|row| nodes_of(mesh, row)).filter(|t| on_surface(surface, &corners(mesh, *t))).collect()
 }
 
+/// A length to a micrometre, as messages tell it.
+fn mm(x: f64) -> f64 {
+    (1e3 * x).round() / 1e3
+}
+
 /// Where a surface was looked for, in words.
 pub(super) fn looked_for(surface: &Surface) -> String {
-    let mm = |x: f64| (1e3 * x).round() / 1e3;
     match surface {
         Surface::Plane { axis, at, min, max } => {
             format!("on the plane {} = {} mm, {}", ["x", "y", "z"][*axis], mm(*at), extent(min, max, Some(*axis)))
@@ -305,7 +309,6 @@ pub(super) fn looked_for(surface: &Surface) -> String {
 
 /// `x from 0 to 200 mm, z from -9 to 9 mm`: the sides of a box, one left out.
 fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
-    let mm = |x: f64| (1e3 * x).round() / 1e3;
     let sides = (0..3).filter(|k| Some(*k) != without);
     let words = sides.map(|k| format!("{} from {} to {} mm", ["x", "y", "z"][k], mm(min[k]), mm(max[k])));
     words.collect::<Vec<_>>().join(", ")

@@ -83,6 +83,17 @@ pub enum AnalysisKind {
     Limit,
 }
 
+impl AnalysisKind {
+    /// The word of the files.
+    pub fn word(self) -> &'static str {
+        match self {
+            AnalysisKind::Elastic => "elastic",
+            AnalysisKind::Elastoplastic => "elastoplastic",
+            AnalysisKind::Limit => "limit",
+        }
+    }
+}
+
 /// Which bounds are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -452,6 +452,11 @@ impl Kinematic {
 }
 
 impl Kinematic {
+    /// Displacements (velocities in limit analysis) of the nodes from the program's unknowns.
+    pub fn nodal(&self, x: &[f64]) -> Vec<V3> {
+        self.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()
+    }
+
     /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns that elements share.
     pub fn weld_rows(&self, model: &AnalysisModel) -> Csr {
         let faces = model.weld_faces();

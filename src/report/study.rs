@@ -103,14 +103,6 @@ pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> 
 }
 
 impl Row {
-    fn analysis_word(&self) -> &'static str {
-        match self.analysis {
-            AnalysisKind::Elastic => "elastic",
-            AnalysisKind::Elastoplastic => "elastoplastic",
-            AnalysisKind::Limit => "limit",
-        }
-    }
-
     fn series(&self) -> String {
         let meshes = match self.meshes {
             Meshes::Uniform => "uniform",
@@ -129,7 +121,7 @@ impl Study {
         let dash = || "–".to_string();
         for r in &self.rows {
             let cells = [
-                format!("{} ({})", r.case.replace('|', "\\|"), r.analysis_word()),
+                format!("{} ({})", r.case.replace('|', "\\|"), r.analysis.word()),
                 r.series(),
                 r.mesh.to_string(),
                 fixed(r.macro_tets as f64, 0, Rounding::Nearest),
@@ -155,7 +147,7 @@ impl Study {
             let meshes = if r.meshes == Meshes::Uniform { "uniform" } else { "adaptive" };
             let cells = [
                 format!("\"{}\"", r.case.replace('"', "\"\"")),
-                r.analysis_word().into(),
+                r.analysis.word().into(),
                 meshes.into(),
                 r.solver.clone(),
                 r.mesh.to_string(),
@@ -179,7 +171,7 @@ impl Study {
     fn plots(&self) -> Vec<(String, Plot)> {
         let mut cases: Vec<(&str, &str)> = Vec::new();
         for r in &self.rows {
-            let case = (&r.case[..], r.analysis_word());
+            let case = (&r.case[..], r.analysis.word());
             if !cases.contains(&case) {
                 cases.push(case);
             }
@@ -195,7 +187,7 @@ impl Study {
         for (i, case) in cases.iter().enumerate() {
             for (name, x, of) in &abscissas {
                 let mut series: Vec<Series> = Vec::new();
-                for r in self.rows.iter().filter(|r| (&r.case[..], r.analysis_word()) == *case) {
+                for r in self.rows.iter().filter(|r| (&r.case[..], r.analysis.word()) == *case) {
                     let Some(point) = of(r).zip(r.gap).map(|(x, g)| [x, 100.0 * g]) else { continue };
                     match series.iter_mut().find(|s| s.name == r.series()) {
                         Some(s) => s.points.push(point),

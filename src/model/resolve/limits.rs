@@ -49,26 +49,24 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
     if !file.coulomb_estimate {
         return;
     }
-    let kind = match file.analysis {
-        AnalysisKind::Elastic => Some("elastic"),
-        AnalysisKind::Elastoplastic => Some("elastoplastic"),
-        AnalysisKind::Limit => None,
-    };
     let coulomb = |mu: Option<f64>, friction: Option<Friction>| {
         mu.is_some_and(|mu| mu > 0.0) && friction == Some(Friction::Coulomb)
     };
     let any = file.interfaces.iter().any(|i| coulomb(i.mu, i.friction))
         || file.supports.iter().any(|s| coulomb(s.mu, s.friction));
-    let (m, help) = match kind {
-        Some(kind) => (
-            format!("`coulomb_estimate` with `analysis: {kind}`: it estimates the load factor of limit analysis"),
+    let (m, help) = match file.analysis {
+        AnalysisKind::Elastic | AnalysisKind::Elastoplastic => (
+            format!(
+                "`coulomb_estimate` with `analysis: {}`: it estimates the load factor of limit analysis",
+                file.analysis.word()
+            ),
             "leave it out: the other kinds reach Coulomb's law by themselves",
         ),
-        None if !any => (
+        AnalysisKind::Limit if !any => (
             "`coulomb_estimate`, but no contact has `friction: coulomb` and a `mu` above 0".to_owned(),
             "give the contact `friction: coulomb`, or leave `coulomb_estimate` out",
         ),
-        None => return,
+        AnalysisKind::Limit => return,
     };
     faults.add("model/value", "coulomb_estimate", m, help);
 }
