@@ -35,9 +35,9 @@ pub struct EndPlateEntry {
     pub rows: String,
     /// Diameter of the holes.
     pub hole: Expr,
-    /// From the beam's axis to the upper end of the column.
+    /// From the beam's axis to where the column really ends above; zero or absent: it continues beyond the model.
     pub column_above: Option<Expr>,
-    /// From the beam's axis to the lower end of the column.
+    /// From the beam's axis to where the column really ends below; zero or absent: it continues beyond the model.
     pub column_below: Option<Expr>,
     /// Thickness of the stiffeners of the column level with both beam flanges; zero or absent for none.
     pub stiffener: Option<Expr>,
@@ -99,10 +99,12 @@ pub struct ColumnSide {
     pub section: IProfile,
     /// Steel at the thickness of its flange.
     pub steel: Strength,
-    /// From the beam's axis to the upper end.
-    pub above: f64,
-    /// From the beam's axis to the lower end.
-    pub below: f64,
+    /// From the beam's axis to where the column ends above; `None`: it continues.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub above: Option<f64>,
+    /// From the beam's axis to where the column ends below; `None`: it continues.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub below: Option<f64>,
     /// Thickness of the stiffeners; 0 for none.
     pub stiffener: f64,
     /// Thickness of a supplementary web plate; 0 for none.
@@ -209,10 +211,7 @@ pub fn end_plate(
         return Err(wrong("top", format!("the upper edge {top} mm is not above the lower edge {bottom} mm")));
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
-    let of_column = |key: &'static str, e: &Option<Expr>| {
-        let e = e.as_ref().ok_or_else(|| wrong(key, "it is missing; a template with a `column` gives it".into()))?;
-        length(key, e, positive)
-    };
+    let end_of_column = |key, e| or_none(key, e).map(|end| (end > 0.0).then_some(end));
     let column = match &entry.column {
         None => None,
         Some(column) => {
@@ -227,8 +226,8 @@ pub fn end_plate(
             Some(ColumnSide {
                 steel: inputs.strength(spec, &role(column), section.tf)?,
                 section,
-                above: of_column("column_above", &entry.column_above)?,
-                below: of_column("column_below", &entry.column_below)?,
+                above: end_of_column("column_above", &entry.column_above)?,
+                below: end_of_column("column_below", &entry.column_below)?,
                 stiffener: or_none("stiffener", &entry.stiffener)?,
                 doubler: or_none("doubler", &entry.doubler)?,
                 beta,

@@ -161,8 +161,10 @@ pub enum Topic {
     Bolts,
     /// Welds.
     Welds,
-    /// Component method of EN 1993-1-8 section 6.
+    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case answers as well.
     ComponentMethod,
+    /// Buckling and slenderness, which no limit analysis sees.
+    Stability,
     /// Stiffness of the component method.
     Stiffness,
     /// Rotation capacity.
@@ -177,7 +179,10 @@ pub enum Status {
     Ok,
     /// The demand exceeds the limit.
     Failed,
-    /// A recommendation is not followed; it does not decide the verdict.
+    /// The code gives no resistance here: it is neither allowed nor refused.
+    Undecided,
+    /// A recommendation is not followed, or strength by the component method where a limit analysis decides; it does not decide
+    /// the verdict.
     Warning,
     /// A value without demand.
     Information,
@@ -218,6 +223,30 @@ pub struct Check {
 }
 
 impl Check {
+    /// What the code gives no resistance for, in words.
+    pub fn undecided(
+        topic: Topic,
+        subject: impl Into<String>,
+        clause: &str,
+        title: &str,
+        why: impl Into<String>,
+    ) -> Self {
+        Self {
+            topic,
+            case: None,
+            subject: subject.into(),
+            clause: clause.into(),
+            title: title.into(),
+            formula: why.into(),
+            values: Vec::new(),
+            demand: None,
+            resistance: None,
+            utilisation: None,
+            unit: Unit::Number,
+            status: Status::Undecided,
+        }
+    }
+
     /// A length that must reach a least value: demand is what is asked for, resistance what is there. `otherwise` is the
     /// status when it does not.
     pub fn at_least(
@@ -275,10 +304,11 @@ impl Check {
     }
 
     fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
-        self.demand = Some(demand);
-        self.resistance = Some(resistance);
+        let number = |x: f64| Some(x).filter(|x| x.is_finite());
+        self.demand = number(demand);
+        self.resistance = number(resistance);
         // without any resistance there is no number for the utilisation
-        self.utilisation = (resistance > 0.0).then(|| demand / resistance);
+        self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
         self.status = if holds(demand, resistance) { Status::Ok } else { otherwise };
     }
 

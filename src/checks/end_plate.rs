@@ -6,7 +6,7 @@
 
 use super::check::{Check, Status, Step, Topic, Unit, Worked, number as n};
 use super::component_method::column_web::epsilon;
-use super::component_method::joint::{Beam, Bolts, Column, Plate};
+use super::component_method::joint::{Beam, Bolts, Column, Plate, Section};
 use super::component_method::rows::Component;
 use super::component_method::stiffness::{Joins, for_elastic_analysis};
 use super::component_method::{Assessment, EndPlateJoint, assess};
@@ -43,6 +43,8 @@ pub struct HandChecks {
     pub moments: Vec<PureMoment>,
     /// Why the verdict of a limit analysis may not be OK: no rule of rotation capacity holds.
     pub brittle: Option<String>,
+    /// Load cases in which a component may buckle: the component method binds there, whatever a limit analysis says.
+    pub unstable: Vec<String>,
 }
 
 impl HandChecks {
@@ -69,7 +71,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
                 out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
-                    let clear = section.h - 2.0 * (section.tf + section.r);
+                    let clear = Section::from(section).clear_depth();
                     let rule = panel_in_shear(&format!("column web panel, {subject}"), clear, section.tw, c.steel.fy);
                     ductile |= rule.status == Status::Ok;
                     out.checks.push(rule);
@@ -164,7 +166,7 @@ fn doubler_fault(c: &ColumnSide) -> Option<String> {
 
 /// b_s: the plate is as wide as the web is flat.
 fn doubler_width(c: &ColumnSide) -> f64 {
-    c.section.h - 2.0 * (c.section.tf + c.section.r)
+    Section::from(&c.section).clear_depth()
 }
 
 /// Rows from the top.
@@ -201,7 +203,8 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
     let mut out = pattern_checks("end plate", &plate);
     if let Some(c) = &e.column {
         // pitch and gauge are those of the plate; the ends of the column are far
-        let end = end_distance(e, -c.below, c.above);
+        let free = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
+        let end = end_distance(e, -free(c.below), free(c.above));
         let e1 = (end < 4.0 * thinner + 40.0).then_some(end);
         let flange = Pattern { e1, e2: Some(0.5 * (c.section.b - e.gauge)), p1: None, p2: None, ..plate };
         out.extend(pattern_checks("column flange", &flange));
@@ -363,6 +366,7 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             fy: e.beam_steel.fy,
             flange_throat: e.flange_throat,
             web_throat: e.web_throat,
+            shear: 0.0,
         },
         plate: Plate { thickness: e.thickness, width: e.width, bottom: e.bottom, top: e.top, fy: e.plate_steel.fy },
         bolts: Bolts {
@@ -416,7 +420,7 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
         force.steps.extend(shown.into_iter().flat_map(|c| c.worked.steps.iter().cloned()));
         out.push(force.information(topic, subject));
     }
-    out.extend(a.limits.iter().map(|l| l.clone().information(topic, sense)));
+    out.extend(a.limits.iter().map(|l| l.worked.clone().information(topic, sense)));
     out.push(a.moment.clone().information(topic, sense));
     let (joint, beam) = (a.moment.value, a.beam_moment.value);
     let formula = format!("M_j,Rd/M_c,Rd = {}/{}", Unit::Moment.show(joint), Unit::Moment.show(beam));

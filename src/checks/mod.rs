@@ -10,8 +10,10 @@ pub mod ductility;
 pub mod end_plate;
 pub mod error;
 pub mod eurocode;
+pub mod judgement;
 pub mod verdict;
 
 pub use check::{Check, Status, Step, Topic, Unit, Worked};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, PureMoment, hand_checks};
 pub use error::CheckError;
+pub use judgement::{Analysed, Judgement, judge};

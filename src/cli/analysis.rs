@@ -1,20 +1,20 @@
 //! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
 
 use super::adaptive::{self, Adapted, Kept, Share};
-use super::answer::answer;
+use super::conclude::{Analyses, certified, conclude};
 use super::interrupt::Interrupt;
 use super::outcome::Outcome;
 use super::polygon::Directions;
 use super::remesh::Remesh;
-use super::{Common, Format, memory_limit, out};
+use super::{Common, memory_limit};
 use crate::adapt::memory::{Limit, room};
 use crate::adapt::pass::{self, PassOptions, Refusal};
 use crate::adapt::plan;
 use crate::adapt::problem::Program;
 use crate::assembly::BoltLine;
 use crate::bounds::faces::contact_faces;
+use crate::checks::HandChecks;
 use crate::checks::verdict::{self, Verdict};
-use crate::checks::{HandChecks, Status};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
@@ -25,17 +25,15 @@ use crate::report::data::{CaseResult, HistoryRow, Quantity, ResultFile};
 use crate::report::demand::{Demand, EndAction};
 use crate::report::figures::{self, Rounding};
 use crate::report::folder::ResultFolder;
-use crate::report::html;
 use crate::report::joint_stiffness::joint_stiffness;
 use crate::report::log::Log;
-use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
+use crate::report::page::{CatalogueRow, ModelTraits, PictureRef, ResolvedValue, Table};
 use crate::report::plot::{Plot, Series};
 use crate::report::polygon;
 use crate::report::preload_text::mark_halved;
 use crate::report::progress::{self, refusal_words};
 use crate::report::raster::{PictureOptions, draw};
 use crate::report::static_forces::static_forces;
-use crate::report::text::report_markdown;
 use crate::solve::{Patterns, SolveOptions, Solver};
 use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
@@ -212,8 +210,7 @@ pub fn finish(
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
     let mut echo = echo;
     let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
-    let failed = echo.checks.failed();
-    result.checks.clone_from(&echo.checks.checks);
+    let demanded = demanded(&cases);
     result.warnings.clone_from(&echo.checks.notes);
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
@@ -253,10 +250,12 @@ pub fn finish(
                 echo.coarser
             ));
         }
-        if let (Quantity::LoadFactor, Some(actions)) = (entry.quantity, demand) {
+        if entry.quantity == Quantity::LoadFactor {
             let (lower, upper) = entry.safe_bounds();
             entry.utilisation = verdict::utilisation(lower, upper);
-            entry.demand = Some(Demand::new((lower, upper), actions, &echo.checks, &entry.name));
+        }
+        if let Some(actions) = demand.filter(|d| !d.is_empty()) {
+            entry.demand = Some(Demand::new(&entry, certified(&entry), actions, &echo.checks));
         }
         let best = lower.as_ref().unwrap_or(&upper);
         mark_halved(&mut entry.preload, &best.model, &echo.mirror);
@@ -307,71 +306,21 @@ pub fn finish(
         pictures.insert(0, PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") });
     }
     let complete = result.cases.len() == names.len();
-    result.verdict = Verdict::worst(result.cases.iter().filter_map(|c| c.demand.as_ref()).map(|d| d.verdict));
-    if !complete && result.verdict == Verdict::Ok {
-        result.verdict = Verdict::Undecided;
-    }
-    if failed {
-        result.verdict = Verdict::NotOk;
-    }
-    let json = result.to_json().map_err(Diagnostic::from)?;
-    for (drawing, text) in &echo.drawings {
-        folder.write(&drawing.file, text.as_bytes())?;
-    }
-    let data = ReportData {
-        project: echo.project,
-        result,
-        input_name: echo.input_name,
-        input_text: echo.input_text,
-        resolved: echo.resolved,
-        catalogue_rows: echo.catalogue_rows,
-        drawings: echo.drawings.into_iter().map(|d| d.0).collect(),
-        schedule: echo.schedule,
-        pictures,
-        mesh_quality: echo.mesh_quality,
-        model: traits,
-        assumptions: Vec::new(),
-        notes,
-    };
-    folder.write("result.json", json.as_bytes())?;
-    let report = report_markdown(&data);
-    folder.write("report.md", report.as_bytes())?;
-    html::write(&folder, &report)?;
-    let bare = data.result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
-    let certified = data.result.cases.iter().all(|c| c.certificate.is_some_and(|x| x.strict) && has_asked_bounds(c));
-    for c in &data.result.cases {
-        log.line(answer(c));
-    }
-    data.result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
-    if failed {
-        let count = data.result.checks.iter().filter(|c| c.status == Status::Failed).count();
-        log.line(format!("NOT OK: {count} hand check{} failed, see the report", if count == 1 { "" } else { "s" }));
-    }
-    if limits.interrupt.asked() && bare && folder.target().exists() {
-        log.line(format!("interrupted before anything was certified: {} stays as it was", folder.target().display()));
-        return Ok(3);
-    }
-    folder.write("log.txt", log.text().as_bytes())?;
-    let place = folder.finish()?;
-    log.line(format!("result: {}", place.join("report.md").display()));
-    if common.format == Format::Json {
-        out::text(&json)?;
-    }
-    Ok(match data.result.verdict {
-        Verdict::NotOk => 1,
-        Verdict::Undecided => 3,
-        _ if complete && certified => 0,
-        _ => 3,
-    })
+    let interrupted = limits.interrupt.asked();
+    let analyses = Analyses { demanded, complete, interrupted, pictures, traits, notes };
+    conclude(result, echo, analyses, folder, &log, common)
 }
 
-/// Every program that ran gave its bound, on one mesh or another; where none had to run, there is one.
-fn has_asked_bounds(c: &CaseResult) -> bool {
-    let ran = |program: fn(&HistoryRow) -> bool| c.history.iter().any(program);
-    let told = |ran: bool, bound: bool| bound || !ran;
-    (c.upper.is_some() || c.lower.is_some())
-        && told(ran(|h| h.kinematic.is_some()), c.upper.is_some())
-        && told(ran(|h| h.static_.is_some()), c.lower.is_some())
+/// The load cases that demand something of the joint, with the kinds of analysis asked for.
+fn demanded(cases: &[Case]) -> Vec<(String, Vec<AnalysisKind>)> {
+    let mut out: Vec<(String, Vec<AnalysisKind>)> = Vec::new();
+    for c in cases.iter().filter(|c| c.demand.as_ref().is_some_and(|d| !d.is_empty())) {
+        match out.iter_mut().find(|(name, _)| *name == c.name) {
+            Some((_, kinds)) => kinds.push(c.model.analysis),
+            None => out.push((c.name.clone(), vec![c.model.analysis])),
+        }
+    }
+    out
 }
 
 /// The file names of the cases: with the kind of analysis where an earlier case has the same name.

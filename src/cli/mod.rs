@@ -6,6 +6,8 @@ pub mod analysis;
 pub mod answer;
 pub mod aside;
 pub mod catalog;
+pub mod check;
+pub mod conclude;
 mod derived;
 pub mod doctor;
 pub mod interrupt;
@@ -74,6 +76,8 @@ pub enum Command {
     Run(run::RunArgs),
     /// The same engine on a mesh you bring.
     Analyse(analyse::AnalyseArgs),
+    /// The code's checks, detailing, drawing and verdict by code, at once
+    Check(check::CheckArgs),
     /// Geometry and mesh only.
     Mesh(mesh::MeshArgs),
     /// Speed against error: meshes and solvers side by side.
@@ -96,6 +100,7 @@ pub fn dispatch(cli: &Cli) -> Outcome {
         Command::New(args) => new::run(args, &cli.common),
         Command::Run(args) => run::run(args, &cli.common),
         Command::Analyse(args) => analyse::run(args, &cli.common),
+        Command::Check(args) => check::run(args, &cli.common),
         Command::Mesh(args) => mesh::run(args, &cli.common),
         Command::Study(args) => study::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),

@@ -11,7 +11,8 @@ use super::{Common, Outcome};
 use crate::adapt::plan;
 use crate::assembly::joint::PartRole;
 use crate::checks::end_plate::{grip, stocked_length};
-use crate::checks::{HandChecks, Status, Topic, hand_checks};
+use crate::checks::verdict::Verdict;
+use crate::checks::{Analysed, HandChecks, Status, Topic, hand_checks, judge};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
@@ -93,7 +94,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let log = Arc::new(Log::new(common.quiet));
     let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
-    tell(&checks, &log);
+    tell(&checks, demanded_cases(&input), &log);
     let start = Instant::now();
     let options = mesh_options(args.full, args.size_factor, &input, &mesher, &limits.interrupt, folder.path());
     let meshed = mesh(&options, &input, &log)?;
@@ -121,12 +122,26 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         }
     }
     limits.interrupt.check("meshing")?;
+    let mut echo = echo(&args.spec, &input, checks);
+    echo.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    // the models hold what the catalogue and the template gave, the script what the mesher was told
+    let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
+    let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
+    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
+    echo.input_hash = input_hash(&pieces);
+    echo.mesh_quality = quality_table(&meshed.quality);
+    echo.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
+    echo.adapt = Some(plan::Limits { target_gap: asked.target_gap, max_passes, max_macro_tets: asked.max_macro_tets });
+    echo.polygon = polygon.cloned();
+    finish(cases, echo, &limits, folder, log, common)
+}
+
+/// What a report says of a spec, without meshes.
+pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Echo {
     let project = &input.spec.value.project;
-    let title =
-        project.title.clone().filter(|t| !t.trim().is_empty()).unwrap_or_else(|| {
-            args.spec.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned())
-        });
-    let mut block = vec![("title".to_string(), title)];
+    let title = project.title.clone().filter(|t| !t.trim().is_empty());
+    let stem = || path.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned());
+    let mut block = vec![("title".to_string(), title.unwrap_or_else(stem))];
     for (name, value) in [
         ("number", &project.number),
         ("author", &project.author),
@@ -136,34 +151,22 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     ] {
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
-    block.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
-    // the models hold what the catalogue and the template gave, the script what the mesher was told
-    let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
-    let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
-    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
-    let echo = Echo {
+    let end_plate = input.joint.end_plate.as_ref();
+    Echo {
         project: block,
-        input_name: args.spec.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
-        input_hash: input_hash(&pieces),
-        resolved: resolved_values(&input),
-        catalogue_rows: catalogue_rows(&input),
-        mesh_quality: quality_table(&meshed.quality),
-        mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
-        adapt: Some(plan::Limits { target_gap: asked.target_gap, max_passes, max_macro_tets: asked.max_macro_tets }),
+        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_text: input.text.clone(),
+        resolved: resolved_values(input),
+        catalogue_rows: catalogue_rows(input),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
-        drawings: drawings(&input),
-        schedule: input
-            .joint
-            .end_plate
-            .as_ref()
-            .map_or_else(Default::default, |e| schedule::schedule(e, plates(&input), stocked_length(e), grip(e))),
+        drawings: drawings(input),
+        schedule: end_plate
+            .map_or_else(Default::default, |e| schedule::schedule(e, plates(input), stocked_length(e), grip(e))),
         bolts: input.joint.bolts.clone(),
-        polygon: polygon.cloned(),
-        input_text: input.text.clone(),
-    };
-    finish(cases, echo, &limits, folder, log, common)
+        ..Echo::default()
+    }
 }
 
 /// End plates of the joint.
@@ -184,15 +187,32 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
     out
 }
 
-/// What is wrong with the detailing, before anything is meshed.
-fn tell(hand: &HandChecks, log: &Log) {
+/// The load cases with actions at member ends: each is a demand.
+pub fn demanded_cases(input: &SpecFile) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    for load in input.spec.value.loads.iter().filter(|l| !l.of_polygon && l.end.is_some()) {
+        if !out.contains(&load.name) {
+            out.push(load.name.clone());
+        }
+    }
+    out
+}
+
+/// What the code says, before anything is meshed: faults of the detailing, and the verdict by code alone.
+fn tell(hand: &HandChecks, cases: Vec<String>, log: &Log) {
     for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
         match c.status {
             Status::Failed => log.line(format!("check failed: {}", c.sentence())),
             Status::Warning => log.line(format!("detailing: {}", c.sentence())),
-            Status::Ok | Status::Information => {}
+            Status::Ok | Status::Information | Status::Undecided => {}
         }
     }
+    if cases.is_empty() {
+        return;
+    }
+    let alone = |case| Analysed { case, verdict: Verdict::None, utilisation: None };
+    let (judgement, _) = judge(&mut hand.clone(), &cases.into_iter().map(alone).collect::<Vec<_>>());
+    log.line(format!("by code alone: {}: {}", judgement.verdict.words(), judgement.reason));
 }
 
 /// The kinds of analysis asked for, if this version has them.

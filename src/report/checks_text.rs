@@ -5,18 +5,22 @@ use super::page::Table;
 use super::text::{heading, inline, paragraph, strings, table};
 use crate::checks::{Check, Status, Topic};
 
-/// Under the answer: what failed. Nothing where no check failed.
-pub(super) fn verdict(page: &mut String, checks: &[Check]) {
-    let failed: Vec<&Check> = checks.iter().filter(|c| c.status == Status::Failed).collect();
-    if failed.is_empty() {
-        return;
+/// Under the verdict: what failed, and what the code leaves undecided.
+pub(super) fn failed(page: &mut String, checks: &[Check]) {
+    for (status, one, many) in [
+        (Status::Failed, "A check fails", "Checks fail"),
+        (Status::Undecided, "The code gives no resistance for one thing", "The code gives no resistance for these"),
+    ] {
+        let found: Vec<&Check> = checks.iter().filter(|c| c.status == status).collect();
+        if found.is_empty() {
+            continue;
+        }
+        paragraph(page, &format!("**{}**:", if found.len() == 1 { one } else { many }));
+        for c in found {
+            page.push_str(&format!("- {}\n", inline(&c.sentence())));
+        }
+        page.push('\n');
     }
-    let many = if failed.len() == 1 { "A check failed" } else { "Checks failed" };
-    paragraph(page, &format!("**{many}**, whatever the analysis says:"));
-    for c in failed {
-        page.push_str(&format!("- {}\n", inline(&c.sentence())));
-    }
-    page.push('\n');
 }
 
 /// The hand checks, below the input.
@@ -49,7 +53,7 @@ pub(super) fn checks(page: &mut String, checks: &[Check]) {
     }
 }
 
-const TOPICS: [(Topic, &str, &str); 6] = [
+const TOPICS: [(Topic, &str, &str); 7] = [
     (
         Topic::Detailing,
         "Detailing",
@@ -72,8 +76,15 @@ const TOPICS: [(Topic, &str, &str); 6] = [
     (
         Topic::ComponentMethod,
         "Component method",
-        "Information, for both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2, its prying \
-         forces decided by the length of the bolts. A demand above its resistance is a warning: the limit analysis decides.",
+        "For both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2, its prying forces decided by \
+         the length of the bolts. Of a load case, strength by this method decides where no limit analysis does; where one decides and \
+         nothing may buckle, a demand above its resistance is a warning.",
+    ),
+    (
+        Topic::Stability,
+        "Stability",
+        "What may buckle before it yields. Limit analysis does not see it, so that these checks and the component method decide \
+         beside any bracket; where the code gives no resistance, the verdict is at most UNDECIDED.",
     ),
     (
         Topic::Stiffness,
@@ -98,6 +109,7 @@ fn status(status: Status) -> &'static str {
     match status {
         Status::Ok => "OK",
         Status::Failed => "**FAILED**",
+        Status::Undecided => "**UNDECIDED**",
         Status::Warning => "warning",
         Status::Information => "information",
     }

@@ -10,7 +10,7 @@ use super::static_forces::StaticForces;
 use crate::adapt::coulomb::FixedPointRun;
 use crate::adapt::preload::Tightened;
 pub use crate::checks::verdict::Verdict;
-use crate::checks::{Check, JointStiffness};
+use crate::checks::{Check, JointStiffness, Judgement};
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;
 use serde::{Deserialize, Serialize};
@@ -37,6 +37,9 @@ pub struct ResultFile {
     pub symmetry: u32,
     /// The answer in one word.
     pub verdict: Verdict,
+    /// Where a demand is judged: the verdicts by code and by analysis, the reason and what governs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judgement: Option<Judgement>,
     /// One entry a load case and kind of analysis.
     pub cases: Vec<CaseResult>,
     /// Hand checks of the code.
@@ -397,7 +400,18 @@ impl ResultFile {
     pub fn new(input_hash: impl Into<String>, symmetry: u32, verdict: Verdict) -> Self {
         let (cases, checks, warnings) = (vec![], vec![], vec![]);
         let (tool, input_hash) = (Tool::this(), input_hash.into());
-        Self { schema: SCHEMA, tool, input_hash, symmetry, verdict, cases, checks, polygon: None, warnings }
+        Self {
+            schema: SCHEMA,
+            tool,
+            input_hash,
+            symmetry,
+            verdict,
+            judgement: None,
+            cases,
+            checks,
+            polygon: None,
+            warnings,
+        }
     }
 
     /// The text of `result.json`, the same for the same result.

@@ -1,19 +1,23 @@
 //! What a load case demands, and what the joint can carry of it.
 
-use super::data::{CaseResult, Problem, ResultFile, Upper};
+use super::data::{CaseResult, Problem, Quantity, ResultFile, Upper};
 use super::figures::{Rounding, bracket, significant};
 use super::page::Table;
 use super::text::{inline, strings, table};
 use crate::checks::verdict::Verdict;
-use crate::checks::{Comparison, HandChecks};
+use crate::checks::{Comparison, HandChecks, Judgement};
 use crate::spec::loads::Action;
 use serde::{Deserialize, Serialize};
 
 /// The demand of a load case and the verdict on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Demand {
-    /// The verdict at load factor 1.
+    /// The verdict at load factor 1, the worse of the next two.
     pub verdict: Verdict,
+    /// By the code's checks of the load case.
+    pub by_code: Verdict,
+    /// By the strict bounds of this entry; `none` of an analysis that brackets no resistance.
+    pub by_analysis: Verdict,
     /// Forces and moments at member ends, in the order of the spec.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<EndAction>,
@@ -26,15 +30,25 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// The demand of a load case with the verdict of strict bounds; a joint that may not yield as limit analysis takes it to is
-    /// at most undecided.
-    pub fn new(bounds: (Option<f64>, Option<f64>), actions: Vec<EndAction>, checks: &HandChecks, case: &str) -> Self {
-        let verdict = match Verdict::of(bounds.0, bounds.1) {
-            Verdict::Ok if checks.brittle.is_some() => Verdict::Undecided,
-            verdict => verdict,
+    /// The demand of a load case under one kind of analysis. In limit analysis strict bounds judge it; a joint that may not
+    /// yield as limit analysis takes it to is at most undecided. `certified`: the analysis gave what was asked of it.
+    pub fn new(entry: &CaseResult, certified: bool, actions: Vec<EndAction>, checks: &HandChecks) -> Self {
+        let (lower, upper) = entry.safe_bounds();
+        let by_analysis = match (entry.quantity, Verdict::of(lower, upper)) {
+            (Quantity::LoadFactor, Verdict::Ok) if checks.brittle.is_some() => Verdict::Undecided,
+            (Quantity::LoadFactor, verdict) => verdict,
+            (Quantity::PotentialEnergy, _) if certified => Verdict::None,
+            (Quantity::PotentialEnergy, _) => Verdict::Undecided,
         };
-        let component_method = checks.comparisons.iter().filter(|c| c.case == case).cloned().collect();
-        Self { verdict, actions, component_method, brittle: checks.brittle.clone() }
+        let component_method = checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
+        // the rule of rotation capacity is one of limit analysis
+        let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
+        Self { verdict: by_analysis, by_code: Verdict::None, by_analysis, actions, component_method, brittle }
+    }
+
+    /// Takes the verdicts of the load case.
+    pub fn judged(&mut self, judgement: &Judgement) {
+        (self.by_code, self.verdict) = (judgement.by_code, judgement.verdict);
     }
 }
 
@@ -119,7 +133,9 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
     }
     let mut rows = Vec::new();
     for (case, demand) in &judged {
-        let (lower, upper) = case.safe_bounds();
+        // an energy bounds no multiple of the load
+        let bounds = if case.quantity == Quantity::LoadFactor { case.safe_bounds() } else { (None, None) };
+        let (lower, upper) = bounds;
         for a in &demand.actions {
             let (value, unit) = a.value.shown();
             let size = |factor: f64, rounding| {
@@ -161,14 +177,31 @@ pub(super) fn demands(page: &mut String, result: &ResultFile) {
 mod tests {
     use super::*;
 
+    /// A case of limit analysis with these bounds.
+    fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
+        let mut case = crate::report::data::tests::case();
+        case.quantity = Quantity::LoadFactor;
+        (case.problem, case.lower, case.upper) = (Problem::Frictionless, lower, upper.map(Upper::Finite));
+        case
+    }
+
     /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK; bounds below 1 still refuse it.
+    /// Energies judge nothing, but an analysis without a certificate leaves the case open.
     #[test]
     fn a_brittle_joint_is_at_most_undecided() {
         let brittle = HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
-        let verdict = |checks: &HandChecks, l, u| Demand::new((Some(l), Some(u)), Vec::new(), checks, "ULS1").verdict;
+        let verdict = |checks: &HandChecks, l, u| {
+            Demand::new(&limit_case(Some(l), Some(u)), true, Vec::new(), checks).by_analysis
+        };
         assert_eq!(verdict(&HandChecks::default(), 1.1, 1.2), Verdict::Ok);
         assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
         assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
+        let elastic = |certified| {
+            let case = CaseResult { quantity: Quantity::PotentialEnergy, ..limit_case(Some(1.1), Some(1.2)) };
+            Demand::new(&case, certified, Vec::new(), &brittle)
+        };
+        assert_eq!([true, false].map(|c| elastic(c).by_analysis), [Verdict::None, Verdict::Undecided]);
+        assert_eq!(elastic(true).brittle, None);
     }
 
     /// Where one bound is missing the other is told, with its side in words.
@@ -182,10 +215,9 @@ mod tests {
             factored: true,
         };
         let text = |lower: Option<f64>, upper: Option<f64>| {
-            let mut case = crate::report::data::tests::case();
-            (case.problem, case.lower, case.upper) = (Problem::Frictionless, lower, upper.map(Upper::Finite));
+            let mut case = limit_case(lower, upper);
             let actions = vec![action(40e6), action(-10e6)];
-            case.demand = Some(Demand::new((lower, upper), actions, &HandChecks::default(), "TOP"));
+            case.demand = Some(Demand::new(&case, true, actions, &HandChecks::default()));
             let mut result = ResultFile::new("", 1, Verdict::Undecided);
             result.cases.push(case);
             let mut page = String::new();

@@ -35,6 +35,7 @@ mod summary;
 pub mod surface;
 mod svg;
 pub mod text;
+pub mod verdict_text;
 pub mod vtu;
 
 pub use canvas::Picture;

@@ -1,6 +1,6 @@
 //! The table a checker reads first: every check with a demand, what governs in bold.
 
-use super::data::ResultFile;
+use super::data::{Quantity, ResultFile};
 use super::figures::{Rounding, significant};
 use super::page::Table;
 use super::text::{paragraph, strings, table};
@@ -18,7 +18,7 @@ struct Row {
 pub(super) fn table_of_checks(page: &mut String, result: &ResultFile) {
     let mut rows: Vec<Row> = Vec::new();
     for case in &result.cases {
-        let Some(demand) = &case.demand else { continue };
+        let Some(demand) = case.demand.as_ref().filter(|_| case.quantity == Quantity::LoadFactor) else { continue };
         let used = case.utilisation.map(|[l, u]| {
             let (l, u) = (significant(l, 3, Rounding::Down), significant(u, 3, Rounding::Up));
             format!("{l} … {u}")
@@ -38,9 +38,9 @@ pub(super) fn table_of_checks(page: &mut String, result: &ResultFile) {
             bounds,
             used.unwrap_or_else(|| "–".into()),
             "limit analysis".into(),
-            demand.verdict.words().into(),
+            demand.by_analysis.words().into(),
         ];
-        let governs_by = case.utilisation.map(|u| u[1]).or((demand.verdict == Verdict::Undecided).then_some(1.0));
+        let governs_by = case.utilisation.map(|u| u[1]).or((demand.by_analysis == Verdict::Undecided).then_some(1.0));
         rows.push(Row { cells, governs_by });
     }
     let loaded: Vec<&Check> = result.checks.iter().filter(|c| c.case.is_some()).collect();
@@ -54,7 +54,7 @@ pub(super) fn table_of_checks(page: &mut String, result: &ResultFile) {
         Some(u) if u >= most => r.cells.into_iter().map(|c| format!("**{c}**")).collect(),
         _ => r.cells,
     };
-    paragraph(page, "Every check with a demand; what governs is bold, the component method is information:");
+    paragraph(page, "Every check with a demand; what governs is bold:");
     let columns = strings(["case", "check", "Ed", "Rd", "utilisation", "clause", "status"]);
     table(page, &Table { columns, rows: rows.into_iter().map(bold).collect() });
 }
@@ -69,10 +69,12 @@ fn worst_distance(checks: &[Check]) -> Option<&Check> {
 }
 
 fn row(c: &Check) -> Row {
-    let decides = !matches!(c.topic, Topic::ComponentMethod | Topic::Stiffness | Topic::Ductility);
+    // strength by the component method decides until a limit analysis does, which makes what it exceeds a warning
+    let decides = !matches!(c.topic, Topic::Stiffness | Topic::Ductility) && c.status != Status::Warning;
     let show = |v: Option<f64>| v.map_or("–".into(), |v| c.unit.show(v));
     let status = match (c.status, decides) {
         (Status::Failed, _) => "FAILED",
+        (Status::Undecided, _) => "UNDECIDED",
         (Status::Ok, true) => "OK",
         (Status::Ok, false) => "OK, information",
         (Status::Warning, _) => "exceeded, information",

@@ -7,9 +7,8 @@ use super::limit_text::{collapse, estimate_words, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
 use super::preload_text::preload_words;
-use super::{checks_text, comparison, joint_stiffness, polygon, static_forces, summary};
+use super::{checks_text, comparison, joint_stiffness, polygon, static_forces, summary, verdict_text};
 use crate::adapt::coulomb::FixedPointRun;
-use crate::checks::verdict::Verdict;
 use crate::checks::{Status, Topic};
 use crate::model::file::AnalysisKind;
 
@@ -18,13 +17,8 @@ pub fn report_markdown(data: &ReportData) -> String {
     let mut page = String::new();
     title_block(&mut page, data);
     heading(&mut page, "Answer");
-    checks_text::verdict(&mut page, &data.result.checks);
-    match data.result.verdict {
-        Verdict::Ok => paragraph(&mut page, "Verdict: **OK**, verified."),
-        Verdict::NotOk => paragraph(&mut page, "Verdict: **NOT OK**, verified."),
-        Verdict::Undecided => paragraph(&mut page, "Verdict: **undecided** within the limits given."),
-        Verdict::None => {}
-    }
+    verdict_text::verdict(&mut page, &data.result);
+    checks_text::failed(&mut page, &data.result.checks);
     summary::table_of_checks(&mut page, &data.result);
     demands(&mut page, &data.result);
     for case in &data.result.cases {
@@ -34,7 +28,7 @@ pub fn report_markdown(data: &ReportData) -> String {
         static_forces::tables(&mut page, case, data.result.symmetry);
     }
     if data.result.cases.is_empty() {
-        paragraph(&mut page, "No analysis was run.");
+        paragraph(&mut page, "By the code's checks alone: no analysis was run.");
     }
     polygon::section(&mut page, &data.result);
     for picture in &data.pictures {
@@ -50,6 +44,9 @@ pub fn report_markdown(data: &ReportData) -> String {
     input_echo(&mut page, data);
     values(&mut page, data);
     checks_text::checks(&mut page, &data.result.checks);
+    if data.result.cases.is_empty() {
+        return page;
+    }
     heading(&mut page, "Mesh and history");
     if !data.mesh_quality.rows.is_empty() {
         table(&mut page, &data.mesh_quality);

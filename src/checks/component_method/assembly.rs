@@ -1,7 +1,7 @@
 //! Assembly of the components: row forces and moment resistance. EN 1993-1-8:2005 6.2.7.2.
 
-use super::column_web::{self, CompressedWeb};
-use super::joint::EndPlateJoint;
+use super::column_web::{self, CompressedWeb, ShearPanel};
+use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{beam, stiffness};
@@ -9,9 +9,7 @@ use crate::checks::check::{Unit, Worked, number};
 use crate::checks::error::CheckError;
 
 /// Part of the tension resistance of a row's bolts above which the rows below may not be plastic, 6.2.7.2(9).
-const NEARLY_BOLTS: f64 = 1.9;
-/// Part of the plastic axial force of the beam up to which its effect is left out, 6.2.7.1(2).
-pub const SMALL_AXIAL: f64 = 0.05;
+pub(super) const NEARLY_BOLTS: f64 = 1.9;
 
 /// A component that the rows `first..=row` share, row counted from 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,19 +45,53 @@ pub struct RowForce {
     pub elastic: bool,
 }
 
+/// Which component limits the sum of the rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Summed {
+    /// Column web in compression.
+    ColumnWeb,
+    /// Beam flange and web in compression.
+    BeamFlange,
+    /// Column web panel in shear, over β.
+    Panel,
+}
+
+/// A limit of the sum of the rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Which component.
+    pub of: Summed,
+    /// Its resistance \[N\].
+    pub worked: Worked,
+}
+
+/// A component whose resistance, or whose place in the code, hangs on buckling.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stability {
+    /// What may buckle, with the number and the limit it exceeds.
+    pub why: String,
+    /// Clause.
+    pub clause: &'static str,
+    /// True: the component's resistance holds the reduction, so that the component method answers. False: the code gives no
+    /// resistance to design with, and the component method alone cannot say OK.
+    pub covered: bool,
+}
+
 /// Resistance and stiffness of a joint for one sense of bending.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     /// Rows in tension, from the outermost.
     pub rows: Vec<RowForce>,
     /// Limits of the sum of the rows: column web and beam flange in compression, column web panel over β.
-    pub limits: Vec<Worked>,
+    pub limits: Vec<Limit>,
     /// V_wp,Rd of the column web panel, not over β; `None` without a column.
     pub panel: Option<Worked>,
     /// M_j,Rd.
     pub moment: Worked,
     /// M_c,Rd of the beam.
     pub beam_moment: Worked,
+    /// Parts that may buckle, which a limit analysis does not see.
+    pub stability: Vec<Stability>,
     /// Stiffness coefficients and S_j,ini.
     pub stiffness: stiffness::Stiffness,
 }
@@ -84,9 +116,12 @@ impl Assessment {
     /// Whether the web panel in shear limits the sum.
     pub fn shear_governs(&self) -> bool {
         let total = self.tension();
-        self.limits
-            .iter()
-            .any(|l| l.unit == Unit::Force && l.title.contains("shear") && l.value <= total * (1.0 + 1e-9))
+        self.limits.iter().any(|l| l.of == Summed::Panel && l.worked.value <= total * (1.0 + 1e-9))
+    }
+
+    /// The resistance of a component that limits the sum \[N\].
+    pub fn limit(&self, of: Summed) -> Option<&Worked> {
+        self.limits.iter().find(|l| l.of == of).map(|l| &l.worked)
     }
 }
 
@@ -100,19 +135,22 @@ impl Assessment {
 /// EN 1993-1-8:2005 6.2.7.2(1) to (9), formula 6.25.
 pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
-    let beam_moment = beam::moment_resistance(&joint.beam.section, joint.beam.fy, joint.gamma_m0)?;
-    let panel = panel(joint, &rows)?;
-    let limits = limits(joint, &rows, beam_moment.value, panel.as_ref());
+    let beam = &joint.beam;
+    let beam_moment = beam::moment_resistance(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
+    let panel = panel(joint, &rows).map(|p| (p.resistance(), p));
+    let (resistance, panel) = panel.unzip();
+    let limits = limits(joint, &rows, beam_moment.value, resistance.as_ref());
+    let stability = stability(joint, &rows, panel.as_ref());
     let (mut left, mut least) = (f64::INFINITY, "");
     for l in &limits {
-        if l.value < left {
-            (left, least) = (l.value, l.title);
+        if l.worked.value < left {
+            (left, least) = (l.worked.value, l.worked.title);
         }
     }
     let mut found: Vec<RowForce> = Vec::new();
     for r in 0..rows.count() {
         let alone = rows.components(r, r);
-        let mut limit = Limit::none();
+        let mut limit = Least::none();
         for c in &alone {
             limit.lower(c.worked.value, || c.name.into(), c.mode);
         }
@@ -154,17 +192,17 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     }
     let moment = moment(&found);
     let stiffness = stiffness::initial(joint, &rows)?;
-    Ok(Assessment { rows: found, limits, panel, moment, beam_moment, stiffness })
+    Ok(Assessment { rows: found, limits, panel: resistance, moment, beam_moment, stability, stiffness })
 }
 
 /// The least limit so far and what it is.
-struct Limit {
+struct Least {
     force: f64,
     words: String,
     mode: Option<Mode>,
 }
 
-impl Limit {
+impl Least {
     fn none() -> Self {
         Self { force: f64::INFINITY, words: String::new(), mode: None }
     }
@@ -188,9 +226,9 @@ fn moment(rows: &[RowForce]) -> Worked {
     Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", title, value, Unit::Moment, formula)
 }
 
-/// V_wp,Rd of the column web panel; `None` where there is none or nothing shears it.
-fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Option<Worked>, CheckError> {
-    let Some(c) = joint.column.as_ref().filter(|_| joint.beta > 0.0) else { return Ok(None) };
+/// The column web panel; `None` where there is none or nothing shears it.
+fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
+    let c = joint.column.as_ref().filter(|_| joint.beta > 0.0)?;
     let (s, b) = (&c.section, &joint.beam.section);
     let stiffeners = if c.stiffener > 0.0 {
         let plastic = |t: f64| 0.25 * s.b * t * t * c.fy / joint.gamma_m0;
@@ -198,61 +236,110 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Option<Worked>, Check
     } else {
         0.0
     };
-    column_web::panel_shear(rows.shear_area(), c.fy, s.clear_depth(), s.tw, stiffeners, joint.gamma_m0).map(Some)
+    Some(ShearPanel {
+        area: rows.shear_area(),
+        fy: c.fy,
+        clear_depth: s.clear_depth(),
+        web_depth: s.h - 2.0 * s.tf,
+        web: s.tw,
+        stiffeners,
+        gamma_m0: joint.gamma_m0,
+        gamma_m1: joint.gamma_m1,
+    })
+}
+
+/// Width of the compressed zone of the column web, the column continuing \[mm\].
+pub(super) fn zone_width(joint: &EndPlateJoint, c: &Column) -> f64 {
+    let (s, b) = (&c.section, &joint.beam);
+    // the plate reaches below the compressed flange
+    let overhang = -0.5 * b.section.h - joint.plate.bottom;
+    column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, joint.plate.thickness, overhang)
+}
+
+/// A zone of the column web in compression, `width` \[mm\].
+pub(super) fn zone(joint: &EndPlateJoint, c: &Column, width: f64, shear_area: f64) -> CompressedWeb {
+    let s = &c.section;
+    CompressedWeb {
+        effective_width: width,
+        web: column_web::compressed_thickness(s.tw, c.doublers),
+        clear_depth: s.clear_depth(),
+        fy: c.fy,
+        young: joint.young,
+        omega: column_web::shear_interaction(joint.beta, width, s.tw, shear_area),
+        longitudinal: c.longitudinal,
+        gamma_m0: joint.gamma_m0,
+        gamma_m1: joint.gamma_m1,
+    }
+}
+
+/// Resistance of a zone, with the stiffeners of the column.
+pub(super) fn compressed(zone: &CompressedWeb, c: &Column) -> Worked {
+    if c.stiffener > 0.0 { zone.stiffened(0.5 * (c.section.b - c.section.tw), c.stiffener) } else { zone.resistance() }
+}
+
+/// The zone below the compressed flange, cut where the column ends.
+fn cut_zone(joint: &EndPlateJoint, c: &Column, shear_area: f64) -> CompressedWeb {
+    let (width, b) = (zone_width(joint, c), &joint.beam.section);
+    let centre = 0.5 * (b.h - b.tf);
+    let half = c.below.map_or(0.5 * width, |end| (0.5 * width).min(end - centre).max(0.0));
+    zone(joint, c, half + 0.5 * width, shear_area)
 }
 
 /// What the compressed and the sheared components leave of the sum of the rows.
-fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64, panel: Option<&Worked>) -> Vec<Worked> {
+fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64, panel: Option<&Worked>) -> Vec<Limit> {
     let b = &joint.beam;
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
-        let s = &c.section;
-        // the plate reaches below the compressed flange, the column to its end
-        let overhang = -0.5 * b.section.h - joint.plate.bottom;
-        let t = joint.plate.thickness;
-        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, t, overhang);
-        let centre = 0.5 * (b.section.h - b.section.tf);
-        let width = (0.5 * width).min(c.below - centre).max(0.0) + 0.5 * width;
-        let web = CompressedWeb {
-            effective_width: width,
-            web: column_web::compressed_thickness(s.tw, c.doublers),
-            clear_depth: s.clear_depth(),
-            fy: c.fy,
-            young: joint.young,
-            omega: column_web::shear_interaction(joint.beta, width, s.tw, rows.shear_area()),
-            longitudinal: c.longitudinal,
-            gamma_m0: joint.gamma_m0,
-            gamma_m1: joint.gamma_m1,
-        };
-        let stiffened = c.stiffener > 0.0;
-        out.push(if stiffened { web.stiffened(0.5 * (s.b - s.tw), c.stiffener) } else { web.resistance() });
+        let worked = compressed(&cut_zone(joint, c, rows.shear_area()), c);
+        out.push(Limit { of: Summed::ColumnWeb, worked });
     }
-    out.push(beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0));
+    let worked = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0);
+    out.push(Limit { of: Summed::BeamFlange, worked });
     if let Some(panel) = panel {
-        let mut panel = panel.clone();
+        let mut worked = panel.clone();
         if joint.beta != 1.0 {
-            panel.value /= joint.beta;
-            panel.formula += &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(panel.value));
+            worked.value /= joint.beta;
+            worked.formula += &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(worked.value));
         }
-        out.push(panel);
+        out.push(Limit { of: Summed::Panel, worked });
     }
     out
 }
 
-/// Utilisation of a joint under moment and axial force of the beam, to be at most 1: M_j,Ed/M_j,Rd while |N_Ed| ≤ 5 % of
-/// N_pl,Rd, otherwise `M_j,Ed/M_j,Rd + N_j,Ed/N_j,Rd`.
-///
-/// # Source
-/// EN 1993-1-8:2005 6.2.7.1(2) and (3), formula 6.24.
-pub fn moment_and_axial(moment: [f64; 2], axial: [f64; 2], plastic_axial: f64) -> Worked {
-    let ([m_ed, m_rd], [n_ed, n_rd]) = (moment.map(f64::abs), axial.map(f64::abs));
-    let small = n_ed <= SMALL_AXIAL * plastic_axial;
-    let value = if small { m_ed / m_rd } else { m_ed / m_rd + n_ed / n_rd };
-    let show = |x: f64| Unit::Moment.show(x);
-    let kn = |x: f64| Unit::Force.show(x);
-    let formula = match small {
-        true => format!("M_j,Ed/M_j,Rd = {}/{}, N_Ed = {} ≤ 0.05 N_pl,Rd", show(m_ed), show(m_rd), kn(n_ed)),
-        false => format!("M_j,Ed/M_j,Rd + N_j,Ed/N_j,Rd = {}/{} + {}/{}", show(m_ed), show(m_rd), kn(n_ed), kn(n_rd)),
-    };
-    Worked::new("EN 1993-1-8:2005 6.2.7.1(3)", "moment and axial force of the joint", value, Unit::Number, formula)
+/// The parts that may buckle before they yield.
+fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
+    let mut out = Vec::new();
+    if let Some(c) = &joint.column {
+        let web = cut_zone(joint, c, rows.shear_area());
+        let rho = web.buckling();
+        if c.stiffener == 0.0 && rho < 1.0 {
+            let why = format!(
+                "the column web buckles under the compressed flange: λ̄_p = {} > 0.72, ρ = {}",
+                number(web.slenderness()),
+                number(rho)
+            );
+            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
+        }
+        let (outstand, limit) = (0.5 * (c.section.b - c.section.tw), 14.0 * column_web::epsilon(c.fy));
+        if c.stiffener > 0.0 && outstand > limit * c.stiffener {
+            let ratio = number(outstand / c.stiffener);
+            let why =
+                format!("the stiffeners of the column are of class 4: c/t_s = {ratio} > 14 ε = {}", number(limit));
+            out.push(Stability { why, clause: "EN 1993-1-5:2006 9.2.1(8)", covered: false });
+        }
+        if let Some(panel) = panel.filter(|p| p.slender()) {
+            let (slenderness, limit) = panel.slenderness();
+            let why = format!(
+                "the column web panel is too slender in shear: d_c/t_w = {} > 69 ε = {}",
+                number(slenderness),
+                number(limit)
+            );
+            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.1(1)", covered: false });
+        }
+    }
+    if beam::class(&joint.beam.section, joint.beam.fy) == beam::Class::Slender {
+        let why = "the beam is of class 4 in bending: its compressed flange or web buckles before it yields".into();
+        out.push(Stability { why, clause: "EN 1993-1-1:2005 5.5.2", covered: false });
+    }
+    out
 }

@@ -15,8 +15,11 @@ pub struct Section {
     pub tw: f64,
     /// Flange thickness.
     pub tf: f64,
-    /// Root radius.
+    /// Root radius that belongs to the area: of A_vc alone.
     pub r: f64,
+    /// Root radius of the geometry (m, s, clear depths). W shapes: that of k_des, for the fillet their area implies is not
+    /// the one that is rolled; otherwise `r`.
+    pub root: f64,
     /// Area.
     pub area: f64,
     /// Plastic section modulus about the strong axis.
@@ -30,7 +33,7 @@ pub struct Section {
 impl Section {
     /// Clear depth of the web between the roots, d = h − 2 (t_f + r) \[mm\].
     pub fn clear_depth(&self) -> f64 {
-        self.h - 2.0 * (self.tf + self.r)
+        self.h - 2.0 * (self.tf + self.root)
     }
 }
 
@@ -42,6 +45,7 @@ impl From<&IProfile> for Section {
             tw: p.tw,
             tf: p.tf,
             r: p.r,
+            root: p.r_detailing.unwrap_or(p.r),
             area: 1e2 * p.area,
             w_pl: 1e3 * p.w_pl_y,
             w_el: 1e3 * p.w_el_y,
@@ -57,10 +61,10 @@ pub struct Column {
     pub section: Section,
     /// Nominal yield strength \[MPa\].
     pub fy: f64,
-    /// From the beam's axis to the upper end \[mm\].
-    pub above: f64,
-    /// From the beam's axis to the lower end \[mm\].
-    pub below: f64,
+    /// From the beam's axis to the upper end \[mm\]; `None`: the column continues.
+    pub above: Option<f64>,
+    /// From the beam's axis to the lower end \[mm\]; `None`: the column continues.
+    pub below: Option<f64>,
     /// Thickness of the stiffeners on both sides of the web, level with both beam flanges \[mm\]; 0 for none.
     pub stiffener: f64,
     /// Throat of the welds between stiffener and column flange \[mm\]; 0 for a butt weld.
@@ -77,6 +81,10 @@ impl Column {
     /// Refuses what the formulas have no meaning for.
     fn check(&self) -> Result<(), CheckError> {
         not_negative("root radius of the column [mm]", self.section.r)?;
+        not_negative("design root radius of the column [mm]", self.section.root)?;
+        for end in self.above.into_iter().chain(self.below) {
+            positive("distance of the beam axis from an end of the column [mm]", end)?;
+        }
         positive("clear depth of the column web [mm]", self.section.clear_depth())?;
         positive("yield strength of the column [MPa]", self.fy)?;
         for (name, value) in [
@@ -106,6 +114,8 @@ pub struct Beam {
     pub flange_throat: f64,
     /// Throat of the fillet welds of its web \[mm\]; 0 for a butt weld.
     pub web_throat: f64,
+    /// Shear force beside the moment \[N\]: above half of V_pl,Rd it takes from M_c,Rd.
+    pub shear: f64,
 }
 
 /// The end plate; z from the beam's axis, up positive.
@@ -188,6 +198,8 @@ impl EndPlateJoint {
             names.into_iter().zip(sizes).try_for_each(|(name, size)| positive(name, size))?;
         }
         not_negative("root radius of the beam [mm]", b.section.r)?;
+        not_negative("design root radius of the beam [mm]", b.section.root)?;
+        not_negative("shear force of the beam [N]", b.shear)?;
         positive("clear depth of the beam web [mm]", b.section.clear_depth())?;
         for (name, value) in [
             ("yield strength of the beam [MPa]", b.fy),
@@ -232,7 +244,7 @@ impl EndPlateJoint {
         range("number of rows", k.rows.len() as f64, !k.rows.is_empty(), "there must be one row at least")?;
         for (i, &z) in k.rows.iter().enumerate() {
             range("row of bolts [mm]", z, z > p.bottom && z < p.top, "it must lie on the plate")?;
-            let on_column = c.is_none_or(|c| -c.below < z && z < c.above);
+            let on_column = c.is_none_or(|c| c.below.is_none_or(|end| -end < z) && c.above.is_none_or(|end| z < end));
             range("row of bolts [mm]", z, on_column, "it must lie on the column")?;
             range("row of bolts [mm]", z, !k.rows[..i].contains(&z), "the same row stands twice")?;
         }

@@ -4,12 +4,14 @@ pub mod assembly;
 pub mod beam;
 pub mod column_web;
 pub mod effective_lengths;
+pub mod equilibrium;
 pub mod joint;
 pub mod rows;
 pub mod stiffness;
 pub mod t_stub;
 
-pub use assembly::{Assessment, assess};
+pub use assembly::{Assessment, Stability, Summed, assess};
+pub use equilibrium::Equilibrium;
 pub use joint::EndPlateJoint;
 
 #[cfg(test)]

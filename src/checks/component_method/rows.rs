@@ -35,10 +35,20 @@ enum Side {
     Beam,
 }
 
+/// Which flanges of the beam are in tension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flanges {
+    /// The upper one: a moment decides.
+    Upper,
+    /// Both: an axial force decides.
+    Both,
+}
+
 /// Rows in tension of a joint, from the top.
 #[derive(Clone, Debug)]
 pub struct Rows<'a> {
     joint: &'a EndPlateJoint,
+    flanges: Flanges,
     /// z of the rows from the beam's axis, from the top \[mm\].
     pub z: Vec<f64>,
     /// Their distances from the centre of compression \[mm\].
@@ -49,10 +59,21 @@ pub struct Rows<'a> {
 impl<'a> Rows<'a> {
     /// The rows above the centre of compression, the middle of the lower beam flange (figure 6.15).
     pub fn new(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
+        Self::of(joint, Flanges::Upper)
+    }
+
+    /// All rows of a joint that a force pulls off as a whole: both flanges of the beam are tension flanges, nothing is
+    /// compressed.
+    pub fn all(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
+        Self::of(joint, Flanges::Both)
+    }
+
+    fn of(joint: &'a EndPlateJoint, flanges: Flanges) -> Result<Self, CheckError> {
         joint.check()?;
         let b = &joint.beam.section;
         let centre = -0.5 * (b.h - b.tf);
-        let mut z: Vec<f64> = joint.bolts.rows.iter().copied().filter(|z| *z > centre).collect();
+        let pulled = |z: &f64| flanges == Flanges::Both || *z > centre;
+        let mut z: Vec<f64> = joint.bolts.rows.iter().copied().filter(pulled).collect();
         z.sort_by(|a, b| b.total_cmp(a));
         if z.is_empty() {
             return Err(CheckError::NotCovered {
@@ -66,7 +87,7 @@ impl<'a> Rows<'a> {
             let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
             column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler)
         });
-        let rows = Self { joint, z, lever, shear_area };
+        let rows = Self { joint, flanges, z, lever, shear_area };
         rows.covered()?;
         Ok(rows)
     }
@@ -74,7 +95,8 @@ impl<'a> Rows<'a> {
     /// Refuses rows that the tables of effective lengths do not know.
     fn covered(&self) -> Result<(), CheckError> {
         let not = |what: String, clause| Err(CheckError::NotCovered { what, clause });
-        if self.z.iter().filter(|z| self.outside(**z)).count() > 1 {
+        let outside = |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
+        if outside(true) > 1 || outside(false) > 1 {
             return not(
                 "two rows or more lie outside the tension flange of the beam".into(),
                 "EN 1993-1-8:2005 Table 6.6",
@@ -90,7 +112,10 @@ impl<'a> Rows<'a> {
             }
         }
         for (i, z) in self.z.iter().enumerate() {
-            let to_flange = if self.outside(*z) { self.mx(*z) } else { self.to_flange(*z) };
+            let to_flange = match self.outside(*z) {
+                true => self.mx(*z),
+                false => self.to_flanges(*z).into_iter().flatten().fold(f64::INFINITY, f64::min),
+            };
             if to_flange <= 0.0 {
                 return not(
                     format!("the row at z = {} mm stands on the beam flange or its weld", n(*z)),
@@ -118,15 +143,15 @@ impl<'a> Rows<'a> {
         self.shear_area
     }
 
-    /// Whether a row lies outside the tension flange.
+    /// Whether a row lies outside a tension flange.
     fn outside(&self, z: f64) -> bool {
-        z > 0.5 * (self.joint.beam.section.h - self.joint.beam.section.tf)
+        z.abs() > 0.5 * (self.joint.beam.section.h - self.joint.beam.section.tf)
     }
 
     /// m of the column flange \[mm\], figure 6.8.
     fn m_column(&self, column: &Column) -> f64 {
         let s = &column.section;
-        0.5 * (self.joint.bolts.gauge - s.tw) - ROOT * s.r
+        0.5 * (self.joint.bolts.gauge - s.tw) - ROOT * s.root
     }
 
     /// e of the column flange \[mm\].
@@ -146,19 +171,43 @@ impl<'a> Rows<'a> {
 
     /// m_x of a row outside the flange \[mm\], figure 6.10.
     fn mx(&self, z: f64) -> f64 {
-        z - 0.5 * self.joint.beam.section.h - WELD * self.joint.beam.flange_throat
+        z.abs() - 0.5 * self.joint.beam.section.h - WELD * self.joint.beam.flange_throat
     }
 
-    /// m2 of a row below the tension flange \[mm\], figure 6.11.
-    fn to_flange(&self, z: f64) -> f64 {
+    /// Distance of a row outside a flange from the edge of the plate \[mm\].
+    fn ex(&self, z: f64) -> f64 {
+        if z > 0.0 { self.joint.plate.top - z } else { z - self.joint.plate.bottom }
+    }
+
+    /// m2 of a row between the flanges to the upper and the lower one, as far as they are in tension \[mm\], figure 6.11.
+    fn to_flanges(&self, z: f64) -> [Option<f64>; 2] {
         let s = &self.joint.beam.section;
-        0.5 * s.h - s.tf - z - WELD * self.joint.beam.flange_throat
+        let clear = 0.5 * s.h - s.tf - WELD * self.joint.beam.flange_throat;
+        [Some(clear - z), (self.flanges == Flanges::Both).then_some(clear + z)]
     }
 
-    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between.
+    /// m2 to the tension flange next above and next below a row between the flanges, where no other row lies between.
+    fn beside_flanges(&self, row: usize) -> [Option<f64>; 2] {
+        let [above, below] = self.to_flanges(self.z[row]);
+        let first = row == 0 || self.outside(self.z[row - 1]);
+        let last = row + 1 == self.count() || self.outside(self.z[row + 1]);
+        [above.filter(|_| first), below.filter(|_| last)]
+    }
+
+    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between, 2 below.
     fn stretch(&self, row: usize) -> usize {
         let stiffened = self.joint.column.as_ref().is_some_and(|c| c.stiffener > 0.0);
-        usize::from(stiffened && !self.outside(self.z[row]))
+        match (stiffened, self.outside(self.z[row])) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => {
+                if self.z[row] > 0.0 {
+                    0
+                } else {
+                    2
+                }
+            }
+        }
     }
 
     /// m2 to the stiffener next above and next below a row, where no other row lies between \[mm\].
@@ -171,6 +220,7 @@ impl<'a> Rows<'a> {
         let last = row + 1 == self.count() || self.stretch(row + 1) != self.stretch(row);
         match self.stretch(row) {
             0 => [None, last.then(|| clear(z - level))],
+            2 => [first.then(|| clear(-level - z)), None],
             _ => [first.then(|| clear(level - z)), last.then(|| clear(z + level))],
         }
     }
@@ -180,10 +230,14 @@ impl<'a> Rows<'a> {
         let (m, e) = (self.m_column(column), self.e_column(column));
         let beside = self.stiffeners(row);
         let alpha = |m2: Option<f64>| m2.map(|m2| lengths::alpha(m, e, m2));
-        let e1 = (row == 0).then(|| column.above - self.z[0]);
+        let up = column.above.filter(|_| row == 0).map(|end| end - self.z[row]);
+        // the lower end matters where the lowest row is pulled too
+        let lowest = self.flanges == Flanges::Both && row + 1 == self.count();
+        let down = column.below.filter(|_| lowest).map(|end| end + self.z[row]);
         let Some((first, last)) = group else {
             let alpha = beside.into_iter().filter_map(alpha).reduce(f64::max);
-            return match (alpha, e1) {
+            let nearest = [up, down].into_iter().flatten().reduce(f64::min);
+            return match (alpha, nearest) {
                 (Some(a), Some(e1)) => lengths::end_beside_stiffener(m, e, e1, a),
                 (Some(a), None) => lengths::beside_stiffener(m, a),
                 (None, Some(e1)) => lengths::end(m, e, e1),
@@ -196,8 +250,8 @@ impl<'a> Rows<'a> {
             None => lengths::end_of_group(m, e, p, e1),
         };
         match row {
-            r if r == first => at_end(above, pitch(r), e1),
-            r if r == last => at_end(below, pitch(r - 1), None),
+            r if r == first => at_end(above, pitch(r), up),
+            r if r == last => at_end(below, pitch(r - 1), down),
             r => lengths::inner_of_group(pitch(r - 1), pitch(r)),
         }
     }
@@ -206,20 +260,22 @@ impl<'a> Rows<'a> {
     fn on_plate(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
         let (j, z) = (self.joint, self.z[row]);
         if self.outside(z) {
-            return lengths::outside_flange(self.mx(z), j.plate.top - z, self.e_plate(), j.bolts.gauge, j.plate.width);
+            return lengths::outside_flange(self.mx(z), self.ex(z), self.e_plate(), j.bolts.gauge, j.plate.width);
         }
         let (m, e) = (self.m_beam(), self.e_plate());
-        let below_flange = row == 0 || self.outside(self.z[row - 1]);
-        let alpha = || lengths::alpha(m, e, self.to_flange(z));
+        let [above, below] = self.beside_flanges(row).map(|m2| m2.map(|m2| lengths::alpha(m, e, m2)));
         let pitch = |i: usize| self.z[i] - self.z[i + 1];
+        let at_end = |alpha: Option<f64>, p: f64| match alpha {
+            Some(alpha) => lengths::beside_stiffener_of_group(m, e, p, alpha),
+            None => lengths::end_of_group(m, e, p, None),
+        };
         match group {
-            None if below_flange => lengths::beside_stiffener(m, alpha()),
-            None => lengths::inner(m, e),
-            Some((first, _)) if row == first && below_flange => {
-                lengths::beside_stiffener_of_group(m, e, pitch(row), alpha())
-            }
-            Some((first, _)) if row == first => lengths::end_of_group(m, e, pitch(row), None),
-            Some((_, last)) if row == last => lengths::end_of_group(m, e, pitch(row - 1), None),
+            None => match above.into_iter().chain(below).reduce(f64::max) {
+                Some(alpha) => lengths::beside_stiffener(m, alpha),
+                None => lengths::inner(m, e),
+            },
+            Some((first, _)) if row == first => at_end(above, pitch(row)),
+            Some((_, last)) if row == last => at_end(below, pitch(row - 1)),
             Some(_) => lengths::inner_of_group(pitch(row - 1), pitch(row)),
         }
     }
@@ -228,7 +284,7 @@ impl<'a> Rows<'a> {
     fn joined(&self, side: Side, first: usize, last: usize) -> bool {
         match side {
             Side::Column => self.stretch(first) == self.stretch(last),
-            Side::Beam => !self.outside(self.z[first]),
+            Side::Beam => !self.outside(self.z[first]) && !self.outside(self.z[last]),
         }
     }
 
@@ -274,7 +330,7 @@ impl<'a> Rows<'a> {
             let lengths: Lengths = (first..=last).map(|row| self.on_plate(row, group)).sum();
             let z = self.z[first];
             let (m, edge) = match self.outside(z) {
-                true => (self.mx(z), j.plate.top - z),
+                true => (self.mx(z), self.ex(z)),
                 false => (self.m_beam(), e_min),
             };
             out.push(stub("end plate", lengths, m, edge, j.plate.thickness, j.plate.fy));
@@ -286,23 +342,16 @@ impl<'a> Rows<'a> {
         out
     }
 
-    /// Smallest effective lengths of a row, alone or in the largest group it belongs to, and m, on column and plate \[mm\]:
+    /// Smallest effective lengths of a row, alone or in any group of consecutive rows, and m, on column and plate \[mm\]:
     /// those of the stiffness coefficients; nothing on the side of a column that is not there.
     ///
     /// # Source
-    /// EN 1993-1-8:2005 Table 6.11, notes on k3, k4 and k5.
+    /// EN 1993-1-8:2005 Table 6.11: "the smallest of the effective lengths (individually or as part of a group of bolt rows)".
     pub fn stiffness_lengths(&self, row: usize) -> (Option<(f64, f64)>, (f64, f64)) {
         let smallest = |side: Side, lengths: &dyn Fn(Option<(usize, usize)>) -> Lengths| {
-            let mut first = row;
-            while first > 0 && self.joined(side, first - 1, row) {
-                first -= 1;
-            }
-            let mut last = row;
-            while last + 1 < self.count() && self.joined(side, row, last + 1) {
-                last += 1;
-            }
-            let alone = lengths(None).mode1();
-            if first < last { alone.min(lengths(Some((first, last))).mode1()) } else { alone }
+            let groups = (0..=row).flat_map(|first| (row..self.count()).map(move |last| (first, last)));
+            let groups = groups.filter(|(first, last)| first < last && self.joined(side, *first, *last));
+            groups.map(|g| lengths(Some(g)).mode1()).fold(lengths(None).mode1(), f64::min)
         };
         let z = self.z[row];
         let m = if self.outside(z) { self.mx(z) } else { self.m_beam() };

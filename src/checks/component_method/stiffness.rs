@@ -109,7 +109,7 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let overhang = -0.5 * b.section.h - joint.plate.bottom;
     let compression = c.filter(|c| c.stiffener == 0.0).map(|c| {
         let (s, t) = (&c.section, joint.plate.thickness);
-        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.r, t, overhang);
+        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, t, overhang);
         web_across(width, column_web::compressed_thickness(s.tw, c.doublers), s.clear_depth())
     });
     let flexibility: f64 = panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();

@@ -1,20 +1,18 @@
 //! The component method beside the bracket of a limit analysis.
 
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Unit, number as n};
+use crate::checks::check::{Unit, Worked, number as n};
 use crate::checks::component_method::Assessment;
-use crate::checks::component_method::assembly::SMALL_AXIAL;
+use crate::checks::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use serde::{Deserialize, Serialize};
 
-/// Resistances of a joint by the component method, for one sense of bending.
-#[derive(Clone, Debug, PartialEq)]
+/// Resistance of a joint by the component method, for the sense of bending of a load case.
+#[derive(Clone, Debug)]
 pub(super) struct Method {
     /// M_j,Rd \[N mm\].
     pub moment: f64,
-    /// N_j,Rd of the sense of the axial force \[N\].
-    pub axial: f64,
-    /// N_pl,Rd of the beam \[N\].
-    pub plastic_axial: f64,
+    /// Moment and axial force together; `None` where the tables do not cover it.
+    pub equilibrium: Option<Equilibrium>,
     /// β.
     pub beta: f64,
     /// Sense of bending in words.
@@ -23,8 +21,50 @@ pub(super) struct Method {
 
 impl Method {
     /// Whether an axial force is left out.
-    pub(super) fn small(&self, axial: f64) -> bool {
-        axial.abs() <= SMALL_AXIAL * self.plastic_axial
+    fn small(&self, axial: f64) -> bool {
+        axial == 0.0 || self.equilibrium.as_ref().is_some_and(|e| e.small(axial))
+    }
+
+    /// The rows' equilibrium with an axial force that counts.
+    pub(super) fn with_axial(&self, [force, moment]: [[f64; 3]; 2]) -> Option<Carried> {
+        let (axial, my) = (force[0], moment[1]);
+        self.equilibrium.as_ref().filter(|_| !self.small(axial))?.at(axial, my)
+    }
+
+    /// Utilisation of the joint under forces and moments of a member end, to be at most 1.
+    ///
+    /// M_j,Ed/M_j,Rd; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the largest factor on M and N together, by the
+    /// plastic equilibrium of the components. What a pull takes off the compressed side does not count as a gain.
+    ///
+    /// # Source
+    /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
+    ///
+    /// `None` where an axial force counts that the tables do not cover.
+    pub(super) fn share(&self, at: [[f64; 3]; 2]) -> Option<Worked> {
+        const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
+        let (axial, my) = (at[0][0], at[1][1].abs());
+        let bending = my / self.moment;
+        let show = |x: f64| Unit::Moment.show(x);
+        let kn = |x: f64| Unit::Force.show(x);
+        let mut formula = format!("M_j,Ed/M_j,Rd = {}/{}", show(my), show(self.moment));
+        let mut value = bending;
+        if self.small(axial) {
+            if axial != 0.0 {
+                formula += &format!(", N_Ed = {} ≤ 0.05 N_pl,Rd", kn(axial));
+            }
+        } else {
+            let together = 1.0 / self.with_axial(at).filter(|c| c.factor > 0.0)?.factor;
+            value = bending.max(together);
+            formula = format!(
+                "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the largest multiple in plastic \
+                 equilibrium",
+                n(bending),
+                n(together),
+                show(my),
+                kn(axial)
+            );
+        }
+        Some(Worked::new(CLAUSE, "moment and axial force of the joint", value, Unit::Number, formula))
     }
 }
 
@@ -49,6 +89,9 @@ pub struct Comparison {
     pub factor: Option<f64>,
     /// What limits the rows, from the tension side: a sentence.
     pub limited_by: String,
+    /// What may buckle, a sentence each: the component method then binds the verdict.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stability: Vec<String>,
     /// Lever arm M_j,Rd/ΣF_tr,Rd \[mm\].
     pub lever: f64,
     /// M_c,Rd of the beam \[N mm\].
@@ -79,6 +122,7 @@ impl Comparison {
             resistance: method.moment,
             factor: factor(a, method),
             limited_by: rows.join("; "),
+            stability: assessment.stability.iter().map(|s| format!("{} ({})", s.why, s.clause)).collect(),
             lever: if total > 0.0 { method.moment / total } else { 0.0 },
             beam: assessment.beam_moment.value,
             head: 0.5 * e.bolt.head_width,
@@ -88,19 +132,28 @@ impl Comparison {
 
 /// The least load factor at which the utilisation by moment and axial force reaches 1; `None` where it never does.
 fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
-    let over = |factor: f64| method.share(a.at(factor)).value >= 1.0;
+    if a.dead.iter().flatten().all(|x| *x == 0.0) {
+        let [[axial, ..], [_, my, _]] = a.at(1.0);
+        let bending = method.moment / my.abs();
+        // where the axial force begins to count
+        let plastic = method.equilibrium.as_ref().map_or(f64::INFINITY, |e| e.plastic);
+        let counts = SMALL_AXIAL * plastic / axial.abs();
+        let together = || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
+        let least = if bending <= counts { bending } else { bending.min(together()).max(counts) };
+        return least.is_finite().then_some(least);
+    }
+    let over = |factor: f64| method.share(a.at(factor)).is_none_or(|u| u.value >= 1.0);
     if over(0.0) {
         return Some(0.0);
     }
-    let (mut low, mut high) = (0.0, 1e-3);
+    let (mut low, mut high) = (0.0, 1.0);
     while !over(high) {
         (low, high) = (high, 2.0 * high);
         if high > 1e6 {
             return None;
         }
     }
-    // to the last digit
-    for _ in 0..100 {
+    while high - low > 1e-9 * high {
         let middle = 0.5 * (low + high);
         if over(middle) {
             high = middle;

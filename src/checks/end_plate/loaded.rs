@@ -2,18 +2,20 @@
 //! the column web panel, welds.
 //!
 //! The component method spreads the moment over its rows; a row takes the part of its resistance that the joint takes of its
-//! own, prying included (`RowForce::bolt_force`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
+//! own, prying included (`RowForce::bolt_force`), also where that is more than it carries: no demand is clipped without a word.
+//! Beside an axial force that counts the rows have the forces of the plastic equilibrium (`component_method::equilibrium`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
 //! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
 use super::comparison::{Comparison, Method};
 use super::{
-    Along, EndPlate, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing, bearing_parts,
-    bolt_tension, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
+    Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing,
+    bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
 };
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
-use crate::checks::component_method::Assessment;
-use crate::checks::component_method::assembly::moment_and_axial;
+use crate::checks::component_method::beam::plastic_shear;
+use crate::checks::component_method::joint::Section;
+use crate::checks::component_method::{Assessment, Equilibrium, Summed};
 use crate::checks::eurocode::bolts::ShearPlane;
 use crate::checks::eurocode::interaction::{self, Forces};
 use crate::checks::eurocode::slip::{SlipHole, slip_resistance};
@@ -48,35 +50,78 @@ fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a 
 /// Adds the checks of every load case and member end.
 pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
     for a in &e.actions {
-        let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
         let place = format!("{}, {}", a.case, a.end);
-        let left: Vec<&str> =
-            [("T", torsion), ("Mz", mz)].into_iter().filter(|(_, v)| v.abs() > 1e-6).map(|(name, _)| name).collect();
-        if !left.is_empty() {
-            out.notes
-                .push(format!("hand checks, {place}: {} left out, they have no formula for it", left.join(" and ")));
-        }
+        out.notes.extend(beyond_the_beam(e, a).map(|what| format!("{place}: {what}")));
+        out.checks.extend(no_formula(a).map(|c| c.of_case(&a.case)));
         let sense = Sense::of_moment(a.at(1.0)[1][1]);
-        let side = match assess(&sense.of(&joint(e, beta(e, a)))) {
-            Ok(assessment) => Side { e, a, sense, assessment },
-            // why is told with the tables of this sense
-            Err(_) => {
-                out.notes.push(format!("hand checks, {place}: none, for the component method gives no bolt forces"));
+        let joint = loaded_joint(e, a);
+        let side = match assess(&sense.of(&joint)) {
+            Ok(assessment) => Side { e, a, sense, joint, assessment },
+            Err(fault) => {
+                let (clause, title) = ("EN 1993-1-8:2005 6.2", "resistance by the component method");
+                let subject = format!("{}, {}", a.end, sense.words());
+                let check = Check::undecided(Topic::ComponentMethod, subject, clause, title, fault.to_string());
+                out.checks.push(check.of_case(&a.case));
                 continue;
             }
         };
         let method = side.method();
-        let share = method.share(a.at(1.0));
         let mut found = vec![side.moment(&method)];
-        let bolts = side.bolts(&method, share.value.min(1.0));
-        found.extend(bolts.checks(e, a.at(1.0)[0][2].hypot(vy)));
+        found.extend(side.stability(&method));
+        let bolts = side.bolts(&method);
+        let [[_, vy, vz], _] = a.at(1.0);
+        found.extend(bolts.checks(e, vz.hypot(vy)));
         found.extend(slip(e, a));
         found.extend(side.panel());
         found.extend(side.welds());
+        if !side.assessment.stability.is_empty() && !out.unstable.contains(&a.case) {
+            out.unstable.push(a.case.clone());
+        }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
         out.moments.extend(PureMoment::new(e, a, beta(e, a), &side.assessment));
     }
+}
+
+/// The joint of the component method under the actions of a load case.
+fn loaded_joint(e: &EndPlate, a: &PlaneActions) -> EndPlateJoint {
+    let mut joint = joint(e, beta(e, a));
+    let [[_, vy, vz], _] = a.at(1.0);
+    joint.beam.shear = vz.hypot(vy);
+    joint
+}
+
+/// Torsion and moments about the weak axis: the component method has no formula for them.
+fn no_formula(a: &PlaneActions) -> Option<Check> {
+    let [_, [torsion, _, mz]] = a.at(1.0);
+    let acts = [("T", torsion), ("Mz", mz)].into_iter().filter(|(_, v)| v.abs() > 1e-6);
+    let names: Vec<String> = acts.map(|(name, v)| format!("{name} = {}", Unit::Moment.show(v))).collect();
+    (!names.is_empty()).then(|| {
+        let why = format!("{} left out: the component method has no formula for it", names.join(" and "));
+        let (clause, title) = ("EN 1993-1-8:2005 6.2", "torsion and weak-axis moment");
+        Check::undecided(Topic::ComponentMethod, a.end.clone(), clause, title, why)
+    })
+}
+
+/// Actions that exceed what the beam itself carries are most likely a wrong number or unit.
+fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
+    let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
+    let section = Section::from(&e.beam);
+    let fyd = e.beam_steel.fy / e.gamma_m0;
+    let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
+    let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
+    let shear = (vy.hypot(vz), plastic_shear(&section, e.beam_steel.fy, e.gamma_m0), "V", "V_pl,Rd", Unit::Force);
+    let worst = [moment, normal, shear].into_iter().max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
+    let (demand, capacity, action, resistance, unit) = worst;
+    (demand > capacity).then(|| {
+        format!(
+            "{action} = {} is {} times {resistance} = {} of the beam {}: check the number and its unit",
+            unit.show(demand),
+            n(demand / capacity),
+            unit.show(capacity),
+            e.beam.name
+        )
+    })
 }
 
 /// One member end under one load case.
@@ -84,6 +129,8 @@ struct Side<'a> {
     e: &'a EndPlate,
     a: &'a PlaneActions,
     sense: Sense,
+    /// The joint as it stands; `assessment` is that of the sense.
+    joint: EndPlateJoint,
     assessment: Assessment,
 }
 
@@ -92,60 +139,74 @@ impl Side<'_> {
         format!("{}, {}", self.a.end, self.sense.words())
     }
 
-    /// Resistances of the joint against moment and axial force, for the sense of bending of the case.
+    /// Resistance of the joint, for the sense of bending of the case; the equilibrium only where an axial force acts.
     fn method(&self) -> Method {
-        let e = self.e;
-        let plastic_axial = 1e2 * e.beam.area * e.beam_steel.fy / e.gamma_m0;
-        let compressed = self.a.at(1.0)[0][0] < 0.0;
-        // both flanges carry a push, as the lower one does under the moment; a panel is not sheared by it
-        let push = || self.assessment.limits.iter().filter(|l| !l.title.contains("panel")).map(|l| 2.0 * l.value);
-        let axial = if compressed { push().fold(plastic_axial, f64::min) } else { self.pull().min(plastic_axial) };
+        let axial = self.a.at(1.0)[0][0];
+        let acts = axial != 0.0 || self.a.dead[0][0] != 0.0;
         Method {
             moment: self.assessment.moment.value,
-            axial,
-            plastic_axial,
-            beta: beta(e, self.a),
+            equilibrium: if acts { Equilibrium::new(&self.joint).ok() } else { None },
+            beta: self.joint.beta,
             sense: self.sense.words(),
         }
     }
 
-    /// N_j,Rd of tension \[N\]: the sum of the rows, each with the lesser of what either sense of bending gives it before
-    /// compression and shear limit the sum.
-    fn pull(&self) -> f64 {
-        let other = if self.sense == Sense::Top { Sense::Bottom } else { Sense::Top };
-        let turned = assess(&other.of(&joint(self.e, beta(self.e, self.a)))).map(|t| t.rows).unwrap_or_default();
-        // z of the other sense is upside down
-        let of = |z: f64| turned.iter().find(|r| (r.z + z).abs() < 1e-9).map(|r| r.grouped);
-        let mine = self.assessment.rows.iter().map(|r| of(r.z).map_or(r.grouped, |g| g.min(r.grouped)));
-        let only = turned.iter().filter(|t| self.assessment.rows.iter().all(|r| (r.z + t.z).abs() >= 1e-9));
-        mine.sum::<f64>() + only.map(|t| t.grouped).sum::<f64>()
-    }
-
     fn moment(&self, method: &Method) -> Check {
-        let [force, moment] = self.a.at(1.0);
-        let mut check = method.share([force, moment]);
+        let Some(mut check) = method.share(self.a.at(1.0)) else {
+            let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
+            let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of N_pl,Rd is covered";
+            return Check::undecided(Topic::ComponentMethod, self.subject(), clause, title, why);
+        };
         check.steps.push(step("M_j,Rd", method.moment, Unit::Moment));
-        check.steps.push(step("N_j,Rd", method.axial, Unit::Force));
+        if let Some(e) = &method.equilibrium {
+            check.steps.push(step("N_j,Rd in tension", e.tension, Unit::Force));
+            check.steps.push(step("N_j,Rd in compression", e.compression, Unit::Force));
+        }
         if self.e.column.is_some() {
             check.steps.push(step("β", method.beta, Unit::Number));
         }
-        check.utilised(Topic::ComponentMethod, self.subject(), Status::Warning)
+        check.utilised(Topic::ComponentMethod, self.subject(), Status::Failed)
     }
 
-    /// Tension of the bolts of every row, where the joint uses the part `share` of its resistance.
-    fn bolts(&self, method: &Method, share: f64) -> Bolts {
-        let e = self.e;
-        let axial = self.a.at(1.0)[0][0];
-        let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
-        // a pull that counts opens the compressed side as well
-        let pulled = axial > 0.0 && !method.small(axial);
-        let rest = if pulled { bolt_tension(e) * (axial / method.axial).min(1.0) } else { 0.0 };
-        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
-        let rows = e.rows.iter().map(|&z| {
-            let row = self.assessment.rows.iter().find(|r| (upside * r.z - z).abs() < 1e-9);
-            (z, row.map_or(rest, |r| r.bolt_force(share)).min(tension))
+    /// What may buckle: the compressed column web against its reduced resistance; what the code gives no resistance for is
+    /// undecided.
+    fn stability(&self, method: &Method) -> Vec<Check> {
+        let at = self.a.at(1.0);
+        let each = self.assessment.stability.iter().map(|s| {
+            let web = self.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
+            let Some(web) = web else {
+                let title = "stability that a limit analysis does not see";
+                return Check::undecided(Topic::Stability, self.subject(), s.clause, title, s.why.clone());
+            };
+            let lever = self.assessment.moment.value / self.assessment.tension();
+            let push = match method.with_axial(at) {
+                Some(c) => c.compression.into_iter().fold(0.0, f64::max) / c.factor,
+                None => at[1][1].abs() / lever,
+            };
+            let mut worked = web.clone();
+            worked.title = "column web in compression, with its buckling";
+            worked.formula = format!("F_c,Ed = {}; {}; {}", Unit::Force.show(push), s.why, worked.formula);
+            worked.against(Topic::Stability, self.subject(), push, Status::Failed)
         });
-        let mut rows: Vec<(f64, f64)> = rows.collect();
+        each.collect()
+    }
+
+    /// Tension of the bolts of every row under the actions, prying included and beyond any resistance.
+    fn bolts(&self, method: &Method) -> Bolts {
+        let e = self.e;
+        let at = self.a.at(1.0);
+        let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
+        let share = at[1][1].abs() / method.moment;
+        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
+        let carried = method.with_axial(at);
+        let pull = |z: f64| match &carried {
+            Some(c) => c.rows.iter().find(|r| (r.z - z).abs() < 1e-9).map_or(0.0, |r| r.bolt / c.factor),
+            None => {
+                let row = self.assessment.rows.iter().find(|r| (upside * r.z - z).abs() < 1e-9);
+                row.map_or(0.0, |r| r.bolt_force(share))
+            }
+        };
+        let mut rows: Vec<(f64, f64)> = e.rows.iter().map(|&z| (z, pull(z))).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
         let shear = shear_resistance(&e.bolt, &e.grade, ShearPlane::Thread, 1.0, e.gamma_m2).value;
         Bolts { end: self.a.end.clone(), rows, tension, shear }
@@ -176,7 +237,7 @@ impl Side<'_> {
             check.formula
         );
         check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
-        Some(check.against(Topic::ComponentMethod, self.subject(), demand, Status::Warning))
+        Some(check.against(Topic::ComponentMethod, self.subject(), demand, Status::Failed))
     }
 
     /// Fillet welds: those of the flanges take moment and axial force, those of the web the shear force.
@@ -248,9 +309,14 @@ struct Bolts {
 }
 
 impl Bolts {
+    /// Tension that a bolt has beside its shear: at F_t,Rd it yields, and what is beyond stands in the check of tension.
+    fn held(&self, tension: f64) -> f64 {
+        tension.min(self.tension)
+    }
+
     /// What tension leaves of the shear resistance of a bolt.
     fn left(&self, tension: f64) -> f64 {
-        1.0 - tension / (TENSION_PART * self.tension)
+        1.0 - self.held(tension) / (TENSION_PART * self.tension)
     }
 
     fn checks(&self, e: &EndPlate, shear: f64) -> Vec<Check> {
@@ -258,15 +324,24 @@ impl Bolts {
         let of_row = |tension: f64| shear * self.left(tension) / weights;
         let place = |z: f64| format!("{}, row at z = {} mm", self.end, n(z));
         let mut out = vec![self.shear(weights, shear)];
+        if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
+            let mut worked = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2);
+            worked.title = "tension of a bolt, prying included, by the row forces of the component method";
+            out.push(worked.against(Topic::ComponentMethod, place(z), tension, Status::Failed));
+        }
         // by Table 3.4 each bolt on its own
         let forces = |&(z, tension): &(f64, f64)| {
             let f = Forces {
                 shear: of_row(tension),
-                tension,
+                tension: self.held(tension),
                 shear_resistance: self.shear,
                 tension_resistance: self.tension,
             };
-            (z, interaction::utilisation(&f))
+            let mut worked = interaction::utilisation(&f);
+            if tension > self.tension {
+                worked.formula += &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+            }
+            (z, worked)
         };
         if let Some((z, worked)) = worst(self.rows.iter().map(forces), |w| w.1.value) {
             out.push(worked.utilised(Topic::Bolts, place(z), Status::Failed));
@@ -289,8 +364,12 @@ impl Bolts {
                 out.push(worked.against(Topic::Bolts, format!("{part}, {}", place(z)), force, Status::Failed));
             }
             if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
-                let worked = punching_resistance(mean_diameter(&e.bolt), t, fu, e.gamma_m2);
-                out.push(worked.against(Topic::Bolts, format!("{part}, {}", place(z)), tension, Status::Failed));
+                let mut worked = punching_resistance(mean_diameter(&e.bolt), t, fu, e.gamma_m2);
+                if tension > self.tension {
+                    worked.formula += &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+                }
+                let held = self.held(tension);
+                out.push(worked.against(Topic::Bolts, format!("{part}, {}", place(z)), held, Status::Failed));
             }
         }
         out
@@ -317,11 +396,4 @@ impl Bolts {
 /// The one with the largest value.
 fn worst<T>(of: impl Iterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
     of.reduce(|a, b| if value(&b) > value(&a) { b } else { a })
-}
-
-impl Method {
-    /// Utilisation of the joint under forces and moments of a member end.
-    pub(super) fn share(&self, [force, moment]: [[f64; 3]; 2]) -> Worked {
-        moment_and_axial([moment[1], self.moment], [force[0], self.axial], self.plastic_axial)
-    }
 }

@@ -141,7 +141,7 @@ fn wrong_hand_checks_of_a_template_are_told_by_key() {
         ("  top: plate_top\n", "  top: plate_bottom - 1 mm\n", "hand_checks.top", "is not above the lower edge"),
         ("  beta: 0\n", "  beta: 3\n", "hand_checks.beta", "3 does not lie between 0 and 2"),
         ("  beta: 0\n", "  beta: 1 mm\n", "hand_checks.beta", "number"),
-        ("  column_above: column_above\n", "  column_above: 5 kN\n", "hand_checks.column_above", "length [mm]"),
+        ("if(column_ends_above, column_above, 0 mm)", "5 kN", "hand_checks.column_above", "length [mm]"),
         ("bolt.d + hole_clearance, bolt.hole)", "bolt.d, bolt.d / 2)", "hand_checks.hole", "at least 18 mm"),
     ];
     for (old, new, at, words) in wrong {
@@ -253,11 +253,12 @@ fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     // u (1 − t) + t with t = F_t,Ed/(1.4 F_t,Rd)
     let t = most / (1.4 * M20.0);
     assert!((both.utilisation.unwrap_or(f64::NAN) - (total * (1.0 - t) + t)).abs() < 1e-12, "{both:#?}");
-    assert!(h.failed() == (total > 1.0), "{total}");
+    let strength = |c: &&Check| c.topic == Topic::Bolts && c.status == Status::Failed;
+    assert!(h.checks.iter().any(|c| strength(&c)) == (total > 1.0), "{total}");
     // ten times the shear force fails shear, interaction and bearing
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, Vz: -4000 kN, My: 50 kN m}");
     let failed: Vec<&str> = h.checks.iter().filter(|c| c.status == Status::Failed).map(|c| c.title.as_str()).collect();
-    assert!(failed.contains(&"bearing resistance at a bolt") && failed.len() == 4, "{failed:?}");
+    assert!(failed.contains(&"bearing resistance at a bolt") && failed.len() >= 4, "{failed:?}");
 }
 
 /// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment nothing (3.9.2(3)). More than that is a
@@ -311,15 +312,23 @@ fn clause_6_2_7_1_moment_and_axial_force() {
         let n = share * plastic * 1e-3;
         let h = loaded(&format!("{{name: A, end: beam_right, at: bolt_plane, My: -30 kN m, N: {n} kN}}"));
         let check = find(&h, "beam_right", "moment and axial force of the joint");
-        let axial = check.values.iter().find(|s| s.symbol == "N_j,Rd").map_or(f64::NAN, |s| s.value);
-        let want = 30e6 / c.resistance + if counts { (n * 1e3).abs() / axial } else { 0.0 };
-        assert!((check.utilisation.unwrap_or(f64::NAN) - want).abs() < 1e-9, "{share}: {check:#?}");
+        let symbol = if share > 0.0 { "N_j,Rd in tension" } else { "N_j,Rd in compression" };
+        let axial = check.values.iter().find(|s| s.symbol == symbol).map_or(f64::NAN, |s| s.value);
+        let (used, bending) = (check.utilisation.unwrap_or(f64::NAN), 30e6 / c.resistance);
+        // never less than the moment alone; no more than the straight line of formula 6.24
+        let most = bending + if counts { (n * 1e3).abs() / axial } else { 0.0 };
+        assert!(used >= bending - 1e-12 && used <= most + 1e-9, "{share}: {used} {most} {check:#?}");
         assert!(axial > 100e3 && axial <= plastic * 1.001, "{axial}");
     }
-    // a moment beyond M_j,Rd is a warning: the analysis decides
+    // what exceeds M_j,Rd fails, whatever its bolts carry: nothing is clipped
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, My: 300 kN m}");
-    assert_eq!(find(&h, "beam_right", "moment and axial force of the joint").status, Status::Warning);
-    assert!(!h.failed());
+    assert_eq!(find(&h, "beam_right", "moment and axial force of the joint").status, Status::Failed);
+    let bolts =
+        find(&h, "beam_right, row", "tension of a bolt, prying included, by the row forces of the component method");
+    assert!(bolts.status == Status::Failed && bolts.utilisation.is_some_and(|u| u > 1.5), "{bolts:#?}");
+    assert!(h.failed());
+    // three times what the beam itself carries is most likely a unit
+    assert!(h.notes.iter().any(|n| n.contains("My = 300 kN m") && n.contains("M_pl,Rd")), "{:?}", h.notes);
 }
 
 /// V_wp,Ed = (M_b1 − M_b2)/z, once for both sides; equal moments leave the panel without shear.

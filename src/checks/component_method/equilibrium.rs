@@ -1,0 +1,275 @@
+//! Moment and axial force together: the plastic equilibrium of rows in tension and flanges in compression.
+//!
+//! 6.2.7.1(2) leaves an axial force of up to 5 % of N_pl,Rd out. Beyond it the rows, the two flanges and the web of the beam are
+//! springs with a resistance each, and the largest factor on M and N together is a linear program. Its solution is in
+//! equilibrium with both, so that every row has the force it really gets.
+
+use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
+use super::beam;
+use super::joint::EndPlateJoint;
+use super::rows::Rows;
+use crate::checks::error::CheckError;
+use microlp::{ComparisonOp, OptimizationDirection, Problem, Solution, Variable};
+
+/// Part of the plastic axial force of the beam up to which its effect is left out.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.7.1(2).
+pub const SMALL_AXIAL: f64 = 0.05;
+
+/// The programs count in kN and m, so that their numbers are near 1.
+const KILO: f64 = 1e-3;
+
+/// A row and what it carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowPull {
+    /// z from the beam's axis \[mm\].
+    pub z: f64,
+    /// Tension of the row \[N\].
+    pub force: f64,
+    /// Tension of one of its two bolts, prying included \[N\].
+    pub bolt: f64,
+}
+
+/// The largest multiple of an axial force and a moment that the components carry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Carried {
+    /// The multiple.
+    pub factor: f64,
+    /// Rows in tension at that multiple; rows that are not listed carry nothing.
+    pub rows: Vec<RowPull>,
+    /// Compression of the upper flange, the web and the lower flange at that multiple \[N\].
+    pub compression: [f64; 3],
+}
+
+/// Rows that are pulled together, and what may be compressed beside them. z as in the joint that the set was made from.
+#[derive(Clone, Debug)]
+struct RowSet {
+    /// -1: made from the joint upside down.
+    sign: f64,
+    z: Vec<f64>,
+    /// Bolt force over half of the row's force.
+    prying: Vec<f64>,
+    /// Resistance of the rows `first..=last` together \[N\].
+    limits: Vec<(usize, usize, f64)>,
+    /// What 6.2.7.2(9) leaves to a row \[N\].
+    elastic: Vec<f64>,
+    compression: Option<Compression>,
+    /// V_wp,Rd/β \[N\].
+    panel: Option<f64>,
+}
+
+/// Compressed parts of the beam's end.
+#[derive(Clone, Copy, Debug)]
+struct Compression {
+    /// Resistance of either flange \[N\].
+    flange: f64,
+    /// Of the web between them \[N\].
+    web: f64,
+    /// Of all together \[N\].
+    total: f64,
+    /// Distance of the flanges from the axis \[mm\].
+    lever: f64,
+}
+
+/// Which rule of 6.2.7.2 the rows of a program follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rule {
+    /// All components yield.
+    Plastic,
+    /// Paragraph 9 as well: rows below one that is near the resistance of its bolts stay elastic.
+    NearlyBolts,
+}
+
+/// Moment and axial force that a joint carries.
+#[derive(Clone, Debug)]
+pub struct Equilibrium {
+    sets: Vec<RowSet>,
+    /// N_pl,Rd of the beam \[N\].
+    pub plastic: f64,
+    /// N_j,Rd of tension, without moment \[N\].
+    pub tension: f64,
+    /// N_j,Rd of compression, without moment \[N\].
+    pub compression: f64,
+}
+
+impl Equilibrium {
+    /// Of a joint; rows that no table of effective lengths covers are an error.
+    pub fn new(joint: &EndPlateJoint) -> Result<Self, CheckError> {
+        let (upper, lower) = (RowSet::bent(joint, 1.0), RowSet::bent(&joint.mirrored(), -1.0));
+        // one sense is enough: the other may have no row in tension
+        let sets = match (upper, lower) {
+            (Err(e), Err(_)) => return Err(e),
+            (a, b) => a.into_iter().chain(b).chain(RowSet::pulled(joint)).collect(),
+        };
+        let beam = &joint.beam;
+        let plastic = beam.section.area * beam.fy / joint.gamma_m0;
+        let mut out = Self { sets, plastic, tension: 0.0, compression: 0.0 };
+        let alone = |n: f64| out.carried(n, 0.0, Rule::Plastic).map_or(0.0, |c| c.factor * n.abs());
+        (out.tension, out.compression) = (alone(plastic), alone(-plastic));
+        Ok(out)
+    }
+
+    /// The largest multiple of an axial force (tension positive) and a moment (tension at the top positive) \[N, N mm\]; `None`
+    /// where both are zero.
+    pub fn at(&self, axial: f64, moment: f64) -> Option<Carried> {
+        self.carried(axial, moment, Rule::NearlyBolts)
+    }
+
+    /// Whether an axial force is left out.
+    pub fn small(&self, axial: f64) -> bool {
+        axial.abs() <= SMALL_AXIAL * self.plastic
+    }
+
+    /// The border of what is carried, `count` points (N, M) in the order of their angle, N and M in parts of the largest \[N, N mm\].
+    pub fn diagram(&self, moment: f64, count: usize) -> Vec<[f64; 2]> {
+        let axial = self.tension.max(self.compression);
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / count as f64;
+        let point = |i: usize| {
+            let direction = [axial * angle(i).cos(), moment * angle(i).sin()];
+            let factor = self.at(direction[0], direction[1])?.factor;
+            Some(direction.map(|x| factor * x))
+        };
+        (0..count).filter_map(point).collect()
+    }
+
+    fn carried(&self, axial: f64, moment: f64, rule: Rule) -> Option<Carried> {
+        if axial == 0.0 && moment == 0.0 {
+            return None;
+        }
+        let most = if axial == 0.0 { f64::INFINITY } else { self.plastic / axial.abs() };
+        let each = self.sets.iter().filter_map(|s| s.solve(axial, moment, most, rule));
+        each.reduce(|a, b| if b.factor > a.factor { b } else { a })
+    }
+}
+
+impl RowSet {
+    /// The joint bent with tension at the top.
+    fn bent(joint: &EndPlateJoint, sign: f64) -> Result<Self, CheckError> {
+        let rows = Rows::new(joint)?;
+        let assessment = assess(joint)?;
+        let compression = Some(Compression::new(joint, assessment.beam_moment.value, rows.shear_area()));
+        let panel = assessment.panel.as_ref().map(|p| p.value / joint.beta);
+        let elastic = assessment.rows.iter().enumerate().map(|(r, row)| {
+            let above = assessment.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
+            above.map(|a: &RowForce| a.grouped * row.lever / a.lever).fold(f64::INFINITY, f64::min)
+        });
+        let elastic = elastic.collect();
+        Ok(Self { sign, elastic, compression, panel, ..Self::of(&rows) })
+    }
+
+    /// The joint pulled as a whole; `None` where the tables do not cover its rows.
+    fn pulled(joint: &EndPlateJoint) -> Option<Self> {
+        let rows = Rows::all(joint).ok()?;
+        let panel = assess(joint).ok().and_then(|a| a.panel).map(|p| p.value / joint.beta);
+        Some(Self { panel, ..Self::of(&rows) })
+    }
+
+    fn of(rows: &Rows<'_>) -> Self {
+        let count = rows.count();
+        let mut limits = Vec::new();
+        let mut prying = vec![1.0; count];
+        for first in 0..count {
+            for last in first..count {
+                let components = rows.components(first, last);
+                if first == last {
+                    let stubs = components.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
+                    prying[first] = stubs.fold(1.0, f64::max);
+                }
+                let least = components.iter().map(|c| c.worked.value).fold(f64::INFINITY, f64::min);
+                if least.is_finite() {
+                    // rows so close that the lengths of a group turn negative carry nothing
+                    limits.push((first, last, least.max(0.0)));
+                }
+            }
+        }
+        let elastic = vec![f64::INFINITY; count];
+        Self { sign: 1.0, z: rows.z.clone(), prying, limits, elastic, compression: None, panel: None }
+    }
+
+    /// The largest factor, at most `most`.
+    fn solve(&self, axial: f64, moment: f64, most: f64, rule: Rule) -> Option<Carried> {
+        let moment = self.sign * moment;
+        let mut p = Problem::new(OptimizationDirection::Maximize);
+        // the factor on a load of this size; the force at the level of the axis stands for both
+        let size = axial.abs().max(moment.abs() / self.depth());
+        let factor = p.add_var(1.0, (0.0, most * size * KILO));
+        let rows: Vec<Variable> = (0..self.z.len())
+            .map(|r| {
+                let cap = if rule == Rule::NearlyBolts { self.elastic[r] } else { f64::INFINITY };
+                p.add_var(0.0, (0.0, cap * KILO))
+            })
+            .collect();
+        for &(first, last, limit) in &self.limits {
+            let sum: Vec<(Variable, f64)> = rows[first..=last].iter().map(|v| (*v, 1.0)).collect();
+            p.add_constraint(&sum, ComparisonOp::Le, limit * KILO);
+        }
+        let mut force: Vec<(Variable, f64)> = rows.iter().map(|v| (*v, 1.0)).collect();
+        let mut turning: Vec<(Variable, f64)> = rows.iter().zip(&self.z).map(|(v, z)| (*v, z * KILO)).collect();
+        let mut shear = match self.compression {
+            Some(_) => force.clone(),
+            None => rows.iter().zip(&self.z).map(|(v, z)| (*v, z.signum())).collect(),
+        };
+        let pushed = self.compression.map(|c| {
+            let [upper, lower] = [0, 1].map(|_| p.add_var(0.0, (0.0, c.flange * KILO)));
+            let web = p.add_var(0.0, (0.0, c.web * KILO));
+            p.add_constraint(&[(upper, 1.0), (web, 1.0), (lower, 1.0)], ComparisonOp::Le, c.total * KILO);
+            force.extend([upper, web, lower].map(|v| (v, -1.0)));
+            turning.extend([(upper, -c.lever * KILO), (lower, c.lever * KILO)]);
+            shear.extend([(upper, -1.0), (lower, 1.0)]);
+            [upper, web, lower]
+        });
+        if let Some(panel) = self.panel {
+            for sign in [1.0, -1.0] {
+                let half: Vec<(Variable, f64)> = shear.iter().map(|(v, c)| (*v, 0.5 * sign * c)).collect();
+                p.add_constraint(&half, ComparisonOp::Le, panel * KILO);
+            }
+        }
+        force.push((factor, -axial / size));
+        turning.push((factor, -moment / size * KILO));
+        p.add_constraint(&force, ComparisonOp::Eq, 0.0);
+        p.add_constraint(&turning, ComparisonOp::Eq, 0.0);
+        let solution = solved(&p)?;
+        let value = |v: Variable| solution.var_value(v).max(0.0) / KILO;
+        let pull = |(r, v): (usize, &Variable)| {
+            let force = value(*v);
+            RowPull { z: self.sign * self.z[r], force, bolt: 0.5 * force * self.prying[r] }
+        };
+        let mut compression = pushed.map_or([0.0; 3], |c| c.map(value));
+        if self.sign < 0.0 {
+            compression.reverse();
+        }
+        Some(Carried { factor: value(factor) / size, rows: rows.iter().enumerate().map(pull).collect(), compression })
+    }
+
+    /// Half of the distance over which forces act \[mm\].
+    fn depth(&self) -> f64 {
+        let rows = self.z.iter().fold(0.0, |a: f64, z| a.max(z.abs()));
+        self.compression.map_or(rows, |c| c.lever.max(rows)).max(1.0)
+    }
+}
+
+/// The optimum, if the program has one.
+fn solved(p: &Problem) -> Option<Solution> {
+    p.solve().ok()?.into_solution().ok()
+}
+
+impl Compression {
+    fn new(joint: &EndPlateJoint, beam_moment: f64, shear_area: f64) -> Self {
+        let b = &joint.beam;
+        let lever = 0.5 * (b.section.h - b.section.tf);
+        let of_beam = beam::flange_compression(&b.section, beam_moment, b.fy, joint.gamma_m0).value;
+        let web_of_beam = (b.section.area * b.fy / joint.gamma_m0 - 2.0 * of_beam).max(0.0);
+        let Some(c) = &joint.column else {
+            return Self { flange: of_beam, web: web_of_beam, total: f64::INFINITY, lever };
+        };
+        let width = zone_width(joint, c);
+        let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
+        let flange = compressed(&zone(joint, c, width, shear_area), c).value;
+        let between = (2.0 * lever - width).max(0.0);
+        let between = if between > 0.0 { bare(between) } else { 0.0 };
+        // without stiffeners the two zones and what lies between buckle together
+        let total = if c.stiffener > 0.0 { f64::INFINITY } else { bare(width + 2.0 * lever) };
+        Self { flange: of_beam.min(flange), web: web_of_beam.min(between), total, lever }
+    }
+}

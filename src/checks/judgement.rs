@@ -1,0 +1,297 @@
+//! The verdict on the demands of a spec: by code, by analysis, and the joint one with its reason.
+//!
+//! By code: every binding check, and the strength part of the component method where no limit analysis of the case decides. By
+//! analysis: the strict bracket of the load factor. The joint verdict is the worse of the two, so that a bound never overrules
+//! a check of what limit analysis does not know: buckling, fracture, slenderness.
+
+use super::check::number;
+use super::verdict::Verdict;
+use super::{Check, HandChecks, Status, Topic, Unit};
+use serde::{Deserialize, Serialize};
+
+/// What the analyses of a load case say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysed {
+    /// Load case with a demand.
+    pub case: String,
+    /// From strict bounds of limit analysis; `None` of an analysis that brackets no resistance, undecided where an
+    /// analysis that was asked for gave no certificate.
+    pub verdict: Verdict,
+    /// Bracket of demand over capacity.
+    pub utilisation: Option<[f64; 2]>,
+}
+
+/// What decides a verdict.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Governing {
+    /// The load case; absent where no load is needed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case: Option<String>,
+    /// Check and place, in words.
+    pub what: String,
+    /// Clause, or `limit analysis`.
+    pub clause: String,
+    /// Demand over resistance, lower and upper bound; equal for a hand check, absent without a number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<[f64; 2]>,
+}
+
+/// The verdict on a load case, or on all of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Judgement {
+    /// The worse of the two.
+    pub verdict: Verdict,
+    /// By the code's checks.
+    pub by_code: Verdict,
+    /// By strict bounds; `none` where no analysis brackets a resistance.
+    pub by_analysis: Verdict,
+    /// Why, in a sentence.
+    pub reason: String,
+    /// What governs; absent where nothing has a utilisation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub governing: Option<Governing>,
+}
+
+/// Judges the load cases and all of them together. Strength by the component method becomes information in `checks` where a
+/// limit analysis decides the case and nothing may buckle.
+pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Judgement>) {
+    for a in cases.iter().filter(|a| matches!(a.verdict, Verdict::Ok | Verdict::NotOk)) {
+        checks.beside_analysis(&a.case);
+    }
+    let each: Vec<Judgement> = cases.iter().map(|a| of_case(checks, a)).collect();
+    (together(&each), each)
+}
+
+/// The verdict on one load case.
+fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
+    let binding: Vec<&Check> =
+        checks.checks.iter().filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c)).collect();
+    // without any check of the load there is no verdict by code, but what fails without a load fails
+    let loaded = binding.iter().any(|c| c.case.is_some());
+    let word = |c: &&Check| match c.status {
+        Status::Failed => Verdict::NotOk,
+        Status::Undecided => Verdict::Undecided,
+        _ => Verdict::Ok,
+    };
+    let by_code = match Verdict::worst(binding.iter().map(word)) {
+        Verdict::Ok if !loaded => Verdict::None,
+        verdict => verdict,
+    };
+    let verdict = match Verdict::worst([by_code, a.verdict]) {
+        Verdict::None => Verdict::Undecided,
+        verdict => verdict,
+    };
+    let code = governing_check(&binding, by_code);
+    let analysis = (a.verdict != Verdict::None).then(|| Governing {
+        case: Some(a.case.clone()),
+        what: "load factor at collapse".into(),
+        clause: "limit analysis".into(),
+        utilisation: a.utilisation,
+    });
+    // where both say the same, what is used more
+    let used = |g: &Option<Governing>| g.as_ref().and_then(|g| g.utilisation).map_or(0.0, |u| u[1]);
+    let by_bracket = by_code != verdict || (a.verdict == verdict && used(&analysis) > used(&code));
+    let governing = if by_bracket { analysis.clone().or(code.clone()) } else { code.clone() };
+    let reason = reason(a, by_code, verdict, governing.as_ref());
+    Judgement { verdict, by_code, by_analysis: a.verdict, reason, governing }
+}
+
+/// The worst case speaks for all of them.
+fn together(each: &[Judgement]) -> Judgement {
+    let worst = |of: fn(&Judgement) -> Verdict| Verdict::worst(each.iter().map(of));
+    let verdict = worst(|j| j.verdict);
+    let used = |j: &&Judgement| j.governing.as_ref().and_then(|g| g.utilisation).map_or(f64::INFINITY, |u| u[1]);
+    let speaker = each.iter().filter(|j| j.verdict == verdict).reduce(|a, b| if used(&b) > used(&a) { b } else { a });
+    Judgement {
+        verdict,
+        by_code: worst(|j| j.by_code),
+        by_analysis: worst(|j| j.by_analysis),
+        reason: speaker.map_or_else(String::new, |j| j.reason.clone()),
+        governing: speaker.and_then(|j| j.governing.clone()),
+    }
+}
+
+/// Whether a check can decide a verdict.
+fn binds(c: &Check) -> bool {
+    !matches!(c.status, Status::Information | Status::Warning)
+}
+
+/// The check that stands for a verdict by code: a strength before a least length, the more used before the less.
+fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
+    let status = match by_code {
+        Verdict::NotOk => Status::Failed,
+        Verdict::Undecided => Status::Undecided,
+        Verdict::Ok | Verdict::None => Status::Ok,
+    };
+    // a least distance that is kept says nothing of strength
+    let speaks =
+        |c: &&&Check| c.status == status && (status != Status::Ok || (c.case.is_some() && c.unit != Unit::Length));
+    let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
+    let c = binding.iter().filter(speaks).reduce(|a, b| if used(b) > used(a) { b } else { a })?;
+    Some(Governing {
+        case: c.case.clone(),
+        what: format!("{}, {}", c.title, c.subject),
+        clause: c.clause.clone(),
+        utilisation: c.utilisation.map(|u| [u, u]),
+    })
+}
+
+fn reason(a: &Analysed, by_code: Verdict, verdict: Verdict, governing: Option<&Governing>) -> String {
+    let (case, by_analysis) = (&a.case, a.verdict);
+    let what = governing.map_or_else(|| "nothing that could be checked".into(), Governing::words);
+    match (verdict, by_code, by_analysis) {
+        (Verdict::Ok, Verdict::Ok, Verdict::Ok) => {
+            format!("{case}: every binding check holds, and the lower bound carries the load; governing: {what}")
+        }
+        (Verdict::Ok, Verdict::Ok, _) => {
+            format!("{case}: every check holds, the component method included; governing: {what}")
+        }
+        (Verdict::Ok, ..) => format!("{case}: the lower bound carries the load; no check of the code covers it"),
+        (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => format!(
+            "{case}: the lower bound carries the load, but a check of what limit analysis does not know fails: {what}"
+        ),
+        (Verdict::NotOk, Verdict::NotOk, _) => format!("{case}: a check fails: {what}"),
+        (Verdict::NotOk, ..) => format!("{case}: the load is above the upper bound: {what}"),
+        (Verdict::Undecided, Verdict::Undecided, Verdict::Ok) => format!(
+            "{case}: the lower bound carries the load, but the code gives no resistance for what limit analysis does not know: {what}"
+        ),
+        (Verdict::Undecided, Verdict::Undecided, _) => format!("{case}: the code gives no resistance: {what}"),
+        (Verdict::Undecided, _, Verdict::Undecided) => {
+            format!("{case}: the bounds do not decide; the checks of the code are {}", by_code.words())
+        }
+        _ => format!("{case}: no check of the code covers the load, and no limit analysis was run"),
+    }
+}
+
+impl Governing {
+    /// What governs, with its utilisation and clause.
+    pub fn words(&self) -> String {
+        let used = match self.utilisation {
+            Some([l, u]) if l == u => format!(", utilisation {}", number(u)),
+            Some([l, u]) => format!(", utilisation {} … {}", number(l), number(u)),
+            None => String::new(),
+        };
+        format!("{}{used} ({})", self.what, self.clause)
+    }
+}
+
+impl Judgement {
+    /// The answer of a run in one line.
+    pub fn line(&self, code: u8) -> String {
+        let governs = self.governing.as_ref().map_or_else(String::new, |g| {
+            let case = g.case.as_ref().map_or_else(String::new, |c| format!("{c}, "));
+            format!("; governing: {case}{}", g.words())
+        });
+        format!(
+            "verdict: {} (by code {}, by analysis {}){governs}; exit code {code}: {}",
+            self.verdict.words(),
+            self.by_code.words(),
+            self.by_analysis.words(),
+            exit_meaning(code)
+        )
+    }
+}
+
+/// What an exit code of a run says (CONTRACT: exit codes).
+pub fn exit_meaning(code: u8) -> &'static str {
+    match code {
+        0 => "verified",
+        1 => "verified not OK",
+        2 => "bad input",
+        3 => "undecided, or no certificate within the limits",
+        _ => "something is missing on the machine",
+    }
+}
+
+impl HandChecks {
+    /// Makes strength by the component method information in a case that a limit analysis decides; not where a component may
+    /// buckle.
+    fn beside_analysis(&mut self, case: &str) {
+        if self.unstable.iter().any(|c| c == case) {
+            return;
+        }
+        let of_case = |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
+        for c in self.checks.iter_mut().filter(of_case) {
+            if matches!(c.status, Status::Failed | Status::Undecided) {
+                c.status = Status::Warning;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::Worked;
+
+    fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
+        let c = Worked::new("6.2", "share", value, Unit::Number, "u").utilised(topic, "row", Status::Failed);
+        Check { case: case.map(Into::into), ..c }
+    }
+
+    fn hand(checks: &[Check], unstable: &[&str]) -> HandChecks {
+        let unstable = unstable.iter().map(|s| s.to_string()).collect();
+        HandChecks { checks: checks.to_vec(), unstable, ..HandChecks::default() }
+    }
+
+    fn verdicts(checks: &[Check], unstable: &[&str], analysis: Verdict) -> [Verdict; 3] {
+        let mut h = hand(checks, unstable);
+        let a = Analysed { case: "A".into(), verdict: analysis, utilisation: None };
+        let (j, _) = judge(&mut h, &[a]);
+        [j.verdict, j.by_code, j.by_analysis]
+    }
+
+    use Verdict::{None as Nothing, NotOk, Ok as Fine, Undecided};
+
+    /// Strength by the component method decides where no limit analysis does.
+    #[test]
+    fn the_component_method_decides_where_no_bracket_does() {
+        let over = [check(Topic::ComponentMethod, 1.2, Some("A")), check(Topic::Bolts, 0.9, Some("A"))];
+        assert_eq!(verdicts(&over, &[], Nothing), [NotOk, NotOk, Nothing]);
+        assert_eq!(verdicts(&over, &[], Undecided), [NotOk, NotOk, Undecided]);
+        assert_eq!(verdicts(&over, &[], Fine), [Fine, Fine, Fine], "information beside a bracket that decides");
+        assert_eq!(verdicts(&over, &[], NotOk), [NotOk, Fine, NotOk]);
+        assert_eq!(verdicts(&over[1..], &[], Nothing), [Fine, Fine, Nothing]);
+        assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
+    }
+
+    /// Where a component may buckle the component method binds; no bracket overrules it, or any other binding check.
+    #[test]
+    fn no_bracket_overrules_what_limit_analysis_does_not_know() {
+        let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
+        assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
+        let unknown = Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+        assert_eq!(verdicts(&[unknown.clone()], &["A"], Fine), [Undecided, Undecided, Fine]);
+        assert_eq!(verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine), [NotOk, NotOk, Fine]);
+        // a distance that is missed needs no load
+        assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
+    }
+
+    /// Another case's check decides nothing here; without checks and without a bracket nothing is decided.
+    #[test]
+    fn a_demand_always_ends_with_a_verdict() {
+        assert_eq!(verdicts(&[check(Topic::Bolts, 2.0, Some("B"))], &[], Fine), [Fine, Nothing, Fine]);
+        assert_eq!(verdicts(&[], &[], Nothing), [Undecided, Nothing, Nothing]);
+        assert_eq!(verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing), [Undecided, Nothing, Nothing]);
+    }
+
+    /// The line names what governs: the failed check of the worst case, with clause and utilisation.
+    #[test]
+    fn the_last_line_names_what_governs() {
+        let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Stability, 1.05, Some("B"))];
+        let case = |name: &str| Analysed { case: name.into(), verdict: Fine, utilisation: Some([0.69, 0.81]) };
+        let (j, each) = judge(&mut hand(&checks, &[]), &[case("A"), case("B")]);
+        assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
+        let line = j.line(1);
+        for words in ["NOT OK (by code NOT OK, by analysis OK)", "B, share, row, utilisation 1.05 (6.2)", "exit code 1"]
+        {
+            assert!(line.contains(words), "{line}");
+        }
+        assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
+        // where all is well, what is used most
+        let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
+        assert!(j.line(0).contains("utilisation 0.9 (6.2)"), "{}", j.line(0));
+        let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);
+        assert!(j.line(0).contains("utilisation 0.69 … 0.81 (limit analysis)"), "{}", j.line(0));
+    }
+}

@@ -1,0 +1,61 @@
+//! `bracket check`: the code's checks of a spec, without mesher or solver.
+
+use super::conclude::{Analyses, conclude};
+use super::run::{check_names, check_sizes, demanded_cases, echo};
+use super::{Common, Outcome, spec_file};
+use crate::checks::hand_checks;
+use crate::checks::verdict::Verdict;
+use crate::diag::Diagnostic;
+use crate::report::data::{ResultFile, input_hash};
+use crate::report::folder::ResultFolder;
+use crate::report::log::Log;
+use crate::report::page::ModelTraits;
+use std::path::PathBuf;
+
+/// The code's checks, detailing, drawing and verdict by code, at once.
+#[derive(Debug, clap::Args)]
+pub struct CheckArgs {
+    /// Connection spec (`bracket new TEMPLATE` writes a starter).
+    #[arg(value_name = "SPEC")]
+    pub spec: PathBuf,
+    /// Folder for the report (default: named after the spec, with `_check`, beside it).
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl CheckArgs {
+    /// The folder of the report. Not the one of `run`: a look at the checks must not replace an analysis of an hour.
+    fn folder(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| {
+            let mut name = self.spec.with_extension("").into_os_string();
+            name.push("_check");
+            name.into()
+        })
+    }
+}
+
+/// Runs `bracket check`.
+pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
+    let input = spec_file::read(&args.spec)?;
+    check_names(&input, &[])?;
+    check_sizes(&input)?;
+    let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let log = Log::new(common.quiet);
+    let folder = ResultFolder::begin(&args.folder())?;
+    let mut echo = echo(&args.spec, &input, checks);
+    // what the checks see holds what the catalogue and the template gave
+    let seen = serde_json::to_string(&input.joint.end_plate)
+        .map_err(|e| Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}")))?;
+    echo.input_hash = input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]);
+    let mut result = ResultFile::new(echo.input_hash.clone(), 1, Verdict::None);
+    result.warnings.clone_from(&echo.checks.notes);
+    let analyses = Analyses {
+        demanded: demanded_cases(&input).into_iter().map(|case| (case, Vec::new())).collect(),
+        complete: true,
+        interrupted: false,
+        pictures: Vec::new(),
+        traits: ModelTraits::default(),
+        notes: Vec::new(),
+    };
+    conclude(result, echo, analyses, folder, &log, common)
+}
