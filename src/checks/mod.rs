@@ -14,6 +14,6 @@ pub mod judgement;
 pub mod verdict;
 
 pub use check::{Check, Status, Step, Topic, Unit, Worked};
-pub use end_plate::{Comparison, HandChecks, JointStiffness, PureMoment, hand_checks};
+pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Judgement, judge};

@@ -10,7 +10,8 @@ use super::spec_file::{self, SpecFile};
 use super::{Common, Outcome};
 use crate::adapt::plan;
 use crate::assembly::joint::PartRole;
-use crate::checks::end_plate::{grip, stocked_length};
+use crate::checks::check::number;
+use crate::checks::end_plate::{grip, moment_axial, stocked_length};
 use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, HandChecks, Status, Topic, hand_checks, judge};
 use crate::diag::{Diagnostic, Diagnostics};
@@ -25,7 +26,7 @@ use crate::report::demand::{ActionValue, EndAction};
 use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, PictureRef, ResolvedValue};
-use crate::report::{drawing, schedule};
+use crate::report::{drawing, moment_axial, schedule};
 use crate::spec::connection;
 use crate::spec::loads::LoadSpec;
 use crate::spec::polygon::PolygonSpec;
@@ -180,6 +181,12 @@ fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
     let picture = |file: &str, caption: &str, text| (PictureRef { file: file.into(), caption: caption.into() }, text);
     let views = drawing::views(e, plates(input), stocked_length(e));
     let mut out = vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    for (i, diagram) in moment_axial(e).iter().enumerate() {
+        let file = if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
+        let beta = if e.column.is_some() { format!(", β = {}", number(diagram.beta)) } else { String::new() };
+        let caption = format!("Moment and axial force that the joint carries by the component method{beta}");
+        out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
+    }
     if !e.actions.is_empty() {
         let caption = "Actions at the member ends with their positive senses, values at the bolt plane";
         out.push(picture("actions.svg", caption, drawing::actions(e)));

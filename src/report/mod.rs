@@ -1,5 +1,6 @@
 //! What a run leaves behind: the result folder, its numbers, its page, its pictures and its fields.
 
+mod axes;
 mod canvas;
 pub mod case;
 mod checks_text;
@@ -19,6 +20,7 @@ mod lettering;
 pub mod limit_case;
 mod limit_text;
 pub mod log;
+pub mod moment_axial;
 pub mod pace;
 pub mod page;
 pub mod plastic_file;

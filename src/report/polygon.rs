@@ -4,6 +4,7 @@
 //! of their loads), so the hull of the strict lower points belongs to it. Outer: the mechanism of every direction bounds a half
 //! plane, and what can be carried lies in all of them.
 
+use super::axes::Axes;
 use super::data::ResultFile;
 use super::figures::{Rounding, significant};
 use super::page::Table;
@@ -134,16 +135,6 @@ pub(super) fn section(page: &mut String, result: &ResultFile) {
     table(page, &Table { columns, rows: rows.collect() });
 }
 
-/// Side of the plot \[pixels\].
-const SIDE: f64 = 420.0;
-const MARGIN: f64 = 72.0;
-
-/// A round step that divides a range into four to ten.
-fn step(range: f64) -> f64 {
-    let power = 10f64.powf((range / 4.0).log10().floor());
-    [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| range / s >= 4.0).unwrap_or(power)
-}
-
 /// The plot as SVG text.
 pub fn drawing(polygon: &CapacityPolygon) -> String {
     let scales = polygon.axes.each_ref().map(|a| a.unit.shown().0 / a.unit.value());
@@ -162,8 +153,8 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
     for c in &corners {
         (0..2).for_each(|k| reach[k] = reach[k].max(c[k].abs().min(1.5 * reach[k])));
     }
-    let reach = reach.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 });
-    let at = |c: [f64; 2]| [MARGIN + 0.5 * SIDE * (1.0 + c[0] / reach[0]), LINE + 0.5 * SIDE * (1.0 - c[1] / reach[1])];
+    let axes = Axes::new(reach);
+    let (reach, at) = (axes.reach(), |c: [f64; 2]| axes.at(c));
     let mut d = Drawing::default();
     let planes: Vec<HalfPlane> = polygon.points.iter().filter_map(|p| p.half_plane).collect();
     let outer: Vec<[f64; 2]> = clip(&frame([reach[0] / units[0], reach[1] / units[1]]), &planes)
@@ -172,38 +163,14 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
         .collect();
     d.polygon(Pen::Edge, "#fde0c5", &outer);
     d.polygon(Pen::Edge, "#bfe3c0", &inner.iter().map(|c| at(*c)).collect::<Vec<_>>());
-    let [left, top] = at([-reach[0], reach[1]]);
-    let [right, bottom] = at([reach[0], -reach[1]]);
-    d.rectangle(Pen::Thin, "none", [left, top], [right, bottom]);
-    d.line(Pen::Thin, at([-reach[0], 0.0]), at([reach[0], 0.0]));
-    d.line(Pen::Thin, at([0.0, -reach[1]]), at([0.0, reach[1]]));
-    for axis in 0..2 {
-        let by = step(2.0 * reach[axis]);
-        let last = (reach[axis] / by).floor() as i32;
-        for k in -last..=last {
-            let value = f64::from(k) * by;
-            let text = significant(value, 3, Rounding::Nearest).replace('-', "−");
-            if axis == 0 {
-                let [x, _] = at([value, 0.0]);
-                d.line(Pen::Thin, [x, bottom], [x, bottom + 4.0]);
-                d.text([x, bottom + LINE], Anchor::Middle, &text);
-            } else {
-                let [_, y] = at([0.0, value]);
-                d.line(Pen::Thin, [left - 4.0, y], [left, y]);
-                d.text([left - 8.0, y], Anchor::End, &text);
-            }
-        }
-    }
+    let names = polygon.axes.each_ref().map(|a| format!("{} [{}]", a.action, a.unit.shown().1));
+    let [legend, top] = axes.draw(&mut d, names.each_ref().map(String::as_str));
     for c in &lower {
         d.circle(Pen::Edge, "#2e7d32", at(*c), 3.0);
     }
     for c in &upper {
         d.circle(Pen::Edge, "#ffffff", at(*c), 3.0);
     }
-    let name = |axis: &Axis| format!("{} [{}]", axis.action, axis.unit.shown().1);
-    d.text([0.5 * (left + right), bottom + 2.0 * LINE + 4.0], Anchor::Middle, &name(&polygon.axes[0]));
-    let legend = right + 20.0;
-    d.text([legend, top + 8.0], Anchor::Start, &format!("upwards: {}", name(&polygon.axes[1])));
     let open = if polygon.outer_bounded { "" } else { ", open" };
     let lines = [
         ("#bfe3c0", "carried (hull of lower bounds)".to_string()),

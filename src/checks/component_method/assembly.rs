@@ -320,11 +320,14 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
         }
-        let (outstand, limit) = (0.5 * (c.section.b - c.section.tw), 14.0 * column_web::epsilon(c.fy));
+        let outstand = 0.5 * (c.section.b - c.section.tw);
+        let limit = column_web::STIFFENER_SLENDERNESS * column_web::epsilon(c.fy);
         if c.stiffener > 0.0 && outstand > limit * c.stiffener {
             let ratio = number(outstand / c.stiffener);
-            let why =
-                format!("the stiffeners of the column are of class 4: c/t_s = {ratio} > 14 ε = {}", number(limit));
+            let why = format!(
+                "the stiffeners of the column buckle about their weld: c/t_s = {ratio} > 13 ε = {}",
+                number(limit)
+            );
             out.push(Stability { why, clause: "EN 1993-1-5:2006 9.2.1(8)", covered: false });
         }
         if let Some(panel) = panel.filter(|p| p.slender()) {

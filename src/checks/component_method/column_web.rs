@@ -4,6 +4,8 @@ use crate::checks::check::{Unit, Worked, number as n};
 
 /// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
 const SHEAR_SLENDERNESS: f64 = 69.0;
+/// Greatest c/(t_s ε) of a flat stiffener that does not buckle about its weld, EN 1993-1-5:2006 9.2.1(8): I_T/I_p ≥ 5.3 f_y/E.
+pub const STIFFENER_SLENDERNESS: f64 = 13.0;
 
 /// Factor ε = √(235/f_y).
 ///

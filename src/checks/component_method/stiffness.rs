@@ -117,6 +117,11 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let terms: Vec<String> =
         panel.into_iter().chain(compression).chain([equivalent]).map(|k| format!("1/{}", n(k))).collect();
     let formula = format!("S_j,ini = E z²/Σ(1/k) = {} · {}²/({})", n(joint.young), n(lever), terms.join(" + "));
+    let mut formula = formula;
+    if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
+        // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to shear
+        formula += ", k1 kept finite beside transverse stiffeners";
+    }
     let title = "initial rotational stiffness";
     let mut worked = Worked::new("EN 1993-1-8:2005 6.3.1(4)", title, value, Unit::Rotational, formula);
     for (symbol, k) in [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent)), ("z_eq", Some(lever))] {

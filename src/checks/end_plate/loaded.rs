@@ -185,7 +185,7 @@ impl Side<'_> {
             };
             let mut worked = web.clone();
             worked.title = "column web in compression, with its buckling";
-            worked.formula = format!("F_c,Ed = {}; {}; {}", Unit::Force.show(push), s.why, worked.formula);
+            worked.formula = format!("{}; {}", s.why, worked.formula);
             worked.against(Topic::Stability, self.subject(), push, Status::Failed)
         });
         each.collect()
