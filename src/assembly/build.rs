@@ -84,6 +84,7 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
+    resolved.extend(inputs.partial_factors().resolved.iter().cloned());
     Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, bolts })
 }
 
@@ -435,7 +436,7 @@ impl<'a> Builder<'a> {
                 }
                 let steels = [self.steel_of(at, &between[0])?, self.steel_of(at, &between[1])?];
                 let weaker = steels[0].weaker(&steels[1]);
-                let [_, _, gamma_m2, _] = self.inputs.partial_factors();
+                let gamma_m2 = self.inputs.partial_factors().gamma_m2;
                 let Some(strength) = weaker.weld_strength(gamma_m2) else {
                     return Err(AssemblyError::Value {
                         path: "parameters".into(),

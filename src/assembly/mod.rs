@@ -4,6 +4,7 @@ pub mod actions;
 pub mod build;
 pub mod end_plate;
 pub mod error;
+pub mod factors;
 pub mod inputs;
 pub mod joint;
 pub mod origin;

@@ -149,7 +149,7 @@ impl From<CatalogError> for Diagnostic {
             }
             CatalogError::UnknownTable { file } => new("catalog/unknown-table").file(file).help(
                 "start from the header line of a table in catalogs/: profiles_i, bolts, bolts_preloaded, bolt_grades, \
-                 steel_grades, steel_grades_product, friction_classes, partial_factors",
+                 steel_grades, steel_grades_product, friction_classes, partial_factors, national_annexes",
             ),
             CatalogError::Csv { at, .. } => place(new("catalog/not-csv"), at)
                 .help("UTF-8, comma separated, one header row, decimal point; every row has all the columns"),

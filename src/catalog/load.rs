@@ -2,7 +2,7 @@
 
 use super::bolt::{BoltGrade, BoltSize};
 use super::error::CatalogError;
-use super::factor::{FrictionClass, PartialFactor};
+use super::factor::{FrictionClass, NationalAnnex, PartialFactor};
 use super::profile::{IProfile, PROPERTY_TOLERANCE};
 use super::steel::Steel;
 use super::table::{Entry, Named, RawTable};
@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use std::path::Path;
 
 /// The tables compiled into the program; profiles of shapes no template uses yet stay outside.
-const BUILTIN: [(&str, &str); 10] = [
+const BUILTIN: [(&str, &str); 11] = [
     ("catalogs/profiles_i.csv", include_str!("../../catalogs/profiles_i.csv")),
     ("catalogs/profiles_i_other.csv", include_str!("../../catalogs/profiles_i_other.csv")),
     ("catalogs/profiles_w_aisc.csv", include_str!("../../catalogs/profiles_w_aisc.csv")),
@@ -22,6 +22,7 @@ const BUILTIN: [(&str, &str); 10] = [
     ("catalogs/steel_grades_product.csv", include_str!("../../catalogs/steel_grades_product.csv")),
     ("catalogs/friction_classes.csv", include_str!("../../catalogs/friction_classes.csv")),
     ("catalogs/partial_factors.csv", include_str!("../../catalogs/partial_factors.csv")),
+    ("catalogs/national_annexes.csv", include_str!("../../catalogs/national_annexes.csv")),
 ];
 
 /// Where each built-in table comes from; its table of files is read, not copied.
@@ -39,6 +40,7 @@ enum Kind {
     SteelBands,
     Friction,
     Factors,
+    Annexes,
     OtherShape,
 }
 
@@ -63,6 +65,8 @@ fn kind(table: &RawTable) -> Option<Kind> {
         Kind::Friction
     } else if any(&["recommended_value"]) {
         Kind::Factors
+    } else if any(&["annex"]) {
+        Kind::Annexes
     } else {
         return None;
     })
@@ -151,6 +155,7 @@ impl Catalog {
                 })?,
                 Kind::Friction => insert_all(&mut self.friction, FrictionClass::read(table)?)?,
                 Kind::Factors => insert_all(&mut self.factors, PartialFactor::read(table)?)?,
+                Kind::Annexes => insert_all(&mut self.annexes, NationalAnnex::read(table)?)?,
                 Kind::OtherShape => self.warnings.push(
                     Diagnostic::input(
                         "catalog/unused-table",

@@ -20,7 +20,7 @@ mod table;
 
 pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
 pub use error::CatalogError;
-pub use factor::{FrictionClass, PartialFactor};
+pub use factor::{FrictionClass, NationalAnnex, PartialFactor};
 pub use profile::{IProfile, PROPERTY_TOLERANCE};
 pub use steel::{Band, FySource, Steel};
 pub use table::Source;
@@ -52,6 +52,7 @@ pub struct Catalog {
     steels: Named<Steel>,
     friction: Named<FrictionClass>,
     factors: Named<PartialFactor>,
+    annexes: Named<NationalAnnex>,
     provenance: BTreeMap<String, Provenance>,
     warnings: Vec<Diagnostic>,
 }
@@ -127,6 +128,12 @@ impl Catalog {
         self.factors.get(name)
     }
 
+    /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the code without one.
+    pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
+        let country = || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
+        self.annexes.find(name).or_else(country).ok_or_else(|| self.annexes.unknown(name))
+    }
+
     /// All sections, in the order of the files.
     pub fn profiles(&self) -> &[IProfile] {
         self.profiles.rows()
@@ -155,6 +162,11 @@ impl Catalog {
     /// All partial factors.
     pub fn partial_factors(&self) -> &[PartialFactor] {
         self.factors.rows()
+    }
+
+    /// All national annexes.
+    pub fn annexes(&self) -> &[NationalAnnex] {
+        self.annexes.rows()
     }
 
     /// Where the numbers of a file come from; nothing where the user's table has no `# source:` line.

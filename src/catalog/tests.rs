@@ -186,7 +186,7 @@ fn every_shipped_table_has_provenance() {
     let catalog = builtin();
     assert!(catalog.warnings().is_empty());
     let files = catalog.provenance.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(files.len(), 10);
+    assert_eq!(files.len(), 11);
     for p in catalog.profiles() {
         let provenance = catalog.provenance(&p.source.file).expect("provenance");
         assert!(provenance.standard.is_some() && !provenance.read_from.is_empty());

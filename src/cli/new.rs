@@ -170,8 +170,14 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
          # checker: \"\"  # who checks it\n  # revision: \"A\"  # revision\n\n",
     );
     out.push_str(
-        "code:\n  edition: EN 1993-1-8:2005\n  # gamma_M0: 1.0  # partial factor of cross-sections; 0.5 to 3\n  \
-         # gamma_M2: 1.25  # partial factor of bolts and welds; 0.5 to 3\n  \
+        "code:\n  edition: EN 1993-1-8:2005\n  \
+         # annex: recommended  # national annex of the partial factors: UK, DE … (`bracket catalog list annexes`)\n  \
+         # gamma_M0: 1.0  # partial factor of cross-sections; each of them 0.5 to 3, in place of the annex\n  \
+         # gamma_M1: 1.0  # of instability\n  \
+         # gamma_M2: 1.25  # of bolts and welds\n  \
+         # gamma_M3: 1.25  # of slip at the ultimate limit state\n  \
+         # gamma_M3_ser: 1.1  # of slip at serviceability\n  \
+         # gamma_M7: 1.1  # of the preload of bolts\n  \
          # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n\n",
     );
     // blanks, `#` and quotes in a path would end the text

@@ -407,6 +407,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
             let single = !r.value.starts_with('[');
             let (value, unit) = r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
             let origin = match (&r.default, r.given) {
+                _ if r.origin.is_some() => r.origin.clone().unwrap_or_default(),
                 (_, true) => "given".to_string(),
                 (Some(expression), false) => format!("default `{expression}`"),
                 (None, false) => "default".to_string(),

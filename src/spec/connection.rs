@@ -84,19 +84,45 @@ pub struct Project {
 pub struct Code {
     /// Edition of the code.
     pub edition: Edition,
-    /// Partial factor of cross-sections.
+    /// National annex whose partial factors apply where this spec gives none: `DE`, `UK` …
+    /// (`bracket catalog list annexes`); left out: the recommended values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub annex: Option<String>,
+    /// Partial factor of cross-sections, 0.5 to 3.
     #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]
     pub gamma_m0: Option<f64>,
-    /// Partial factor of bolts, welds and net sections.
+    /// Partial factor of members and web panels against instability, 0.5 to 3.
+    #[serde(rename = "gamma_M1", skip_serializing_if = "Option::is_none")]
+    pub gamma_m1: Option<f64>,
+    /// Partial factor of bolts, welds and net sections, 0.5 to 3.
     #[serde(rename = "gamma_M2", skip_serializing_if = "Option::is_none")]
     pub gamma_m2: Option<f64>,
+    /// Partial factor of slip at the ultimate limit state, 0.5 to 3.
+    #[serde(rename = "gamma_M3", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3: Option<f64>,
+    /// Partial factor of slip at serviceability, 0.5 to 3.
+    #[serde(rename = "gamma_M3_ser", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3_ser: Option<f64>,
+    /// Partial factor of the preload of bolts, 0.5 to 3.
+    #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
+    pub gamma_m7: Option<f64>,
     /// Table the yield strengths come from.
     pub fy_source: FySource,
 }
 
 impl Default for Code {
     fn default() -> Self {
-        Self { edition: Edition::Ec2005, gamma_m0: None, gamma_m2: None, fy_source: FySource::Table31 }
+        Self {
+            edition: Edition::Ec2005,
+            annex: None,
+            gamma_m0: None,
+            gamma_m1: None,
+            gamma_m2: None,
+            gamma_m3: None,
+            gamma_m3_ser: None,
+            gamma_m7: None,
+            fy_source: FySource::Table31,
+        }
     }
 }
 
