@@ -131,7 +131,8 @@ impl From<CatalogError> for Diagnostic {
         let new = |code| Diagnostic::input(code, message.clone());
         match error {
             CatalogError::Unknown { kind, .. } => new("catalog/unknown-name")
-                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables adds more")),
+                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables (`--catalog DIR`, or `catalog: DIR` in the spec) adds \
+                     more")),
             CatalogError::Ambiguous { choices, .. } => {
                 new("catalog/ambiguous-name").help(format!("write the standard too, for example `{}`", choices[0]))
             }

@@ -504,5 +504,5 @@ pub fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: Str
             })
             .collect()
     });
-    CatalogueRow { kind: kind.into(), name: name.into(), source, values }
+    CatalogueRow { kind: kind.into(), name: name.into(), source, values, own: false }
 }

@@ -66,9 +66,7 @@ pub fn run(args: &CatalogArgs, common: &Common) -> Outcome {
     }
     .map_err(Diagnostic::from)?;
     for w in catalog.warnings() {
-        let place = w.place.file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default();
-        let line = w.place.line.map(|l| format!("line {l}: ")).unwrap_or_default();
-        eprintln!("warning[{}]: {place}{line}{w}", w.code);
+        eprintln!("{}", super::spec_file::catalog_warning(w));
     }
     match &args.action {
         None => kinds(&catalog, common)?,

@@ -107,6 +107,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         }
     };
     let mut spec = ConnectionSpec {
+        catalog: None,
         project: Default::default(),
         code: Default::default(),
         template: name.to_owned(),
@@ -183,7 +184,8 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
     // blanks, `#` and quotes in a path would end the text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
     let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
-    let _ = writeln!(out, "template: {name}\n\nmembers:");
+    let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in catalogue";
+    let _ = writeln!(out, "template: {name}\n{own}\n\nmembers:");
     for m in &template.members {
         let _ = writeln!(out, "  {}: {{profile: {}, steel: {}}}  # {}", m.role, m.profile, m.steel, about(&m.about));
     }

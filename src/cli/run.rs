@@ -6,7 +6,7 @@ use super::analysis::{
 };
 use super::interrupt::Interrupt;
 use super::remesh::{self, ByMap};
-use super::spec_file::{self, SpecFile};
+use super::spec_file::{self, CatalogOptions, SpecFile};
 use super::{Common, Outcome};
 use crate::adapt::plan;
 use crate::assembly::joint::PartRole;
@@ -52,6 +52,9 @@ pub struct RunArgs {
     /// Meshes at most, in place of `analysis.max_passes`: 1 is a quick look.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=50))]
     pub max_passes: Option<u32>,
+    /// Catalogue of the user's own.
+    #[command(flatten)]
+    pub catalog: CatalogOptions,
     /// Options of the analysis.
     #[command(flatten)]
     pub options: AnalysisOptions,
@@ -77,7 +80,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     }
     let mut limits = args.options.limits()?;
     use_threads(common)?;
-    let input = spec_file::read(&args.spec)?;
+    let input = spec_file::read(&args.spec, args.catalog.folder())?;
     let kinds = match args.kind {
         Some(KindArg::Elastic) => vec![AnalysisKind::Elastic],
         Some(KindArg::Elastoplastic) => vec![AnalysisKind::Elastoplastic],
@@ -93,6 +96,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let log = Arc::new(Log::new(common.quiet));
     let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     tell(&checks, &log);
     let start = Instant::now();
     let options = mesh_options(args.full, args.size_factor, &input, &mesher, &limits.interrupt, folder.path());
@@ -141,12 +145,19 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
     let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
     pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
+    let catalogue_rows = catalogue_rows(&input);
+    // rows that are not the program's own: what of them only the hand checks read stands in no model
+    let own = catalogue_rows.iter().filter(|r| r.own).map(|r| format!("{}: {:?}\n", r.name, r.values));
+    let own: String = own.collect();
+    if !own.is_empty() {
+        pieces.push(("catalogue", own.as_bytes()));
+    }
     let echo = Echo {
         project: block,
         input_name: args.spec.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_hash: input_hash(&pieces),
         resolved: resolved_values(&input),
-        catalogue_rows: catalogue_rows(&input),
+        catalogue_rows,
         mesh_quality: quality_table(&meshed.quality),
         mirror: meshed.symmetry_used.iter().map(|p| p.axis).collect(),
         adapt: Some(plan::Limits { target_gap: asked.target_gap, max_passes, max_macro_tets: asked.max_macro_tets }),
@@ -434,10 +445,42 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         let Ok(row) = row else { continue };
         let standard = row["standard"].as_str().unwrap_or_default();
         let file = row["source"]["file"].as_str().unwrap_or_default();
-        let source = c.provenance(file).and_then(|p| p.standard.clone()).unwrap_or_else(|| standard.to_string());
+        let provenance = c.provenance(file);
+        let builtin = provenance.and_then(|p| p.standard.clone());
+        let own = builtin.is_none();
+        let source = builtin.unwrap_or_else(|| {
+            // a table of the user's own: the report names the row, so that it can be checked
+            let mut words = vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
+            words.extend(provenance.map(|p| p.read_from.clone()));
+            words.retain(|w| !w.is_empty());
+            words.join("; ")
+        });
         if !rows.iter().any(|r| r.kind == kind && r.name == *name) {
-            rows.push(catalogue_row(kind, name, row, source));
+            rows.push(CatalogueRow { own, ..catalogue_row(kind, name, row, source) });
         }
     }
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_an_own_table_show_their_file_and_line() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n\
+                     MY8.8,640,800,0.6,0.6,yes\n";
+        let spec = include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
+        for (name, text) in [("g.csv", table), ("joint.yaml", &spec)] {
+            std::fs::write(dir.path().join(name), text).expect("written");
+        }
+        let input =
+            spec_file::read(&dir.path().join("joint.yaml"), Some(dir.path())).unwrap_or_else(|e| panic!("{e:#?}"));
+        let rows = catalogue_rows(&input);
+        let own: Vec<&CatalogueRow> = rows.iter().filter(|r| r.own).collect();
+        assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
+        assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
+        assert!(rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")), "{rows:#?}");
+    }
 }

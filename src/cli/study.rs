@@ -199,7 +199,7 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
         let source = Model { name: file_stem(&stem), file, mesh, place: &place };
         (study(args, &source, ends, &mut limits, &log)?, folder)
     } else {
-        let input = spec_file::read(&args.file)?;
+        let input = spec_file::read(&args.file, None)?;
         let kinds = run::analysis_kinds(&input)?;
         run::check_names(&input, &kinds)?;
         run::check_preload(&input, &kinds)?;

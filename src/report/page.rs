@@ -55,6 +55,8 @@ pub struct CatalogueRow {
     pub name: String,
     /// Standard and edition the numbers come from.
     pub source: String,
+    /// Whether the row stands in a table of the user's own.
+    pub own: bool,
     /// Column with unit (`h [mm]`) and value.
     pub values: Vec<(String, String)>,
 }

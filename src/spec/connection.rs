@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::PathBuf;
 
 /// A whole `SPEC.yaml`. Bare numbers are lengths in mm; forces, moments and stresses carry a suffix.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,6 +24,9 @@ pub struct ConnectionSpec {
     pub code: Code,
     /// Name of a connection template (`bracket templates`), or the path of your own, relative to this file.
     pub template: String,
+    /// Folder with catalogue tables of your own (`.csv`), relative to this file; `--catalog` wins over it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub catalog: Option<PathBuf>,
     /// Members by role.
     #[serde(default, deserialize_with = "null_is_default")]
     pub members: BTreeMap<String, MemberSpec>,
