@@ -149,6 +149,7 @@ fn data() -> ReportData {
             origin: "computed: hole = shank".into(),
         }],
         catalogue_rows: vec![CatalogueRow {
+            own: false,
             kind: "profile".into(),
             name: "HEB200".into(),
             source: "EN 10365:2017".into(),
