@@ -9,6 +9,7 @@ use super::joint::{
 use super::origin::Origin;
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
+use super::seen_bolts::{self, Meshed};
 use super::template::{Axis, BoltEntry, PartEntry, RectangleEntry, RoleEntry, Template};
 use super::{actions, inputs, symmetry, template};
 use crate::catalog::Catalog;
@@ -61,9 +62,10 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     })?;
     // what is wrong with a template of the user's is told in its own file
     let one = |f: AssemblyError| match (&origin, &f) {
-        (Origin::File { .. }, AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. }) => {
-            origin.placed(&template, f)
-        }
+        (
+            Origin::File { .. },
+            AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. } | AssemblyError::UnseenBolts { .. },
+        ) => origin.placed(&template, f),
         _ => f.placed(&spec.index),
     };
     let placed = |faults: Vec<AssemblyError>| Diagnostics(faults.into_iter().map(&one).collect());
@@ -74,13 +76,19 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     let builder = Builder { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
     let assembly = builder.assembly().map_err(|e| placed(vec![e]))?;
     let bolts = builder.bolt_lines().map_err(|e| placed(vec![e]))?;
-    let actions = match &template.hand_checks {
+    let (actions, frames) = match &template.hand_checks {
         Some(entry) => actions::ends(&template, &scope)
-            .and_then(|ends| actions::on_planes(&spec.value.loads, &ends, &entry.ends))
+            .and_then(|ends| {
+                let actions = actions::on_planes(&spec.value.loads, &ends, &entry.ends)?;
+                Ok((actions, actions::frames(&ends, &entry.ends)?))
+            })
             .map_err(|e| placed(vec![e]))?,
-        None => Vec::new(),
+        None => Default::default(),
     };
     let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(|e| placed(vec![e]))?;
+    if let Some(seen) = &end_plate {
+        builder.all_seen(&assembly, &frames, seen).map_err(|e| placed(vec![e]))?;
+    }
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
@@ -305,6 +313,18 @@ impl<'a> Builder<'a> {
             }
         }
         Ok(out)
+    }
+
+    /// That the hand checks see every bolt.
+    fn all_seen(&self, assembly: &Assembly, frames: &[actions::Frame], seen: &EndPlate) -> Result<(), AssemblyError> {
+        let bolts = self.bolts()?;
+        let meshed = bolts.iter().map(|b| Meshed {
+            name: &b.name,
+            axis: b.hole.axis,
+            position: b.hole.base,
+            through: b.through.iter().map(|(part, _)| part.as_str()).collect(),
+        });
+        seen_bolts::check(&meshed.collect::<Vec<_>>(), &assembly.parts, frames, seen)
     }
 
     fn bolt_lines(&self) -> Result<Vec<BoltLine>, AssemblyError> {

@@ -10,6 +10,7 @@ pub mod joint;
 pub mod origin;
 pub mod part;
 pub mod scope;
+mod seen_bolts;
 pub mod symmetry;
 pub mod template;
 
