@@ -158,7 +158,8 @@ mod tests {
         let four =
             COLUMNS.replace("labels: [P, M], values: [1, -1]", "labels: [P, M, Q, N], values: [1, -1, 1.5, -1.5]");
         let one = COLUMNS.replace("labels: [P, M], values: [1, -1]", "labels: [P], values: [1]");
-        let cases: Vec<(&str, Vec<(&str, &str)>, &str)> = vec![
+        type Case<'a> = (&'a str, Vec<(&'a str, &'a str)>, &'a str);
+        let cases: Vec<Case<'_>> = vec![
             (
                 "four columns",
                 vec![(COLUMNS, four.as_str())],

@@ -97,6 +97,9 @@ pub enum CatalogError {
         /// What the system said.
         cause: std::io::Error,
     },
+    /// A table of the folder that cannot be read, or is no text.
+    #[error("{0}")]
+    Unread(Box<Diagnostic>),
     /// The folder holds no table.
     #[error("the catalogue folder holds no .csv file")]
     Empty {
@@ -130,6 +133,7 @@ impl From<CatalogError> for Diagnostic {
         let message = error.to_string();
         let new = |code| Diagnostic::input(code, message.clone());
         match error {
+            CatalogError::Unread(d) => *d,
             CatalogError::Unknown { kind, .. } => new("catalog/unknown-name")
                 .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables (`--catalog DIR`, or `catalog: DIR` in the spec) adds \
                      more")),

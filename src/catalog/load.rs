@@ -8,6 +8,7 @@ use super::steel::Steel;
 use super::table::{Entry, Named, RawTable};
 use super::{Catalog, Provenance};
 use crate::diag::Diagnostic;
+use crate::text_file;
 use std::path::Path;
 
 /// The tables compiled into the program; profiles of shapes no template uses yet stay outside.
@@ -116,8 +117,8 @@ impl Catalog {
         }
         let mut tables = Vec::new();
         for file in files {
-            let text =
-                std::fs::read_to_string(&file).map_err(|cause| CatalogError::Io { path: file.clone(), cause })?;
+            let unread = |cause| CatalogError::Io { path: file.clone(), cause }.into();
+            let text = text_file::read(&file, unread).map_err(CatalogError::Unread)?;
             tables.push(RawTable::parse(&file.display().to_string(), &text)?);
         }
         let mut next = self.clone();

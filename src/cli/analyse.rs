@@ -15,6 +15,7 @@ use crate::report::log::Log;
 use crate::report::page::Table;
 use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
+use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -33,18 +34,18 @@ pub struct AnalyseArgs {
 pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     let limits = args.options.limits()?;
     use_threads(common)?;
+    let unread = |path: &Path, e: std::io::Error| {
+        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
+    };
     let model = load_model(&args.model).map_err(|mut faults| {
-        let text = std::fs::read_to_string(&args.model).unwrap_or_default();
+        let text = text_file::read(&args.model, |e| unread(&args.model, e)).unwrap_or_default();
         if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
             faults.0.truncate(1);
             faults.0[0].help = Some("this looks like a connection spec: `bracket run` reads it".into());
         }
         faults
     })?;
-    let unread = |path: &Path, e: std::io::Error| {
-        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
-    };
-    let text = std::fs::read_to_string(&args.model).map_err(|e| unread(&args.model, e))?;
+    let text = text_file::read(&args.model, |e| unread(&args.model, e))?;
     let parsed = yaml::parse::<ModelFile>(&text, &args.model)?;
     let mut file = parsed.value;
     let mesh_path = args.model.parent().unwrap_or(Path::new("")).join(&file.mesh);

@@ -10,6 +10,7 @@ use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::log::Log;
+use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -121,7 +122,7 @@ fn load(path: &Path, catalog: &CatalogOptions) -> Result<(Assembly, bool, Vec<St
         let text = format!("`--catalog {}` has no use: an assembly takes nothing from the catalogue", dir.display());
         return Err(Diagnostic::input("cli/catalog", text).help("leave the option out, or give the spec").into());
     }
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    let text = text_file::read(path, |e| {
         Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))
             .file(path)
             .help("check the path")

@@ -6,6 +6,7 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::polygon::PolygonFault;
 use crate::spec::yaml::{self, Parsed};
+use crate::text_file;
 use std::path::{Path, PathBuf};
 
 /// Where catalogue tables of the user's own are; for every command that reads a spec.
@@ -37,7 +38,7 @@ pub struct SpecFile {
 
 /// Reads a spec and builds its joint; `catalog_dir` is the folder of `--catalog`, which wins over `catalog` in the spec.
 pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    let text = text_file::read(path, |e| {
         Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
