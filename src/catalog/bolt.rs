@@ -196,6 +196,7 @@ impl BoltSize {
 impl Entry for BoltSize {
     const NOUN: &'static str = "bolt";
     const KIND: &'static str = "bolts";
+    const SIZED: bool = true;
     fn name(&self) -> String {
         if self.system == PLAIN_SYSTEM { self.size.clone() } else { format!("{} {}", self.system, self.size) }
     }

@@ -65,30 +65,7 @@ impl Catalog {
 
     /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded systems.
     pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
-        self.bolts.get(name).map_err(|fault| match (fault, self.nearest_bolts(name)) {
-            (CatalogError::Unknown { noun, kind, name, .. }, Some(hint)) => {
-                CatalogError::Unknown { noun, kind, name, hint }
-            }
-            (fault, _) => fault,
-        })
-    }
-
-    /// `, the nearest are M20 and M22` for `M21`; `None` where the name is not a size.
-    fn nearest_bolts(&self, name: &str) -> Option<String> {
-        let (system, size) = name::normalise(name).rsplit_once('M').map(|(s, d)| (s.to_owned(), d.parse::<f64>()))?;
-        let size = size.ok()?;
-        let mine = |b: &&BoltSize| match system.as_str() {
-            "" => b.system == PLAIN_SYSTEM,
-            system => b.system == system,
-        };
-        let nearer = |a: &BoltSize, b: &BoltSize| (a.d - size).abs().total_cmp(&(b.d - size).abs());
-        let side = |of: fn(f64, f64) -> bool| {
-            let all = self.bolts.rows().iter().filter(mine).filter(|b| of(b.d, size));
-            all.min_by(|a, b| nearer(a, b)).map(|b| format!("`{}`", Entry::name(b)))
-        };
-        let found: Vec<String> = [side(|d, s| d < s), side(|d, s| d > s)].into_iter().flatten().collect();
-        (!found.is_empty())
-            .then(|| format!(", the nearest {} {}", if found.len() > 1 { "are" } else { "is" }, found.join(" and ")))
+        self.bolts.get(name)
     }
 
     /// The bolt grade, for example `8.8`.

@@ -59,6 +59,52 @@ pub fn steel_key(name: &str) -> String {
     format!("{base}{quality}")
 }
 
+/// Series, numbers and what follows them, of a key: `UB533X210X92` → `UB`, 533 210 92, nothing; `None` where there are none.
+fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
+    let first = key.find(|c: char| c.is_ascii_digit())?;
+    let end = key.rfind(|c: char| c.is_ascii_digit())? + 1;
+    let numbers = key[first..end].split('X').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
+    Some((&key[..first], numbers, &key[end..]))
+}
+
+/// `, the nearest are …` for a size that a series does not have: `IPE410` has `IPE400` and `IPE450` for neighbours, while in letters
+/// `IPE140` is as near. `rows` are keys with names; `None` where the name is not a series and numbers, or no row is of the series.
+pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) -> Option<String> {
+    let (series, wanted, tail) = sizes(key)?;
+    let mut near: Vec<(Vec<f64>, String)> = Vec::new();
+    for (key, name) in rows {
+        let Some((s, numbers, t)) = sizes(&key) else { continue };
+        if (s, t) == (series, tail) && !near.iter().any(|(_, n)| *n == name) {
+            near.push((numbers, name));
+        }
+    }
+    let off = |n: &[f64]| -> Vec<f64> { n.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).collect() };
+    // the first number counts most: depth before width before mass
+    near.sort_by(|(a, _), (b, _)| off(a).partial_cmp(&off(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let side = |smaller: bool| near.iter().find(|(n, _)| if smaller { n[0] < wanted[0] } else { n[0] > wanted[0] });
+    let chosen: Vec<&str> = match (wanted.len(), side(true), side(false)) {
+        (1, Some(below), Some(above)) if near[0].0.len() == 1 => {
+            let mut pair = [below, above];
+            pair.sort_by(|a, b| off(&a.0).partial_cmp(&off(&b.0)).unwrap_or(std::cmp::Ordering::Equal));
+            pair.iter().map(|(_, name)| name.as_str()).collect()
+        }
+        (1, ..) if near.first().is_some_and(|(n, _)| n.len() == 1) => {
+            // beyond the ends of the series: a zero too many or too few is likelier than a size far off
+            let slip = |n: &[f64]| n[0] == 10.0 * wanted[0] || wanted[0] == 10.0 * n[0];
+            if let Some((_, name)) = near.iter().find(|(n, _)| slip(n)) {
+                return Some(format!(", did you mean `{name}`?"));
+            }
+            near.iter().take(1).map(|(_, name)| name.as_str()).collect()
+        }
+        _ => near.iter().take(2).map(|(_, name)| name.as_str()).collect(),
+    };
+    match chosen[..] {
+        [] => None,
+        [one] => Some(format!(", the nearest is `{one}`")),
+        [first, second, ..] => Some(format!(", the nearest are `{first}` and `{second}`")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

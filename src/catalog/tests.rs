@@ -125,8 +125,22 @@ fn names_are_found_in_every_spelling() {
 fn unknown_names_come_with_a_proposal() {
     let catalog = builtin();
     for (error, expected) in [
-        (catalog.profile("HEB205").err(), "profile `HEB205` is not in the catalogue, did you mean `HEB200`?"),
+        (
+            catalog.profile("HEB205").err(),
+            "profile `HEB205` is not in the catalogue, the nearest are `HEB200` and `HEB220`",
+        ),
         (catalog.profile("IPE 36").err(), "did you mean `IPE360`?"),
+        (catalog.profile("IPE410").err(), "the nearest are `IPE400` and `IPE450`"),
+        (catalog.profile("IPE 440").err(), "the nearest are `IPE450` and `IPE400`"),
+        (catalog.profile("IPE410A").err(), "the nearest are `IPEA400` and `IPEA450`"),
+        (catalog.profile("HE 210 B").err(), "the nearest are `HEB200` and `HEB220`"),
+        (catalog.profile("HEB2000").err(), "did you mean `HEB200`?"),
+        (catalog.profile("HEB1500").err(), "the nearest is `HEB1000`"),
+        (catalog.profile("HEV200").err(), "did you mean `HE"),
+        (catalog.profile("HEB2O0").err(), "did you mean `HEB200`?"),
+        (catalog.profile("533x210x95 UB").err(), "the nearest are `UB533x210x92` and `UB533x210x101`"),
+        (catalog.profile("UB 530x210").err(), "the nearest are `UB533x210x"),
+        (catalog.profile("W14x91").err(), "the nearest are `W14X90` and `W14X"),
         (catalog.bolt("M19").err(), "the nearest are `M18` and `M20`"),
         (catalog.bolt_grade("8.9").err(), "did you mean `8.8`?"),
         (catalog.steel("S325").err(), "did you mean `S235`?"),
@@ -315,7 +329,7 @@ fn a_bolt_size_that_is_not_made_is_answered_with_its_neighbours() {
         ("m 19", ", the nearest are `M18` and `M20`"),
         ("HV M21", ", the nearest are `HV M20` and `HV M22`"),
         ("M500", ", the nearest is `M"),
-        ("M1", ", the nearest is `M"),
+        ("M1", ", did you mean `M10`?"),
     ] {
         let message = catalog.bolt(name).expect_err(name).to_string();
         assert!(message.contains(told), "{name}: {message}");
