@@ -78,20 +78,34 @@ pub struct Quantity {
     pub dim: Dim,
 }
 
+/// An inch \[mm\], exact.
+const INCH: f64 = 25.4;
+/// A foot \[mm\], exact.
+const FOOT: f64 = 12.0 * INCH;
+/// A pound-force \[N\], exact: 0.45359237 kg at 9.80665 m/s².
+const POUND: f64 = 4.448_221_615_260_5;
+
 /// Suffix, factor to the internal unit, dimension.
 const UNITS: &[(&str, f64, Dim)] = &[
     ("mm", 1.0, Dim::LENGTH),
     ("cm", 10.0, Dim::LENGTH),
     ("m", 1000.0, Dim::LENGTH),
+    ("in", INCH, Dim::LENGTH),
+    ("\"", INCH, Dim::LENGTH),
+    ("ft", FOOT, Dim::LENGTH),
     ("N", 1.0, Dim::FORCE),
     ("kN", 1e3, Dim::FORCE),
     ("MN", 1e6, Dim::FORCE),
+    ("lbf", POUND, Dim::FORCE),
+    ("kip", 1e3 * POUND, Dim::FORCE),
     ("N mm", 1.0, Dim::MOMENT),
     ("N m", 1e3, Dim::MOMENT),
     ("kN mm", 1e3, Dim::MOMENT),
     ("kN cm", 1e4, Dim::MOMENT),
     ("kN m", 1e6, Dim::MOMENT),
     ("MN m", 1e9, Dim::MOMENT),
+    ("kip in", 1e3 * POUND * INCH, Dim::MOMENT),
+    ("kip ft", 1e3 * POUND * FOOT, Dim::MOMENT),
     ("Nmm", 1.0, Dim::MOMENT),
     ("Nm", 1e3, Dim::MOMENT),
     ("kNm", 1e6, Dim::MOMENT),
@@ -99,6 +113,8 @@ const UNITS: &[(&str, f64, Dim)] = &[
     ("GPa", 1e3, Dim::STRESS),
     ("N/mm2", 1.0, Dim::STRESS),
     ("kN/cm2", 10.0, Dim::STRESS),
+    ("psi", POUND / (INCH * INCH), Dim::STRESS),
+    ("ksi", 1e3 * POUND / (INCH * INCH), Dim::STRESS),
     ("rad", 1.0, Dim::ANGLE),
     ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
 ];
@@ -137,10 +153,10 @@ impl Kind {
     /// The units a person may write.
     pub fn accepted(self) -> &'static str {
         match self {
-            Kind::Length => "mm, cm, m, or a bare number for mm",
-            Kind::Force => "N, kN, MN",
-            Kind::Moment => "N mm, N m, kN cm, kN m, MN m",
-            Kind::Stress => "MPa, N/mm2, GPa, kN/cm2",
+            Kind::Length => "mm, cm, m, in, ft, or a bare number for mm",
+            Kind::Force => "N, kN, MN, kip",
+            Kind::Moment => "N mm, N m, kN cm, kN m, MN m, kip in, kip ft",
+            Kind::Stress => "MPa, N/mm2, GPa, kN/cm2, ksi",
         }
     }
 
@@ -186,6 +202,12 @@ pub enum UnitError {
         /// What was expected.
         kind: Kind,
     },
+    /// A fraction of anything but inches.
+    #[error("`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other units write decimals")]
+    Fraction {
+        /// What was written.
+        text: String,
+    },
     /// A comma among digits.
     #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands{}", kind.word(), pointed(text))]
     Comma {
@@ -229,6 +251,29 @@ fn split(text: &str) -> Option<(f64, &str)> {
     Some((text[..end].parse().ok()?, text[end..].trim()))
 }
 
+/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix; `None` where there is no fraction.
+fn split_fraction(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let (sign, body) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
+    let body = body.trim_start();
+    // (digits, rest); a fraction is of whole numbers
+    let whole = |t: &str| -> Option<(f64, usize)> {
+        let n = t.bytes().take_while(u8::is_ascii_digit).count();
+        Some((t[..n].parse().ok()?, n))
+    };
+    let (first, n) = whole(body)?;
+    let (units, top, rest) = match body[n..].strip_prefix('/') {
+        Some(rest) => (0.0, first, rest),
+        None => {
+            let rest = body[n..].strip_prefix([' ', '-'])?.trim_start();
+            let (top, n) = whole(rest)?;
+            (first, top, rest[n..].strip_prefix('/')?)
+        }
+    };
+    let (bottom, n) = whole(rest)?;
+    (bottom != 0.0).then(|| (sign * (units + top / bottom), rest[n..].trim()))
+}
+
 /// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything else.
 pub fn with_point(text: &str) -> Option<String> {
     let (whole, rest) = text.trim().split_once(',')?;
@@ -254,15 +299,30 @@ fn pointed(text: &str) -> String {
 /// assert!(parse("45", Kind::Stress).is_err());
 /// ```
 pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
+    let fraction = if kind == Kind::Length { split_fraction(text) } else { None };
+    if let Some((number, suffix)) = fraction {
+        return match unit(suffix) {
+            Some((factor, Dim::LENGTH)) if factor == INCH => finite(inches(number), kind),
+            _ => Err(UnitError::Fraction { text: text.to_owned() }),
+        };
+    }
     let (number, suffix) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned(), kind })?;
     if suffix.is_empty() {
         return bare(number, kind);
     }
     match unit(suffix) {
+        Some((factor, Dim::LENGTH)) if factor == INCH && kind == Kind::Length => finite(inches(number), kind),
         Some((factor, dim)) if dim == kind.dim() => finite(number * factor, kind),
         _ if suffix.starts_with(',') => Err(UnitError::Comma { text: text.to_owned(), kind }),
         _ => Err(UnitError::WrongUnit { text: text.to_owned(), suffix: suffix.to_owned(), kind }),
     }
+}
+
+/// Inches in mm, without the last digits of a product of decimal fractions: 0.75 in are 19.05 mm.
+fn inches(number: f64) -> f64 {
+    let mm = number * INCH;
+    let rounded = (mm * 1e9).round() / 1e9;
+    if rounded.is_finite() { rounded } else { mm }
 }
 
 /// A number without suffix: mm for a length, an error for everything else.
@@ -342,23 +402,29 @@ quantity!(
     Length,
     Kind::Length,
     "mm",
-    r"^\s*[-+0-9.eE]+\s*(mm|cm|m)?\s*$",
-    "A length: bare number = mm, or with a suffix mm, cm, m."
+    r#"^\s*([-+0-9.eE]+\s*(mm|cm|m|in|ft|\")?|-?([0-9]+[ -]+)?[0-9]+/[0-9]+\s*(in|\"))\s*$"#,
+    "A length: bare number = mm, or with a suffix mm, cm, m, in, ft; inches also as fractions: 3/4 in, 1 1/4 in."
 );
-quantity!(Force, Kind::Force, "N", r"^\s*[-+0-9.eE]+\s*(N|kN|MN)\s*$", "A force with a suffix: N, kN, MN.");
+quantity!(
+    Force,
+    Kind::Force,
+    "N",
+    r"^\s*[-+0-9.eE]+\s*(N|kN|MN|lbf|kip)\s*$",
+    "A force with a suffix: N, kN, MN, lbf, kip."
+);
 quantity!(
     Moment,
     Kind::Moment,
     "N mm",
-    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm)\s*$",
-    "A moment with a suffix: N mm, N m, kN cm, kN m, MN m."
+    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm|kip in|kip ft)\s*$",
+    "A moment with a suffix: N mm, N m, kN cm, kN m, MN m, kip in, kip ft."
 );
 quantity!(
     Stress,
     Kind::Stress,
     "MPa",
-    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2)\s*$",
-    "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2."
+    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2|psi|ksi)\s*$",
+    "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2, psi, ksi."
 );
 
 /// A span of time with a suffix: s, min, h \[s\].
@@ -438,6 +504,18 @@ mod tests {
             ("45 MPa", Kind::Stress, 45.0),
             ("4.5 kN/cm2", Kind::Stress, 45.0),
             ("45 N/mm²", Kind::Stress, 45.0),
+            ("0.75 in", Kind::Length, 19.05),
+            ("3/4 in", Kind::Length, 19.05),
+            ("1 1/4 in", Kind::Length, 31.75),
+            ("1-1/4\"", Kind::Length, 31.75),
+            ("-1 1/2 in", Kind::Length, -38.1),
+            ("- 3/8in", Kind::Length, -9.525),
+            ("-8\"", Kind::Length, -203.2),
+            ("20 ft", Kind::Length, 6096.0),
+            ("25 kip", Kind::Force, 111_205.540_381_512_5),
+            ("100 kip ft", Kind::Moment, 135_581_794.833_140_04),
+            ("12 kip in", Kind::Moment, 1_355_817.948_331_400_4),
+            ("50 ksi", Kind::Stress, 344.737_864_658_418),
         ];
         for (text, kind, want) in cases {
             let got = parse(text, *kind).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -458,12 +536,33 @@ mod tests {
             ("-20,5", Kind::Length, &["; write `-20.5`"]),
             ("1e999 mm", Kind::Length, &["finite"]),
             ("", Kind::Force, &["not a force"]),
+            ("3/4", Kind::Length, &["a fraction is of inches", "`3/4 in`"]),
+            ("3/4 mm", Kind::Length, &["a fraction is of inches", "write decimals"]),
+            ("1 1/4", Kind::Length, &["a fraction is of inches"]),
+            ("3/0 in", Kind::Length, &["`/0 in` is not one of its units"]),
+            ("3/ in", Kind::Length, &["`/ in` is not one of its units"]),
+            ("1/2/3 in", Kind::Length, &["a fraction is of inches"]),
+            ("1.5 1/4 in", Kind::Length, &["`1/4 in` is not one of its units"]),
+            ("5' 3\"", Kind::Length, &["is not one of its units"]),
+            ("6 inch", Kind::Length, &["`inch`", "in, ft"]),
+            ("6 IN", Kind::Length, &["`IN`", "in, ft"]),
+            ("3/4 kip", Kind::Force, &["`/4 kip` is not one of its units"]),
+            ("5 in", Kind::Force, &["`in` is not one of its units"]),
+            ("5 kip", Kind::Moment, &["`kip` is not one of its units", "kip ft"]),
         ];
         for (text, kind, words) in cases {
             let message = parse(text, *kind).expect_err(text).to_string();
             for word in *words {
                 assert!(message.contains(word), "`{text}`: `{message}` lacks `{word}`");
             }
+        }
+    }
+
+    #[test]
+    fn inches_become_the_millimetres_that_people_print() {
+        for (text, mm) in [("0.75 in", "19.05"), ("1.1 in", "27.94"), ("13/16 in", "20.6375"), ("1/64 in", "0.396875")]
+        {
+            assert_eq!(parse(text, Kind::Length).map(|x| x.to_string()).as_deref(), Ok(mm), "{text}");
         }
     }
 

@@ -474,7 +474,7 @@ fn given(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
 
 fn parameter(p: &Parameter, value: &ParameterValue) -> Result<Given, (String, String)> {
     let wanted = match p.kind {
-        ParameterKind::Length => "write a length: mm, cm, m, or a bare number for mm",
+        ParameterKind::Length => "write a length: mm, cm, m, in, or a bare number for mm",
         ParameterKind::Number => "write a plain number",
         ParameterKind::Flag => "write true or false",
         ParameterKind::Lengths => "write a list of lengths: [-100 mm, 100 mm]",

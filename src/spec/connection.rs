@@ -417,7 +417,7 @@ impl<'de> Deserialize<'de> for MeshSize {
         impl de::Visitor<'_> for V {
             type Value = MeshSize;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("`auto` or a length (mm, cm, m, or a bare number for mm)")
+                f.write_str("`auto` or a length (mm, cm, m, in, or a bare number for mm)")
             }
             fn visit_str<E: de::Error>(self, v: &str) -> Result<MeshSize, E> {
                 match v {

@@ -218,10 +218,10 @@ const ROWS: &[Row] = &[
     ),
     (
         "beam_length: 1000",
-        "beam_length: 40 in",
+        "beam_length: 40 inch",
         "spec/value",
         "joint.yaml:8:",
-        "`in` is not one of its units",
+        "`inch` is not one of its units",
         "mm, cm, m",
     ),
     (
