@@ -33,6 +33,9 @@ pub struct Joint {
     /// What the hand checks see of the connection, where the template says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_plate: Option<EndPlate>,
+    /// What the report must say about the input.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Where the bolts lie whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
 }
@@ -93,7 +96,7 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
     resolved.extend(inputs.partial_factors().resolved.iter().cloned());
-    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, bolts })
+    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, notes: inputs.notes(), bolts })
 }
 
 struct Builder<'a> {

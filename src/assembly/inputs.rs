@@ -185,6 +185,24 @@ impl<'a> Inputs<'a> {
         })
     }
 
+    /// What the reader of the report must know about the grades: ASTM steels and bolts under the checks of a European code.
+    pub fn notes(&self) -> Vec<String> {
+        let foreign = |standard: &str| standard.starts_with("ASTM");
+        let mut grades: Vec<String> = Vec::new();
+        let steels = self.steels.values().filter(|(_, s)| foreign(&s.standard)).map(|(_, s)| s.grade.clone());
+        let bolts = self.bolt.iter().filter(|(_, g)| g.standard.as_deref().is_some_and(foreign));
+        for name in steels.chain(bolts.map(|(_, g)| format!("bolts {}", g.grade))) {
+            if !grades.contains(&name) {
+                grades.push(name);
+            }
+        }
+        if grades.is_empty() {
+            return Vec::new();
+        }
+        let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of AISC 360 are not in this edition";
+        vec![format!("grades of ASTM standards ({}): {text}", grades.join(", "))]
+    }
+
     /// The partial factors with their origins.
     pub fn partial_factors(&self) -> &PartialFactors {
         &self.factors

@@ -12,14 +12,16 @@ use crate::text_file;
 use std::path::Path;
 
 /// The tables compiled into the program; profiles of shapes no template uses yet stay outside.
-const BUILTIN: [(&str, &str); 11] = [
+const BUILTIN: [(&str, &str); 13] = [
     ("catalogs/profiles_i.csv", include_str!("../../catalogs/profiles_i.csv")),
     ("catalogs/profiles_i_other.csv", include_str!("../../catalogs/profiles_i_other.csv")),
     ("catalogs/profiles_w_aisc.csv", include_str!("../../catalogs/profiles_w_aisc.csv")),
     ("catalogs/bolts.csv", include_str!("../../catalogs/bolts.csv")),
     ("catalogs/bolts_preloaded.csv", include_str!("../../catalogs/bolts_preloaded.csv")),
     ("catalogs/bolt_grades.csv", include_str!("../../catalogs/bolt_grades.csv")),
+    ("catalogs/bolt_grades_astm.csv", include_str!("../../catalogs/bolt_grades_astm.csv")),
     ("catalogs/steel_grades.csv", include_str!("../../catalogs/steel_grades.csv")),
+    ("catalogs/steel_grades_astm.csv", include_str!("../../catalogs/steel_grades_astm.csv")),
     ("catalogs/steel_grades_product.csv", include_str!("../../catalogs/steel_grades_product.csv")),
     ("catalogs/friction_classes.csv", include_str!("../../catalogs/friction_classes.csv")),
     ("catalogs/partial_factors.csv", include_str!("../../catalogs/partial_factors.csv")),

@@ -31,6 +31,19 @@ pub fn profile_key(name: &str) -> String {
     format!("{series}{figures}")
 }
 
+/// The key of a bolt grade: `8.8`; `F3125 Grade A325`, `ASTM A325M` → `A325`.
+pub fn bolt_grade_key(name: &str) -> String {
+    let flat = astm_key(&normalise(name));
+    let flat = flat.strip_prefix("F3125M").or_else(|| flat.strip_prefix("F3125")).unwrap_or(&flat);
+    let metric = flat.starts_with('A').then(|| flat.strip_suffix('M')).flatten();
+    metric.unwrap_or(flat).to_owned()
+}
+
+/// `ASTMA572GRADE50`, `A572GR.50` → `A57250`: the words that people write around the figures of an ASTM designation.
+fn astm_key(flat: &str) -> String {
+    flat.replace("ASTM", "").replace("GRADE", "").replace("GR.", "").replace("GR", "")
+}
+
 /// The key of a steel grade: quality letters that do not change the strength are dropped, so `S355 J2+N` → `S355`,
 /// `S275NL` → `S275N`, `S460QL1` → `S460Q`, `S355J2H` → `S355H`. A leading standard stays: `EN 10210-1 S355H` →
 /// `EN102101S355H`.
@@ -39,6 +52,9 @@ pub fn profile_key(name: &str) -> String {
 /// EN 1993-1-1:2005 Table 3.1 lists the grades without their impact classes (`S 275 N/NL`).
 pub fn steel_key(name: &str) -> String {
     let flat = normalise(name);
+    if flat.starts_with("ASTM") || flat.starts_with('A') {
+        return astm_key(&flat);
+    }
     let flat = flat.split('+').next().unwrap_or_default();
     let Some(start) =
         flat.rfind('S').filter(|s| flat[s + 1..].chars().take(3).filter(char::is_ascii_digit).count() == 3)
@@ -127,6 +143,17 @@ mod tests {
                 assert_eq!(profile_key(s), key, "{s}");
             }
         }
+    }
+
+    #[test]
+    fn astm_spellings_meet() {
+        for name in ["A572-50", "A572 Gr. 50", "ASTM A572 Grade 50", "a572 gr50"] {
+            assert_eq!(steel_key(name), "A57250", "{name}");
+        }
+        for name in ["A325", "A325M", "F3125 Grade A325", "ASTM F3125M A325M", "F3125 Gr. A325"] {
+            assert_eq!(bolt_grade_key(name), "A325", "{name}");
+        }
+        assert_eq!(bolt_grade_key("10.9"), "10.9");
     }
 
     #[test]

@@ -144,6 +144,11 @@ impl Row<'_> {
         }
     }
 
+    /// A text, if the column is there and the cell holds one.
+    pub fn text_or_empty(&self, column: &str) -> Option<String> {
+        Some(self.cell(column)).filter(|text| !text.is_empty()).map(str::to_owned)
+    }
+
     /// `yes` or `no`.
     pub fn flag(&self, column: &str) -> Result<bool, CatalogError> {
         match self.cell(column) {

@@ -155,6 +155,25 @@ fn unknown_names_come_with_a_proposal() {
     assert!(d.help.is_some_and(|h| h.contains("bracket catalog list profiles")));
 }
 
+/// 36 ksi and 50 ksi in the figures of the metric editions; no β_w, because EN 1993-1-8 Table 4.1 does not list them.
+#[test]
+fn astm_grades_have_the_metric_values_of_their_standards() {
+    let catalog = builtin();
+    for (name, fy, fu) in [("A36", 250.0, 400.0), ("A572 Gr. 50", 345.0, 450.0), ("ASTM A992/A992M A992", 345.0, 450.0)]
+    {
+        let s = catalog.steel(name).expect(name);
+        assert_eq!((s.fy(15.0).ok(), s.fu(60.0).ok(), s.beta_w), (Some(fy), Some(fu), None), "{name}");
+        assert!(
+            catalog.provenance(&s.source.file).and_then(|p| p.standard.clone()).is_some_and(|s| s.contains("ASTM"))
+        );
+    }
+    for (name, fyb, fub) in [("A325M", 660.0, 830.0), ("F3125 Grade A490", 940.0, 1040.0)] {
+        let g = catalog.bolt_grade(name).expect(name);
+        assert_eq!((g.fyb, g.fub, g.preloadable), (fyb, fub, true), "{name}");
+    }
+    assert!(catalog.steel("A572-42").is_err() && catalog.steel("A500").is_err() && catalog.bolt_grade("A307").is_err());
+}
+
 #[test]
 fn steels_step_down_with_thickness() {
     let catalog = builtin();
@@ -200,7 +219,7 @@ fn every_shipped_table_has_provenance() {
     let catalog = builtin();
     assert!(catalog.warnings().is_empty());
     let files = catalog.provenance.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(files.len(), 11);
+    assert_eq!(files.len(), 13);
     for p in catalog.profiles() {
         let provenance = catalog.provenance(&p.source.file).expect("provenance");
         assert!(provenance.standard.is_some() && !provenance.read_from.is_empty());

@@ -90,7 +90,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     check_names(&input, &kinds)?;
     check_preload(&input, &kinds)?;
     check_sizes(&input)?;
-    let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    checks.notes.extend(input.joint.notes.iter().cloned());
     let mesher = Mesher::find()?;
     limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(common.quiet));
