@@ -54,6 +54,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     let folder = ResultFolder::begin(&args.options.folder(&args.model))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     folder.write("mesh.msh", &mesh_bytes)?;
+    let input_read = yaml::to_string(&file)?;
     file.mesh = "mesh.msh".into();
     let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
     let name = if stem == "model" { folder_name(&args.model).unwrap_or(stem) } else { stem };
@@ -64,6 +65,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         input_name: args.model.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
         input_text: text,
+        input_read,
         resolved: Vec::new(),
         catalogue_rows: Vec::new(),
         mesh_quality: quality_table(&quality::table(&model.mesh)),

@@ -138,6 +138,8 @@ pub struct Echo {
     pub input_name: String,
     /// Its text.
     pub input_text: String,
+    /// What was read from it, as YAML.
+    pub input_read: String,
     /// Hash of everything the result depends on.
     pub input_hash: String,
     /// Resolved values.
@@ -323,6 +325,7 @@ pub fn finish(
         result,
         input_name: echo.input_name,
         input_text: echo.input_text,
+        input_read: echo.input_read,
         resolved: echo.resolved,
         catalogue_rows: echo.catalogue_rows,
         drawings: echo.drawings.into_iter().map(|d| d.0).collect(),

@@ -25,7 +25,7 @@ use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, PictureRef, ResolvedValue};
 use crate::report::{drawing, schedule};
-use crate::spec::connection;
+use crate::spec::connection::{self, ConnectionSpec};
 use crate::spec::loads::LoadSpec;
 use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
@@ -174,8 +174,16 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         bolts: input.joint.bolts.clone(),
         polygon: polygon.cloned(),
         input_text: input.text.clone(),
+        input_read: yaml::to_string(&as_read(&input))?,
     };
     finish(cases, echo, &limits, folder, log, common)
+}
+
+/// The spec without the loads that only its polygon made.
+fn as_read(input: &SpecFile) -> ConnectionSpec {
+    let mut spec = input.spec.value.clone();
+    spec.loads.retain(|l| !l.of_polygon);
+    spec
 }
 
 /// End plates of the joint.
@@ -483,5 +491,25 @@ mod tests {
         assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
         assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
         assert!(rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")), "{rows:#?}");
+    }
+
+    #[test]
+    fn the_echo_is_the_spec_without_comments_and_polygon_directions_and_reads_back() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let text = "# a comment\ntemplate: beam_to_column_end_plate\n\
+                    members: {column: {profile: HEB200, steel: S235}, beam: {profile: IPE300, steel: S235}}\n\
+                    plate: {thickness: 5/8 in}\nbolts: {size: M20, grade: '8.8', rows: [-90, 90, 190]}\n\
+                    loads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, Vz: -60.5 kN}]\n\
+                    polygon: {end: beam_right, at: column_face, My: 100 kN m, N: 200 kN}\nanalysis: {kind: limit}\n";
+        std::fs::write(dir.path().join("joint.yaml"), text).expect("written");
+        let input = spec_file::read(&dir.path().join("joint.yaml"), None).unwrap_or_else(|e| panic!("{e:#?}"));
+        assert!(input.spec.value.loads.len() > 1, "the polygon has directions");
+        let echo = yaml::to_string(&as_read(&input)).expect("YAML");
+        for words in ["My: 80 kN m", "Vz: -60.5 kN", "thickness: 15.875 mm", "polygon:", "target_gap: 0.05"] {
+            assert!(echo.contains(words), "{words} in\n{echo}");
+        }
+        assert!(!echo.contains("comment") && echo.matches("name:").count() == 1, "{echo}");
+        let again = yaml::parse::<ConnectionSpec>(&echo, Path::new("echo.yaml")).unwrap_or_else(|e| panic!("{e:#?}"));
+        assert_eq!(again.value, as_read(&input));
     }
 }

@@ -143,7 +143,7 @@ mod tests {
         let other = tempfile::tempdir().expect("a folder");
         std::fs::write(other.path().join("p.csv"), PROFILES.replace("MY200", "MY201")).expect("written");
         let d = read_it(Some(other.path())).map(drop).expect_err("MY200 is not there").0.remove(0);
-        assert!(d.message.contains("`MY200` is not in the catalogue, did you mean `MY201`?"), "{d:#?}");
+        assert!(d.message.contains("`MY200` is not in the catalogue, the nearest is `MY201`"), "{d:#?}");
     }
 
     #[test]

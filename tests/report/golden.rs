@@ -141,6 +141,7 @@ fn data() -> ReportData {
         ],
         result: result(),
         input_name: "joint.yaml".into(),
+        input_read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 mm\n".into(),
         input_text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` stays inside\n".into(),
         resolved: vec![ResolvedValue {
             name: "bolts.hole".into(),
