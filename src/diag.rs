@@ -122,6 +122,12 @@ impl From<Diagnostic> for Diagnostics {
     }
 }
 
+impl From<Box<Diagnostic>> for Diagnostics {
+    fn from(d: Box<Diagnostic>) -> Self {
+        Self(vec![*d])
+    }
+}
+
 impl Diagnostics {
     /// The exit code of the first fault.
     pub fn exit_code(&self) -> u8 {

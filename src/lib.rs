@@ -21,4 +21,5 @@ pub mod model;
 pub mod report;
 pub mod solve;
 pub mod spec;
+pub mod text_file;
 pub mod units;

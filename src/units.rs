@@ -78,20 +78,34 @@ pub struct Quantity {
     pub dim: Dim,
 }
 
+/// An inch \[mm\], exact.
+const INCH: f64 = 25.4;
+/// A foot \[mm\], exact.
+const FOOT: f64 = 12.0 * INCH;
+/// A pound-force \[N\], exact: 0.45359237 kg at 9.80665 m/s².
+const POUND: f64 = 4.448_221_615_260_5;
+
 /// Suffix, factor to the internal unit, dimension.
 const UNITS: &[(&str, f64, Dim)] = &[
     ("mm", 1.0, Dim::LENGTH),
     ("cm", 10.0, Dim::LENGTH),
     ("m", 1000.0, Dim::LENGTH),
+    ("in", INCH, Dim::LENGTH),
+    ("\"", INCH, Dim::LENGTH),
+    ("ft", FOOT, Dim::LENGTH),
     ("N", 1.0, Dim::FORCE),
     ("kN", 1e3, Dim::FORCE),
     ("MN", 1e6, Dim::FORCE),
+    ("lbf", POUND, Dim::FORCE),
+    ("kip", 1e3 * POUND, Dim::FORCE),
     ("N mm", 1.0, Dim::MOMENT),
     ("N m", 1e3, Dim::MOMENT),
     ("kN mm", 1e3, Dim::MOMENT),
     ("kN cm", 1e4, Dim::MOMENT),
     ("kN m", 1e6, Dim::MOMENT),
     ("MN m", 1e9, Dim::MOMENT),
+    ("kip in", 1e3 * POUND * INCH, Dim::MOMENT),
+    ("kip ft", 1e3 * POUND * FOOT, Dim::MOMENT),
     ("Nmm", 1.0, Dim::MOMENT),
     ("Nm", 1e3, Dim::MOMENT),
     ("kNm", 1e6, Dim::MOMENT),
@@ -99,6 +113,8 @@ const UNITS: &[(&str, f64, Dim)] = &[
     ("GPa", 1e3, Dim::STRESS),
     ("N/mm2", 1.0, Dim::STRESS),
     ("kN/cm2", 10.0, Dim::STRESS),
+    ("psi", POUND / (INCH * INCH), Dim::STRESS),
+    ("ksi", 1e3 * POUND / (INCH * INCH), Dim::STRESS),
     ("rad", 1.0, Dim::ANGLE),
     ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
 ];
@@ -137,10 +153,10 @@ impl Kind {
     /// The units a person may write.
     pub fn accepted(self) -> &'static str {
         match self {
-            Kind::Length => "mm, cm, m, or a bare number for mm",
-            Kind::Force => "N, kN, MN",
-            Kind::Moment => "N mm, N m, kN cm, kN m, MN m",
-            Kind::Stress => "MPa, N/mm2, GPa, kN/cm2",
+            Kind::Length => "mm, cm, m, in, ft, or a bare number for mm",
+            Kind::Force => "N, kN, MN, kip",
+            Kind::Moment => "N mm, N m, kN cm, kN m, MN m, kip in, kip ft",
+            Kind::Stress => "MPa, N/mm2, GPa, kN/cm2, ksi",
         }
     }
 
@@ -186,6 +202,12 @@ pub enum UnitError {
         /// What was expected.
         kind: Kind,
     },
+    /// A fraction of anything but inches.
+    #[error("`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other units write decimals")]
+    Fraction {
+        /// What was written.
+        text: String,
+    },
     /// A comma among digits.
     #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands{}", kind.word(), pointed(text))]
     Comma {
@@ -229,6 +251,29 @@ fn split(text: &str) -> Option<(f64, &str)> {
     Some((text[..end].parse().ok()?, text[end..].trim()))
 }
 
+/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix; `None` where there is no fraction.
+fn split_fraction(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let (sign, body) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
+    let body = body.trim_start();
+    // (digits, rest); a fraction is of whole numbers
+    let whole = |t: &str| -> Option<(f64, usize)> {
+        let n = t.bytes().take_while(u8::is_ascii_digit).count();
+        Some((t[..n].parse().ok()?, n))
+    };
+    let (first, n) = whole(body)?;
+    let (units, top, rest) = match body[n..].strip_prefix('/') {
+        Some(rest) => (0.0, first, rest),
+        None => {
+            let rest = body[n..].strip_prefix([' ', '-'])?.trim_start();
+            let (top, n) = whole(rest)?;
+            (first, top, rest[n..].strip_prefix('/')?)
+        }
+    };
+    let (bottom, n) = whole(rest)?;
+    (bottom != 0.0).then(|| (sign * (units + top / bottom), rest[n..].trim()))
+}
+
 /// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything else.
 pub fn with_point(text: &str) -> Option<String> {
     let (whole, rest) = text.trim().split_once(',')?;
@@ -254,15 +299,30 @@ fn pointed(text: &str) -> String {
 /// assert!(parse("45", Kind::Stress).is_err());
 /// ```
 pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
+    let fraction = if kind == Kind::Length { split_fraction(text) } else { None };
+    if let Some((number, suffix)) = fraction {
+        return match unit(suffix) {
+            Some((factor, Dim::LENGTH)) if factor == INCH => finite(inches(number), kind),
+            _ => Err(UnitError::Fraction { text: text.to_owned() }),
+        };
+    }
     let (number, suffix) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned(), kind })?;
     if suffix.is_empty() {
         return bare(number, kind);
     }
     match unit(suffix) {
+        Some((factor, Dim::LENGTH)) if factor == INCH && kind == Kind::Length => finite(inches(number), kind),
         Some((factor, dim)) if dim == kind.dim() => finite(number * factor, kind),
         _ if suffix.starts_with(',') => Err(UnitError::Comma { text: text.to_owned(), kind }),
         _ => Err(UnitError::WrongUnit { text: text.to_owned(), suffix: suffix.to_owned(), kind }),
     }
+}
+
+/// Inches in mm, without the last digits of a product of decimal fractions: 0.75 in are 19.05 mm.
+fn inches(number: f64) -> f64 {
+    let mm = number * INCH;
+    let rounded = (mm * 1e9).round() / 1e9;
+    if rounded.is_finite() { rounded } else { mm }
 }
 
 /// A number without suffix: mm for a length, an error for everything else.
@@ -299,8 +359,18 @@ impl de::Visitor<'_> for QuantityVisitor {
     }
 }
 
+/// A value with the larger unit that people write, where that reads back as the same number, else with the internal one.
+fn shown(value: f64, unit: &str, large: Option<(f64, &str)>) -> String {
+    match large {
+        Some((factor, large)) if value.abs() >= 0.1 * factor && (value / factor) * factor == value => {
+            format!("{} {large}", value / factor)
+        }
+        _ => format!("{value} {unit}"),
+    }
+}
+
 macro_rules! quantity {
-    ($name:ident, $kind:expr, $unit:literal, $schema:literal, $doc:literal) => {
+    ($name:ident, $kind:expr, $unit:literal, $large:expr, $schema:literal, $doc:literal) => {
         #[doc = $doc]
         #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
         pub struct $name(
@@ -316,7 +386,7 @@ macro_rules! quantity {
 
         impl Serialize for $name {
             fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-                s.collect_str(&format_args!(concat!("{} ", $unit), self.0))
+                s.collect_str(&shown(self.0, $unit, $large))
             }
         }
 
@@ -342,23 +412,33 @@ quantity!(
     Length,
     Kind::Length,
     "mm",
-    r"^\s*[-+0-9.eE]+\s*(mm|cm|m)?\s*$",
-    "A length: bare number = mm, or with a suffix mm, cm, m."
+    None,
+    r#"^\s*([-+0-9.eE]+\s*(mm|cm|m|in|ft|\")?|-?([0-9]+[ -]+)?[0-9]+/[0-9]+\s*(in|\"))\s*$"#,
+    "A length: bare number = mm, or with a suffix mm, cm, m, in, ft; inches also as fractions: 3/4 in, 1 1/4 in."
 );
-quantity!(Force, Kind::Force, "N", r"^\s*[-+0-9.eE]+\s*(N|kN|MN)\s*$", "A force with a suffix: N, kN, MN.");
+quantity!(
+    Force,
+    Kind::Force,
+    "N",
+    Some((1e3, "kN")),
+    r"^\s*[-+0-9.eE]+\s*(N|kN|MN|lbf|kip)\s*$",
+    "A force with a suffix: N, kN, MN, lbf, kip."
+);
 quantity!(
     Moment,
     Kind::Moment,
     "N mm",
-    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm)\s*$",
-    "A moment with a suffix: N mm, N m, kN cm, kN m, MN m."
+    Some((1e6, "kN m")),
+    r"^\s*[-+0-9.eE]+\s*(N mm|N m|kN mm|kN cm|kN m|MN m|Nmm|Nm|kNm|kip in|kip ft)\s*$",
+    "A moment with a suffix: N mm, N m, kN cm, kN m, MN m, kip in, kip ft."
 );
 quantity!(
     Stress,
     Kind::Stress,
     "MPa",
-    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2)\s*$",
-    "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2."
+    None,
+    r"^\s*[-+0-9.eE]+\s*(MPa|GPa|N/mm2|kN/cm2|psi|ksi)\s*$",
+    "A stress or pressure with a suffix: MPa, N/mm2, GPa, kN/cm2, psi, ksi."
 );
 
 /// A span of time with a suffix: s, min, h \[s\].
@@ -419,71 +499,4 @@ impl schemars::JsonSchema for Seconds {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn reads_what_engineers_write() {
-        let cases: &[(&str, Kind, f64)] = &[
-            ("15", Kind::Length, 15.0),
-            ("15 mm", Kind::Length, 15.0),
-            ("1.5cm", Kind::Length, 15.0),
-            ("-0.25 m", Kind::Length, -250.0),
-            ("1e1 mm", Kind::Length, 10.0),
-            ("80 kN", Kind::Force, 80e3),
-            ("120 kN m", Kind::Moment, 120e6),
-            ("120 kNm", Kind::Moment, 120e6),
-            ("120 kN·m", Kind::Moment, 120e6),
-            ("-3 N*mm", Kind::Moment, -3.0),
-            ("45 MPa", Kind::Stress, 45.0),
-            ("4.5 kN/cm2", Kind::Stress, 45.0),
-            ("45 N/mm²", Kind::Stress, 45.0),
-        ];
-        for (text, kind, want) in cases {
-            let got = parse(text, *kind).unwrap_or_else(|e| panic!("{text}: {e}"));
-            assert!((got - want).abs() <= 1e-12 * want.abs(), "{text}: {got} instead of {want}");
-        }
-    }
-
-    #[test]
-    fn refuses_wrong_and_missing_units_by_name() {
-        let cases: &[(&str, Kind, &[&str])] = &[
-            ("45", Kind::Stress, &["stress 45 needs a unit", "45 MPa"]),
-            ("120", Kind::Moment, &["moment 120 needs a unit", "write `120 kN m`"]),
-            ("15 kN", Kind::Length, &["length", "`kN` is not one of its units", "mm, cm, m"]),
-            ("15 furlong", Kind::Length, &["`furlong`"]),
-            ("45 Mpa", Kind::Stress, &["`Mpa`", "MPa"]),
-            ("thick", Kind::Length, &["`thick` is not a length"]),
-            ("20,5 mm", Kind::Length, &["a point before its decimals", "; write `20.5 mm`"]),
-            ("-20,5", Kind::Length, &["; write `-20.5`"]),
-            ("1e999 mm", Kind::Length, &["finite"]),
-            ("", Kind::Force, &["not a force"]),
-        ];
-        for (text, kind, words) in cases {
-            let message = parse(text, *kind).expect_err(text).to_string();
-            for word in *words {
-                assert!(message.contains(word), "`{text}`: `{message}` lacks `{word}`");
-            }
-        }
-    }
-
-    #[test]
-    fn a_comma_is_told_to_be_a_point_only_where_it_must_be() {
-        for (text, told) in [("0,3", Some("0.3")), ("+1,25 kN", Some("+1.25 kN")), ("1,5cm", Some("1.5cm"))] {
-            assert_eq!(with_point(text).as_deref(), told, "{text}");
-        }
-        // thousands, two commas, no number
-        for text in ["1,200 mm", "1,2,3", "1,2.5", ",5", "1,", "a,5", "12 mm", ""] {
-            assert_eq!(with_point(text), None, "{text}");
-        }
-        let message = parse("1,200 mm", Kind::Length).expect_err("thousands").to_string();
-        assert!(message.contains("nothing between its thousands") && !message.contains("write"), "{message}");
-    }
-
-    #[test]
-    fn times_need_a_unit() {
-        assert_eq!(Seconds::parse("20 min"), Ok(Seconds(1200.0)));
-        assert!(Seconds::parse("20").is_err());
-        assert!(Seconds::parse("-1 s").is_err());
-    }
-}
+mod tests;

@@ -184,6 +184,28 @@ impl PlaneActions {
     }
 }
 
+/// Where a member end stands: its bolt plane, the axes along the member and of its section's depth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    /// The member's axis in the bolt plane \[mm\].
+    pub origin: V3,
+    /// Axis along the member, 0 = x.
+    pub along: usize,
+    /// Axis of the depth.
+    pub depth: usize,
+}
+
+/// The frames of the member ends `wanted`.
+pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, AssemblyError> {
+    let of = |end: &End<'_>| {
+        let at = end.entry.name.as_str();
+        let plane = end.entry.points.get(&ActionPoint::BoltPlane)?;
+        let (along, depth) = (end.entry.face.axis.index(), end.entry.depth.index());
+        Some(within(at, end.scope.point(plane)).map(|origin| Frame { origin, along, depth }))
+    };
+    ends.iter().filter(|e| wanted.contains(&e.name)).filter_map(of).collect()
+}
+
 /// The actions of every load case on the bolt planes of the member ends `wanted`; the directions of a polygon are no demand.
 pub(super) fn on_planes(
     loads: &[LoadSpec],

@@ -9,6 +9,7 @@ use super::joint::{
 use super::origin::Origin;
 use super::part::{Hole, Placed, bolt_pieces, cuboid, perforated};
 use super::scope::{Resolved, Scope};
+use super::seen_bolts::{self, Meshed};
 use super::template::{Axis, BoltEntry, PartEntry, RectangleEntry, RoleEntry, Template};
 use super::{actions, inputs, symmetry, template};
 use crate::catalog::Catalog;
@@ -32,6 +33,9 @@ pub struct Joint {
     /// What the hand checks see of the connection, where the template says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_plate: Option<EndPlate>,
+    /// What the report must say about the input.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// Where the bolts lie whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
 }
@@ -61,9 +65,10 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     })?;
     // what is wrong with a template of the user's is told in its own file
     let one = |f: AssemblyError| match (&origin, &f) {
-        (Origin::File { .. }, AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. }) => {
-            origin.placed(&template, f)
-        }
+        (
+            Origin::File { .. },
+            AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. } | AssemblyError::UnseenBolts { .. },
+        ) => origin.placed(&template, f),
         _ => f.placed(&spec.index),
     };
     let placed = |faults: Vec<AssemblyError>| Diagnostics(faults.into_iter().map(&one).collect());
@@ -74,17 +79,24 @@ pub fn build(spec: &Parsed<ConnectionSpec>, base: &Path, catalog: &Catalog) -> R
     let builder = Builder { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
     let assembly = builder.assembly().map_err(|e| placed(vec![e]))?;
     let bolts = builder.bolt_lines().map_err(|e| placed(vec![e]))?;
-    let actions = match &template.hand_checks {
+    let (actions, frames) = match &template.hand_checks {
         Some(entry) => actions::ends(&template, &scope)
-            .and_then(|ends| actions::on_planes(&spec.value.loads, &ends, &entry.ends))
+            .and_then(|ends| {
+                let actions = actions::on_planes(&spec.value.loads, &ends, &entry.ends)?;
+                Ok((actions, actions::frames(&ends, &entry.ends)?))
+            })
             .map_err(|e| placed(vec![e]))?,
-        None => Vec::new(),
+        None => Default::default(),
     };
     let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(|e| placed(vec![e]))?;
+    if let Some(seen) = &end_plate {
+        builder.all_seen(&assembly, &frames, seen).map_err(|e| placed(vec![e]))?;
+    }
     let mut resolved = resolved;
     resolved.extend(inputs.preload_resolved(&spec.value));
     resolved.push(inputs.friction_resolved(&spec.value));
-    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, bolts })
+    resolved.extend(inputs.partial_factors().resolved.iter().cloned());
+    Ok(Joint { assembly, resolved, catalogue: inputs.catalogue(), end_plate, notes: inputs.notes(), bolts })
 }
 
 struct Builder<'a> {
@@ -306,6 +318,18 @@ impl<'a> Builder<'a> {
         Ok(out)
     }
 
+    /// That the hand checks see every bolt.
+    fn all_seen(&self, assembly: &Assembly, frames: &[actions::Frame], seen: &EndPlate) -> Result<(), AssemblyError> {
+        let bolts = self.bolts()?;
+        let meshed = bolts.iter().map(|b| Meshed {
+            name: &b.name,
+            axis: b.hole.axis,
+            position: b.hole.base,
+            through: b.through.iter().map(|(part, _)| part.as_str()).collect(),
+        });
+        seen_bolts::check(&meshed.collect::<Vec<_>>(), &assembly.parts, frames, seen)
+    }
+
     fn bolt_lines(&self) -> Result<Vec<BoltLine>, AssemblyError> {
         let mut out = Vec::new();
         for b in self.bolts()? {
@@ -435,7 +459,7 @@ impl<'a> Builder<'a> {
                 }
                 let steels = [self.steel_of(at, &between[0])?, self.steel_of(at, &between[1])?];
                 let weaker = steels[0].weaker(&steels[1]);
-                let [_, _, gamma_m2, _] = self.inputs.partial_factors();
+                let gamma_m2 = self.inputs.partial_factors().gamma_m2;
                 let Some(strength) = weaker.weld_strength(gamma_m2) else {
                     return Err(AssemblyError::Value {
                         path: "parameters".into(),

@@ -166,8 +166,12 @@ pub struct EndPlate {
     pub gamma_m1: f64,
     /// γ_M2.
     pub gamma_m2: f64,
-    /// γ_M3.
+    /// γ_M3: slip at the ultimate limit state.
     pub gamma_m3: f64,
+    /// γ_M3,ser: slip at serviceability.
+    pub gamma_m3_ser: f64,
+    /// γ_M7: preload of bolts.
+    pub gamma_m7: f64,
 }
 
 /// The values of a template's `hand_checks`, if it has them.
@@ -234,7 +238,7 @@ pub fn end_plate(
             })
         }
     };
-    let [gamma_m0, gamma_m1, gamma_m2, gamma_m3] = inputs.partial_factors();
+    let factors = inputs.partial_factors();
     Ok(Some(EndPlate {
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
@@ -257,9 +261,11 @@ pub fn end_plate(
         actions,
         preload: inputs.preload,
         mu: inputs.mu,
-        gamma_m0,
-        gamma_m1,
-        gamma_m2,
-        gamma_m3,
+        gamma_m0: factors.gamma_m0,
+        gamma_m1: factors.gamma_m1,
+        gamma_m2: factors.gamma_m2,
+        gamma_m3: factors.gamma_m3,
+        gamma_m3_ser: factors.gamma_m3_ser,
+        gamma_m7: factors.gamma_m7,
     }))
 }

@@ -82,6 +82,16 @@ pub enum AssemblyError {
         /// What is wrong.
         problem: String,
     },
+    /// The bolts of the geometry are others than those of `hand_checks`.
+    #[error("`{at}` of the template is not what is meshed: {problem}")]
+    UnseenBolts {
+        /// Entry of the template.
+        at: String,
+        /// The numbers on both sides.
+        problem: String,
+        /// What to write.
+        help: String,
+    },
 }
 
 impl AssemblyError {
@@ -121,6 +131,9 @@ impl From<AssemblyError> for Diagnostic {
                 Diagnostic::input("template/wrong", message)
                     .path("template")
                     .help("correct the template file; templates/README.md explains its language")
+            }
+            AssemblyError::UnseenBolts { help, .. } => {
+                Diagnostic::input("template/hand-checks", message).path("template").help(help)
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::actions;
 use super::end_plate::Strength;
 use super::error::AssemblyError;
+use super::factors::PartialFactors;
 use super::joint::PartMaterial;
 use super::scope::{Given, Resolved, Scope, path_of};
 use super::template::{Parameter, ParameterKind, Template};
@@ -34,10 +35,7 @@ pub struct Inputs<'a> {
     pub mu: f64,
     /// Preload of a bolt \[N\], if the bolts are preloaded.
     pub preload: Option<f64>,
-    gamma_m0: f64,
-    gamma_m1: f64,
-    gamma_m2: f64,
-    gamma_m3: f64,
+    factors: PartialFactors,
 }
 
 fn list<'b>(names: impl Iterator<Item = &'b str>) -> String {
@@ -86,17 +84,7 @@ impl<'a> Inputs<'a> {
         });
         let preload =
             bolt.and_then(|(size, grade)| preload(spec, size, grade).map_err(|e| faults.push(e)).ok().flatten());
-        let mut factor = |given: Option<f64>, name: &str| match given {
-            Some(g) => g,
-            None => catalog.partial_factor(name).map(|f| f.value).unwrap_or_else(|e| {
-                faults.push(unlisted(format!("code.{name}"), e));
-                1.0
-            }),
-        };
-        let gamma_m0 = factor(spec.code.gamma_m0, "gamma_M0");
-        let gamma_m1 = factor(None, "gamma_M1");
-        let gamma_m2 = factor(spec.code.gamma_m2, "gamma_M2");
-        let gamma_m3 = factor(None, "gamma_M3");
+        let factors = PartialFactors::read(&spec.code, catalog, &mut faults);
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
                 faults.push(unlisted("friction.class".into(), e));
@@ -125,11 +113,7 @@ impl<'a> Inputs<'a> {
         coulomb_estimate(spec, mu, &mut faults);
         loads(spec, template, &mut faults);
         let given = given(spec, template, &mut faults);
-        if faults.is_empty() {
-            Ok(Self { profiles, steels, bolt, given, mu, preload, gamma_m0, gamma_m1, gamma_m2, gamma_m3 })
-        } else {
-            Err(faults)
-        }
+        if faults.is_empty() { Ok(Self { profiles, steels, bolt, given, mu, preload, factors }) } else { Err(faults) }
     }
 
     /// The names that stand before any parameter: `role.h`, `bolt.d` and so on.
@@ -175,7 +159,7 @@ impl<'a> Inputs<'a> {
         let fy = steel
             .fy_by(strength_table(spec), thickness)
             .map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause: cause.into() })?;
-        let material = PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.gamma_m0) };
+        let material = PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.factors.gamma_m0) };
         Ok(insert(materials, &steel.grade, thickness, material))
     }
 
@@ -201,9 +185,27 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// γ_M0, γ_M1, γ_M2, γ_M3.
-    pub fn partial_factors(&self) -> [f64; 4] {
-        [self.gamma_m0, self.gamma_m1, self.gamma_m2, self.gamma_m3]
+    /// What the reader of the report must know about the grades: ASTM steels and bolts under the checks of a European code.
+    pub fn notes(&self) -> Vec<String> {
+        let foreign = |standard: &str| standard.starts_with("ASTM");
+        let mut grades: Vec<String> = Vec::new();
+        let steels = self.steels.values().filter(|(_, s)| foreign(&s.standard)).map(|(_, s)| s.grade.clone());
+        let bolts = self.bolt.iter().filter(|(_, g)| g.standard.as_deref().is_some_and(foreign));
+        for name in steels.chain(bolts.map(|(_, g)| format!("bolts {}", g.grade))) {
+            if !grades.contains(&name) {
+                grades.push(name);
+            }
+        }
+        if grades.is_empty() {
+            return Vec::new();
+        }
+        let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of AISC 360 are not in this edition";
+        vec![format!("grades of ASTM standards ({}): {text}", grades.join(", "))]
+    }
+
+    /// The partial factors with their origins.
+    pub fn partial_factors(&self) -> &PartialFactors {
+        &self.factors
     }
 
     /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN 1993-1-8 Table 3.4.
@@ -214,7 +216,7 @@ impl<'a> Inputs<'a> {
         materials: &mut BTreeMap<String, PartMaterial>,
     ) -> String {
         let area = std::f64::consts::PI * size.d * size.d / 4.0;
-        let fy = K2 * grade.fub * size.stress_area / self.gamma_m2 / area;
+        let fy = K2 * grade.fub * size.stress_area / self.factors.gamma_m2 / area;
         let material = PartMaterial { e: BOLT_ELASTIC.0, nu: BOLT_ELASTIC.1, fy: Some(fy) };
         insert(materials, &format!("bolt_{}_{}", size.size, grade.grade), size.d, material)
     }
@@ -228,6 +230,7 @@ impl<'a> Inputs<'a> {
             default: Some("0".into()),
             range: Some("0 to 2".into()),
             about: "friction coefficient of all contact surfaces; 0 where the spec gives none".into(),
+            origin: None,
         }
     }
 
@@ -244,6 +247,7 @@ impl<'a> Inputs<'a> {
                 Value::force(thread_yields(size, grade))
             )),
             about: "preload of a bolt: none, a part of f_ub A_s (0.7), or a force".into(),
+            origin: None,
         })
     }
 
@@ -334,10 +338,6 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
         }
     };
     let a = &spec.analysis;
-    for (path, g) in [("code.gamma_M0", spec.code.gamma_m0), ("code.gamma_M2", spec.code.gamma_m2)] {
-        let g = g.unwrap_or(1.0);
-        range(path, g, (0.5..=3.0).contains(&g), "0.5 to 3");
-    }
     let mu = spec.friction.mu.unwrap_or(0.0);
     range("friction.mu", mu, (0.0..=2.0).contains(&mu), "0 to 2 (0: frictionless)");
     range(
@@ -492,7 +492,7 @@ fn given(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
 
 fn parameter(p: &Parameter, value: &ParameterValue) -> Result<Given, (String, String)> {
     let wanted = match p.kind {
-        ParameterKind::Length => "write a length: mm, cm, m, or a bare number for mm",
+        ParameterKind::Length => "write a length: mm, cm, m, in, or a bare number for mm",
         ParameterKind::Number => "write a plain number",
         ParameterKind::Flag => "write true or false",
         ParameterKind::Lengths => "write a list of lengths: [-100 mm, 100 mm]",

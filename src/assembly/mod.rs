@@ -4,11 +4,13 @@ pub mod actions;
 pub mod build;
 pub mod end_plate;
 pub mod error;
+pub mod factors;
 pub mod inputs;
 pub mod joint;
 pub mod origin;
 pub mod part;
 pub mod scope;
+mod seen_bolts;
 pub mod symmetry;
 pub mod template;
 

@@ -29,7 +29,9 @@ impl Origin {
                 let own = template.define.iter().position(|d| d.value.text() == cause.text);
                 Some(own.map(|i| format!("define[{i}]")).or_else(|| template.path_of(at)))
             }
-            AssemblyError::TemplateEntry { at, .. } => Some(template.path_of(at)),
+            AssemblyError::TemplateEntry { at, .. } | AssemblyError::UnseenBolts { at, .. } => {
+                Some(template.path_of(at))
+            }
             _ => None,
         };
         let d = Diagnostic::from(error);

@@ -24,6 +24,9 @@ pub struct Resolved {
     pub range: Option<String>,
     /// What it is.
     pub about: String,
+    /// Where the value comes from, where `given` and `default` do not tell all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub origin: Option<String>,
 }
 
 /// Limits of a parameter in internal units, and in words.
@@ -265,7 +268,8 @@ impl Scope {
                 }
             });
             let given = given.contains_key(&p.name);
-            out.push(Resolved { name: p.name.clone(), value, given, default, range, about: p.about.clone() });
+            let (name, about) = (p.name.clone(), p.about.clone());
+            out.push(Resolved { name, value, given, default, range, about, origin: None });
         }
         if faults.is_empty() { Ok(out) } else { Err(faults) }
     }

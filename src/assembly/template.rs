@@ -9,6 +9,7 @@ use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
 use crate::spec::loads::{ActionPoint, LoadSpec};
 use crate::spec::yaml::{self, Parsed};
+use crate::text_file;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -550,7 +551,7 @@ pub fn is_path(name: &str) -> bool {
 pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
     if is_path(name) {
         let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };
-        let text = std::fs::read_to_string(&file).map_err(|e| {
+        let text = text_file::read(&file, |e| {
             Diagnostic::input("template/unreadable", format!("template `{}` cannot be read: {e}", file.display()))
                 .path("template")
                 .help("the path is relative to the spec; `bracket templates` lists the shipped ones")

@@ -302,3 +302,13 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
         assert!(format!("{e:?}").contains(told), "{e:?}");
     }
 }
+
+#[test]
+fn grades_of_astm_are_noted_once() {
+    assert!(ok(PAPER).notes.is_empty());
+    let text = PAPER.replace("S235", "A992").replace("\"8.8\"", "A325");
+    let notes = ok(&text).notes;
+    assert_eq!(notes.len(), 1, "{notes:#?}");
+    assert!(notes[0].starts_with("grades of ASTM standards (A992, bolts A325): the checks are those of EN 1993-1-8"));
+    assert!(notes[0].contains("AISC 360 are not in this edition"));
+}

@@ -1,6 +1,7 @@
 //! Bolt sizes (with head, nut, washer, hole) and bolt grades.
 
 use super::error::CatalogError;
+use super::name::bolt_grade_key;
 use super::table::{Columns, Entry, RawTable, Source};
 use serde::Serialize;
 
@@ -196,6 +197,7 @@ impl BoltSize {
 impl Entry for BoltSize {
     const NOUN: &'static str = "bolt";
     const KIND: &'static str = "bolts";
+    const SIZED: bool = true;
     fn name(&self) -> String {
         if self.system == PLAIN_SYSTEM { self.size.clone() } else { format!("{} {}", self.system, self.size) }
     }
@@ -222,6 +224,9 @@ pub struct BoltGrade {
     pub alpha_v_shank: f64,
     /// Whether bolts of this grade may be preloaded.
     pub preloadable: bool,
+    /// Standard of the bolts, where it is none of those that EN 1993-1-8 names.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub standard: Option<String>,
     /// Where the row stands.
     pub source: Source,
 }
@@ -237,7 +242,7 @@ impl BoltGrade {
             "alpha_v_shank_in_shear_plane",
             "preloadable",
         ],
-        optional: &[],
+        optional: &["standard"],
     };
 
     /// Reads a table.
@@ -252,6 +257,7 @@ impl BoltGrade {
                 alpha_v_thread: row.positive("alpha_v_threads_in_shear_plane")?,
                 alpha_v_shank: row.positive("alpha_v_shank_in_shear_plane")?,
                 preloadable: row.flag("preloadable")?,
+                standard: row.text_or_empty("standard"),
                 source: row.source(),
             };
             if grade.fub < grade.fyb {
@@ -268,6 +274,9 @@ impl Entry for BoltGrade {
     const KIND: &'static str = "bolt-grades";
     fn name(&self) -> String {
         self.grade.clone()
+    }
+    fn key(name: &str) -> String {
+        bolt_grade_key(name)
     }
     fn source(&self) -> &Source {
         &self.source

@@ -97,6 +97,9 @@ pub enum CatalogError {
         /// What the system said.
         cause: std::io::Error,
     },
+    /// A table of the folder that cannot be read, or is no text.
+    #[error("{0}")]
+    Unread(Box<Diagnostic>),
     /// The folder holds no table.
     #[error("the catalogue folder holds no .csv file")]
     Empty {
@@ -130,8 +133,10 @@ impl From<CatalogError> for Diagnostic {
         let message = error.to_string();
         let new = |code| Diagnostic::input(code, message.clone());
         match error {
+            CatalogError::Unread(d) => *d,
             CatalogError::Unknown { kind, .. } => new("catalog/unknown-name")
-                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables adds more")),
+                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables (`--catalog DIR`, or `catalog: DIR` in the spec) adds \
+                     more")),
             CatalogError::Ambiguous { choices, .. } => {
                 new("catalog/ambiguous-name").help(format!("write the standard too, for example `{}`", choices[0]))
             }
@@ -149,7 +154,7 @@ impl From<CatalogError> for Diagnostic {
             }
             CatalogError::UnknownTable { file } => new("catalog/unknown-table").file(file).help(
                 "start from the header line of a table in catalogs/: profiles_i, bolts, bolts_preloaded, bolt_grades, \
-                 steel_grades, steel_grades_product, friction_classes, partial_factors",
+                 steel_grades, steel_grades_product, friction_classes, partial_factors, national_annexes",
             ),
             CatalogError::Csv { at, .. } => place(new("catalog/not-csv"), at)
                 .help("UTF-8, comma separated, one header row, decimal point; every row has all the columns"),

@@ -1,4 +1,4 @@
-//! Friction classes and partial factors.
+//! Friction classes, partial factors and the national annexes that set them.
 
 use super::error::CatalogError;
 use super::table::{Columns, Entry, RawTable, Source};
@@ -100,6 +100,101 @@ impl Entry for PartialFactor {
     const KIND: &'static str = "factors";
     fn name(&self) -> String {
         self.factor.clone()
+    }
+    fn source(&self) -> &Source {
+        &self.source
+    }
+}
+
+/// The partial factors of a national annex; a factor the row leaves out has its recommended value.
+///
+/// # Source
+/// `basis` says how the row was obtained: `read`, `unverified`, `recommended`; `catalogs/README.md` has the rest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NationalAnnex {
+    /// Name, for example `DE`.
+    pub annex: String,
+    /// Country.
+    pub country: String,
+    /// γ_M0 \[-\].
+    #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]
+    pub gamma_m0: Option<f64>,
+    /// γ_M1 \[-\].
+    #[serde(rename = "gamma_M1", skip_serializing_if = "Option::is_none")]
+    pub gamma_m1: Option<f64>,
+    /// γ_M2 of bolts, welds and plates in bearing \[-\].
+    #[serde(rename = "gamma_M2", skip_serializing_if = "Option::is_none")]
+    pub gamma_m2: Option<f64>,
+    /// γ_M3 \[-\].
+    #[serde(rename = "gamma_M3", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3: Option<f64>,
+    /// γ_M3,ser \[-\].
+    #[serde(rename = "gamma_M3_ser", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3_ser: Option<f64>,
+    /// γ_M7 \[-\].
+    #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
+    pub gamma_m7: Option<f64>,
+    /// The annexes the values belong to.
+    pub standard: String,
+    /// How the values were obtained.
+    pub basis: String,
+    /// Where the row stands.
+    pub source: Source,
+}
+
+impl NationalAnnex {
+    pub(super) const COLUMNS: Columns = Columns {
+        kind: "national annexes",
+        needed: &[
+            "annex",
+            "country",
+            "gamma_M0",
+            "gamma_M1",
+            "gamma_M2",
+            "gamma_M3",
+            "gamma_M3_ser",
+            "gamma_M7",
+            "standard",
+            "basis",
+        ],
+        optional: &[],
+    };
+
+    /// Reads a table.
+    pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
+        table.check(Self::COLUMNS)?;
+        table
+            .rows()
+            .map(|row| {
+                let factor = |column: &str| match row.positive_or_empty(column)? {
+                    Some(g) if !(0.5..=3.0).contains(&g) => {
+                        Err(row.fault(column, format!("{g}; a partial factor lies between 0.5 and 3")))
+                    }
+                    g => Ok(g),
+                };
+                Ok(Self {
+                    annex: row.text("annex")?,
+                    country: row.text("country")?,
+                    gamma_m0: factor("gamma_M0")?,
+                    gamma_m1: factor("gamma_M1")?,
+                    gamma_m2: factor("gamma_M2")?,
+                    gamma_m3: factor("gamma_M3")?,
+                    gamma_m3_ser: factor("gamma_M3_ser")?,
+                    gamma_m7: factor("gamma_M7")?,
+                    standard: row.text("standard")?,
+                    basis: row.text("basis")?,
+                    source: row.source(),
+                })
+            })
+            .collect()
+    }
+}
+
+impl Entry for NationalAnnex {
+    const NOUN: &'static str = "national annex";
+    const KIND: &'static str = "annexes";
+    fn name(&self) -> String {
+        self.annex.clone()
     }
     fn source(&self) -> &Source {
         &self.source

@@ -2,26 +2,30 @@
 
 use super::bolt::{BoltGrade, BoltSize};
 use super::error::CatalogError;
-use super::factor::{FrictionClass, PartialFactor};
+use super::factor::{FrictionClass, NationalAnnex, PartialFactor};
 use super::profile::{IProfile, PROPERTY_TOLERANCE};
 use super::steel::Steel;
 use super::table::{Entry, Named, RawTable};
 use super::{Catalog, Provenance};
 use crate::diag::Diagnostic;
+use crate::text_file;
 use std::path::Path;
 
 /// The tables compiled into the program; profiles of shapes no template uses yet stay outside.
-const BUILTIN: [(&str, &str); 10] = [
+const BUILTIN: [(&str, &str); 13] = [
     ("catalogs/profiles_i.csv", include_str!("../../catalogs/profiles_i.csv")),
     ("catalogs/profiles_i_other.csv", include_str!("../../catalogs/profiles_i_other.csv")),
     ("catalogs/profiles_w_aisc.csv", include_str!("../../catalogs/profiles_w_aisc.csv")),
     ("catalogs/bolts.csv", include_str!("../../catalogs/bolts.csv")),
     ("catalogs/bolts_preloaded.csv", include_str!("../../catalogs/bolts_preloaded.csv")),
     ("catalogs/bolt_grades.csv", include_str!("../../catalogs/bolt_grades.csv")),
+    ("catalogs/bolt_grades_astm.csv", include_str!("../../catalogs/bolt_grades_astm.csv")),
     ("catalogs/steel_grades.csv", include_str!("../../catalogs/steel_grades.csv")),
+    ("catalogs/steel_grades_astm.csv", include_str!("../../catalogs/steel_grades_astm.csv")),
     ("catalogs/steel_grades_product.csv", include_str!("../../catalogs/steel_grades_product.csv")),
     ("catalogs/friction_classes.csv", include_str!("../../catalogs/friction_classes.csv")),
     ("catalogs/partial_factors.csv", include_str!("../../catalogs/partial_factors.csv")),
+    ("catalogs/national_annexes.csv", include_str!("../../catalogs/national_annexes.csv")),
 ];
 
 /// Where each built-in table comes from; its table of files is read, not copied.
@@ -39,6 +43,7 @@ enum Kind {
     SteelBands,
     Friction,
     Factors,
+    Annexes,
     OtherShape,
 }
 
@@ -63,6 +68,8 @@ fn kind(table: &RawTable) -> Option<Kind> {
         Kind::Friction
     } else if any(&["recommended_value"]) {
         Kind::Factors
+    } else if any(&["annex"]) {
+        Kind::Annexes
     } else {
         return None;
     })
@@ -112,8 +119,8 @@ impl Catalog {
         }
         let mut tables = Vec::new();
         for file in files {
-            let text =
-                std::fs::read_to_string(&file).map_err(|cause| CatalogError::Io { path: file.clone(), cause })?;
+            let unread = |cause| CatalogError::Io { path: file.clone(), cause }.into();
+            let text = text_file::read(&file, unread).map_err(CatalogError::Unread)?;
             tables.push(RawTable::parse(&file.display().to_string(), &text)?);
         }
         let mut next = self.clone();
@@ -151,6 +158,7 @@ impl Catalog {
                 })?,
                 Kind::Friction => insert_all(&mut self.friction, FrictionClass::read(table)?)?,
                 Kind::Factors => insert_all(&mut self.factors, PartialFactor::read(table)?)?,
+                Kind::Annexes => insert_all(&mut self.annexes, NationalAnnex::read(table)?)?,
                 Kind::OtherShape => self.warnings.push(
                     Diagnostic::input(
                         "catalog/unused-table",

@@ -20,7 +20,7 @@ mod table;
 
 pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
 pub use error::CatalogError;
-pub use factor::{FrictionClass, PartialFactor};
+pub use factor::{FrictionClass, NationalAnnex, PartialFactor};
 pub use profile::{IProfile, PROPERTY_TOLERANCE};
 pub use steel::{Band, FySource, Steel};
 pub use table::Source;
@@ -52,6 +52,7 @@ pub struct Catalog {
     steels: Named<Steel>,
     friction: Named<FrictionClass>,
     factors: Named<PartialFactor>,
+    annexes: Named<NationalAnnex>,
     provenance: BTreeMap<String, Provenance>,
     warnings: Vec<Diagnostic>,
 }
@@ -64,30 +65,7 @@ impl Catalog {
 
     /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded systems.
     pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
-        self.bolts.get(name).map_err(|fault| match (fault, self.nearest_bolts(name)) {
-            (CatalogError::Unknown { noun, kind, name, .. }, Some(hint)) => {
-                CatalogError::Unknown { noun, kind, name, hint }
-            }
-            (fault, _) => fault,
-        })
-    }
-
-    /// `, the nearest are M20 and M22` for `M21`; `None` where the name is not a size.
-    fn nearest_bolts(&self, name: &str) -> Option<String> {
-        let (system, size) = name::normalise(name).rsplit_once('M').map(|(s, d)| (s.to_owned(), d.parse::<f64>()))?;
-        let size = size.ok()?;
-        let mine = |b: &&BoltSize| match system.as_str() {
-            "" => b.system == PLAIN_SYSTEM,
-            system => b.system == system,
-        };
-        let nearer = |a: &BoltSize, b: &BoltSize| (a.d - size).abs().total_cmp(&(b.d - size).abs());
-        let side = |of: fn(f64, f64) -> bool| {
-            let all = self.bolts.rows().iter().filter(mine).filter(|b| of(b.d, size));
-            all.min_by(|a, b| nearer(a, b)).map(|b| format!("`{}`", Entry::name(b)))
-        };
-        let found: Vec<String> = [side(|d, s| d < s), side(|d, s| d > s)].into_iter().flatten().collect();
-        (!found.is_empty())
-            .then(|| format!(", the nearest {} {}", if found.len() > 1 { "are" } else { "is" }, found.join(" and ")))
+        self.bolts.get(name)
     }
 
     /// The bolt grade, for example `8.8`.
@@ -127,6 +105,12 @@ impl Catalog {
         self.factors.get(name)
     }
 
+    /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the code without one.
+    pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
+        let country = || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
+        self.annexes.find(name).or_else(country).ok_or_else(|| self.annexes.unknown(name))
+    }
+
     /// All sections, in the order of the files.
     pub fn profiles(&self) -> &[IProfile] {
         self.profiles.rows()
@@ -155,6 +139,11 @@ impl Catalog {
     /// All partial factors.
     pub fn partial_factors(&self) -> &[PartialFactor] {
         self.factors.rows()
+    }
+
+    /// All national annexes.
+    pub fn annexes(&self) -> &[NationalAnnex] {
+        self.annexes.rows()
     }
 
     /// Where the numbers of a file come from; nothing where the user's table has no `# source:` line.

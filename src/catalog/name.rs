@@ -31,6 +31,19 @@ pub fn profile_key(name: &str) -> String {
     format!("{series}{figures}")
 }
 
+/// The key of a bolt grade: `8.8`; `F3125 Grade A325`, `ASTM A325M` → `A325`.
+pub fn bolt_grade_key(name: &str) -> String {
+    let flat = astm_key(&normalise(name));
+    let flat = flat.strip_prefix("F3125M").or_else(|| flat.strip_prefix("F3125")).unwrap_or(&flat);
+    let metric = flat.starts_with('A').then(|| flat.strip_suffix('M')).flatten();
+    metric.unwrap_or(flat).to_owned()
+}
+
+/// `ASTMA572GRADE50`, `A572GR.50` → `A57250`: the words that people write around the figures of an ASTM designation.
+fn astm_key(flat: &str) -> String {
+    flat.replace("ASTM", "").replace("GRADE", "").replace("GR.", "").replace("GR", "")
+}
+
 /// The key of a steel grade: quality letters that do not change the strength are dropped, so `S355 J2+N` → `S355`,
 /// `S275NL` → `S275N`, `S460QL1` → `S460Q`, `S355J2H` → `S355H`. A leading standard stays: `EN 10210-1 S355H` →
 /// `EN102101S355H`.
@@ -39,6 +52,9 @@ pub fn profile_key(name: &str) -> String {
 /// EN 1993-1-1:2005 Table 3.1 lists the grades without their impact classes (`S 275 N/NL`).
 pub fn steel_key(name: &str) -> String {
     let flat = normalise(name);
+    if flat.starts_with("ASTM") || flat.starts_with('A') {
+        return astm_key(&flat);
+    }
     let flat = flat.split('+').next().unwrap_or_default();
     let Some(start) =
         flat.rfind('S').filter(|s| flat[s + 1..].chars().take(3).filter(char::is_ascii_digit).count() == 3)
@@ -57,6 +73,52 @@ pub fn steel_key(name: &str) -> String {
         other => other,
     };
     format!("{base}{quality}")
+}
+
+/// Series, numbers and what follows them, of a key: `UB533X210X92` → `UB`, 533 210 92, nothing; `None` where there are none.
+fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
+    let first = key.find(|c: char| c.is_ascii_digit())?;
+    let end = key.rfind(|c: char| c.is_ascii_digit())? + 1;
+    let numbers = key[first..end].split('X').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
+    Some((&key[..first], numbers, &key[end..]))
+}
+
+/// `, the nearest are …` for a size that a series does not have: `IPE410` has `IPE400` and `IPE450` for neighbours, while in letters
+/// `IPE140` is as near. `rows` are keys with names; `None` where the name is not a series and numbers, or no row is of the series.
+pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) -> Option<String> {
+    let (series, wanted, tail) = sizes(key)?;
+    let mut near: Vec<(Vec<f64>, String)> = Vec::new();
+    for (key, name) in rows {
+        let Some((s, numbers, t)) = sizes(&key) else { continue };
+        if (s, t) == (series, tail) && !near.iter().any(|(_, n)| *n == name) {
+            near.push((numbers, name));
+        }
+    }
+    let off = |n: &[f64]| -> Vec<f64> { n.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).collect() };
+    // the first number counts most: depth before width before mass
+    near.sort_by(|(a, _), (b, _)| off(a).partial_cmp(&off(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let side = |smaller: bool| near.iter().find(|(n, _)| if smaller { n[0] < wanted[0] } else { n[0] > wanted[0] });
+    let chosen: Vec<&str> = match (wanted.len(), side(true), side(false)) {
+        (1, Some(below), Some(above)) if near[0].0.len() == 1 => {
+            let mut pair = [below, above];
+            pair.sort_by(|a, b| off(&a.0).partial_cmp(&off(&b.0)).unwrap_or(std::cmp::Ordering::Equal));
+            pair.iter().map(|(_, name)| name.as_str()).collect()
+        }
+        (1, ..) if near.first().is_some_and(|(n, _)| n.len() == 1) => {
+            // beyond the ends of the series: a zero too many or too few is likelier than a size far off
+            let slip = |n: &[f64]| n[0] == 10.0 * wanted[0] || wanted[0] == 10.0 * n[0];
+            if let Some((_, name)) = near.iter().find(|(n, _)| slip(n)) {
+                return Some(format!(", did you mean `{name}`?"));
+            }
+            near.iter().take(1).map(|(_, name)| name.as_str()).collect()
+        }
+        _ => near.iter().take(2).map(|(_, name)| name.as_str()).collect(),
+    };
+    match chosen[..] {
+        [] => None,
+        [one] => Some(format!(", the nearest is `{one}`")),
+        [first, second, ..] => Some(format!(", the nearest are `{first}` and `{second}`")),
+    }
 }
 
 #[cfg(test)]
@@ -81,6 +143,17 @@ mod tests {
                 assert_eq!(profile_key(s), key, "{s}");
             }
         }
+    }
+
+    #[test]
+    fn astm_spellings_meet() {
+        for name in ["A572-50", "A572 Gr. 50", "ASTM A572 Grade 50", "a572 gr50"] {
+            assert_eq!(steel_key(name), "A57250", "{name}");
+        }
+        for name in ["A325", "A325M", "F3125 Grade A325", "ASTM F3125M A325M", "F3125 Gr. A325"] {
+            assert_eq!(bolt_grade_key(name), "A325", "{name}");
+        }
+        assert_eq!(bolt_grade_key("10.9"), "10.9");
     }
 
     #[test]

@@ -176,6 +176,7 @@ fn fillet_area(r: f64) -> f64 {
 impl Entry for IProfile {
     const NOUN: &'static str = "profile";
     const KIND: &'static str = "profiles";
+    const SIZED: bool = true;
     fn name(&self) -> String {
         self.name.clone()
     }

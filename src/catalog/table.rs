@@ -1,7 +1,7 @@
 //! A CSV table read strictly: every cell is checked, every row remembers where it stands.
 
 use super::error::CatalogError;
-use super::name::normalise;
+use super::name::{nearest_sizes, normalise};
 use crate::diag::did_you_mean;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -144,6 +144,11 @@ impl Row<'_> {
         }
     }
 
+    /// A text, if the column is there and the cell holds one.
+    pub fn text_or_empty(&self, column: &str) -> Option<String> {
+        Some(self.cell(column)).filter(|text| !text.is_empty()).map(str::to_owned)
+    }
+
     /// `yes` or `no`.
     pub fn flag(&self, column: &str) -> Result<bool, CatalogError> {
         match self.cell(column) {
@@ -190,6 +195,8 @@ pub(super) trait Entry {
     const NOUN: &'static str;
     /// What `bracket catalog list` calls the kind.
     const KIND: &'static str;
+    /// Whether names are a series and sizes, so that the nearest size is a better proposal than the nearest spelling.
+    const SIZED: bool = false;
     /// The name as printed.
     fn name(&self) -> String;
     /// The name as compared.
@@ -243,8 +250,11 @@ impl<T: Entry> Named<T> {
 
     /// The error for a name that is not there.
     pub fn unknown(&self, name: &str) -> CatalogError {
+        let key = T::key(name);
         let names: Vec<String> = self.rows.iter().map(Entry::name).collect();
-        let hint = did_you_mean(&T::key(name), names.iter().map(String::as_str));
+        let near = || nearest_sizes(&key, names.iter().map(|n| (T::key(n), n.clone())));
+        let near = if T::SIZED { near() } else { None };
+        let hint = near.unwrap_or_else(|| did_you_mean(&key, names.iter().map(String::as_str)));
         CatalogError::Unknown { noun: T::NOUN, kind: T::KIND, name: name.to_owned(), hint }
     }
 

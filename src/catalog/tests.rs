@@ -125,8 +125,22 @@ fn names_are_found_in_every_spelling() {
 fn unknown_names_come_with_a_proposal() {
     let catalog = builtin();
     for (error, expected) in [
-        (catalog.profile("HEB205").err(), "profile `HEB205` is not in the catalogue, did you mean `HEB200`?"),
+        (
+            catalog.profile("HEB205").err(),
+            "profile `HEB205` is not in the catalogue, the nearest are `HEB200` and `HEB220`",
+        ),
         (catalog.profile("IPE 36").err(), "did you mean `IPE360`?"),
+        (catalog.profile("IPE410").err(), "the nearest are `IPE400` and `IPE450`"),
+        (catalog.profile("IPE 440").err(), "the nearest are `IPE450` and `IPE400`"),
+        (catalog.profile("IPE410A").err(), "the nearest are `IPEA400` and `IPEA450`"),
+        (catalog.profile("HE 210 B").err(), "the nearest are `HEB200` and `HEB220`"),
+        (catalog.profile("HEB2000").err(), "did you mean `HEB200`?"),
+        (catalog.profile("HEB1500").err(), "the nearest is `HEB1000`"),
+        (catalog.profile("HEV200").err(), "did you mean `HE"),
+        (catalog.profile("HEB2O0").err(), "did you mean `HEB200`?"),
+        (catalog.profile("533x210x95 UB").err(), "the nearest are `UB533x210x92` and `UB533x210x101`"),
+        (catalog.profile("UB 530x210").err(), "the nearest are `UB533x210x"),
+        (catalog.profile("W14x91").err(), "the nearest are `W14X90` and `W14X"),
         (catalog.bolt("M19").err(), "the nearest are `M18` and `M20`"),
         (catalog.bolt_grade("8.9").err(), "did you mean `8.8`?"),
         (catalog.steel("S325").err(), "did you mean `S235`?"),
@@ -139,6 +153,25 @@ fn unknown_names_come_with_a_proposal() {
     let d: Diagnostic = catalog.profile("XYZ").expect_err("unknown").into();
     assert_eq!((d.code, d.fault.exit_code()), ("catalog/unknown-name", 2));
     assert!(d.help.is_some_and(|h| h.contains("bracket catalog list profiles")));
+}
+
+/// 36 ksi and 50 ksi in the figures of the metric editions; no β_w, because EN 1993-1-8 Table 4.1 does not list them.
+#[test]
+fn astm_grades_have_the_metric_values_of_their_standards() {
+    let catalog = builtin();
+    for (name, fy, fu) in [("A36", 250.0, 400.0), ("A572 Gr. 50", 345.0, 450.0), ("ASTM A992/A992M A992", 345.0, 450.0)]
+    {
+        let s = catalog.steel(name).expect(name);
+        assert_eq!((s.fy(15.0).ok(), s.fu(60.0).ok(), s.beta_w), (Some(fy), Some(fu), None), "{name}");
+        assert!(
+            catalog.provenance(&s.source.file).and_then(|p| p.standard.clone()).is_some_and(|s| s.contains("ASTM"))
+        );
+    }
+    for (name, fyb, fub) in [("A325M", 660.0, 830.0), ("F3125 Grade A490", 940.0, 1040.0)] {
+        let g = catalog.bolt_grade(name).expect(name);
+        assert_eq!((g.fyb, g.fub, g.preloadable), (fyb, fub, true), "{name}");
+    }
+    assert!(catalog.steel("A572-42").is_err() && catalog.steel("A500").is_err() && catalog.bolt_grade("A307").is_err());
 }
 
 #[test]
@@ -186,7 +219,7 @@ fn every_shipped_table_has_provenance() {
     let catalog = builtin();
     assert!(catalog.warnings().is_empty());
     let files = catalog.provenance.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(files.len(), 10);
+    assert_eq!(files.len(), 13);
     for p in catalog.profiles() {
         let provenance = catalog.provenance(&p.source.file).expect("provenance");
         assert!(provenance.standard.is_some() && !provenance.read_from.is_empty());
@@ -315,7 +348,7 @@ fn a_bolt_size_that_is_not_made_is_answered_with_its_neighbours() {
         ("m 19", ", the nearest are `M18` and `M20`"),
         ("HV M21", ", the nearest are `HV M20` and `HV M22`"),
         ("M500", ", the nearest is `M"),
-        ("M1", ", the nearest is `M"),
+        ("M1", ", did you mean `M10`?"),
     ] {
         let message = catalog.bolt(name).expect_err(name).to_string();
         assert!(message.contains(told), "{name}: {message}");

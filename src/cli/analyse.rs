@@ -15,6 +15,7 @@ use crate::report::log::Log;
 use crate::report::page::Table;
 use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
+use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -33,18 +34,18 @@ pub struct AnalyseArgs {
 pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     let limits = args.options.limits()?;
     use_threads(common)?;
+    let unread = |path: &Path, e: std::io::Error| {
+        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
+    };
     let model = load_model(&args.model).map_err(|mut faults| {
-        let text = std::fs::read_to_string(&args.model).unwrap_or_default();
+        let text = text_file::read(&args.model, |e| unread(&args.model, e)).unwrap_or_default();
         if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
             faults.0.truncate(1);
             faults.0[0].help = Some("this looks like a connection spec: `bracket run` reads it".into());
         }
         faults
     })?;
-    let unread = |path: &Path, e: std::io::Error| {
-        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
-    };
-    let text = std::fs::read_to_string(&args.model).map_err(|e| unread(&args.model, e))?;
+    let text = text_file::read(&args.model, |e| unread(&args.model, e))?;
     let parsed = yaml::parse::<ModelFile>(&text, &args.model)?;
     let mut file = parsed.value;
     let mesh_path = args.model.parent().unwrap_or(Path::new("")).join(&file.mesh);
@@ -53,6 +54,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     let folder = ResultFolder::begin(&args.options.folder(&args.model))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
     folder.write("mesh.msh", &mesh_bytes)?;
+    let input_read = yaml::to_string(&file)?;
     file.mesh = "mesh.msh".into();
     let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
     let name = if stem == "model" { folder_name(&args.model).unwrap_or(stem) } else { stem };
@@ -63,6 +65,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         input_name: args.model.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
         input_text: text,
+        input_read,
         resolved: Vec::new(),
         catalogue_rows: Vec::new(),
         mesh_quality: quality_table(&quality::table(&model.mesh)),

@@ -136,6 +136,8 @@ pub struct Echo {
     pub input_name: String,
     /// Its text.
     pub input_text: String,
+    /// What was read from it, as YAML.
+    pub input_read: String,
     /// Hash of everything the result depends on.
     pub input_hash: String,
     /// Resolved values.
@@ -453,5 +455,5 @@ pub fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: Str
             })
             .collect()
     });
-    CatalogueRow { kind: kind.into(), name: name.into(), source, values }
+    CatalogueRow { kind: kind.into(), name: name.into(), source, values, own: false }
 }

@@ -1,7 +1,7 @@
 //! `bracket catalog`.
 
 use super::{Common, Format, Outcome, out};
-use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, Steel};
+use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
 use crate::diag::{Diagnostic, did_you_mean};
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;
@@ -54,6 +54,8 @@ pub enum Kind {
     Friction,
     /// Partial factors.
     Factors,
+    /// National annexes with their partial factors.
+    Annexes,
 }
 
 /// Runs `bracket catalog`.
@@ -64,9 +66,7 @@ pub fn run(args: &CatalogArgs, common: &Common) -> Outcome {
     }
     .map_err(Diagnostic::from)?;
     for w in catalog.warnings() {
-        let place = w.place.file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default();
-        let line = w.place.line.map(|l| format!("line {l}: ")).unwrap_or_default();
-        eprintln!("warning[{}]: {place}{line}{w}", w.code);
+        eprintln!("{}", super::spec_file::catalog_warning(w));
     }
     match &args.action {
         None => kinds(&catalog, common)?,
@@ -84,6 +84,7 @@ fn kinds(catalog: &Catalog, common: &Common) -> Result<(), crate::diag::Diagnost
         (Kind::Steels, catalog.steels().len()),
         (Kind::Friction, catalog.friction_classes().len()),
         (Kind::Factors, catalog.partial_factors().len()),
+        (Kind::Annexes, catalog.annexes().len()),
     ];
     let name = |k: &Kind| k.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
     match common.format {
@@ -218,6 +219,28 @@ fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) ->
             |f| vec![f.factor.clone(), f.value.to_string(), f.standard.clone(), f.applies_to.clone()],
             common,
         ),
+        Kind::Annexes => {
+            let cells = |a: &NationalAnnex| {
+                let factors = [a.gamma_m0, a.gamma_m1, a.gamma_m2, a.gamma_m3, a.gamma_m3_ser, a.gamma_m7];
+                let mut cells = vec![a.annex.clone(), a.country.clone()];
+                cells.extend(factors.map(|g| g.map_or_else(|| "-".to_owned(), |g| g.to_string())));
+                cells.extend([a.basis.clone(), a.standard.clone()]);
+                cells
+            };
+            let head = [
+                "annex",
+                "country",
+                "gamma_M0",
+                "gamma_M1",
+                "gamma_M2",
+                "gamma_M3",
+                "gamma_M3_ser",
+                "gamma_M7",
+                "basis",
+                "standard",
+            ];
+            table(catalog.annexes(), &head, cells, common)
+        }
     }
 }
 
@@ -263,6 +286,7 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), crate::dia
     take("steel", catalog.steel(name).map(|r| json!(r)));
     take("friction class", catalog.friction_class(name).map(|r| json!(r)));
     take("partial factor", catalog.partial_factor(name).map(|r| json!(r)));
+    take("national annex", catalog.annex(name).map(|r| json!(r)));
     if found.is_empty() {
         if let Some(at) = refused.iter().position(|e| matches!(e, CatalogError::Ambiguous { .. })) {
             return Err(Diagnostic::from(refused.swap_remove(at)).into());

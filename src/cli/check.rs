@@ -2,7 +2,8 @@
 
 use super::conclude::{Analyses, conclude};
 use super::run::{check_names, check_sizes, demanded_cases, echo};
-use super::{Common, Outcome, spec_file};
+use super::spec_file::{self, CatalogOptions};
+use super::{Common, Outcome};
 use crate::checks::hand_checks;
 use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
@@ -21,6 +22,9 @@ pub struct CheckArgs {
     /// Folder for the report (default: named after the spec, with `_check`, beside it).
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Catalogue.
+    #[command(flatten)]
+    pub catalog: CatalogOptions,
 }
 
 impl CheckArgs {
@@ -36,13 +40,14 @@ impl CheckArgs {
 
 /// Runs `bracket check`.
 pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
-    let input = spec_file::read(&args.spec)?;
+    let input = spec_file::read(&args.spec, args.catalog.folder())?;
     check_names(&input, &[])?;
     check_sizes(&input)?;
     let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
     let log = Log::new(common.quiet);
+    input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(&args.folder())?;
-    let mut echo = echo(&args.spec, &input, checks);
+    let mut echo = echo(&args.spec, &input, checks)?;
     // what the checks see holds what the catalogue and the template gave
     let seen = serde_json::to_string(&input.joint.end_plate)
         .map_err(|e| Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}")))?;

@@ -50,6 +50,7 @@ pub fn conclude(
         result,
         input_name: echo.input_name,
         input_text: echo.input_text,
+        input_read: echo.input_read,
         resolved: echo.resolved,
         catalogue_rows: echo.catalogue_rows,
         drawings: echo.drawings.into_iter().map(|d| d.0).collect(),

@@ -2,6 +2,7 @@
 
 use super::aside::Folder;
 use super::interrupt::Interrupt;
+use super::spec_file::{self, CatalogOptions};
 use super::{Common, Format, Outcome};
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -9,6 +10,7 @@ use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::log::Log;
+use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -37,6 +39,9 @@ pub struct MeshArgs {
     /// Seconds the mesher may take.
     #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
     pub time_limit: f64,
+    /// Catalogue of the user's own.
+    #[command(flatten)]
+    pub catalog: CatalogOptions,
     /// Leave out the STEP file.
     #[arg(long)]
     pub no_step: bool,
@@ -51,11 +56,12 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
         }
     }
     let interrupt = Interrupt::watch()?;
-    let (assembly, layers) = load(&args.spec)?;
+    let (assembly, layers, warnings) = load(&args.spec, &args.catalog)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
     let mesher = Mesher::find()?;
     let log = Arc::new(Log::new(common.quiet));
     let folder = Folder::new(&out, MARK, "mesh")?;
+    warnings.iter().for_each(|w| log.line(w));
     interrupt.begin(&log, "the mesher is stopped", folder.give_up());
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
@@ -105,18 +111,23 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-/// The assembly, and whether the spec wants mid-thickness layers.
-fn load(path: &Path) -> Result<(Assembly, bool), Diagnostics> {
+/// The assembly, whether the spec wants mid-thickness layers, and what is odd in the catalogue.
+fn load(path: &Path, catalog: &CatalogOptions) -> Result<(Assembly, bool, Vec<String>), Diagnostics> {
     if path.extension().is_none_or(|e| e != "json") {
-        let file = super::spec_file::read(path)?;
-        return Ok((file.joint.assembly, file.spec.value.analysis.mesh.layers));
+        let file = spec_file::read(path, catalog.folder())?;
+        let warnings = file.catalog.warnings().iter().map(spec_file::catalog_warning).collect();
+        return Ok((file.joint.assembly, file.spec.value.analysis.mesh.layers, warnings));
     }
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    if let Some(dir) = catalog.folder() {
+        let text = format!("`--catalog {}` has no use: an assembly takes nothing from the catalogue", dir.display());
+        return Err(Diagnostic::input("cli/catalog", text).help("leave the option out, or give the spec").into());
+    }
+    let text = text_file::read(path, |e| {
         Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))
             .file(path)
             .help("check the path")
     })?;
-    serde_json::from_str(&text).map(|a| (a, true)).map_err(|e| {
+    serde_json::from_str(&text).map(|a| (a, true, Vec::new())).map_err(|e| {
         Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
             .file(path)
             .at(e.line(), e.column())

@@ -24,6 +24,7 @@ pub mod spec_file;
 pub mod study;
 pub mod templates;
 pub mod verify;
+pub mod watch;
 
 use crate::diag::Diagnostics;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -78,6 +79,8 @@ pub enum Command {
     Analyse(analyse::AnalyseArgs),
     /// The code's checks, detailing, drawing and verdict by code, at once
     Check(check::CheckArgs),
+    /// The checks again on every change of the spec
+    Watch(watch::WatchArgs),
     /// Geometry and mesh only.
     Mesh(mesh::MeshArgs),
     /// Speed against error: meshes and solvers side by side.
@@ -101,6 +104,7 @@ pub fn dispatch(cli: &Cli) -> Outcome {
         Command::Run(args) => run::run(args, &cli.common),
         Command::Analyse(args) => analyse::run(args, &cli.common),
         Command::Check(args) => check::run(args, &cli.common),
+        Command::Watch(args) => watch::run(args, &cli.common),
         Command::Mesh(args) => mesh::run(args, &cli.common),
         Command::Study(args) => study::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),

@@ -36,7 +36,7 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
         (Some(spec), Origin::File { file, .. }) => seen_from(file, spec),
         _ => args.template.clone(),
     };
-    let text = starter(&template, &origin, &name, &catalog)?;
+    let text = starter(&template, &origin, &name, &catalog, &today())?;
     let Some(path) = &args.output else {
         print!("{text}");
         return Ok(0);
@@ -46,6 +46,32 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
         eprintln!("wrote {0}; run it with `bracket run {0}`", path.display());
     }
     Ok(0)
+}
+
+/// The day in ISO form, by the machine's clock in universal time.
+fn today() -> String {
+    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    // a clock before 1970 knows no day: its first one shows that it is wrong
+    iso_date(since.map_or(0, |d| d.as_secs() / 86_400))
+}
+
+/// The date so many days after 1970-01-01.
+fn iso_date(days: u64) -> String {
+    let leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
+    let (mut year, mut left) = (1970, days);
+    while left >= 365 + u64::from(leap(year)) {
+        left -= 365 + u64::from(leap(year));
+        year += 1;
+    }
+    let mut month = 1;
+    for days in [31, 28 + u64::from(leap(year)), 31, 30, 31, 30, 31, 31, 30, 31, 30, 31] {
+        if left < days {
+            break;
+        }
+        left -= days;
+        month += 1;
+    }
+    format!("{year:04}-{month:02}-{:02}", left + 1)
 }
 
 /// A template named on the command line has no place in a file.
@@ -107,6 +133,7 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         }
     };
     let mut spec = ConnectionSpec {
+        catalog: None,
         project: Default::default(),
         code: Default::default(),
         template: name.to_owned(),
@@ -145,8 +172,15 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
     spec
 }
 
-/// The text of the starter: required values stand, defaults stand in comments that can be switched on.
-pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catalog) -> Result<String, Diagnostics> {
+/// The text of the starter: required values stand, defaults stand in comments that can be switched on. `date` is that of the title
+/// block.
+pub fn starter(
+    template: &Template,
+    origin: &Origin,
+    name: &str,
+    catalog: &Catalog,
+    date: &str,
+) -> Result<String, Diagnostics> {
     let spec = example(template, name);
     let wrong = |faults: Vec<crate::assembly::AssemblyError>| {
         Diagnostics(faults.into_iter().map(|f| origin.placed(template, f)).collect())
@@ -165,19 +199,27 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
          # are shown for those written here. `bracket schema spec` prints the JSON Schema for your editor, `bracket catalog\n\
          # list` the profiles, bolts and steels.\n\n",
     );
-    out.push_str(
-        "project:\n  title: New joint\n  # number: \"\"  # project number\n  # author: \"\"  # who made it\n  \
+    let _ = write!(
+        out,
+        "project:\n  title: New joint\n  date: {date:?}\n  # number: \"\"  # project number\n  # author: \"\"  # who made it\n  \
          # checker: \"\"  # who checks it\n  # revision: \"A\"  # revision\n\n",
     );
     out.push_str(
-        "code:\n  edition: EN 1993-1-8:2005\n  # gamma_M0: 1.0  # partial factor of cross-sections; 0.5 to 3\n  \
-         # gamma_M2: 1.25  # partial factor of bolts and welds; 0.5 to 3\n  \
+        "code:\n  edition: EN 1993-1-8:2005\n  \
+         # annex: recommended  # national annex of the partial factors: UK, DE … (`bracket catalog list annexes`)\n  \
+         # gamma_M0: 1.0  # partial factor of cross-sections; each of them 0.5 to 3, in place of the annex\n  \
+         # gamma_M1: 1.0  # of instability\n  \
+         # gamma_M2: 1.25  # of bolts and welds\n  \
+         # gamma_M3: 1.25  # of slip at the ultimate limit state\n  \
+         # gamma_M3_ser: 1.1  # of slip at serviceability\n  \
+         # gamma_M7: 1.1  # of the preload of bolts\n  \
          # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n\n",
     );
     // blanks, `#` and quotes in a path would end the text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
     let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
-    let _ = writeln!(out, "template: {name}\n\nmembers:");
+    let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in catalogue";
+    let _ = writeln!(out, "template: {name}\n{own}\n\nmembers:");
     for m in &template.members {
         let _ = writeln!(out, "  {}: {{profile: {}, steel: {}}}  # {}", m.role, m.profile, m.steel, about(&m.about));
     }
@@ -209,8 +251,8 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
         others.iter().for_each(|r| line(&mut out, &r.name, r));
     }
     out.push_str(
-        "\nfriction:\n  mu: 0.3  # friction coefficient of all contact surfaces, 0 to 2; or `class: C` (A, B, C, D of EN 1090-2)\n  \
-         law: associated  # slip dilates: both bounds are strict for this law; coulomb (the default): no dilation, by a fixed point\n\n",
+        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  \
+         # law: coulomb  # no dilation, by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     if !sections.is_empty() {
@@ -241,7 +283,7 @@ pub fn starter(template: &Template, origin: &Origin, name: &str, catalog: &Catal
     }
     let _ = write!(
         out,
-        "\nanalysis:\n  kind: elastic  # elastic, limit (the load at collapse), elastoplastic, or a list: [elastic, limit]\n  \
+        "\nanalysis:\n  kind: limit  # limit (the load at collapse), elastic, elastoplastic, or a list: [elastic, limit]; the hand checks run with each\n  \
          target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; meshes are refined where it comes from until it is reached\n  \
          # max_passes: {}  # meshes at most; 1: the first one alone\n  \
          # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
@@ -312,11 +354,35 @@ mod tests {
     }
 
     #[test]
+    fn days_become_dates() {
+        for (days, date) in [
+            (0, "1970-01-01"),
+            (58, "1970-02-28"),
+            (59, "1970-03-01"),
+            (11_016, "2000-02-29"),
+            (19_782, "2024-02-29"),
+            (19_783, "2024-03-01"),
+            (20_088, "2024-12-31"),
+            (20_089, "2025-01-01"),
+            (47_540, "2100-02-28"),
+            (47_541, "2100-03-01"),
+        ] {
+            assert_eq!(iso_date(days), date, "{days}");
+        }
+        let today = today();
+        assert!(today.len() == 10 && today.as_str() > "2020", "{today}");
+    }
+
+    #[test]
     fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         for (name, _) in SHIPPED {
             let (template, origin) = template::load(name, Path::new(".")).expect("shipped");
-            let text = starter(&template, &origin, name, &Catalog::builtin().expect("sound")).expect("a starter");
+            let text = starter(&template, &origin, name, &Catalog::builtin().expect("sound"), "2024-02-29")
+                .expect("a starter");
             let joint = assemble(&text);
+            for words in ["  mu: 0 ", "  kind: limit ", "  date: \"2024-02-29\"\n"] {
+                assert!(text.contains(words), "{name}: {words}");
+            }
             for p in &template.parameters {
                 let key = p.name.rsplit('.').next().expect("a name");
                 assert!(text.contains(&format!("{key}: ")), "{name}: {} is not in the starter", p.name);

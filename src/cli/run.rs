@@ -6,7 +6,7 @@ use super::analysis::{
 };
 use super::interrupt::Interrupt;
 use super::remesh::{self, ByMap};
-use super::spec_file::{self, SpecFile};
+use super::spec_file::{self, CatalogOptions, SpecFile};
 use super::{Common, Outcome};
 use crate::adapt::plan;
 use crate::assembly::joint::PartRole;
@@ -27,7 +27,7 @@ use crate::report::folder::ResultFolder;
 use crate::report::log::Log;
 use crate::report::page::{CatalogueRow, PictureRef, ResolvedValue};
 use crate::report::{drawing, moment_axial, schedule};
-use crate::spec::connection;
+use crate::spec::connection::{self, ConnectionSpec};
 use crate::spec::loads::LoadSpec;
 use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
@@ -54,6 +54,9 @@ pub struct RunArgs {
     /// Meshes at most, in place of `analysis.max_passes`: 1 is a quick look.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=50))]
     pub max_passes: Option<u32>,
+    /// Catalogue of the user's own.
+    #[command(flatten)]
+    pub catalog: CatalogOptions,
     /// Options of the analysis.
     #[command(flatten)]
     pub options: AnalysisOptions,
@@ -79,7 +82,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     }
     let mut limits = args.options.limits()?;
     use_threads(common)?;
-    let input = spec_file::read(&args.spec)?;
+    let input = spec_file::read(&args.spec, args.catalog.folder())?;
     let kinds = match args.kind {
         Some(KindArg::Elastic) => vec![AnalysisKind::Elastic],
         Some(KindArg::Elastoplastic) => vec![AnalysisKind::Elastoplastic],
@@ -89,12 +92,14 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     check_names(&input, &kinds)?;
     check_preload(&input, &kinds)?;
     check_sizes(&input)?;
-    let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    checks.notes.extend(input.joint.notes.iter().cloned());
     let mesher = Mesher::find()?;
     limits.time = input.spec.value.analysis.time_limit.map(|t| t.0);
     let log = Arc::new(Log::new(common.quiet));
     let folder = ResultFolder::begin(&args.options.folder(&args.spec))?;
     limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     tell(&checks, demanded_cases(&input), &log);
     let start = Instant::now();
     let options = mesh_options(args.full, args.size_factor, &input, &mesher, &limits.interrupt, folder.path());
@@ -123,12 +128,16 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         }
     }
     limits.interrupt.check("meshing")?;
-    let mut echo = echo(&args.spec, &input, checks);
+    let mut echo = echo(&args.spec, &input, checks)?;
     echo.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
     // the models hold what the catalogue and the template gave, the script what the mesher was told
     let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
     let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
     pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
+    let own = own_rows(&echo);
+    if !own.is_empty() {
+        pieces.push(("catalogue", own.as_bytes()));
+    }
     echo.input_hash = input_hash(&pieces);
     echo.mesh_quality = quality_table(&meshed.quality);
     echo.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
@@ -138,7 +147,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
 }
 
 /// What a report says of a spec, without meshes.
-pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Echo {
+pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Result<Echo, Diagnostics> {
     let project = &input.spec.value.project;
     let title = project.title.clone().filter(|t| !t.trim().is_empty());
     let stem = || path.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned());
@@ -153,10 +162,11 @@ pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Echo {
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
     let end_plate = input.joint.end_plate.as_ref();
-    Echo {
+    Ok(Echo {
         project: block,
         input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_text: input.text.clone(),
+        input_read: yaml::to_string(&as_read(input))?,
         resolved: resolved_values(input),
         catalogue_rows: catalogue_rows(input),
         finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
@@ -167,7 +177,19 @@ pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Echo {
             .map_or_else(Default::default, |e| schedule::schedule(e, plates(input), stocked_length(e), grip(e))),
         bolts: input.joint.bolts.clone(),
         ..Echo::default()
-    }
+    })
+}
+
+/// Rows that are not the program's own: what of them only the hand checks read stands in no model.
+fn own_rows(echo: &Echo) -> String {
+    echo.catalogue_rows.iter().filter(|r| r.own).map(|r| format!("{}: {:?}\n", r.name, r.values)).collect()
+}
+
+/// The spec without the loads that only its polygon made.
+fn as_read(input: &SpecFile) -> ConnectionSpec {
+    let mut spec = input.spec.value.clone();
+    spec.loads.retain(|l| !l.of_polygon);
+    spec
 }
 
 /// End plates of the joint.
@@ -434,6 +456,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
             let single = !r.value.starts_with('[');
             let (value, unit) = r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
             let origin = match (&r.default, r.given) {
+                _ if r.origin.is_some() => r.origin.clone().unwrap_or_default(),
                 (_, true) => "given".to_string(),
                 (Some(expression), false) => format!("default `{expression}`"),
                 (None, false) => "default".to_string(),
@@ -460,10 +483,62 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         let Ok(row) = row else { continue };
         let standard = row["standard"].as_str().unwrap_or_default();
         let file = row["source"]["file"].as_str().unwrap_or_default();
-        let source = c.provenance(file).and_then(|p| p.standard.clone()).unwrap_or_else(|| standard.to_string());
+        let provenance = c.provenance(file);
+        let builtin = provenance.and_then(|p| p.standard.clone());
+        let own = builtin.is_none();
+        let source = builtin.unwrap_or_else(|| {
+            // a table of the user's own: the report names the row, so that it can be checked
+            let mut words = vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
+            words.extend(provenance.map(|p| p.read_from.clone()));
+            words.retain(|w| !w.is_empty());
+            words.join("; ")
+        });
         if !rows.iter().any(|r| r.kind == kind && r.name == *name) {
-            rows.push(catalogue_row(kind, name, row, source));
+            rows.push(CatalogueRow { own, ..catalogue_row(kind, name, row, source) });
         }
     }
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_an_own_table_show_their_file_and_line() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n\
+                     MY8.8,640,800,0.6,0.6,yes\n";
+        let spec = include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
+        for (name, text) in [("g.csv", table), ("joint.yaml", &spec)] {
+            std::fs::write(dir.path().join(name), text).expect("written");
+        }
+        let input =
+            spec_file::read(&dir.path().join("joint.yaml"), Some(dir.path())).unwrap_or_else(|e| panic!("{e:#?}"));
+        let rows = catalogue_rows(&input);
+        let own: Vec<&CatalogueRow> = rows.iter().filter(|r| r.own).collect();
+        assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
+        assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
+        assert!(rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")), "{rows:#?}");
+    }
+
+    #[test]
+    fn the_echo_is_the_spec_without_comments_and_polygon_directions_and_reads_back() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let text = "# a comment\ntemplate: beam_to_column_end_plate\n\
+                    members: {column: {profile: HEB200, steel: S235}, beam: {profile: IPE300, steel: S235}}\n\
+                    plate: {thickness: 5/8 in}\nbolts: {size: M20, grade: '8.8', rows: [-90, 90, 190]}\n\
+                    loads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, Vz: -60.5 kN}]\n\
+                    polygon: {end: beam_right, at: column_face, My: 100 kN m, N: 200 kN}\nanalysis: {kind: limit}\n";
+        std::fs::write(dir.path().join("joint.yaml"), text).expect("written");
+        let input = spec_file::read(&dir.path().join("joint.yaml"), None).unwrap_or_else(|e| panic!("{e:#?}"));
+        assert!(input.spec.value.loads.len() > 1, "the polygon has directions");
+        let echo = yaml::to_string(&as_read(&input)).expect("YAML");
+        for words in ["My: 80 kN m", "Vz: -60.5 kN", "thickness: 15.875 mm", "polygon:", "target_gap: 0.05"] {
+            assert!(echo.contains(words), "{words} in\n{echo}");
+        }
+        assert!(!echo.contains("comment") && echo.matches("name:").count() == 1, "{echo}");
+        let again = yaml::parse::<ConnectionSpec>(&echo, Path::new("echo.yaml")).unwrap_or_else(|e| panic!("{e:#?}"));
+        assert_eq!(again.value, as_read(&input));
+    }
 }

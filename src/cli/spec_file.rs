@@ -1,12 +1,28 @@
 //! A connection spec from its file: what `bracket run` and `bracket mesh` read.
 
 use crate::assembly::{self, Joint};
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, CatalogError};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::polygon::PolygonFault;
 use crate::spec::yaml::{self, Parsed};
-use std::path::Path;
+use crate::text_file;
+use std::path::{Path, PathBuf};
+
+/// Where catalogue tables of the user's own are; for every command that reads a spec.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct CatalogOptions {
+    /// Add the tables of your own folder to the built-in catalogue; in place of `catalog` in the spec.
+    #[arg(long, value_name = "DIR")]
+    pub catalog: Option<PathBuf>,
+}
+
+impl CatalogOptions {
+    /// The folder, if one is given.
+    pub fn folder(&self) -> Option<&Path> {
+        self.catalog.as_deref()
+    }
+}
 
 /// A spec, its text and the joint it describes.
 pub struct SpecFile {
@@ -20,9 +36,9 @@ pub struct SpecFile {
     pub catalog: Catalog,
 }
 
-/// Reads a spec and builds its joint.
-pub fn read(path: &Path) -> Result<SpecFile, Diagnostics> {
-    let text = std::fs::read_to_string(path).map_err(|e| {
+/// Reads a spec and builds its joint; `catalog_dir` is the folder of `--catalog`, which wins over `catalog` in the spec.
+pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
+    let text = text_file::read(path, |e| {
         Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
@@ -46,12 +62,128 @@ pub fn read(path: &Path) -> Result<SpecFile, Diagnostics> {
         })?;
         value.loads.extend(directions);
     }
-    let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
-    let joint = assembly::build(&spec, path.parent().unwrap_or(Path::new("")), &catalog)?;
+    let base = path.parent().unwrap_or(Path::new(""));
+    let catalog = open_catalog(&spec, base, catalog_dir)?;
+    let joint = assembly::build(&spec, base, &catalog)?;
     Ok(SpecFile { text, spec, joint, catalog })
+}
+
+/// The built-in catalogue, with the folder of the option or of the spec.
+fn open_catalog(
+    spec: &Parsed<ConnectionSpec>,
+    base: &Path,
+    catalog_dir: Option<&Path>,
+) -> Result<Catalog, Diagnostics> {
+    let of_spec = spec.value.catalog.as_deref();
+    if of_spec.is_some_and(|dir| dir.as_os_str().is_empty()) {
+        let mut d = Diagnostic::input("spec/value", "`catalog` names no folder")
+            .help("write the folder with your .csv tables, relative to the spec, or leave the key out");
+        d.place = spec.index.place("catalog");
+        return Err(d.into());
+    }
+    let read = match (catalog_dir, of_spec) {
+        (Some(dir), _) => Catalog::with_dir(dir),
+        (None, Some(dir)) => Catalog::with_dir(&base.join(dir)),
+        (None, None) => Catalog::builtin(),
+    };
+    read.map_err(|fault| {
+        let folder_itself = matches!(fault, CatalogError::Io { .. } | CatalogError::Empty { .. });
+        let mut d = Diagnostic::from(fault);
+        // what is wrong with the folder is told where the folder is named, what is wrong with a table in the table
+        if let (true, None, Some(dir)) = (folder_itself, catalog_dir, of_spec) {
+            d.message = format!("`catalog: {}`: {}", dir.display(), d.message);
+            d.place = spec.index.place("catalog");
+        }
+        d.into()
+    })
+}
+
+/// A warning of the catalogue in one line: where, what, and what to do.
+pub fn catalog_warning(w: &Diagnostic) -> String {
+    let file = w.place.file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default();
+    let line = w.place.line.map(|l| format!("line {l}: ")).unwrap_or_default();
+    format!("warning[{}]: {file}{line}{w}", w.code)
 }
 
 /// True when a line of the file begins with this key: enough to tell the two kinds of input apart.
 pub fn top_level(text: &str, key: &str) -> bool {
     text.lines().any(|l| l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':')))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const JOINT: &str = include_str!("../../examples/paper_joint/joint.yaml");
+    const PROFILES: &str = "# source: mill sheet 7\nname,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,Iz_cm4,\
+        Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\nMY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
+
+    /// A folder with `joint.yaml` (the paper's joint, with a column of its own) and the tables given.
+    fn folder(catalog: &str, tables: &[(&str, &str)]) -> tempfile::TempDir {
+        let dir = tempfile::tempdir().expect("a folder");
+        let spec = format!("{catalog}{}", JOINT.replace("profile: HEB200", "profile: MY200"));
+        std::fs::write(dir.path().join("joint.yaml"), spec).expect("written");
+        for (name, text) in tables {
+            let file = dir.path().join(name);
+            std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
+            std::fs::write(file, text).expect("written");
+        }
+        dir
+    }
+
+    fn fault(dir: &tempfile::TempDir, option: Option<&Path>) -> Diagnostic {
+        read(&dir.path().join("joint.yaml"), option).map(drop).expect_err("refused").0.remove(0)
+    }
+
+    #[test]
+    fn a_folder_is_read_from_the_spec_and_the_option_wins() {
+        let dir = folder("catalog: mine\n", &[("mine/p.csv", PROFILES)]);
+        let read_it = |option: Option<&Path>| read(&dir.path().join("joint.yaml"), option);
+        assert_eq!(read_it(None).unwrap_or_else(|e| panic!("{e:#?}")).joint.catalogue[1].1, "MY200");
+        let other = tempfile::tempdir().expect("a folder");
+        std::fs::write(other.path().join("p.csv"), PROFILES.replace("MY200", "MY201")).expect("written");
+        let d = read_it(Some(other.path())).map(drop).expect_err("MY200 is not there").0.remove(0);
+        assert!(d.message.contains("`MY200` is not in the catalogue, the nearest is `MY201`"), "{d:#?}");
+    }
+
+    #[test]
+    fn without_a_folder_the_unknown_name_says_how_to_add_one() {
+        let d = fault(&folder("", &[("mine/p.csv", PROFILES)]), None);
+        assert_eq!((d.code, d.place.path.as_deref()), ("catalog/unknown-name", Some("members.column.profile")));
+        assert!(d.help.as_deref().is_some_and(|h| h.contains("`--catalog DIR`")), "{d:#?}");
+    }
+
+    #[test]
+    fn folders_that_are_none_are_refused_where_they_are_named() {
+        let table = ("mine/p.csv", PROFILES);
+        for (catalog, code, words) in [
+            ("catalog: yours\n", "catalog/unreadable", "`catalog: yours`: cannot read the catalogue"),
+            ("catalog: mine/p.csv\n", "catalog/unreadable", "`catalog: mine/p.csv`"),
+            ("catalog: empty\n", "catalog/empty", "holds no .csv file"),
+            ("catalog: ''\n", "spec/value", "names no folder"),
+            ("catalog: 5\n", "catalog/unreadable", "`catalog: 5`"),
+            ("catalog: [mine]\n", "yaml/type", "expected a text"),
+        ] {
+            let d = fault(&folder(catalog, &[table, ("empty/readme.txt", "")]), None);
+            assert!(d.code == code && d.message.contains(words) && d.help.is_some(), "{catalog}{d:#?}");
+            assert_eq!((d.place.path.as_deref(), d.place.line), (Some("catalog"), Some(1)), "{catalog}{d:#?}");
+        }
+        let dir = folder("catalog: mine\n", &[table]);
+        let d = fault(&dir, Some(Path::new("nowhere")));
+        assert_eq!((d.code, d.place.file.as_deref()), ("catalog/unreadable", Some(Path::new("nowhere"))), "{d:#?}");
+    }
+
+    #[test]
+    fn a_wrong_table_is_told_in_the_table() {
+        for (old, new, code) in [
+            ("MY200,own", "HEB200,own", "catalog/duplicate-name"),
+            (",9,15,", ",9;15,", "catalog/not-csv"),
+            (",200,200,", ",200,20 cm,", "catalog/bad-cell"),
+            ("tw_mm", "t_web_mm", "catalog/missing-column"),
+        ] {
+            let d = fault(&folder("catalog: mine\n", &[("mine/p.csv", &PROFILES.replacen(old, new, 1))]), None);
+            assert_eq!(d.code, code, "{d:#?}");
+            assert!(d.place.file.as_ref().is_some_and(|f| f.ends_with("mine/p.csv")), "{d:#?}");
+        }
+    }
 }

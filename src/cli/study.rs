@@ -19,6 +19,7 @@ use crate::report::study::{MARK, Meshes, Study, study_rows};
 use crate::solve::Patterns;
 use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
+use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -163,7 +164,7 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
     };
     let mut limits = options.limits()?;
     use_threads(common)?;
-    let text = std::fs::read_to_string(&args.file).map_err(|e| {
+    let text = text_file::read(&args.file, |e| {
         Diagnostic::input("study/read", format!("`{}` cannot be read: {e}", args.file.display()))
             .file(&args.file)
             .help("name a connection spec or a model file")
@@ -199,7 +200,7 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
         let source = Model { name: file_stem(&stem), file, mesh, place: &place };
         (study(args, &source, ends, &mut limits, &log)?, folder)
     } else {
-        let input = spec_file::read(&args.file)?;
+        let input = spec_file::read(&args.file, None)?;
         let kinds = run::analysis_kinds(&input)?;
         run::check_names(&input, &kinds)?;
         run::check_preload(&input, &kinds)?;

@@ -20,15 +20,16 @@ use crate::mesh::msh;
 use crate::mesh::split::{TetFace, split};
 use crate::mesh::topology::FaceTable;
 use crate::spec::yaml;
+use crate::text_file;
 use std::path::Path;
 use std::sync::Arc;
 
 /// Reads a `MODEL.yaml` and the mesh it names (a path relative to it).
 pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    let text = text_file::read(path, |e| {
         Diagnostic::input("model/read", format!("the model file `{}` cannot be read: {e}", path.display()))
             .file(path)
-            .help("check the path and the right to read it; the file must be UTF-8 text")
+            .help("check the path and the right to read it")
     })?;
     let parsed = yaml::parse::<ModelFile>(&text, path)?;
     let mesh_path = path.parent().unwrap_or(Path::new("")).join(&parsed.value.mesh);

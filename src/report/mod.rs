@@ -15,6 +15,7 @@ pub mod figures;
 pub mod folder;
 mod history;
 pub mod html;
+mod input;
 pub mod joint_stiffness;
 mod lettering;
 pub mod limit_case;

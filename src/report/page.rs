@@ -11,8 +11,10 @@ pub struct ReportData {
     pub result: ResultFile,
     /// Name of the input file as the user gave it.
     pub input_name: String,
-    /// Its text.
+    /// Its text, as given.
     pub input_text: String,
+    /// What was read from it, as YAML: without comments, with the defaults of its fixed part.
+    pub input_read: String,
     /// Values the program looked up, computed or assumed.
     pub resolved: Vec<ResolvedValue>,
     /// Rows taken from catalogues.
@@ -55,6 +57,8 @@ pub struct CatalogueRow {
     pub name: String,
     /// Standard and edition the numbers come from.
     pub source: String,
+    /// Whether the row stands in a table of the user's own.
+    pub own: bool,
     /// Column with unit (`h [mm]`) and value.
     pub values: Vec<(String, String)>,
 }

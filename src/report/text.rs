@@ -7,7 +7,7 @@ use super::limit_text::{collapse, estimate_words, mechanism};
 use super::page::{ReportData, Table};
 use super::plastic_text::{displacement, yielding};
 use super::preload_text::preload_words;
-use super::{checks_text, comparison, joint_stiffness, polygon, static_forces, summary, verdict_text};
+use super::{checks_text, comparison, input, joint_stiffness, polygon, static_forces, summary, verdict_text};
 use crate::adapt::coulomb::FixedPointRun;
 use crate::checks::{Status, Topic};
 use crate::model::file::AnalysisKind;
@@ -40,27 +40,31 @@ pub fn report_markdown(data: &ReportData) -> String {
     }
     warnings(&mut page, data);
     joint(&mut page, data);
-    heading(&mut page, "Input");
-    input_echo(&mut page, data);
-    values(&mut page, data);
+    input::sections(&mut page, data);
     checks_text::checks(&mut page, &data.result.checks);
-    if data.result.cases.is_empty() {
-        return page;
+    if !data.result.cases.is_empty() {
+        analyses(&mut page, data);
     }
-    heading(&mut page, "Mesh and history");
+    input::file(&mut page, data);
+    page
+}
+
+/// What backs the numbers of the analyses.
+fn analyses(page: &mut String, data: &ReportData) {
+    heading(page, "Mesh and history");
     if !data.mesh_quality.rows.is_empty() {
-        table(&mut page, &data.mesh_quality);
+        table(page, &data.mesh_quality);
     }
     for case in data.result.cases.iter().filter(|c| !c.history.is_empty()) {
-        history(&mut page, case, data.result.symmetry);
+        history(page, case, data.result.symmetry);
     }
-    heading(&mut page, "Certificate");
-    certificates(&mut page, data);
-    heading(&mut page, "Assumptions and limits");
+    heading(page, "Certificate");
+    certificates(page, data);
+    heading(page, "Assumptions and limits");
     for sentence in limits(data) {
         page.push_str(&format!("- {}\n", inline(&sentence)));
     }
-    page
+    page.push('\n');
 }
 
 pub(super) fn heading(page: &mut String, text: &str) {
@@ -317,42 +321,6 @@ fn warnings(page: &mut String, data: &ReportData) {
         heading(page, "Warnings");
         for warning in all {
             page.push_str(&format!("- {}\n", inline(&warning)));
-        }
-        page.push('\n');
-    }
-}
-
-fn input_echo(page: &mut String, data: &ReportData) {
-    // a fence longer than any run of backticks inside cannot be closed by the input
-    let mut longest = 2;
-    let mut run = 0;
-    for c in data.input_text.chars() {
-        run = if c == '`' { run + 1 } else { 0 };
-        longest = longest.max(run);
-    }
-    let fence = "`".repeat(longest + 1);
-    page.push_str(&format!("{fence}yaml\n{}\n{fence}\n\n", data.input_text.trim_end()));
-}
-
-fn values(page: &mut String, data: &ReportData) {
-    if !data.resolved.is_empty() {
-        heading(page, "Resolved values");
-        let rows =
-            data.resolved.iter().map(|v| vec![v.name.clone(), v.value.clone(), v.unit.clone(), v.origin.clone()]);
-        table(page, &Table { columns: strings(["quantity", "value", "unit", "origin"]), rows: rows.collect() });
-    }
-    if !data.catalogue_rows.is_empty() {
-        heading(page, "Catalogue rows");
-        let rows = data.catalogue_rows.iter().map(|r| {
-            let values: Vec<String> = r.values.iter().map(|(column, value)| format!("{column} {value}")).collect();
-            vec![r.kind.clone(), r.name.clone(), values.join(", "), r.source.clone()]
-        });
-        table(page, &Table { columns: strings(["kind", "name", "values", "source"]), rows: rows.collect() });
-    }
-    if !data.notes.is_empty() {
-        heading(page, "Notes");
-        for note in &data.notes {
-            page.push_str(&format!("- {}\n", inline(note)));
         }
         page.push('\n');
     }

@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::PathBuf;
 
 /// A whole `SPEC.yaml`. Bare numbers are lengths in mm; forces, moments and stresses carry a suffix.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,6 +24,9 @@ pub struct ConnectionSpec {
     pub code: Code,
     /// Name of a connection template (`bracket templates`), or the path of your own, relative to this file.
     pub template: String,
+    /// Folder with catalogue tables of your own (`.csv`), relative to this file; `--catalog` wins over it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub catalog: Option<PathBuf>,
     /// Members by role.
     #[serde(default, deserialize_with = "null_is_default")]
     pub members: BTreeMap<String, MemberSpec>,
@@ -84,19 +88,45 @@ pub struct Project {
 pub struct Code {
     /// Edition of the code.
     pub edition: Edition,
-    /// Partial factor of cross-sections.
+    /// National annex whose partial factors apply where this spec gives none: `DE`, `UK` …
+    /// (`bracket catalog list annexes`); left out: the recommended values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub annex: Option<String>,
+    /// Partial factor of cross-sections, 0.5 to 3.
     #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]
     pub gamma_m0: Option<f64>,
-    /// Partial factor of bolts, welds and net sections.
+    /// Partial factor of members and web panels against instability, 0.5 to 3.
+    #[serde(rename = "gamma_M1", skip_serializing_if = "Option::is_none")]
+    pub gamma_m1: Option<f64>,
+    /// Partial factor of bolts, welds and net sections, 0.5 to 3.
     #[serde(rename = "gamma_M2", skip_serializing_if = "Option::is_none")]
     pub gamma_m2: Option<f64>,
+    /// Partial factor of slip at the ultimate limit state, 0.5 to 3.
+    #[serde(rename = "gamma_M3", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3: Option<f64>,
+    /// Partial factor of slip at serviceability, 0.5 to 3.
+    #[serde(rename = "gamma_M3_ser", skip_serializing_if = "Option::is_none")]
+    pub gamma_m3_ser: Option<f64>,
+    /// Partial factor of the preload of bolts, 0.5 to 3.
+    #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
+    pub gamma_m7: Option<f64>,
     /// Table the yield strengths come from.
     pub fy_source: FySource,
 }
 
 impl Default for Code {
     fn default() -> Self {
-        Self { edition: Edition::Ec2005, gamma_m0: None, gamma_m2: None, fy_source: FySource::Table31 }
+        Self {
+            edition: Edition::Ec2005,
+            annex: None,
+            gamma_m0: None,
+            gamma_m1: None,
+            gamma_m2: None,
+            gamma_m3: None,
+            gamma_m3_ser: None,
+            gamma_m7: None,
+            fy_source: FySource::Table31,
+        }
     }
 }
 
@@ -387,7 +417,7 @@ impl<'de> Deserialize<'de> for MeshSize {
         impl de::Visitor<'_> for V {
             type Value = MeshSize;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("`auto` or a length (mm, cm, m, or a bare number for mm)")
+                f.write_str("`auto` or a length (mm, cm, m, in, or a bare number for mm)")
             }
             fn visit_str<E: de::Error>(self, v: &str) -> Result<MeshSize, E> {
                 match v {

@@ -185,7 +185,7 @@ fn in_words(text: &str) -> String {
     let expected = match expected {
         "f64" => "a number without a unit",
         "u32" | "u64" | "usize" => "a whole number that is not negative",
-        "a string" => "a text",
+        "a string" | "path string" => "a text",
         "a sequence" => "a list",
         "a boolean" => "true or false",
         e if e == "a map" || e.starts_with("struct ") => "keys with values",

@@ -218,10 +218,10 @@ const ROWS: &[Row] = &[
     ),
     (
         "beam_length: 1000",
-        "beam_length: 40 in",
+        "beam_length: 40 inch",
         "spec/value",
         "joint.yaml:8:",
-        "`in` is not one of its units",
+        "`inch` is not one of its units",
         "mm, cm, m",
     ),
     (
@@ -353,9 +353,12 @@ fn wrong_specs_are_refused_with_place_and_cure() {
 
 #[test]
 fn what_is_no_spec_at_all_is_refused() {
-    let cases: [(&str, Vec<u8>, &str, &str, &str); 4] = [
+    let latin: Vec<u8> = JOINT.replace("Paper joint", "Stoß").chars().map(|c| c as u8).collect();
+    let cases: [(&str, Vec<u8>, &str, &str, &str); 6] = [
         ("nothing", Vec::new(), "yaml/empty", "joint.yaml", "bracket new"),
-        ("no text", vec![0xff, 0xfe, 0x00, 0x80], "spec/read", "joint.yaml", "UTF-8"),
+        ("no text", vec![0xff, 0xfe, 0x00, 0xd8], "file/encoding", "joint.yaml:1:1", "UTF-8"),
+        ("Latin-1", latin, "file/encoding", "joint.yaml:3:", "save the file as UTF-8"),
+        ("a folder's archive", b"PK\x03\x04\x00".to_vec(), "file/encoding", "joint.yaml:1:5", "UTF-8"),
         (
             "a model",
             b"mesh: block.msh\nanalysis: elastic\nmaterials: {}\nbodies: {}\n".to_vec(),
@@ -396,5 +399,31 @@ fn wrong_options_are_refused() {
         let result = refusal(&bench, bench.command(&["run", "joint.yaml"]).args(args), &told);
         results.push((args.join(" "), result));
     }
+    none_wrong(results);
+}
+
+/// Notepad writes a byte-order mark, a spreadsheet UTF-16: neither is a fault of the spec.
+#[test]
+fn specs_and_tables_in_utf_16_are_read() {
+    let utf16 = |text: &str| -> Vec<u8> {
+        [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+    };
+    let spec = JOINT.replace("profile: HEB200", "profile: HEB2O0");
+    let marked = [b"\xef\xbb\xbf", spec.as_bytes()].concat();
+    let mut results = Vec::new();
+    for (name, bytes) in [("UTF-16", utf16(&spec)), ("UTF-8 with a mark", marked)] {
+        // read to its end: the fault told is the one of the profile
+        let (code, message) = ("catalog/unknown-name", "did you mean `HEB200`");
+        let told = Told { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };
+        let bench = Bench::new().file("joint.yaml", bytes);
+        results.push((name.into(), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
+    }
+    let bench = Bench::new().file("joint.yaml", JOINT);
+    std::fs::create_dir(bench.path().join("mine")).expect("folder");
+    std::fs::write(bench.path().join("mine/f.csv"), b"class,slip_factor_mu,surface_treatment\nM,0.4,ges\xe4ubert\n")
+        .expect("table");
+    let told = Told { exit: 2, code: "file/encoding", place: "f.csv:2:", message: "Latin-1", cure: "UTF-8" };
+    let mut command = bench.command(&["run", "joint.yaml", "--catalog", "mine"]);
+    results.push(("a table in Latin-1".into(), refusal(&bench, &mut command, &told)));
     none_wrong(results);
 }

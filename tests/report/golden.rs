@@ -141,6 +141,7 @@ fn data() -> ReportData {
         ],
         result: result(),
         input_name: "joint.yaml".into(),
+        input_read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 mm\n".into(),
         input_text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` stays inside\n".into(),
         resolved: vec![ResolvedValue {
             name: "bolts.hole".into(),
@@ -149,6 +150,7 @@ fn data() -> ReportData {
             origin: "computed: hole = shank".into(),
         }],
         catalogue_rows: vec![CatalogueRow {
+            own: false,
             kind: "profile".into(),
             name: "HEB200".into(),
             source: "EN 10365:2017".into(),

@@ -1,0 +1,63 @@
+//! `bracket watch`: the checks of a spec again, whenever it or what it reads changes.
+
+use super::check::{self, CheckArgs};
+use super::{Common, Outcome};
+use crate::diag_render;
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// How often the files are looked at: faster than a person looks up from the editor.
+const EVERY: Duration = Duration::from_millis(150);
+
+/// The code's checks again on every change of the spec.
+#[derive(Debug, clap::Args)]
+pub struct WatchArgs {
+    /// What is checked.
+    #[command(flatten)]
+    pub check: CheckArgs,
+}
+
+/// What a folder's inputs looked like: name, time of change, size.
+type Stamps = Vec<(PathBuf, SystemTime, u64)>;
+
+/// Runs `bracket watch`; it ends with Ctrl-C.
+pub fn run(args: &WatchArgs, common: &Common) -> Outcome {
+    let mut before: Option<Stamps> = None;
+    loop {
+        let now = stamps(&args.check);
+        if before.as_ref() != Some(&now) {
+            if before.is_some() && !common.quiet {
+                eprintln!();
+            }
+            // a spec that is being edited is wrong now and then: that is told, and the next change looked for
+            if let Err(faults) = check::run(&args.check, common) {
+                let mut stderr = std::io::stderr();
+                let text = diag_render::text(&faults, stderr.is_terminal());
+                // with standard error closed there is no one left to tell
+                if stderr.write_all(text.as_bytes()).is_err() {
+                    return Ok(faults.exit_code());
+                }
+            }
+            before = Some(now);
+        }
+        std::thread::sleep(EVERY);
+    }
+}
+
+/// The inputs that a check may read: YAML and CSV files beside the spec, and the catalogue folder of the command line.
+fn stamps(args: &CheckArgs) -> Stamps {
+    let beside = args.spec.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut out = Stamps::new();
+    for folder in [Some(beside), args.catalog.folder()].into_iter().flatten() {
+        let Ok(entries) = std::fs::read_dir(folder) else { continue };
+        for path in entries.filter_map(|e| Some(e.ok()?.path())) {
+            let input = path.extension().is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
+            if let Some(meta) = path.metadata().ok().filter(|m| (input || path == args.spec) && m.is_file()) {
+                out.push((path, meta.modified().unwrap_or(SystemTime::UNIX_EPOCH), meta.len()));
+            }
+        }
+    }
+    out.sort();
+    out
+}

@@ -1,0 +1,156 @@
+//! Text files as people's programs save them: the one reader of specs, models, templates and catalogue tables.
+//!
+//! UTF-8 with or without byte-order mark and UTF-16 with one are read. Anything else is refused with line and byte: a guess at the
+//! encoding would put wrong letters into names that must match.
+
+use crate::diag::Diagnostic;
+use std::path::Path;
+
+const HELP: &str = "save the file as UTF-8: most editors offer it under `Save as` or `Save with encoding`";
+
+/// Reads a text file; `unread` makes the message for a file that the system does not give.
+pub fn read(path: &Path, unread: impl FnOnce(std::io::Error) -> Diagnostic) -> Result<String, Box<Diagnostic>> {
+    let bytes = std::fs::read(path).map_err(|e| Box::new(unread(e)))?;
+    decode(bytes).map_err(|fault| {
+        let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
+        match fault.at {
+            Some((line, column)) => d.at(line, column),
+            None => d,
+        }
+        .into()
+    })
+}
+
+/// Why bytes are no text, and where.
+#[derive(Debug, PartialEq)]
+struct NotText {
+    problem: String,
+    at: Option<(usize, usize)>,
+}
+
+fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
+    if bytes.starts_with(&[0xff, 0xfe, 0, 0]) || bytes.starts_with(&[0, 0, 0xfe, 0xff]) {
+        return Err(NotText { problem: "the file is UTF-32 text, which is not read".into(), at: None });
+    }
+    match bytes.as_slice() {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
+        [0xef, 0xbb, 0xbf, rest @ ..] => utf8(rest.to_vec(), 3),
+        _ => utf8(bytes, 0),
+    }
+}
+
+/// UTF-8 that stands `skipped` bytes after the begin of the file.
+fn utf8(bytes: Vec<u8>, skipped: usize) -> Result<String, NotText> {
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let i = e.utf8_error().valid_up_to();
+        let bytes = e.as_bytes();
+        let byte = bytes[i];
+        // what older programs on Windows and Linux mean by the byte
+        let latin = if byte >= 0xa0 { format!("; in Latin-1 it is `{}`", char::from(byte)) } else { String::new() };
+        let problem = format!("byte {} of the file is 0x{byte:02X}, which is not UTF-8 text{latin}", skipped + i + 1);
+        NotText { problem, at: Some(place(&bytes[..i])) }
+    })?;
+    match text.find('\0') {
+        None => Ok(text),
+        Some(i) => {
+            let problem = format!(
+                "byte {} of the file is zero: it is UTF-16 text without a byte-order mark, or no text",
+                skipped + i + 1
+            );
+            Err(NotText { problem, at: Some(place(&text.as_bytes()[..i])) })
+        }
+    }
+}
+
+/// Line and column after a valid beginning.
+fn place(before: &[u8]) -> (usize, usize) {
+    let text = String::from_utf8_lossy(before);
+    let line = text.matches('\n').count() + 1;
+    let column = text.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
+    (line, column)
+}
+
+/// UTF-16 after its byte-order mark.
+fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
+    let mut text = String::with_capacity(bytes.len() / 2);
+    let cut = |text: &str, problem: String| NotText { problem, at: Some(place(text.as_bytes())) };
+    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    for c in char::decode_utf16(units) {
+        match c {
+            Ok('\0') => return Err(cut(&text, "the file has a zero among its UTF-16 text".into())),
+            Ok(c) => text.push(c),
+            Err(e) => {
+                let problem = format!("0x{:04X} is half of a character in this UTF-16 text", e.unpaired_surrogate());
+                return Err(cut(&text, problem));
+            }
+        }
+    }
+    match bytes.len() % 2 {
+        0 => Ok(text),
+        _ => Err(cut(
+            &text,
+            format!("the file is UTF-16 text of {} bytes, an odd number: its end is missing", bytes.len() + 2),
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "title: Größe µ\nplate: {t: 15}\n";
+
+    fn marked(mark: &[u8], text: &str, bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
+        mark.iter().copied().chain(text.encode_utf16().flat_map(bytes)).collect()
+    }
+
+    #[test]
+    fn one_text_in_four_encodings() {
+        let with_mark = [b"\xef\xbb\xbf", TEXT.as_bytes()].concat();
+        let le = marked(&[0xff, 0xfe], TEXT, u16::to_le_bytes);
+        let be = marked(&[0xfe, 0xff], TEXT, u16::to_be_bytes);
+        for bytes in [TEXT.as_bytes().to_vec(), with_mark, le, be] {
+            assert_eq!(decode(bytes).as_deref(), Ok(TEXT));
+        }
+        assert_eq!(decode(Vec::new()).as_deref(), Ok(""));
+        assert_eq!(decode(vec![0xef, 0xbb, 0xbf]).as_deref(), Ok(""));
+        assert_eq!(decode(vec![0xff, 0xfe]).as_deref(), Ok(""));
+    }
+
+    #[test]
+    fn what_is_no_text_is_refused_with_line_and_byte() {
+        let latin: Vec<u8> = TEXT.chars().map(|c| c as u8).collect();
+        let refused = |bytes: Vec<u8>| decode(bytes).expect_err("no text");
+        let f = refused(latin.clone());
+        assert_eq!(f.at, Some((1, 10)));
+        assert_eq!(f.problem, "byte 10 of the file is 0xF6, which is not UTF-8 text; in Latin-1 it is `ö`");
+        let f = refused([b"\xef\xbb\xbfa: 1\n", latin.as_slice()].concat());
+        assert_eq!((f.at, f.problem.starts_with("byte 18 ")), (Some((2, 10)), true), "{f:?}");
+        // Windows-1252: a dash that Latin-1 does not have
+        let f = refused(b"a: 1 \x96 2".to_vec());
+        assert_eq!(f.problem, "byte 6 of the file is 0x96, which is not UTF-8 text");
+        // cut within a character
+        assert_eq!(refused(TEXT.as_bytes()[..10].to_vec()).at, Some((1, 10)));
+        let bare = marked(&[], "ab", u16::to_le_bytes);
+        assert!(refused(bare).problem.contains("byte 2 of the file is zero: it is UTF-16 text without"));
+        assert!(refused(b"\xff\xfe\0\0a\0\0\0".to_vec()).problem.contains("UTF-32"));
+        assert!(refused(b"\xff\xfea\0b".to_vec()).problem.contains("5 bytes, an odd number"));
+        assert!(refused(b"\xff\xfea\0\0\xd8b\0".to_vec()).problem.contains("0xD800 is half of a character"));
+        assert!(refused(b"\xff\xfea\0\0\0".to_vec()).problem.contains("a zero among"));
+        assert!(refused(b"PK\x03\x04\x00\x00".to_vec()).problem.contains("or no text"));
+    }
+
+    #[test]
+    fn the_file_and_the_cure_are_named() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let path = dir.path().join("spec.yaml");
+        let unread = |e: std::io::Error| Diagnostic::input("spec/read", e.to_string());
+        assert_eq!(read(&path, unread).map(drop).expect_err("absent").code, "spec/read");
+        std::fs::write(&path, b"a: \xe9").expect("written");
+        let d = read(&path, unread).expect_err("Latin-1");
+        assert_eq!((d.code, d.place.file.as_deref()), ("file/encoding", Some(path.as_path())));
+        assert_eq!((d.place.line, d.place.column), (Some(1), Some(4)));
+        assert!(d.help.is_some_and(|h| h.contains("UTF-8")));
+    }
+}
