@@ -20,9 +20,11 @@ use super::eurocode::welds::{WeldedSteel, full_strength_throat};
 use crate::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
+mod case;
 mod comparison;
 mod loaded;
 mod rotation;
+mod weld_checks;
 
 pub use comparison::Comparison;
 pub use rotation::{FrameClass, JointStiffness, PureMoment};
@@ -67,6 +69,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
                 let subject =
                     if several { format!("{}, β = {}", sense.words(), n(beta)) } else { sense.words().into() };
                 out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
+                out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &a));
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
                     let clear = section.h - 2.0 * (section.tf + section.r);
@@ -450,5 +453,7 @@ fn brittle(rules: &[Check]) -> String {
     )
 }
 
+#[cfg(test)]
+mod member_end_tests;
 #[cfg(test)]
 mod tests;

@@ -5,6 +5,7 @@
 //! own, prying included (`RowForce::bolt_force`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
 //! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
+use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
     Along, EndPlate, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing, bearing_parts,
@@ -73,6 +74,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         found.extend(slip(e, a));
         found.extend(side.panel());
         found.extend(side.welds());
+        found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, share: share.value }));
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
         out.moments.extend(PureMoment::new(e, a, beta(e, a), &side.assessment));

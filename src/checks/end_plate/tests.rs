@@ -17,7 +17,7 @@ fn of_spec(text: &str, base: &Path) -> Result<HandChecks, Diagnostics> {
     Ok(joint.end_plate.as_ref().map(hand_checks).unwrap_or_default())
 }
 
-fn checks(text: &str) -> HandChecks {
+pub(super) fn checks(text: &str) -> HandChecks {
     of_spec(text, Path::new(".")).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
@@ -27,7 +27,7 @@ fn with(old: &str, new: &str) -> String {
     PAPER.replace(old, new)
 }
 
-fn find<'a>(h: &'a HandChecks, subject: &str, title: &str) -> &'a Check {
+pub(super) fn find<'a>(h: &'a HandChecks, subject: &str, title: &str) -> &'a Check {
     let found = h.checks.iter().find(|c| c.subject.starts_with(subject) && c.title == title);
     found.unwrap_or_else(|| panic!("no `{title}` of `{subject}` in {:#?}", h.checks))
 }
@@ -185,11 +185,11 @@ fn a_template_without_hand_checks_has_none() {
 }
 
 /// A one-sided joint with the given loads.
-fn loaded(loads: &str) -> HandChecks {
+pub(super) fn loaded(loads: &str) -> HandChecks {
     checks(&joint("", loads))
 }
 
-fn joint(more: &str, loads: &str) -> String {
+pub(super) fn joint(more: &str, loads: &str) -> String {
     format!(
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, beam: {{profile: IPE300, steel: \
          S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-90, 90, 190]}}\nparameters: {{{more}}}\n\
