@@ -20,10 +20,12 @@ use super::eurocode::welds::{WeldedSteel, full_strength_throat};
 use crate::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
+mod beam_checks;
 mod case;
 mod comparison;
 mod loaded;
 mod rotation;
+mod stiffener_checks;
 mod weld_checks;
 
 pub use comparison::Comparison;
@@ -59,6 +61,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     let mut out = HandChecks { checks: detailing(e), ..HandChecks::default() };
     out.checks.extend(bolts(e));
     out.checks.extend(welds(e));
+    out.checks.extend(stiffener_checks::rib_weld(e));
     let rules = ductility(e);
     let mut ductile = rules.iter().any(|c| c.status == Status::Ok);
     out.notes.extend(left_out(e));
@@ -353,7 +356,7 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             above: c.above,
             below: c.below,
             stiffener: c.stiffener,
-            stiffener_throat: 0.0,
+            stiffener_throat: c.stiffener_throat,
             doublers: u32::from(counts),
             doubler_width: if counts { doubler_width(c) } else { 0.0 },
             longitudinal: 0.0,

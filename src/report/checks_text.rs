@@ -49,7 +49,7 @@ pub(super) fn checks(page: &mut String, checks: &[Check]) {
     }
 }
 
-const TOPICS: [(Topic, &str, &str); 6] = [
+const TOPICS: [(Topic, &str, &str); 7] = [
     (
         Topic::Detailing,
         "Detailing",
@@ -68,6 +68,12 @@ const TOPICS: [(Topic, &str, &str); 6] = [
         "Welds",
         "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet welds on both sides need these throats to be as \
          strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force.",
+    ),
+    (
+        Topic::Member,
+        "Beam and stiffeners at the joint",
+        "The beam's cross-section under the actions at the joint (EN 1993-1-1 6.2) and the column's stiffeners on what is left of them at the root. \
+         They decide the verdict: neither the local buckling of the beam nor the cut is in the mesh.",
     ),
     (
         Topic::ComponentMethod,

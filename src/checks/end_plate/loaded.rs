@@ -5,6 +5,7 @@
 //! own, prying included (`RowForce::bolt_force`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
 //! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
+use super::beam_checks;
 use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
@@ -42,7 +43,7 @@ pub(super) fn beta(e: &EndPlate, a: &PlaneActions) -> f64 {
     }
 }
 
-fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a PlaneActions> {
+pub(super) fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a PlaneActions> {
     e.actions.iter().filter(|o| o.case == a.case && o.end != a.end)
 }
 
@@ -57,6 +58,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             out.notes
                 .push(format!("hand checks, {place}: {} left out, they have no formula for it", left.join(" and ")));
         }
+        out.checks.extend(beam_checks::beam(e, a).into_iter().map(|c| c.of_case(&a.case)));
         let sense = Sense::of_moment(a.at(1.0)[1][1]);
         let side = match assess(&sense.of(&joint(e, beta(e, a)))) {
             Ok(assessment) => Side { e, a, sense, assessment },

@@ -90,3 +90,156 @@ fn clause_6_2_3_5_welds_where_a_hinge_turns_in_the_joint() {
         assert_ne!(check.status, Status::Failed);
     }
 }
+
+const ONE: &str = "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}";
+
+/// HEB200 with stiffeners of 10.7 mm: (200 − 9)/2 − 23 = 72.5 mm are left of each, 2 · 72.5 · 10.7 · 235 = 364.6 kN. Web alone:
+/// b_eff = 10.7 + 5 · 33 + 30 = 205.7 mm, A_vc = 2483 mm², ω = 1/√(1 + 1.3 (205.7 · 9/2483)²) = 0.7619, so 331.5 kN.
+#[test]
+fn clause_6_2_6_2_stiffeners_on_their_net_section() {
+    let title = "crushing of the column web with the net section of its stiffeners";
+    let of = |h: &HandChecks| find(h, "beam_right, compressed stiffeners", title).clone();
+    let h = loaded(ONE);
+    let check = of(&h);
+    near(check.resistance.unwrap_or(f64::NAN), 364.6e3 + 331.5e3, 1e-3);
+    let rows = h
+        .checks
+        .iter()
+        .filter(|c| c.subject.starts_with("tension at the top, row") && c.title == "tension resistance of a row");
+    let sum: f64 = rows.filter_map(|c| c.resistance).sum();
+    let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
+    near(check.demand.unwrap_or(f64::NAN), share * sum, 1e-9);
+    // half of a push comes on top: 20 kN; a greater cut leaves less: 2 · 45.5 · 10.7 · 235 = 228.8 kN
+    let pushed = of(&loaded(&ONE.replace("My", "N: -40 kN, My")));
+    near(pushed.demand.unwrap_or(f64::NAN), share * sum + 20e3, 1e-9);
+    let cut = of(&checks(&joint("stiffener_clip: 50", ONE)));
+    near(cut.resistance.unwrap_or(f64::NAN), 228.8e3 + 331.5e3, 1e-3);
+    // ten times the moment: ten times the force
+    near(of(&loaded(&ONE.replace("40", "400"))).demand.unwrap_or(f64::NAN), 10.0 * share * sum, 1e-9);
+    assert!(checks(&joint("column_stiffeners: false", ONE)).checks.iter().all(|c| c.title != title));
+}
+
+/// Rows at 190 and 90 mm beside the stiffener at 144.65 mm, gauge 110 mm: m = 50.5 − 14.4 = 36.1 mm, m2 = 45.35 − 5.35 = 40 and
+/// 54.65 − 5.35 = 49.3 mm.
+#[test]
+fn clause_6_2_6_3_stiffeners_in_tension() {
+    let h = checks(&joint("", ONE).replace("rows:", "gauge: 110, rows:"));
+    let check = find(&h, "beam_right, stiffeners in tension", "net section of the stiffeners in tension");
+    let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
+    let row = |place: &str| {
+        let row = find(&h, &format!("tension at the top, {place}"), "tension resistance of a row");
+        share * row.resistance.unwrap_or(f64::NAN)
+    };
+    let (first, second) = (row("row 1 at z = 190"), row("row 2 at z = 90"));
+    let bent = first * 36.1 / 76.1 + second * 36.1 / 85.4;
+    // the web alone: ω b_eff · 9 · 235 with b_eff of the two rows without stiffeners
+    let web = check.values.iter().find(|s| s.symbol == "b_eff of the web").map_or(f64::NAN, |s| s.value);
+    let omega = 1.0 / (1.0 + 1.3 * (web * 9.0 / 2483.0_f64).powi(2)).sqrt();
+    let want = bent.max(first + second - omega * web * 9.0 * 235.0);
+    near(check.demand.unwrap_or(f64::NAN), want, 1e-3);
+    near(check.resistance.unwrap_or(f64::NAN), 364.6e3, 1e-3);
+}
+
+/// Throat 4: 4 · 360/(√3 · 0.8 · 1.25) = 831.4 N/mm; four welds of 72.5 − 8 = 64.5 mm on the flange carry 214.5 kN, four of
+/// 200 − 2 (15 + 23) − 8 = 116 mm on the web 385.8 kN. The compressed stiffeners take 364.6/696.1 of the force.
+#[test]
+fn clause_4_5_3_3_welds_of_stiffeners() {
+    let title = "fillet welds of the column stiffeners";
+    let h = checks(&joint("stiffener_weld: 4", ONE));
+    let flange = find(&h, "beam_right, compressed stiffeners to the column flange", title);
+    near(flange.resistance.unwrap_or(f64::NAN), 214.5e3, 1e-3);
+    let crushing = "crushing of the column web with the net section of its stiffeners";
+    let force = find(&h, "beam_right, compressed", crushing).demand.unwrap_or(f64::NAN);
+    near(flange.demand.unwrap_or(f64::NAN), force * 364.6 / 696.1, 1e-3);
+    let web = h.checks.iter().find(|c| c.title == title && c.subject.ends_with("to the column web")).expect("web");
+    near(web.resistance.unwrap_or(f64::NAN), 385.8e3, 1e-3);
+    // equal moments on both sides balance: the web's welds have nothing to carry
+    let both = ["right", "left"].map(|s| ONE.replace("right", s)).join(", ");
+    let h = checks(&joint("stiffener_weld: 4, double_sided: true", &both));
+    let web = h.checks.iter().find(|c| c.title == title && c.subject.ends_with("to the column web")).expect("web");
+    assert_eq!((web.demand, web.status), (Some(0.0), Status::Ok));
+    let thin = checks(&joint("stiffener_weld: 2", ONE));
+    assert_eq!(find(&thin, "beam_right, column stiffeners", "least throat").status, Status::Failed);
+    assert!(loaded(ONE).checks.iter().all(|c| c.title != title), "butt welds have none");
+}
+
+/// A plate of 9 mm asks for 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear force a mm, runs along its welds.
+#[test]
+fn clause_6_2_6_1_welds_of_a_doubler() {
+    let of = |a: f64| checks(&joint(&format!("doubler: true, doubler_weld: {a}"), ONE));
+    let throat = "throat of the welds of a web doubler";
+    assert_eq!(find(&of(6.3), "beam_right, web doubler", throat).status, Status::Failed);
+    let h = of(6.4);
+    let check = find(&h, "beam_right, web doubler", throat);
+    assert_eq!(check.status, Status::Ok);
+    near(check.demand.unwrap_or(f64::NAN), 6.364, 1e-4);
+    let flow = find(&h, "beam_right, web doubler", "shear flow in the welds of a web doubler");
+    let panel = h.checks.iter().find(|c| c.case.is_some() && c.title.starts_with("column web panel")).expect("panel");
+    near(flow.demand.unwrap_or(f64::NAN), panel.demand.unwrap_or(f64::NAN) * 9.0 / 3689.0, 1e-3);
+    near(flow.resistance.unwrap_or(f64::NAN), 6.4 * 207.85, 1e-3);
+}
+
+/// A rib of 7.1 mm S235: 7.1 · 235 · 0.8 · 1.25/(√2 · 360) = 3.277 mm.
+#[test]
+fn clause_4_5_3_2_welds_as_strong_as_the_rib() {
+    let of = |a: f64| checks(&joint(&format!("rib: true, rib_weld: {a}"), ONE));
+    let title = "throat of welds as strong as the rib";
+    let h = of(3.0);
+    let check = find(&h, "rib", title);
+    near(check.demand.unwrap_or(f64::NAN), 3.277, 1e-3);
+    assert_eq!((check.status, find(&of(4.0), "rib", title).status), (Status::Failed, Status::Ok));
+}
+
+/// IPE300 S235: A_v = 5381 − 2 · 150 · 10.7 + (7.1 + 30) · 10.7 = 2568 mm², 348.4 kN; M_pl = 628.4e3 · 235 = 147.7 kN m. At 300 kN
+/// ρ = (600/348.4 − 1)² = 0.5215 and (628.4e3 − 0.5215 · 1978²/28.4) · 235 = 130.8 kN m; at 500 kN of 1264.5 kN n = 0.3954,
+/// a = 0.4035 and 147.7 · 0.6046/0.7983 = 111.8 kN m.
+#[test]
+fn en_1993_1_1_6_2_the_beam_at_the_joint() {
+    let of = |load: &str| loaded(&ONE.replace("My: 40 kN m", load));
+    let shear = |load: &str| find(&of(load), "beam_right, beam", "shear of the beam").clone();
+    let moment =
+        |load: &str| find(&of(load), "beam_right, beam", "moment of the beam with its shear and axial force").clone();
+    near(shear("My: 40 kN m, Vz: -100 kN").resistance.unwrap_or(f64::NAN), 348.4e3, 1e-3);
+    near(used(&shear("My: 40 kN m, Vz: -100 kN")), 100.0 / 348.4, 1e-3);
+    assert_eq!(shear("Vz: -350 kN").status, Status::Failed);
+    for (load, want) in [
+        ("My: 40 kN m, Vz: -100 kN", 147.7e6),
+        ("My: 40 kN m, Vz: -300 kN", 130.8e6),
+        ("My: 40 kN m, N: 500 kN", 111.8e6),
+        ("My: -40 kN m, N: -500 kN", 111.8e6),
+        ("My: 40 kN m, N: 250 kN", 147.7e6),
+    ] {
+        near(moment(load).resistance.unwrap_or(f64::NAN), want, 1e-3);
+    }
+    near(used(&moment("My: 200 kN m")), 200.0 / 147.7, 1e-3);
+    let axial = find(&of("N: 1300 kN, My: 1 kN m"), "beam_right, beam", "axial force of the beam").clone();
+    near(used(&axial), 1300.0 / 1264.5, 1e-3);
+    // more shear or axial force never leaves more
+    let mut last = f64::INFINITY;
+    for i in 0..80 {
+        let left = moment(&format!("My: 10 kN m, Vz: -{} kN, N: {} kN", 5 * i, 20 * i)).resistance.unwrap_or(f64::NAN);
+        assert!(left <= last * (1.0 + 1e-12), "{i}: {left} {last}");
+        last = left;
+    }
+    // where the component method has no answer the beam has
+    let rows = joint("", &ONE.replace("My: 40", "My: -40")).replace("rows: [-90, 90, 190]", "rows: [-260, -190, 90]");
+    let h = checks(&rows.replace("thickness: 15", "thickness: 15, z: [-300, 230]"));
+    assert!(h.notes.iter().any(|n| n.contains("two rows or more")), "{:?}", h.notes);
+    find(&h, "beam_right, beam", "moment of the beam with its shear and axial force");
+}
+
+/// The shipped examples are sound joints: none of their hand checks fails.
+#[test]
+fn the_examples_fail_no_check() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut seen = 0;
+    for entry in std::fs::read_dir(folder).expect("the examples") {
+        let path = entry.expect("an example").path().join("joint.yaml");
+        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        let h = checks(&text);
+        seen += 1;
+        let failed: Vec<String> = h.checks.iter().filter(|c| c.status == Status::Failed).map(Check::sentence).collect();
+        assert!(failed.is_empty(), "{}: {failed:#?}", path.display());
+    }
+    assert!(seen >= 5, "{seen}");
+}

@@ -253,11 +253,12 @@ fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     // u (1 − t) + t with t = F_t,Ed/(1.4 F_t,Rd)
     let t = most / (1.4 * M20.0);
     assert!((both.utilisation.unwrap_or(f64::NAN) - (total * (1.0 - t) + t)).abs() < 1e-12, "{both:#?}");
-    assert!(h.failed() == (total > 1.0), "{total}");
+    let failed = h.checks.iter().any(|c| c.topic == Topic::Bolts && c.status == Status::Failed);
+    assert!(failed == (total > 1.0), "{total}");
     // ten times the shear force fails shear, interaction and bearing
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, Vz: -4000 kN, My: 50 kN m}");
     let failed: Vec<&str> = h.checks.iter().filter(|c| c.status == Status::Failed).map(|c| c.title.as_str()).collect();
-    assert!(failed.contains(&"bearing resistance at a bolt") && failed.len() == 4, "{failed:?}");
+    assert!(failed.contains(&"bearing resistance at a bolt") && failed.contains(&"shear of the beam"), "{failed:?}");
 }
 
 /// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment nothing (3.9.2(3)). More than that is a
@@ -319,7 +320,9 @@ fn clause_6_2_7_1_moment_and_axial_force() {
     // a moment beyond M_j,Rd is a warning: the analysis decides
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, My: 300 kN m}");
     assert_eq!(find(&h, "beam_right", "moment and axial force of the joint").status, Status::Warning);
-    assert!(!h.failed());
+    // twice what the beam carries itself
+    let failed: Vec<Topic> = h.checks.iter().filter(|c| c.status == Status::Failed).map(|c| c.topic).collect();
+    assert!(failed.iter().all(|t| *t == Topic::Member), "{failed:?}");
 }
 
 /// V_wp,Ed = (M_b1 − M_b2)/z, once for both sides; equal moments leave the panel without shear.
