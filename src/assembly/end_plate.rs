@@ -126,6 +126,8 @@ pub struct ColumnSide {
     pub doubler_throat: f64,
     /// β where a load case has none of its own.
     pub beta: f64,
+    /// System length of the column, its storey height, where the spec gives it.
+    pub system_length: Option<f64>,
 }
 
 /// A bolted end plate between a beam and the flange of a column, or the same plate on another beam. Lengths in mm, z from the
@@ -228,6 +230,7 @@ pub fn end_plate(
         return Err(wrong("top", format!("the upper edge {top} mm is not above the lower edge {bottom} mm")));
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
+    let system_length = |role: &String| spec.members.get(role).and_then(|m| m.length).map(|l| l.0);
     let of_column = |key: &'static str, e: &Option<Expr>| {
         let e = e.as_ref().ok_or_else(|| wrong(key, "it is missing; a template with a `column` gives it".into()))?;
         length(key, e, positive)
@@ -257,6 +260,7 @@ pub fn end_plate(
                 stiffener: or_none("stiffener", &entry.stiffener)?,
                 doubler: or_none("doubler", &entry.doubler)?,
                 beta,
+                system_length: system_length(column),
             })
         }
     };
@@ -280,7 +284,7 @@ pub fn end_plate(
         flange_throat: or_none("flange_throat", &entry.flange_throat)?,
         web_throat: or_none("web_throat", &entry.web_throat)?,
         bending_length: or_none("bending_length", &entry.bending_length)?,
-        system_length: spec.members.get(&entry.beam).and_then(|m| m.length).map(|l| l.0),
+        system_length: system_length(&entry.beam),
         actions,
         preload: inputs.preload,
         mu: inputs.mu,

@@ -22,6 +22,7 @@ use std::f64::consts::SQRT_2;
 
 mod beam_checks;
 mod case;
+mod class_checks;
 mod comparison;
 mod loaded;
 mod rotation;

@@ -1,6 +1,6 @@
 //! One member end under one load case, as the checks see it that need the row forces of the component method.
 
-use super::{Sense, n, stiffener_checks, weld_checks};
+use super::{Sense, class_checks, n, stiffener_checks, weld_checks};
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
@@ -56,5 +56,6 @@ pub(super) fn checks(c: &Case<'_>) -> Vec<Check> {
     let mut out: Vec<Check> = weld_checks::tension_zone(c).into_iter().collect();
     out.extend(stiffener_checks::stiffeners(c));
     out.extend(stiffener_checks::doubler_welds(c));
+    out.extend(class_checks::classes(c));
     out
 }

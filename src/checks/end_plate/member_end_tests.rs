@@ -243,3 +243,45 @@ fn the_examples_fail_no_check() {
     }
     assert!(seen >= 5, "{seen}");
 }
+
+/// IPE300 of 6 m: E I_b/L_b = 210e3 · 8356e4/6000 = 2925 kN m, so 8 and 25 times it, 23.4e3 and 73.1e3, and half of it, 1462 kN m/rad. HEB200 of 3 m:
+/// K_b/K_c = (8356/6000)/(5696/3000) = 0.733; of 0.3 m: 0.0733, too stiff for a rigid joint in a frame that sways. M_b,pl = 147.7,
+/// M_c,pl = 642.5e3 · 235 = 151 kN m. Shear and axial force change nothing.
+#[test]
+fn clause_5_2_classes_under_every_load_case() {
+    let of = |beam: &str, column: &str, load: &str| {
+        let text = joint("", &ONE.replace("My: 40 kN m", load));
+        let text = text.replace("{profile: IPE300", &format!("{{{beam}profile: IPE300"));
+        checks(&text.replace("{profile: HEB200", &format!("{{{column}profile: HEB200")))
+    };
+    for load in ["My: 40 kN m", "My: 40 kN m, Vz: -50 kN, N: -80 kN"] {
+        let h = of("length: 6 m, ", "", load);
+        let strength = find(&h, "beam_right, tension at the top", "class by strength");
+        assert!(strength.case.as_deref() == Some("A") && strength.formula.starts_with("partial"), "{strength:#?}");
+        let joint = find(&h, "tension at the top", "moment resistance of the joint").resistance.unwrap_or(f64::NAN);
+        near(strength.resistance.unwrap_or(f64::NAN), joint / 147.7e6, 1e-3);
+        let initial = find(&h, "tension at the top", "initial rotational stiffness").resistance.unwrap_or(f64::NAN);
+        for (frame, rigid) in [("braced frame", 23.4e9), ("other frames", 73.1e9)] {
+            let check = find(&h, &format!("beam_right, tension at the top, {frame}"), "class by stiffness");
+            let want = if initial >= rigid { "rigid" } else { "semi-rigid" };
+            assert!(check.formula.starts_with(want) && initial > 1.462e9, "{check:#?}");
+        }
+        let secant = find(&h, "beam_right, tension at the top", "rotational stiffness under the moment");
+        let ratio = 40e6 / joint;
+        let mu = if ratio <= 2.0 / 3.0 { 1.0 } else { (1.5 * ratio).powf(2.7) };
+        near(secant.resistance.unwrap_or(f64::NAN), initial / mu, 1e-9);
+    }
+    let other = |column: &str| {
+        let h = of("length: 60 m, ", column, "My: 40 kN m");
+        find(&h, "beam_right, tension at the top, other frames", "class by stiffness").formula.clone()
+    };
+    assert!(other("").starts_with("rigid") && other("").contains("K_b/K_c < 0.1"), "{}", other(""));
+    assert!(other("length: 30 m, ").starts_with("rigid") && other("length: 30 m, ").contains("K_b/K_c = 0.733"));
+    assert!(other("length: 3 m, ").starts_with("semi-rigid"), "{}", other("length: 3 m, "));
+    let unknown = of("", "", "My: 400 kN m");
+    let length = find(&unknown, "beam_right", "system length of the beam from which the joint is rigid");
+    let initial = find(&unknown, "tension at the top", "initial rotational stiffness").resistance.unwrap_or(f64::NAN);
+    near(length.resistance.unwrap_or(f64::NAN), 8.0 * 210e3 * 8356e4 / initial, 1e-9);
+    let secant = find(&unknown, "beam_right, tension at the top", "rotational stiffness under the moment");
+    assert!(secant.formula.contains("above M_j,Rd"), "{}", secant.formula);
+}
