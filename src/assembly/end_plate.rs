@@ -6,13 +6,16 @@ use super::inputs::Inputs;
 use super::scope::Scope;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::connection::ConnectionSpec;
+use crate::spec::connection::{BoltCategory, ConnectionSpec};
 use crate::spec::expr::{Expr, ExprError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual practice.
 const CLIP_BEYOND_ROOT: f64 = 5.0;
+
+/// γ_M3,ser recommended by EN 1993-1-8:2005 Table 2.1.
+const GAMMA_M3_SER: f64 = 1.1;
 
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -177,6 +180,9 @@ pub struct EndPlate {
     /// Preload of a bolt \[N\]; `None`: not preloaded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub preload: Option<f64>,
+    /// Category of the bolts, where the spec names it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
     /// γ_M0.
@@ -187,6 +193,8 @@ pub struct EndPlate {
     pub gamma_m2: f64,
     /// γ_M3.
     pub gamma_m3: f64,
+    /// γ_M3,ser.
+    pub gamma_m3_ser: f64,
 }
 
 /// The values of a template's `hand_checks`, if it has them.
@@ -287,10 +295,12 @@ pub fn end_plate(
         system_length: system_length(&entry.beam),
         actions,
         preload: inputs.preload,
+        category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
         gamma_m0,
         gamma_m1,
         gamma_m2,
         gamma_m3,
+        gamma_m3_ser: GAMMA_M3_SER,
     }))
 }

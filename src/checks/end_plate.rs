@@ -11,7 +11,7 @@ use super::component_method::rows::Component;
 use super::component_method::stiffness::{Joins, for_elastic_analysis};
 use super::component_method::{Assessment, EndPlateJoint, assess};
 use super::ductility::{Clamped, panel_in_shear, plastic_distribution, rotation_capacity};
-use super::eurocode::bearing::{Across, Along, Bearing, Hole};
+use super::eurocode::bearing::{Across, Along, Bearing};
 use super::eurocode::bolt_length;
 use super::eurocode::bolts::{ShearPlane, shear_resistance, tension_resistance};
 use super::eurocode::punching::{mean_diameter, punching_resistance};
@@ -26,6 +26,7 @@ mod class_checks;
 mod comparison;
 mod loaded;
 mod rotation;
+mod slip_checks;
 mod stiffener_checks;
 mod weld_checks;
 
@@ -63,6 +64,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(bolts(e));
     out.checks.extend(welds(e));
     out.checks.extend(stiffener_checks::rib_weld(e));
+    out.checks.extend(slip_checks::assembly(e));
     let rules = ductility(e);
     let mut ductile = rules.iter().any(|c| c.status == Status::Ok);
     out.notes.extend(left_out(e));
@@ -298,7 +300,16 @@ fn bearing_parts(e: &EndPlate) -> Vec<(&'static str, f64, f64, f64)> {
 /// Bearing of a part on one bolt under a vertical force.
 fn bearing(e: &EndPlate, along: Along, (thickness, fu, width): (f64, f64, f64)) -> Worked {
     let across = Across::Edge { e2: 0.5 * (width - e.gauge), p2: Some(e.gauge) };
-    let place = Bearing { along, across, hole: Hole::Normal, d: e.bolt.d, d0: e.hole, thickness, fu, fub: e.grade.fub };
+    let place = Bearing {
+        along,
+        across,
+        hole: slip_checks::hole(e).0,
+        d: e.bolt.d,
+        d0: e.hole,
+        thickness,
+        fu,
+        fub: e.grade.fub,
+    };
     place.resistance(e.gamma_m2)
 }
 

@@ -5,20 +5,19 @@
 //! own, prying included (`RowForce::bolt_force`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
 //! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
-use super::beam_checks;
 use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
     Along, EndPlate, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing, bearing_parts,
     bolt_tension, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
 };
+use super::{beam_checks, slip_checks};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::assembly::moment_and_axial;
 use crate::checks::eurocode::bolts::ShearPlane;
 use crate::checks::eurocode::interaction::{self, Forces};
-use crate::checks::eurocode::slip::{SlipHole, slip_resistance};
 use crate::checks::eurocode::welds::{least_size, simplified};
 use std::f64::consts::SQRT_2;
 
@@ -58,7 +57,11 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             out.notes
                 .push(format!("hand checks, {place}: {} left out, they have no formula for it", left.join(" and ")));
         }
-        out.checks.extend(beam_checks::beam(e, a).into_iter().map(|c| c.of_case(&a.case)));
+        let mut alone: Vec<Check> = slip_checks::slip(e, a).into_iter().collect();
+        if a.state.is_ultimate() {
+            alone.extend(beam_checks::beam(e, a));
+        }
+        out.checks.extend(alone.into_iter().map(|c| c.of_case(&a.case)));
         let sense = Sense::of_moment(a.at(1.0)[1][1]);
         let side = match assess(&sense.of(&joint(e, beta(e, a)))) {
             Ok(assessment) => Side { e, a, sense, assessment },
@@ -70,13 +73,15 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         };
         let method = side.method();
         let share = method.share(a.at(1.0));
-        let mut found = vec![side.moment(&method)];
-        let bolts = side.bolts(&method, share.value.min(1.0));
-        found.extend(bolts.checks(e, a.at(1.0)[0][2].hypot(vy)));
-        found.extend(slip(e, a));
-        found.extend(side.panel());
-        found.extend(side.welds());
-        found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, share: share.value }));
+        let mut found = Vec::new();
+        if a.state.is_ultimate() {
+            found.push(side.moment(&method));
+            let bolts = side.bolts(&method, share.value.min(1.0));
+            found.extend(bolts.checks(e, a.at(1.0)[0][2].hypot(vy)));
+            found.extend(side.panel());
+            found.extend(side.welds());
+            found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, share: share.value }));
+        }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
         out.moments.extend(PureMoment::new(e, a, beta(e, a), &side.assessment));
@@ -220,20 +225,6 @@ impl Side<'_> {
         }
         out
     }
-}
-
-/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the clamping (3.9.2(3)); a pull is shared by
-/// the bolts. A joint need not resist slip (categories A, D, E): more than the resistance is a warning.
-fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
-    let preload = e.preload.filter(|_| e.mu > 0.0)?;
-    let [axial, vy, vz] = a.at(1.0)[0];
-    let shear = vy.hypot(vz);
-    let bolts = 2.0 * e.rows.len() as f64;
-    let pull = axial.max(0.0) / bolts;
-    let mut worked = slip_resistance(SlipHole::Normal, 1, e.mu, preload, pull, e.gamma_m3);
-    worked.title = "slip of the preloaded bolts at the ultimate limit state (category C)";
-    worked.formula = format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
-    Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, Status::Warning))
 }
 
 fn step(symbol: &str, value: f64, unit: Unit) -> super::Step {
