@@ -28,6 +28,7 @@ mod loaded;
 mod rotation;
 mod slip_checks;
 mod stiffener_checks;
+mod tying;
 mod weld_checks;
 
 pub use comparison::Comparison;
@@ -65,6 +66,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(welds(e));
     out.checks.extend(stiffener_checks::rib_weld(e));
     out.checks.extend(slip_checks::assembly(e));
+    out.checks.extend(tying::tying(e));
     let rules = ductility(e);
     let mut ductile = rules.iter().any(|c| c.status == Status::Ok);
     out.notes.extend(left_out(e));

@@ -34,7 +34,8 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     if axial != 0.0 {
         out.push(against(beam.axial(), axial));
     }
-    if my != 0.0 {
+    // a push alone may be too much for a slender web
+    if my != 0.0 || axial < 0.0 {
         match beam.moment(vz, axial) {
             Ok(worked) => out.push(against(worked, my)),
             // of class 4: a check that cannot be made is a warning, not a pass

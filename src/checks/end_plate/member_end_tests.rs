@@ -390,3 +390,19 @@ fn table_3_2_wrong_categories_and_states_are_told() {
     let d = fault(&joint("", &two));
     assert!(d.place.path.as_deref() == Some("loads[1].state") && d.message.contains("two limit states"), "{d:#?}");
 }
+
+/// Plate of 40 mm on HEM200: M20 8.8 break before anything bends, 2 · 0.9 · 800 · 245/1.1 = 320.7 kN a row, three rows 962.2 kN. Thinner
+/// plates carry less.
+#[test]
+fn en_1991_1_7_a_5_tying_resistance() {
+    let of = |thickness: u32, column: &str| {
+        let text = joint("column_above: 2 m", ONE).replace("profile: HEB200", &format!("profile: {column}"));
+        let h = checks(&text.replace("thickness: 15", &format!("thickness: {thickness}")));
+        let check = find(&h, "end plate", "tying resistance, without welds").clone();
+        assert_eq!(check.status, Status::Information);
+        check.resistance.unwrap_or(f64::NAN)
+    };
+    near(of(40, "HEM200"), 962.2e3, 1e-3);
+    let thin = of(10, "HEB200");
+    assert!(thin > 100e3 && thin < 700e3, "{thin}");
+}
