@@ -67,7 +67,8 @@ const TOPICS: [(Topic, &str, &str); 7] = [
         Topic::Welds,
         "Welds",
         "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet welds on both sides need these throats to be as \
-         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force.",
+         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force \
+         and beside the rows in tension the rows' forces too; and none may be weaker than the joint (6.2.3(4)).",
     ),
     (
         Topic::Member,

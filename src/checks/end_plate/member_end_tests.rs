@@ -73,6 +73,13 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     let butt = loaded(load);
     let check = find(&butt, "beam flange, tension at the top", title);
     assert!(check.status == Status::Information && check.formula.contains("full penetration"), "{check:#?}");
+    let check = find(&butt, "beam web, tension at the top", "web weld no weaker than the rows in tension");
+    assert!(check.status == Status::Information && check.formula.contains("full penetration"), "{check:#?}");
+    // web welds of 3 mm: F/(2 √2 a b_eff) of the rows at F_tr,Rd, all else as under a load without shear force
+    let web = find(&thin, "beam web, tension at the top, z = ", "web weld no weaker than the rows in tension");
+    let loaded = find(&thin, "beam_right, beam web, row", "web weld beside the rows in tension, directional method");
+    let share = used(find(&thin, "beam_right", "moment and axial force of the joint"));
+    near(used(loaded), share * used(web), 1e-9);
 }
 
 /// 1.4 and 1.7 times M_j,Rd, at most M_pl,Rd = 628.4e3 · 235 = 147.7 kN m, at a lever arm of 289.3 mm and at most the flange's 377.2 kN.

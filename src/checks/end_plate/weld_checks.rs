@@ -114,6 +114,13 @@ pub(super) fn not_the_weakest(e: &EndPlate, subject: &str, sense: Sense, a: &Ass
     let otherwise = if bends { Status::Failed } else { Status::Warning };
     let mut out = Vec::new();
     out.extend(of_the_flange(e, subject, a, otherwise));
+    if e.web_throat == 0.0 {
+        let strength = e.beam.tw * e.beam_steel.fy / e.gamma_m0;
+        let words = "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
+        let title = "web weld no weaker than the rows in tension";
+        let worked = Worked::new(NOT_THE_WEAKEST, title, strength, Unit::ForcePerLength, words);
+        out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
+    }
     // every row at its resistance, without shear force
     let full = |r: usize| a.rows.get(r).map_or(0.0, |row| row.force);
     if let Some((stretch, mut worked)) = web_welds(e, a, full, 0.0) {
