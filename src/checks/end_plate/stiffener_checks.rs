@@ -180,7 +180,7 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
         // as a force, so that welds without any length left fail
         let each = simplified(a, &steel);
         let formula =
-            format!("{formula}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}; {}", n(length), n(each.value), each.formula);
+            format!("{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}", each.formula, n(length), n(each.value));
         let title = "fillet welds of the column stiffeners";
         let worked = Worked::new(each.clause, title, 4.0 * length * each.value, Unit::Force, formula);
         worked.against(Topic::Welds, subject, force, Status::Failed)

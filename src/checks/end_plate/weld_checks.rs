@@ -4,7 +4,7 @@ use super::case::{Case, value};
 use super::{EndPlate, Sense, Status, Topic, Unit, Worked, n, welded};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
-use crate::checks::eurocode::welds::{across_and_along, directional, simplified};
+use crate::checks::eurocode::welds::{across_and_along, directional, full_strength_throat, transverse};
 use std::f64::consts::SQRT_2;
 
 /// A stretch of the beam web's welds and the rows that pull at it.
@@ -78,7 +78,7 @@ const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other fram
 /// Strength against that of the beam from which on the hinge forms in the beam, 6.4.1(1).
 const HINGE_IN_BEAM: f64 = 1.2;
 
-/// What the welds of a flange carry across it, or what the flange carries itself where it is butt-welded.
+/// What the welds of a flange carry across it.
 struct FlangeWelds {
     /// F_Rd \[N\].
     worked: Worked,
@@ -86,15 +86,21 @@ struct FlangeWelds {
     flange: f64,
 }
 
+/// By the directional method, `a l_eff f_u/(√2 β_w γ_M2)`; welds that are as strong as the flange's thickness carry all of the flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
     let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
     let steel = welded(e)?;
+    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.gamma_m0, &steel);
     let length = flange_run(e);
-    let each = simplified(a, &steel);
-    let formula = format!("F_Rd = F_w,Rd l_eff = {} · {}; {}", n(each.value), n(length), each.formula);
-    let worked = Worked::new(NOT_THE_WEAKEST, "", each.value * length, Unit::Force, formula);
-    Some(FlangeWelds { worked, flange })
+    let each = transverse(a, &steel);
+    let along = each.value * length;
+    let (value, formula) = if a >= full.value && flange > along {
+        (flange, format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula))
+    } else {
+        (along, format!("{}; F_Rd = F_w,Rd l_eff = {} · {}", each.formula, n(each.value), n(length)))
+    };
+    Some(FlangeWelds { worked: Worked::new(NOT_THE_WEAKEST, "", value, Unit::Force, formula), flange })
 }
 
 /// Effective length of the welds of one flange, outside along its width, inside up to the root fillets \[mm\].
@@ -161,7 +167,8 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
     let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
-    if joint >= HINGE_IN_BEAM * plastic {
+    // no hinge turns where the beam yields first, or in a sense that no load case has
+    if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {
         return out;
     }
     for (alpha, frame) in OVERSTRENGTH {

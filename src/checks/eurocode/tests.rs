@@ -248,6 +248,8 @@ fn clause_4_5_3_3_simplified_method() {
     let s = force / (throat * 2f64.sqrt());
     let stress = ThroatStress { sigma_perp: s, tau_perp: s, tau_par: 0.0 };
     near(welds::directional(&stress, &S235).value, (2.0f64 / 3.0).sqrt());
+    // 4 · 360/(√2 · 0.8 · 1.25) = 1018.2 N/mm
+    assert!((welds::transverse(throat, &S235).value - 1018.2).abs() < 0.05);
 }
 
 /// a ≥ 0.46 t (S235), 0.48 t (S275), 0.55 t (S355 with f_u = 510 MPa; 0.58 t with 490 MPa, as the catalogue has it).
