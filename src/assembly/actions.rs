@@ -7,7 +7,7 @@ use super::scope::Scope;
 use super::template::{EndEntry, SHIPPED, Template};
 use crate::diag::did_you_mean;
 use crate::math::vec3::{self, V3};
-use crate::spec::loads::{ActionPoint, LoadSpec};
+use crate::spec::loads::{ActionPoint, LimitState, LoadSpec};
 use serde::Serialize;
 
 /// A member end at one turn of its loops.
@@ -167,6 +167,8 @@ pub struct PlaneActions {
     pub live: [V3; 2],
     /// The same of what stays fixed.
     pub dead: [V3; 2],
+    /// Limit state.
+    pub state: LimitState,
     /// From the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
     pub from_node: f64,
 }
@@ -237,7 +239,7 @@ pub(super) fn on_planes(
             }
             let [live, dead] = sums.map(|[f, m]| [f, vec3::along(m, 1.0, vec3::cross(arm, f))]);
             let (case, end) = (load.name.clone(), end.name.clone());
-            out.push(PlaneActions { case, end, live, dead, from_node });
+            out.push(PlaneActions { case, end, live, dead, state: load.state, from_node });
         }
     }
     out.sort_by_key(|a| loads.iter().position(|l| l.name == a.case));

@@ -6,10 +6,13 @@ use super::inputs::Inputs;
 use super::scope::Scope;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::connection::ConnectionSpec;
+use crate::spec::connection::{BoltCategory, ConnectionSpec};
 use crate::spec::expr::{Expr, ExprError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual practice.
+const CLIP_BEYOND_ROOT: f64 = 5.0;
 
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -44,8 +47,16 @@ pub struct EndPlateEntry {
     /// Thickness of a supplementary plate on one side of the column web, as wide as the web is flat and as high as the end
     /// plate; zero or absent for none.
     pub doubler: Option<Expr>,
+    /// Throat of the fillet welds on either side of each stiffener, to web and flanges of the column; zero or absent: butt welds.
+    pub stiffener_throat: Option<Expr>,
+    /// How much of a stiffener is cut away at the root of the column; absent: the root radius and 5 mm.
+    pub stiffener_clip: Option<Expr>,
+    /// Throat of the fillet welds round the supplementary web plate; zero or absent: butt welds.
+    pub doubler_throat: Option<Expr>,
     /// Thickness of a rib between the beam flange and the plate; zero or absent for none.
     pub rib: Option<Expr>,
+    /// Throat of the fillet welds on either side of the rib; zero or absent: butt welds.
+    pub rib_throat: Option<Expr>,
     /// Throat of the fillet welds of the beam's flanges; absent: butt welds.
     pub flange_throat: Option<Expr>,
     /// Throat of the fillet welds of the beam's web; absent: butt welds.
@@ -107,10 +118,18 @@ pub struct ColumnSide {
     pub below: Option<f64>,
     /// Thickness of the stiffeners; 0 for none.
     pub stiffener: f64,
+    /// Throat of the welds of the stiffeners; 0 for butt welds.
+    pub stiffener_throat: f64,
+    /// What is cut off each stiffener at the root of the column.
+    pub stiffener_clip: f64,
     /// Thickness of a supplementary web plate; 0 for none.
     pub doubler: f64,
+    /// Throat of its welds; 0 for butt welds.
+    pub doubler_throat: f64,
     /// β where a load case has none of its own.
     pub beta: f64,
+    /// System length of the column, its storey height, where the spec gives it.
+    pub system_length: Option<f64>,
 }
 
 /// A bolted end plate between a beam and the flange of a column, or the same plate on another beam. Lengths in mm, z from the
@@ -145,6 +164,8 @@ pub struct EndPlate {
     pub hole: f64,
     /// Thickness of a rib on the beam's upper flange; 0 for none.
     pub rib: f64,
+    /// Throat of the welds of the rib; 0 for butt welds.
+    pub rib_throat: f64,
     /// Throat of the welds of the beam's flanges; 0 for butt welds.
     pub flange_throat: f64,
     /// Throat of the welds of the beam's web; 0 for butt welds.
@@ -158,6 +179,9 @@ pub struct EndPlate {
     /// Preload of a bolt \[N\]; `None`: not preloaded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub preload: Option<f64>,
+    /// Category of the bolts, where the spec names it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
     /// γ_M0.
@@ -216,6 +240,7 @@ pub fn end_plate(
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
     let end_of_column = |key, e| or_none(key, e).map(|end| (end > 0.0).then_some(end));
+    let system_length = |role: &String| spec.members.get(role).and_then(|m| m.length).map(|l| l.0);
     let column = match &entry.column {
         None => None,
         Some(column) => {
@@ -229,12 +254,19 @@ pub fn end_plate(
             }
             Some(ColumnSide {
                 steel: inputs.strength(spec, &role(column), section.tf)?,
+                stiffener_throat: or_none("stiffener_throat", &entry.stiffener_throat)?,
+                stiffener_clip: match &entry.stiffener_clip {
+                    Some(clip) => length("stiffener_clip", clip, some)?,
+                    None => section.r + CLIP_BEYOND_ROOT,
+                },
+                doubler_throat: or_none("doubler_throat", &entry.doubler_throat)?,
                 section,
                 above: end_of_column("column_above", &entry.column_above)?,
                 below: end_of_column("column_below", &entry.column_below)?,
                 stiffener: or_none("stiffener", &entry.stiffener)?,
                 doubler: or_none("doubler", &entry.doubler)?,
                 beta,
+                system_length: system_length(column),
             })
         }
     };
@@ -254,12 +286,14 @@ pub fn end_plate(
         rows,
         hole: length("hole", &entry.hole, Some(bolt.d))?,
         rib: or_none("rib", &entry.rib)?,
+        rib_throat: or_none("rib_throat", &entry.rib_throat)?,
         flange_throat: or_none("flange_throat", &entry.flange_throat)?,
         web_throat: or_none("web_throat", &entry.web_throat)?,
         bending_length: or_none("bending_length", &entry.bending_length)?,
-        system_length: spec.members.get(&entry.beam).and_then(|m| m.length).map(|l| l.0),
+        system_length: system_length(&entry.beam),
         actions,
         preload: inputs.preload,
+        category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
         gamma_m0: factors.gamma_m0,
         gamma_m1: factors.gamma_m1,

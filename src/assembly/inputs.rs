@@ -1,6 +1,7 @@
 //! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
 
 use super::actions;
+use super::categories;
 use super::end_plate::Strength;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
@@ -112,6 +113,7 @@ impl<'a> Inputs<'a> {
         numbers(spec, &mut faults);
         coulomb_estimate(spec, mu, &mut faults);
         loads(spec, template, &mut faults);
+        categories::check(spec, &mut faults);
         let given = given(spec, template, &mut faults);
         if faults.is_empty() { Ok(Self { profiles, steels, bolt, given, mu, preload, factors }) } else { Err(faults) }
     }

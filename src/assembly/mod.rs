@@ -2,6 +2,7 @@
 
 pub mod actions;
 pub mod build;
+mod categories;
 pub mod end_plate;
 pub mod error;
 pub mod factors;

@@ -161,6 +161,8 @@ pub enum Topic {
     Bolts,
     /// Welds.
     Welds,
+    /// The beam's cross-section and the column's stiffeners at the joint.
+    Member,
     /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case answers as well.
     ComponentMethod,
     /// Buckling and slenderness, which no limit analysis sees.

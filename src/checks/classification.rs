@@ -101,6 +101,20 @@ pub enum StrengthClass {
     NominallyPinned,
 }
 
+impl StrengthClass {
+    /// As a report says it.
+    pub fn words(self) -> &'static str {
+        match self {
+            StrengthClass::FullStrength => "full strength",
+            StrengthClass::PartialStrength => "partial strength",
+            StrengthClass::NominallyPinned => "nominally pinned",
+        }
+    }
+}
+
+/// Least K_b/K_c of a storey of an unbraced frame whose joints can be rigid, 5.2.2.5(1).
+pub const STIFF_COLUMNS: f64 = 0.1;
+
 /// Class by strength; moments \[N mm\] of the joint, of the beam and of the column, `storeys` how many columns meet at the
 /// joint (1 at the top, 2 within the height).
 ///

@@ -12,7 +12,7 @@ use super::component_method::rows::Component;
 use super::component_method::stiffness::{Joins, for_elastic_analysis};
 use super::component_method::{Assessment, EndPlateJoint, assess};
 use super::ductility::{Clamped, panel_in_shear, plastic_distribution, rotation_capacity};
-use super::eurocode::bearing::{Across, Along, Bearing, Hole};
+use super::eurocode::bearing::{Across, Along, Bearing};
 use super::eurocode::bolt_length;
 use super::eurocode::bolts::{ShearPlane, shear_resistance, tension_resistance};
 use super::eurocode::punching::{mean_diameter, punching_resistance};
@@ -21,10 +21,17 @@ use super::eurocode::welds::{WeldedSteel, full_strength_throat};
 use crate::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
+mod beam_checks;
+mod case;
+mod class_checks;
 mod comparison;
 mod diagram;
 mod loaded;
 mod rotation;
+mod slip_checks;
+mod stiffener_checks;
+mod tying;
+mod weld_checks;
 
 pub use comparison::Comparison;
 pub use diagram::{MomentAxial, moment_axial};
@@ -62,6 +69,9 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     let mut out = HandChecks { checks: detailing(e), ..HandChecks::default() };
     out.checks.extend(bolts(e));
     out.checks.extend(welds(e));
+    out.checks.extend(stiffener_checks::rib_weld(e));
+    out.checks.extend(slip_checks::assembly(e));
+    out.checks.extend(tying::tying(e));
     let rules = ductility(e);
     let mut ductile = rules.iter().any(|c| c.status == Status::Ok);
     out.notes.extend(left_out(e));
@@ -72,6 +82,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
                 let subject =
                     if several { format!("{}, β = {}", sense.words(), n(beta)) } else { sense.words().into() };
                 out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
+                out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &a));
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
                     let clear = Section::from(section).clear_depth();
@@ -298,7 +309,16 @@ fn bearing_parts(e: &EndPlate) -> Vec<(&'static str, f64, f64, f64)> {
 /// Bearing of a part on one bolt under a vertical force.
 fn bearing(e: &EndPlate, along: Along, (thickness, fu, width): (f64, f64, f64)) -> Worked {
     let across = Across::Edge { e2: 0.5 * (width - e.gauge), p2: Some(e.gauge) };
-    let place = Bearing { along, across, hole: Hole::Normal, d: e.bolt.d, d0: e.hole, thickness, fu, fub: e.grade.fub };
+    let place = Bearing {
+        along,
+        across,
+        hole: slip_checks::hole(e).0,
+        d: e.bolt.d,
+        d0: e.hole,
+        thickness,
+        fu,
+        fub: e.grade.fub,
+    };
     place.resistance(e.gamma_m2)
 }
 
@@ -357,7 +377,7 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             above: c.above,
             below: c.below,
             stiffener: c.stiffener,
-            stiffener_throat: 0.0,
+            stiffener_throat: c.stiffener_throat,
             doublers: u32::from(counts),
             doubler_width: if counts { doubler_width(c) } else { 0.0 },
             longitudinal: 0.0,
@@ -481,5 +501,7 @@ fn brittle(rules: &[Check]) -> String {
     )
 }
 
+#[cfg(test)]
+mod member_end_tests;
 #[cfg(test)]
 mod tests;

@@ -151,8 +151,14 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
             .insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), length: None });
     }
     if !template.bolts.is_empty() {
-        spec.bolts =
-            Some(BoltSpec { size: BOLT.0.into(), grade: BOLT.1.into(), gauge: None, rows: None, preload: None });
+        spec.bolts = Some(BoltSpec {
+            size: BOLT.0.into(),
+            grade: BOLT.1.into(),
+            gauge: None,
+            rows: None,
+            preload: None,
+            category: None,
+        });
     }
     for p in &template.parameters {
         let Some(value) = &p.example else { continue };

@@ -52,7 +52,8 @@ fn stamps(args: &CheckArgs) -> Stamps {
     for folder in [Some(beside), args.catalog.folder()].into_iter().flatten() {
         let Ok(entries) = std::fs::read_dir(folder) else { continue };
         for path in entries.filter_map(|e| Some(e.ok()?.path())) {
-            let input = path.extension().is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
+            let input =
+                path.extension().is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
             if let Some(meta) = path.metadata().ok().filter(|m| (input || path == args.spec) && m.is_file()) {
                 out.push((path, meta.modified().unwrap_or(SystemTime::UNIX_EPOCH), meta.len()));
             }

@@ -53,7 +53,7 @@ pub(super) fn checks(page: &mut String, checks: &[Check]) {
     }
 }
 
-const TOPICS: [(Topic, &str, &str); 7] = [
+const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Detailing,
         "Detailing",
@@ -71,7 +71,14 @@ const TOPICS: [(Topic, &str, &str); 7] = [
         Topic::Welds,
         "Welds",
         "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet welds on both sides need these throats to be as \
-         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force.",
+         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force \
+         and beside the rows in tension the rows' forces too; and none may be weaker than the joint (6.2.3(4)).",
+    ),
+    (
+        Topic::Member,
+        "Beam and stiffeners at the joint",
+        "The beam's cross-section under the actions at the joint (EN 1993-1-1 6.2) and the column's stiffeners on what is left of them at the root. \
+         They decide the verdict: neither the local buckling of the beam nor the cut is in the mesh.",
     ),
     (
         Topic::ComponentMethod,

@@ -43,7 +43,7 @@ pub(super) fn table_of_checks(page: &mut String, result: &ResultFile) {
         let governs_by = case.utilisation.map(|u| u[1]).or((demand.by_analysis == Verdict::Undecided).then_some(1.0));
         rows.push(Row { cells, governs_by });
     }
-    let loaded: Vec<&Check> = result.checks.iter().filter(|c| c.case.is_some()).collect();
+    let loaded: Vec<&Check> = result.checks.iter().filter(|c| c.case.is_some() && c.demand.is_some()).collect();
     if rows.is_empty() && loaded.is_empty() {
         return;
     }

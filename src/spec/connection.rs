@@ -197,6 +197,24 @@ pub struct BoltSpec {
     /// Preload; left out: none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub preload: Option<PreloadSpec>,
+    /// Category of the connection; left out: slip is information.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub category: Option<BoltCategory>,
+}
+
+/// Category of a bolted connection, EN 1993-1-8:2005 Table 3.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum BoltCategory {
+    /// In shear, bearing type.
+    A,
+    /// In shear, preloaded: no slip at serviceability (load cases with `state: SLS`).
+    B,
+    /// In shear, preloaded: no slip at the ultimate limit state.
+    C,
+    /// In tension, not preloaded.
+    D,
+    /// In tension, preloaded.
+    E,
 }
 
 /// Preload of every bolt.

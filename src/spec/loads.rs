@@ -19,6 +19,9 @@ pub struct LoadSpec {
     /// Uniform traction on the section along x, y, z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub traction: Option<[Stress; 3]>,
+    /// Limit state of the load case; loads that share a name agree in it.
+    #[serde(default, skip_serializing_if = "LimitState::is_ultimate")]
+    pub state: LimitState,
     /// True: not multiplied by the load factor.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub dead: bool,
@@ -54,6 +57,25 @@ pub struct LoadSpec {
     #[serde(skip)]
     #[schemars(skip)]
     pub of_polygon: bool,
+}
+
+/// Limit state that a load case belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum LimitState {
+    /// Ultimate limit state.
+    #[default]
+    #[serde(rename = "ULS")]
+    Ultimate,
+    /// Serviceability limit state: of the hand checks only slip at serviceability (bolts of category B).
+    #[serde(rename = "SLS")]
+    Serviceability,
+}
+
+impl LimitState {
+    /// Whether it is the ultimate limit state.
+    pub fn is_ultimate(&self) -> bool {
+        *self == Self::Ultimate
+    }
 }
 
 impl LoadSpec {

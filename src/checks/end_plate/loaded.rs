@@ -6,19 +6,21 @@
 //! Beside an axial force that counts the rows have the forces of the plastic equilibrium (`component_method::equilibrium`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
 //! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
+use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
     Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing,
     bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
 };
+use super::{beam_checks, slip_checks};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
+use crate::checks::component_method::assembly::RowForce;
 use crate::checks::component_method::beam::plastic_shear;
 use crate::checks::component_method::joint::Section;
 use crate::checks::component_method::{Assessment, Equilibrium, Summed};
 use crate::checks::eurocode::bolts::ShearPlane;
 use crate::checks::eurocode::interaction::{self, Forces};
-use crate::checks::eurocode::slip::{SlipHole, slip_resistance};
 use crate::checks::eurocode::welds::{least_size, simplified};
 use std::f64::consts::SQRT_2;
 
@@ -43,7 +45,7 @@ pub(super) fn beta(e: &EndPlate, a: &PlaneActions) -> f64 {
     }
 }
 
-fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a PlaneActions> {
+pub(super) fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a PlaneActions> {
     e.actions.iter().filter(|o| o.case == a.case && o.end != a.end)
 }
 
@@ -52,7 +54,13 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
     for a in &e.actions {
         let place = format!("{}, {}", a.case, a.end);
         out.notes.extend(beyond_the_beam(e, a).map(|what| format!("{place}: {what}")));
-        out.checks.extend(no_formula(a).map(|c| c.of_case(&a.case)));
+        let ultimate = a.state.is_ultimate();
+        let mut alone: Vec<Check> = slip_checks::slip(e, a).into_iter().collect();
+        if ultimate {
+            alone.extend(no_formula(a));
+            alone.extend(beam_checks::beam(e, a));
+        }
+        out.checks.extend(alone.into_iter().map(|c| c.of_case(&a.case)));
         let sense = Sense::of_moment(a.at(1.0)[1][1]);
         let joint = loaded_joint(e, a);
         let side = match assess(&sense.of(&joint)) {
@@ -66,16 +74,19 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             }
         };
         let method = side.method();
-        let mut found = vec![side.moment(&method)];
-        found.extend(side.stability(&method));
-        let bolts = side.bolts(&method);
-        let [[_, vy, vz], _] = a.at(1.0);
-        found.extend(bolts.checks(e, vz.hypot(vy)));
-        found.extend(slip(e, a));
-        found.extend(side.panel());
-        found.extend(side.welds());
-        if !side.assessment.stability.is_empty() && !out.unstable.contains(&a.case) {
-            out.unstable.push(a.case.clone());
+        let mut found = Vec::new();
+        if a.state.is_ultimate() {
+            found.push(side.moment(&method));
+            found.extend(side.stability(&method));
+            let [[_, vy, vz], _] = a.at(1.0);
+            found.extend(side.bolts(&method).checks(e, vz.hypot(vy)));
+            found.extend(side.panel());
+            found.extend(side.welds());
+            let rows = side.row_forces(&method);
+            found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows }));
+            if !side.assessment.stability.is_empty() && !out.unstable.contains(&a.case) {
+                out.unstable.push(a.case.clone());
+            }
         }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
@@ -191,6 +202,22 @@ impl Side<'_> {
         each.collect()
     }
 
+    /// Force of every row of the assessment under the actions \[N\], beyond any resistance.
+    fn row_forces(&self, method: &Method) -> Vec<f64> {
+        let at = self.a.at(1.0);
+        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
+        let share = at[1][1].abs() / method.moment;
+        let carried = method.with_axial(at);
+        let force = |row: &RowForce| match &carried {
+            Some(c) => {
+                let pull = c.rows.iter().find(|r| (r.z - upside * row.z).abs() < 1e-9);
+                pull.map_or(0.0, |r| r.force / c.factor)
+            }
+            None => share * row.force,
+        };
+        self.assessment.rows.iter().map(force).collect()
+    }
+
     /// Tension of the bolts of every row under the actions, prying included and beyond any resistance.
     fn bolts(&self, method: &Method) -> Bolts {
         let e = self.e;
@@ -277,20 +304,6 @@ impl Side<'_> {
         }
         out
     }
-}
-
-/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the clamping (3.9.2(3)); a pull is shared by
-/// the bolts. A joint need not resist slip (categories A, D, E): more than the resistance is a warning.
-fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
-    let preload = e.preload.filter(|_| e.mu > 0.0)?;
-    let [axial, vy, vz] = a.at(1.0)[0];
-    let shear = vy.hypot(vz);
-    let bolts = 2.0 * e.rows.len() as f64;
-    let pull = axial.max(0.0) / bolts;
-    let mut worked = slip_resistance(SlipHole::Normal, 1, e.mu, preload, pull, e.gamma_m3);
-    worked.title = "slip of the preloaded bolts at the ultimate limit state (category C)";
-    worked.formula = format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
-    Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, Status::Warning))
 }
 
 fn step(symbol: &str, value: f64, unit: Unit) -> super::Step {

@@ -5,6 +5,7 @@ pub mod bolt_length;
 pub mod bolts;
 pub mod interaction;
 pub mod punching;
+pub mod section;
 pub mod slip;
 pub mod spacing;
 pub mod welds;

@@ -230,6 +230,15 @@ fn clause_4_5_3_2_directional_method() {
     near(welds::directional(&along, &S235).value, 1.0);
 }
 
+/// 150 kN across 180 mm of two welds of 4 mm: 150e3/(2 √2 · 4 · 180) = 73.66 MPa; with 52.08 MPa along them
+/// √(73.66² + 3 (73.66² + 52.08²)) = 172.7 MPa of 360 MPa.
+#[test]
+fn clause_4_5_3_2_a_plate_pulled_and_sheared() {
+    let stress = welds::across_and_along(150e3, 180.0, 4.0, 100e3 / (2.0 * 4.0 * 240.0));
+    assert!((stress.sigma_perp - 73.66).abs() < 5e-3 && stress.tau_perp == stress.sigma_perp, "{stress:?}");
+    assert!((welds::directional(&stress, &S235).value - 0.4798).abs() < 5e-5);
+}
+
 #[test]
 fn clause_4_5_3_3_simplified_method() {
     near(welds::simplified(5.0, &S235).value, 5.0 * 360.0 / 3f64.sqrt());
@@ -239,6 +248,8 @@ fn clause_4_5_3_3_simplified_method() {
     let s = force / (throat * 2f64.sqrt());
     let stress = ThroatStress { sigma_perp: s, tau_perp: s, tau_par: 0.0 };
     near(welds::directional(&stress, &S235).value, (2.0f64 / 3.0).sqrt());
+    // 4 · 360/(√2 · 0.8 · 1.25) = 1018.2 N/mm
+    assert!((welds::transverse(throat, &S235).value - 1018.2).abs() < 0.05);
 }
 
 /// a ≥ 0.46 t (S235), 0.48 t (S275), 0.55 t (S355 with f_u = 510 MPa; 0.58 t with 490 MPa, as the catalogue has it).

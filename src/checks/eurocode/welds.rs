@@ -52,6 +52,18 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
         .with("0.9 f_u/γ_M2", normal, Unit::Stress)
 }
 
+/// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of each weld under it, and a shear
+/// stress along them \[N, mm, MPa\].
+///
+/// `σ⊥ = τ⊥ = F/(2 √2 a l)`: the throats stand at 45° to the force.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(4) and (5), Figure 4.5.
+pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> ThroatStress {
+    let across = force / (2.0 * 2f64.sqrt() * throat * length);
+    ThroatStress { sigma_perp: across, tau_perp: across, tau_par }
+}
+
 /// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a \[mm\].
 ///
 /// `F_w,Rd = a f_u/(√3 β_w γ_M2)`.
@@ -68,6 +80,25 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
         n(steel.gamma_m2)
     );
     Worked::new("EN 1993-1-8:2005 4.5.3.3", "fillet weld, simplified method", value, Unit::ForcePerLength, formula)
+}
+
+/// Design resistance of a fillet weld per length under a force across it by the directional method \[N/mm\]; `throat` a \[mm\].
+///
+/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) of what the simplified method gives.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, for β_w ≥ 0.56.
+pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
+    let value = throat * steel.fu / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
+    let formula = format!(
+        "F_w,Rd = a f_u/(√2 β_w γ_M2) = {} · {}/(√2 · {} · {})",
+        n(throat),
+        n(steel.fu),
+        n(steel.beta_w),
+        n(steel.gamma_m2)
+    );
+    let title = "fillet weld across the force, directional method";
+    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
 }
 
 /// Throat of each of two fillet welds that carry all that the plate between them carries in tension \[mm\].

@@ -1,0 +1,52 @@
+//! The beam's own cross-section under the actions at the joint.
+
+use super::{EndPlate, Status, Topic, Unit, Worked, n};
+use crate::assembly::PlaneActions;
+use crate::checks::check::Check;
+use crate::checks::eurocode::section::Beam;
+
+/// Shear, axial force and moment of the beam at the bolt plane. They fail: the forces of a joint are none that its beam cannot have.
+///
+/// # Source
+/// EN 1993-1-1:2005 6.2.
+pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
+    let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
+    let beam = Beam { section: (&e.beam).into(), fy: e.beam_steel.fy, gamma_m0: e.gamma_m0 };
+    let subject = format!("{}, beam", a.end);
+    let against =
+        |worked: Worked, demand: f64| worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed);
+    let mut out = Vec::new();
+    if vz != 0.0 {
+        out.push(against(beam.shear(), vz));
+        let (slenderness, limit) = beam.stocky_web();
+        if slenderness > limit {
+            let formula = format!("h_w/t_w ≤ 72 ε = {}: h_w/t_w", n(limit));
+            let title = "the web of the beam may buckle in shear (EN 1993-1-5 5), which is not checked";
+            let mut worked =
+                Worked::new("EN 1993-1-1:2005 6.2.6(6)", title, slenderness / limit, Unit::Number, formula);
+            worked.formula = format!("h_w/t_w = {} > 72 ε = {}", n(slenderness), n(limit));
+            out.push(worked.utilised(Topic::Member, subject.clone(), Status::Warning));
+        }
+    }
+    if vy != 0.0 {
+        out.push(against(beam.shear_across(), vy));
+    }
+    if axial != 0.0 {
+        out.push(against(beam.axial(), axial));
+    }
+    // a push alone may be too much for a slender web
+    if my != 0.0 || axial < 0.0 {
+        match beam.moment(vz, axial) {
+            Ok(worked) => out.push(against(worked, my)),
+            // of class 4: a check that cannot be made is a warning, not a pass
+            Err(fault) => {
+                let title = "moment of the beam, which is not checked";
+                let mut check = Worked::new("EN 1993-1-1:2005 5.5.2", title, my.abs(), Unit::Moment, "My")
+                    .information(Topic::Member, subject.clone());
+                (check.formula, check.resistance, check.status) = (fault.to_string(), None, Status::Warning);
+                out.push(check);
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,126 @@
+//! Classes of the joint by strength and stiffness under each load case, and its stiffness under the moment. Information: what they decide
+//! is the model of the frame.
+
+use super::case::Case;
+use super::{EndPlate, Topic, Unit, Worked, n};
+use crate::checks::check::Check;
+use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, strength_class};
+use crate::checks::component_method::stiffness::at_moment;
+
+/// Columns that meet at a joint within the height of a column; templates have columns that go on above and below.
+const COLUMNS: u32 = 2;
+/// Of classes by stiffness.
+const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
+
+/// All of them for a member end under a load case, whatever acts beside the moment.
+pub(super) fn classes(case: &Case<'_>) -> Vec<Check> {
+    let mut out = vec![strength(case), stiffness(case)];
+    if case.e.column.is_some() {
+        out.extend(stiffness_classes(case));
+    }
+    out
+}
+
+fn place(case: &Case<'_>) -> String {
+    case.place(case.sense.words())
+}
+
+/// # Source
+/// EN 1993-1-8:2005 5.2.3.
+fn strength(case: &Case<'_>) -> Check {
+    let e = case.e;
+    let joint = case.assessment.moment.value;
+    let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
+    let column = e.column.as_ref().map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.gamma_m0);
+    let class = strength_class(joint, beam, column, COLUMNS);
+    let full = beam.min(f64::from(COLUMNS) * column);
+    let least = if column.is_finite() {
+        format!(
+            "min(M_b,pl,Rd, {COLUMNS} M_c,pl,Rd) = min({}, {COLUMNS} · {})",
+            Unit::Moment.show(beam),
+            Unit::Moment.show(column)
+        )
+    } else {
+        format!("M_b,pl,Rd = {}", Unit::Moment.show(beam))
+    };
+    let formula = format!(
+        "{}: M_j,Rd = {}, full strength from {least}, pinned up to a quarter of it; M_j,Rd/M_full",
+        class.words(),
+        Unit::Moment.show(joint)
+    );
+    Worked::new("EN 1993-1-8:2005 5.2.3", "class by strength", joint / full, Unit::Number, formula)
+        .information(Topic::ComponentMethod, place(case))
+}
+
+/// S_j at the moment of the case; above M_j,Rd the formula has ended, and the check says so.
+fn stiffness(case: &Case<'_>) -> Check {
+    let demand = case.a.at(1.0)[1][1].abs();
+    let (initial, joint) = (case.assessment.stiffness.initial.value, case.assessment.moment.value);
+    let mut worked = at_moment(initial, demand, joint);
+    worked.formula += &format!(" at M_j,Ed = {}", Unit::Moment.show(demand));
+    if demand > joint {
+        worked.formula += &format!(", above M_j,Rd = {}, up to which the formula holds", Unit::Moment.show(joint));
+    }
+    worked.information(Topic::Stiffness, place(case))
+}
+
+/// K_b/K_c of the beam and the column at the joint; the code takes means over the storey.
+fn slender_columns(e: &EndPlate) -> Option<f64> {
+    let column = e.column.as_ref()?;
+    let of = |i: f64, length: f64| 1e4 * i / length;
+    Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
+}
+
+/// The class for both kinds of frame where the length of the beam is known, else the length from which on it is rigid.
+///
+/// # Source
+/// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.
+fn stiffness_classes(case: &Case<'_>) -> Vec<Check> {
+    let e = case.e;
+    let initial = case.assessment.stiffness.initial.value;
+    let inertia = 1e4 * e.beam.i_y;
+    let ratio = slender_columns(e);
+    let storey = match ratio {
+        Some(r) => {
+            format!(
+                "K_b/K_c = {} of this beam and column, the code takes the means of the storey; rigid from {}",
+                n(r),
+                n(STIFF_COLUMNS)
+            )
+        }
+        None => format!("where K_b/K_c < {} in the storey it is semi-rigid however stiff", n(STIFF_COLUMNS)),
+    };
+    let each =
+        [(Frame::Braced, "braced frame", String::new()), (Frame::Unbraced, "other frames", format!("; {storey}"))];
+    let class = |(frame, words, note): (Frame, &'static str, String)| {
+        let place = format!("{}, {words}", place(case));
+        let Some(length) = e.system_length else {
+            let rigid = frame.factor() * e.beam_steel.e * inertia / initial;
+            let formula = format!(
+                "L_b ≥ k_b E I_b/S_j,ini = {} · {} · {}/{}",
+                n(frame.factor()),
+                n(e.beam_steel.e),
+                n(inertia),
+                Unit::Rotational.show(initial)
+            );
+            let title = "system length of the beam from which the joint is rigid";
+            let mut worked = Worked::new(STIFFNESS, title, rigid, Unit::Length, formula);
+            worked.formula += &note;
+            return worked.information(Topic::Stiffness, place);
+        };
+        let stiff = ratio.is_some_and(|r| r < STIFF_COLUMNS);
+        let limits = stiffness_limits(frame, stiff, e.beam_steel.e, inertia, length);
+        let rigid = match limits.rigid.value.is_finite() {
+            true => limits.rigid.formula.clone(),
+            false => "none, for K_b/K_c < 0.1".into(),
+        };
+        let formula = format!(
+            "{}: rigid from {rigid}, pinned up to {}{note}; S_j,ini",
+            limits.class(initial).words(),
+            limits.pinned.formula
+        );
+        Worked::new(STIFFNESS, "class by stiffness", initial, Unit::Rotational, formula)
+            .information(Topic::Stiffness, place)
+    };
+    each.into_iter().map(class).collect()
+}

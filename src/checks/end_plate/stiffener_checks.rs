@@ -1,0 +1,242 @@
+//! Stiffeners of the column on their net section, and the welds of stiffeners, web plate and rib.
+//!
+//! The meshed stiffeners are whole and one body with the column; what is cut off at the root and the size of welds is checked here.
+
+use super::case::{Case, value};
+use super::{ColumnSide, EndPlate, Status, Topic, Unit, Worked, assess, doubler_fault, joint, loaded, n};
+use crate::checks::check::Check;
+use crate::checks::component_method::assembly::Group;
+use crate::checks::component_method::column_web::compressed_thickness;
+use crate::checks::component_method::{Assessment, Summed};
+use crate::checks::eurocode::welds::{WeldedSteel, full_strength_throat, least_size, simplified};
+use std::f64::consts::SQRT_2;
+
+/// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and 6.11.
+const HINGE: f64 = 0.8;
+
+/// The stiffeners level with one flange of the beam.
+struct Stiffeners<'a> {
+    c: &'a ColumnSide,
+    gamma_m0: f64,
+}
+
+impl Stiffeners<'_> {
+    /// Width of one stiffener that is left at the flange of the column \[mm\].
+    fn contact(&self) -> f64 {
+        0.5 * (self.c.section.b - self.c.section.tw) - self.c.stiffener_clip
+    }
+
+    /// A_net f_y/γ_M0 of both sides of the web \[N\].
+    fn resistance(&self) -> f64 {
+        2.0 * self.contact() * self.c.stiffener * self.c.steel.fy / self.gamma_m0
+    }
+
+    /// The same with its numbers.
+    fn formula(&self) -> String {
+        format!(
+            "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
+            n(self.contact()),
+            n(self.c.stiffener),
+            n(self.c.steel.fy),
+            n(self.gamma_m0),
+            Unit::Force.show(self.resistance())
+        )
+    }
+}
+
+/// Steel of the column for the welds on it.
+fn welded(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
+    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.gamma_m2 })
+}
+
+/// What a web carries itself, and what the stiffeners beside it take \[N\].
+struct Share {
+    /// Which side, in words.
+    side: &'static str,
+    /// Force of the stiffeners on both sides of the web.
+    force: f64,
+    /// How it is found, with numbers.
+    formula: String,
+}
+
+/// Net section and welds of the stiffeners under a load case.
+pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
+    let e = case.e;
+    let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) else { return Vec::new() };
+    let beta = loaded::beta(e, case.a);
+    let mut without = joint(e, beta);
+    without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
+    // with stiffeners the joint was assessed; without them the same geometry is covered
+    let Ok(bare) = assess(&case.sense.of(&without)) else { return Vec::new() };
+    let s = Stiffeners { c, gamma_m0: e.gamma_m0 };
+    let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
+    let mut out = Vec::new();
+    let mut shares = Vec::new();
+    if let Some((check, share)) = compression(case, &s, &bare, compressed_thickness(c.section.tw, doublers)) {
+        out.push(check);
+        shares.push(share);
+    }
+    if let Some((check, share)) = tension(case, &s, &bare) {
+        out.push(check);
+        shares.push(share);
+    }
+    out.extend(stiffener_welds(case, c, &shares, beta));
+    out
+}
+
+/// Crushing of web and net section of the stiffeners under the beam's compressed flange. The stiffeners' part goes by what both can carry,
+/// so that it reaches the strength of the net section when the web has reached its own.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the whole section; net section where the
+/// stiffener is cut, as in SCI P398.
+fn compression(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment, web: f64) -> Option<(Check, Share)> {
+    let [[axial, ..], [_, my, _]] = case.a.at(1.0);
+    let limit = bare.limit(Summed::ColumnWeb)?;
+    let of = |symbol: &str| limit.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value);
+    let (width, kwc, omega) = (of("b_eff")?, of("k_wc")?, of("ω")?);
+    let alone = omega * kwc * width * web * s.c.steel.fy / s.gamma_m0;
+    let rows = case.assessment.tension();
+    let force = my.abs() / case.assessment.moment.value * rows + 0.5 * (-axial).max(0.0);
+    let both = alone + s.resistance();
+    let formula = format!(
+        "F_c,Ed = |My|/M_j,Rd Σ F_tr,Rd + N/2 = {}/{} · {} + {}; ω k_wc b_eff t_wc f_y/γ_M0 + A_net f_y/γ_M0 with {}: {} + {}",
+        Unit::Moment.show(my.abs()),
+        Unit::Moment.show(case.assessment.moment.value),
+        Unit::Force.show(rows),
+        Unit::Force.show(0.5 * (-axial).max(0.0)),
+        s.formula(),
+        Unit::Force.show(alone),
+        Unit::Force.show(s.resistance()),
+    );
+    let title = "crushing of the column web with the net section of its stiffeners";
+    let worked = Worked::new("EN 1993-1-8:2005 6.2.6.2(4), SCI P398", title, both, Unit::Force, formula)
+        .with("b_eff", width, Unit::Length)
+        .with("ω", omega, Unit::Number);
+    let check = worked.against(Topic::Member, case.place("compressed stiffeners"), force, Status::Failed);
+    let part = s.resistance() / both;
+    let formula = format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
+    Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
+}
+
+/// Net section of the stiffeners at the flange in tension, under the rows above and below: what the column web does not carry without
+/// them, and what the column flange bends into them.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.3 for the web; the share m/(m + m2) of a row as in SCI/BCSA, Joints in Steel Construction: Moment Connections.
+fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Check, Share)> {
+    let (e, c) = (case.e, s.c);
+    let rows = &case.assessment.rows;
+    let level = 0.5 * (e.beam.h - e.beam.tf);
+    let below = rows.iter().position(|r| r.z < level);
+    let above = rows.iter().rposition(|r| r.z > level);
+    let near: Vec<usize> = above.into_iter().chain(below).collect();
+    let (first, last) = (*near.first()?, *near.last()?);
+    let web = if first == last {
+        bare.rows.get(last)?.alone.iter().find(|k| k.name == "column web")?
+    } else {
+        let of = |g: &&Group| g.first == first && g.component.name == "column web";
+        &bare.rows.get(last)?.groups.iter().find(of)?.component
+    };
+    let m = 0.5 * (e.gauge - c.section.tw) - HINGE * c.section.r;
+    let (mut pull, mut bent, mut terms) = (0.0, 0.0, Vec::new());
+    for (at, row) in near.iter().filter_map(|r| Some((*r, rows.get(*r)?))) {
+        let force = case.row_demand(at);
+        let m2 = (row.z - level).abs() - 0.5 * c.stiffener - HINGE * SQRT_2 * c.stiffener_throat;
+        pull += force;
+        bent += force * m / (m + m2);
+        terms.push(format!("{} · {}/({} + {})", Unit::Force.show(force), n(m), n(m), n(m2)));
+    }
+    let force = (pull - web.worked.value).max(bent);
+    let formula = format!(
+        "F_Ed = max(Σ F_r − F_t,wc,Rd, Σ F_r m/(m + m2)) = max({} − {}, {}) = {}",
+        Unit::Force.show(pull),
+        Unit::Force.show(web.worked.value),
+        terms.join(" + "),
+        Unit::Force.show(force)
+    );
+    let title = "net section of the stiffeners in tension";
+    let clause = "EN 1993-1-8:2005 6.2.6.3, SCI P398";
+    let mut worked = Worked::new(clause, title, s.resistance(), Unit::Force, s.formula());
+    worked.formula = format!("{formula}; {}", s.formula());
+    if let Some(width) = value(web, "b_eff") {
+        worked = worked.with("b_eff of the web", width, Unit::Length);
+    }
+    let check = worked.against(Topic::Member, case.place("stiffeners in tension"), force, Status::Failed);
+    Some((check, Share { side: "stiffeners in tension", force, formula }))
+}
+
+/// Fillet welds of the stiffeners: to the flange of the column for the force they take there, to its web for the part of it that no beam
+/// on the other side balances, β of it.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of each stiffener.
+fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64) -> Vec<Check> {
+    let (a, mut out) = (c.stiffener_throat, Vec::new());
+    let Some(steel) = welded(case.e, c).filter(|_| a > 0.0) else { return out };
+    let flange = 0.5 * (c.section.b - c.section.tw) - c.stiffener_clip - 2.0 * a;
+    let web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip) - 2.0 * a;
+    let four = |force: f64, length: f64, formula: &str, subject: String| {
+        // as a force, so that welds without any length left fail
+        let each = simplified(a, &steel);
+        let formula =
+            format!("{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}", each.formula, n(length), n(each.value));
+        let title = "fillet welds of the column stiffeners";
+        let worked = Worked::new(each.clause, title, 4.0 * length * each.value, Unit::Force, formula);
+        worked.against(Topic::Welds, subject, force, Status::Failed)
+    };
+    for s in shares {
+        out.push(four(s.force, flange, &s.formula, case.place(&format!("{} to the column flange", s.side))));
+    }
+    if let Some(s) = shares.iter().reduce(|a, b| if b.force > a.force { b } else { a }) {
+        let formula = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(s.force));
+        out.push(four(beta * s.force, web, &formula, case.place(&format!("{} to the column web", s.side))));
+    }
+    out.extend(least_size(&case.place("column stiffeners"), a, flange.min(web)));
+    out
+}
+
+/// Fillet welds round the web plate: the shear flow of its part of the panel, and the throat from which on it counts in tension.
+///
+/// # Source
+/// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them; 6.2.6.3: fillet welds with a ≥ t_s/√2.
+pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
+    let mut out = Vec::new();
+    let e = case.e;
+    let counts = |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
+    let Some(c) = e.column.as_ref().filter(counts) else { return out };
+    let (subject, a) = (case.place("web doubler"), c.doubler_throat);
+    let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
+    let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
+    out.push(Check::at_least((Topic::Welds, subject.as_str()), what, "a", rule, a, Status::Failed));
+    let (Some(steel), Some(panel)) = (welded(e, c), &case.assessment.panel) else { return out };
+    let Some(area) = panel.steps.iter().find(|s| s.symbol == "A_vc").map(|s| s.value) else { return out };
+    let own = case.a.at(1.0)[1][1];
+    let other: f64 = loaded::others(e, case.a).map(|o| o.at(1.0)[1][1]).sum();
+    let shear = (own - other).abs() / case.assessment.stiffness.lever;
+    let flow = shear * c.section.tw / area;
+    let mut worked = simplified(a, &steel);
+    worked.formula = format!(
+        "F_w,Ed = V_wp,Ed (b_s t_wc/A_vc)/b_s = {} · {}/{}; {}",
+        Unit::Force.show(shear),
+        n(c.section.tw),
+        n(area),
+        worked.formula
+    );
+    worked.clause = "EN 1993-1-8:2005 6.2.6.1, 4.5.3.3";
+    worked.title = "shear flow in the welds of a web doubler";
+    out.push(worked.against(Topic::Welds, subject, flow, Status::Failed));
+    out
+}
+
+/// Fillet welds of the rib: as strong as the rib, for no formula tells what it takes.
+///
+/// # Source
+/// EN 1993-1-8:2005 4.5.3.2(6).
+pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
+    let steel = super::welded(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
+    let full = full_strength_throat(e.rib, e.beam_steel.fy, e.gamma_m0, &steel);
+    let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
+    let rule = (full.value, full.formula.split(" = ").nth(1).unwrap_or_default().to_owned());
+    Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))
+}
