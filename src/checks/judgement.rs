@@ -212,9 +212,11 @@ impl HandChecks {
         }
         let of_case = |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
         for c in self.checks.iter_mut().filter(of_case) {
-            if matches!(c.status, Status::Failed | Status::Undecided) {
-                c.status = Status::Warning;
-            }
+            c.status = match c.status {
+                Status::Failed | Status::Undecided => Status::Warning,
+                Status::Ok => Status::Information,
+                other => other,
+            };
         }
     }
 }

@@ -53,7 +53,7 @@ mod tests {
         };
         let svg = drawing(&diagram);
         assert_eq!((svg.matches("<polygon").count(), svg.matches("<circle").count()), (1, 2));
-        for part in ["ULS1", "ULS2", "N [kN]", "M_j [kN m]", "5 %", ">−500<"] {
+        for part in ["ULS1", "ULS2", "N [kN]", "M_j [kN m]", "5 %", ">−400<"] {
             assert!(svg.contains(part), "{part}: {svg}");
         }
     }

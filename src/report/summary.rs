@@ -69,16 +69,17 @@ fn worst_distance(checks: &[Check]) -> Option<&Check> {
 }
 
 fn row(c: &Check) -> Row {
-    // strength by the component method decides until a limit analysis does, which makes what it exceeds a warning
-    let decides = !matches!(c.topic, Topic::Stiffness | Topic::Ductility) && c.status != Status::Warning;
     let show = |v: Option<f64>| v.map_or("–".into(), |v| c.unit.show(v));
-    let status = match (c.status, decides) {
+    let decides = matches!(c.status, Status::Ok | Status::Failed | Status::Undecided)
+        && !matches!(c.topic, Topic::Stiffness | Topic::Ductility);
+    let status = match (c.status, c.utilisation) {
         (Status::Failed, _) => "FAILED",
         (Status::Undecided, _) => "UNDECIDED",
-        (Status::Ok, true) => "OK",
-        (Status::Ok, false) => "OK, information",
+        (Status::Ok, _) => "OK",
+        // what a limit analysis of the case decides
         (Status::Warning, _) => "exceeded, information",
-        (Status::Information, _) => "information",
+        (Status::Information, Some(_)) => "OK, information",
+        (Status::Information, None) => "information",
     };
     let cells = vec![
         c.case.clone().unwrap_or_else(|| "all".into()),
@@ -137,7 +138,8 @@ mod tests {
         table_of_checks(&mut page, &result);
         assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
         // information that holds says so in the word of the other checks
-        result.checks.push(check(Topic::ComponentMethod, 0.5, Status::Warning));
+        let held = check(Topic::ComponentMethod, 0.5, Status::Warning);
+        result.checks.push(Check { status: Status::Information, ..held });
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("OK, information") && !page.contains("holds"), "{page}");
