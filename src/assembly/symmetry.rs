@@ -14,7 +14,8 @@ type Point = [i64; 3];
 fn round(x: [f64; 3], mirror: Option<usize>) -> Point {
     let mut p = x.map(|c| (c / SAME).round() as i64);
     if let Some(axis) = mirror {
-        p[axis] = -p[axis];
+        // a number too large for the grid stands at its end, which has no opposite
+        p[axis] = p[axis].saturating_neg();
     }
     p
 }

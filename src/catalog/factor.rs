@@ -109,7 +109,7 @@ impl Entry for PartialFactor {
 /// The partial factors of a national annex; a factor the row leaves out has its recommended value.
 ///
 /// # Source
-/// `basis` says how the row was obtained: `read`, `unverified`, `recommended`; `catalogs/README.md` has the rest.
+/// `basis` says which values were read and which are unverified; `catalogs/README.md` has the rest.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NationalAnnex {
     /// Name, for example `DE`.

@@ -257,7 +257,7 @@ pub fn starter(
         others.iter().for_each(|r| line(&mut out, &r.name, r));
     }
     out.push_str(
-        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  \
+        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is on the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  \
          # law: coulomb  # no dilation, by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
