@@ -43,7 +43,8 @@ pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
     let input = spec_file::read(&args.spec, args.catalog.folder())?;
     check_names(&input, &[])?;
     check_sizes(&input)?;
-    let checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let mut checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    checks.notes.extend(input.joint.notes.iter().cloned());
     let log = Log::new(common.quiet);
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(&args.folder())?;
