@@ -19,6 +19,8 @@ pub(super) struct Case<'a> {
     pub assessment: &'a Assessment,
     /// Force of every row of the assessment under the load \[N\]; more than the row carries where the load is.
     pub rows: Vec<f64>,
+    /// Largest compression of a flange of the beam under the load \[N\].
+    pub push: f64,
 }
 
 impl Case<'_> {

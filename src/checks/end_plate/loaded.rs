@@ -69,21 +69,21 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
                 let (clause, title) = ("EN 1993-1-8:2005 6.2", "resistance by the component method");
                 let subject = format!("{}, {}", a.end, sense.words());
                 let check = Check::undecided(Topic::ComponentMethod, subject, clause, title, fault.to_string());
-                out.checks.push(check.of_case(&a.case));
+                out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
                 continue;
             }
         };
         let method = side.method();
         let mut found = Vec::new();
-        if a.state.is_ultimate() {
+        if ultimate {
             found.push(side.moment(&method));
             found.extend(side.stability(&method));
             let [[_, vy, vz], _] = a.at(1.0);
             found.extend(side.bolts(&method).checks(e, vz.hypot(vy)));
             found.extend(side.panel());
             found.extend(side.welds());
-            let rows = side.row_forces(&method);
-            found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows }));
+            let (rows, push) = (side.row_forces(&method), side.push(&method));
+            found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows, push }));
             if !side.assessment.stability.is_empty() && !out.unstable.contains(&a.case) {
                 out.unstable.push(a.case.clone());
             }
@@ -216,6 +216,16 @@ impl Side<'_> {
             None => share * row.force,
         };
         self.assessment.rows.iter().map(force).collect()
+    }
+
+    /// Largest compression of a flange of the beam under the actions \[N\].
+    fn push(&self, method: &Method) -> f64 {
+        let at = self.a.at(1.0);
+        match method.with_axial(at) {
+            Some(c) => c.compression.into_iter().fold(0.0, f64::max) / c.factor,
+            // a push that does not count for the joint is there all the same, half of it in either flange
+            None => at[1][1].abs() / method.moment * self.assessment.tension() + 0.5 * (-at[0][0]).max(0.0),
+        }
     }
 
     /// Tension of the bolts of every row under the actions, prying included and beyond any resistance.

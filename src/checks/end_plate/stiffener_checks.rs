@@ -91,20 +91,14 @@ pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
 /// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the whole section; net section where the
 /// stiffener is cut, as in SCI P398.
 fn compression(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment, web: f64) -> Option<(Check, Share)> {
-    let [[axial, ..], [_, my, _]] = case.a.at(1.0);
     let limit = bare.limit(Summed::ColumnWeb)?;
     let of = |symbol: &str| limit.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value);
     let (width, kwc, omega) = (of("b_eff")?, of("k_wc")?, of("ω")?);
     let alone = omega * kwc * width * web * s.c.steel.fy / s.gamma_m0;
-    let rows = case.assessment.tension();
-    let force = my.abs() / case.assessment.moment.value * rows + 0.5 * (-axial).max(0.0);
+    let force = case.push;
     let both = alone + s.resistance();
     let formula = format!(
-        "F_c,Ed = |My|/M_j,Rd Σ F_tr,Rd + N/2 = {}/{} · {} + {}; ω k_wc b_eff t_wc f_y/γ_M0 + A_net f_y/γ_M0 with {}: {} + {}",
-        Unit::Moment.show(my.abs()),
-        Unit::Moment.show(case.assessment.moment.value),
-        Unit::Force.show(rows),
-        Unit::Force.show(0.5 * (-axial).max(0.0)),
+        "ω k_wc b_eff t_wc f_y/γ_M0 + A_net f_y/γ_M0 with {}: {} + {}",
         s.formula(),
         Unit::Force.show(alone),
         Unit::Force.show(s.resistance()),
