@@ -6,7 +6,7 @@ use super::inputs::Inputs;
 use super::scope::Scope;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::connection::{BoltCategory, ConnectionSpec};
+use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec, PryingRule};
 use crate::spec::expr::{Expr, ExprError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -128,6 +128,11 @@ pub struct ColumnSide {
     pub doubler_throat: f64,
     /// β where a load case has none of its own.
     pub beta: f64,
+    /// Largest longitudinal compressive stress at the web's root, from N and M of the spec \[MPa\]; `None` where it gives none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longitudinal: Option<f64>,
+    /// What the column's shear forces take off that of the web panel, (V_c1 − V_c2)/2 \[N\].
+    pub shear: f64,
     /// System length of the column, its storey height, where the spec gives it.
     pub system_length: Option<f64>,
 }
@@ -184,6 +189,8 @@ pub struct EndPlate {
     pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
+    /// Prying forces are taken to develop whatever the length of the bolts.
+    pub always_prying: bool,
     /// γ_M0.
     pub gamma_m0: f64,
     /// γ_M1.
@@ -196,6 +203,36 @@ pub struct EndPlate {
     pub gamma_m3_ser: f64,
     /// γ_M7: preload of bolts.
     pub gamma_m7: f64,
+}
+
+/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` where the spec gives neither N nor M.
+///
+/// `σ = −N/A + |M| (h/2 − t_f − r)/I_y`, not below 0.
+fn longitudinal(
+    role: &str,
+    m: &MemberSpec,
+    section: &IProfile,
+    steel: &Strength,
+) -> Result<Option<f64>, AssemblyError> {
+    if m.n_ed.is_none() && m.m_ed.is_none() {
+        return Ok(None);
+    }
+    let (axial, moment) = (m.n_ed.map_or(0.0, |n| n.0), m.m_ed.map_or(0.0, |m| m.0));
+    let root = 0.5 * section.h - section.tf - section.r;
+    // cm² and cm⁴ of the tables
+    let stress = (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
+    if stress <= steel.fy {
+        return Ok(Some(stress));
+    }
+    let key = if m.n_ed.is_some() { "N_Ed" } else { "M_Ed" };
+    Err(AssemblyError::Value {
+        path: format!("members.{role}.{key}"),
+        problem: format!(
+            "the column is pressed with {stress:.0} MPa at the root of its web; its yield strength is {} MPa",
+            steel.fy
+        ),
+        help: "check the number and its unit, or take a larger column".into(),
+    })
 }
 
 /// The values of a template's `hand_checks`, if it has them.
@@ -252,8 +289,12 @@ pub fn end_plate(
             if !(0.0..=2.0).contains(&beta) {
                 return Err(wrong("beta", format!("{beta} does not lie between 0 and 2")));
             }
+            let steel = inputs.strength(spec, &role(column), section.tf)?;
+            let forces = spec.members.get(column);
             Some(ColumnSide {
-                steel: inputs.strength(spec, &role(column), section.tf)?,
+                longitudinal: forces.map_or(Ok(None), |m| longitudinal(column, m, &section, &steel))?,
+                shear: forces.and_then(|m| m.v_ed).map_or(0.0, |v| v.0),
+                steel,
                 stiffener_throat: or_none("stiffener_throat", &entry.stiffener_throat)?,
                 stiffener_clip: match &entry.stiffener_clip {
                     Some(clip) => length("stiffener_clip", clip, some)?,
@@ -295,6 +336,7 @@ pub fn end_plate(
         preload: inputs.preload,
         category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
+        always_prying: spec.code.prying == PryingRule::Always,
         gamma_m0: factors.gamma_m0,
         gamma_m1: factors.gamma_m1,
         gamma_m2: factors.gamma_m2,

@@ -72,6 +72,7 @@ impl<'a> Inputs<'a> {
                 help: "give the distance between the centres of the columns, with its unit: `length: 6 m`".into(),
             });
         }
+        column_forces(spec, template, &mut faults);
         if let Some(name) = spec.plate.as_ref().and_then(|p| p.steel.as_ref()) {
             match catalog.steel(name) {
                 Ok(s) => drop(steels.insert("plate".into(), ("plate.steel".into(), s))),
@@ -328,6 +329,21 @@ fn insert(materials: &mut BTreeMap<String, PartMaterial>, name: &str, thickness:
 fn unknown(t: &Template, path: String, noun: &'static str, name: &str, hint: String, known: String) -> AssemblyError {
     let problem = format!("template `{}` has no {noun} `{name}`{hint}", t.name);
     AssemblyError::Unknown { path, problem, known }
+}
+
+/// Forces beside the joint are read of the column alone: elsewhere they would be ignored.
+fn column_forces(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
+    let column = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
+    for (role, m) in spec.members.iter().filter(|(role, _)| Some(*role) != column) {
+        let given = [("N_Ed", m.n_ed.is_some()), ("M_Ed", m.m_ed.is_some()), ("V_Ed", m.v_ed.is_some())];
+        for (key, _) in given.into_iter().filter(|g| g.1) {
+            faults.push(AssemblyError::Value {
+                path: format!("members.{role}.{key}"),
+                problem: format!("`{key}` is a force of the column beside the joint; `{role}` is none"),
+                help: "forces at the end of a beam stand under `loads`".into(),
+            });
+        }
+    }
 }
 
 /// Checks of the fixed part that no template has to repeat.

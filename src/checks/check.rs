@@ -233,19 +233,30 @@ impl Check {
         title: &str,
         why: impl Into<String>,
     ) -> Self {
+        Self { status: Status::Undecided, ..Self::assumption(topic, subject, clause, title, why) }
+    }
+
+    /// What the checks take to be so, in words.
+    pub fn assumption(
+        topic: Topic,
+        subject: impl Into<String>,
+        clause: &str,
+        title: &str,
+        what: impl Into<String>,
+    ) -> Self {
         Self {
             topic,
             case: None,
             subject: subject.into(),
             clause: clause.into(),
             title: title.into(),
-            formula: why.into(),
+            formula: what.into(),
             values: Vec::new(),
             demand: None,
             resistance: None,
             utilisation: None,
             unit: Unit::Number,
-            status: Status::Undecided,
+            status: Status::Information,
         }
     }
 

@@ -72,8 +72,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(stiffener_checks::rib_weld(e));
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(tying::tying(e));
-    let rules = ductility(e);
-    let mut ductile = rules.iter().any(|c| c.status == Status::Ok);
+    out.checks.extend(assumptions(e));
+    let (mut ductile, mut bending) = (false, Vec::new());
     out.notes.extend(left_out(e));
     for (sense, beta) in senses(e) {
         match assess(&sense.of(&joint(e, beta))) {
@@ -83,6 +83,7 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
                     if several { format!("{}, β = {}", sense.words(), n(beta)) } else { sense.words().into() };
                 out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
                 out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &a));
+                bending.extend(a.rows.iter().filter_map(|r| r.bending_of()));
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
                     let clear = Section::from(section).clear_depth();
@@ -94,6 +95,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
             Err(fault) => out.notes.push(format!("component method, {}: {fault}", sense.words())),
         }
     }
+    let rules = ductility(e, &bending);
+    ductile |= rules.iter().any(|c| c.status == Status::Ok);
     if !ductile {
         out.brittle = Some(brittle(&rules));
     }
@@ -181,6 +184,30 @@ fn doubler_fault(c: &ColumnSide) -> Option<String> {
 /// b_s: the plate is as wide as the web is flat.
 fn doubler_width(c: &ColumnSide) -> f64 {
     Section::from(&c.section).clear_depth()
+}
+
+/// What the component method takes to be so, where the spec does not say it.
+fn assumptions(e: &EndPlate) -> Vec<Check> {
+    let topic = Topic::ComponentMethod;
+    let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
+    let rule = match e.always_prying {
+        true => "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)",
+        false => {
+            "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always takes them to develop everywhere"
+        }
+    };
+    let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
+    let Some(c) = &e.column else { return out };
+    let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
+    let words = match c.longitudinal {
+        Some(stress) => format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress)),
+        None => {
+            "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more (k_wc falls to 0.7 at f_y)"
+                .into()
+        }
+    };
+    out.push(Check::assumption(topic, "column web", clause, title, words));
+    out
 }
 
 /// Rows from the top.
@@ -380,7 +407,7 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             stiffener_throat: c.stiffener_throat,
             doublers: u32::from(counts),
             doubler_width: if counts { doubler_width(c) } else { 0.0 },
-            longitudinal: 0.0,
+            longitudinal: c.longitudinal.unwrap_or(0.0),
         }
     });
     EndPlateJoint {
@@ -400,7 +427,7 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             stress_area: e.bolt.stress_area,
             elongation: bolt_length::elongation_length(&e.bolt, grip(e), WASHERS),
             washer: None,
-            always_prying: false,
+            always_prying: e.always_prying,
         },
         beta,
         young: e.beam_steel.e,
@@ -459,8 +486,8 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
 }
 
 /// The rules of plate and column flange: one of them that holds makes the joint ductile. Those of 6.4.2 hold for S235, S275 and S355 and
-/// for axial forces up to 5 % of N_pl,Rd (6.4.2(1)).
-fn ductility(e: &EndPlate) -> Vec<Check> {
+/// for axial forces up to 5 % of N_pl,Rd (6.4.2(1)), where bending of that part limits a row (6.4.2(2)).
+fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
     let (d, fub) = (e.bolt.d, e.grade.fub);
     let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
     let flange = |c: &ColumnSide| ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy });
@@ -478,7 +505,8 @@ fn ductility(e: &EndPlate) -> Vec<Check> {
     };
     let rules = |(part, c)| {
         let mut by_code = rotation_capacity(part, &c);
-        if let Some(why) = &left {
+        let other = (!bending.contains(&part)).then(|| format!("bending of the {part} limits no row"));
+        if let Some(why) = left.as_ref().or(other.as_ref()) {
             by_code.formula += &format!("; {why}");
             by_code.status = Status::Warning;
         }

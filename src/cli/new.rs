@@ -147,8 +147,10 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         analysis: AnalysisSpec::default(),
     };
     for m in &template.members {
-        spec.members
-            .insert(m.role.clone(), MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), length: None });
+        spec.members.insert(
+            m.role.clone(),
+            MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), ..MemberSpec::default() },
+        );
     }
     if !template.bolts.is_empty() {
         spec.bolts = Some(BoltSpec {

@@ -5,7 +5,7 @@
 
 use super::loads::LoadSpec;
 use super::polygon::PolygonSpec;
-use crate::units::{self, INVALID_QUANTITY, Kind, Length, Seconds};
+use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment, Seconds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;
@@ -112,6 +112,26 @@ pub struct Code {
     pub gamma_m7: Option<f64>,
     /// Table the yield strengths come from.
     pub fy_source: FySource,
+    /// Whether prying forces develop in T-stubs.
+    #[serde(skip_serializing_if = "PryingRule::is_default")]
+    pub prying: PryingRule,
+}
+
+/// Whether prying forces develop in T-stubs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PryingRule {
+    /// Where the bolts are no longer than L_b* of EN 1993-1-8 Table 6.2.
+    #[default]
+    ByLength,
+    /// Everywhere, whatever the length of the bolts.
+    Always,
+}
+
+impl PryingRule {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 impl Default for Code {
@@ -126,6 +146,7 @@ impl Default for Code {
             gamma_m3_ser: None,
             gamma_m7: None,
             fy_source: FySource::Table31,
+            prying: PryingRule::ByLength,
         }
     }
 }
@@ -150,7 +171,7 @@ pub enum FySource {
 }
 
 /// A member.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MemberSpec {
     /// Profile in the catalogue: `HEB200`.
@@ -160,6 +181,15 @@ pub struct MemberSpec {
     /// System length, between the centres of the columns for a beam: it decides the class of its joints by stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<Length>,
+    /// Column: axial force beside the joint, tension positive; its compression reduces the web's resistance (k_wc).
+    #[serde(default, rename = "N_Ed", skip_serializing_if = "Option::is_none")]
+    pub n_ed: Option<Force>,
+    /// Column: largest moment beside the joint about the strong axis (k_wc).
+    #[serde(default, rename = "M_Ed", skip_serializing_if = "Option::is_none")]
+    pub m_ed: Option<Moment>,
+    /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8 5.3(3); negative adds.
+    #[serde(default, rename = "V_Ed", skip_serializing_if = "Option::is_none")]
+    pub v_ed: Option<Force>,
 }
 
 /// End plate.

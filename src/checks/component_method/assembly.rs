@@ -97,6 +97,13 @@ pub struct Assessment {
 }
 
 impl RowForce {
+    /// The part whose bending, alone or with the bolts, limits the row; `None` where something else does.
+    pub fn bending_of(&self) -> Option<&'static str> {
+        self.mode.filter(|m| m.bends() && self.force > 0.0)?;
+        let of = |part: &&str| self.limited_by.starts_with(*part);
+        ["end plate", "column flange"].into_iter().find(|part| of(&part))
+    }
+
     /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the plastic state of the row's
     /// T-stubs in proportion, which is in equilibrium and nowhere above its resistance.
     pub fn bolt_force(&self, share: f64) -> f64 {

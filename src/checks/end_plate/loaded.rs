@@ -262,14 +262,20 @@ impl Side<'_> {
             }
         }
         let lever = self.assessment.stiffness.lever;
-        let demand = (own - other).abs() / lever;
+        let relief = self.e.column.as_ref().map_or(0.0, |c| c.shear);
+        let demand = ((own - other).abs() / lever - relief).max(0.0);
         let mut check = resistance;
-        check.title = "column web panel in shear, without what the shear of the column takes off";
+        check.title = match relief == 0.0 {
+            true => "column web panel in shear, without what the shear of the column takes off",
+            false => "column web panel in shear",
+        };
         check.formula = format!(
-            "V_wp,Ed = |M_b1 − M_b2|/z = |{} − {}|/{} = {}; {}",
+            "V_wp,Ed = |M_b1 − M_b2|/z{} = |{} − {}|/{}{} = {}; {}",
+            if relief == 0.0 { "" } else { " − (V_c1 − V_c2)/2" },
             Unit::Moment.show(own),
             Unit::Moment.show(other),
             Unit::Length.show(lever),
+            if relief == 0.0 { String::new() } else { format!(" − {}", Unit::Force.show(relief)) },
             Unit::Force.show(demand),
             check.formula
         );
