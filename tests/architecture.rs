@@ -19,11 +19,12 @@ const LONGEST: usize = 600;
 const ARGUED: [(&str, &str); 0] = [];
 
 /// Crates that one place alone may name, and that place.
-const CONFINED: [(&str, &str); 4] = [
+const CONFINED: [(&str, &str); 5] = [
     ("serde_yaml", "src/spec/yaml"),
     ("saphyr", "src/spec/yaml"),
     ("parry3d_f64", "src/geometry/proximity"),
     ("clarabel", "src/solve/"),
+    ("microlp", "src/checks/component_method/equilibrium"),
 ];
 
 /// Folders that are no part of the project's text.

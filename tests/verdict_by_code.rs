@@ -18,7 +18,7 @@ fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
 /// The verdict on the case `A`, with what an analysis of it says.
 fn verdict(hand: &HandChecks, analysis: Verdict) -> (Judgement, Vec<Check>) {
     let mut hand = hand.clone();
-    let a = Analysed { case: "A".into(), verdict: analysis, utilisation: None };
+    let a = Analysed { verdict: analysis, ..Analysed::not("A") };
     let (judgement, _) = judge(&mut hand, &[a]);
     (judgement, hand.checks)
 }
@@ -196,8 +196,9 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
             }
             seen[rank(j.verdict)] += 1;
             assert!(rank(j.verdict) >= before, "{:?} after {before}: {}", j.verdict, place());
-            let loaded = binding().filter(|c| c.case.is_some()).filter_map(|c| c.utilisation);
-            let used = loaded.fold(0.0, f64::max);
+            // a check that fails without a number has no resistance left
+            let of = |c: &Check| c.utilisation.unwrap_or(if c.status == Status::Failed { f64::INFINITY } else { 0.0 });
+            let used = binding().filter(|c| c.case.is_some()).map(of).fold(0.0, f64::max);
             assert!(used >= used_before - 1e-9, "{used} after {used_before}: {}", place());
             (before, used_before) = (rank(j.verdict), used);
         }

@@ -169,6 +169,8 @@ pub struct PlaneActions {
     pub dead: [V3; 2],
     /// Limit state.
     pub state: LimitState,
+    /// Sign of x′ along the global axis the member lies on: 1 of a right beam, −1 of a left one.
+    pub outward: f64,
     /// From the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
     pub from_node: f64,
 }
@@ -223,6 +225,8 @@ pub(super) fn on_planes(
         let plane = within(at, end.scope.point(plane))?;
         let axes = member_axes(at, end)?;
         let own = |v: V3| axes.map(|a| vec3::dot(v, a));
+        // x′ lies along a global axis
+        let outward = axes[0].iter().sum::<f64>().signum();
         let node = end.entry.points.get(&ActionPoint::Node);
         let from_node = match node {
             Some(p) => own(vec3::sub(plane, within(at, end.scope.point(p))?))[0],
@@ -239,7 +243,7 @@ pub(super) fn on_planes(
             }
             let [live, dead] = sums.map(|[f, m]| [f, vec3::along(m, 1.0, vec3::cross(arm, f))]);
             let (case, end) = (load.name.clone(), end.name.clone());
-            out.push(PlaneActions { case, end, live, dead, state: load.state, from_node });
+            out.push(PlaneActions { case, end, live, dead, state: load.state, outward, from_node });
         }
     }
     out.sort_by_key(|a| loads.iter().position(|l| l.name == a.case));

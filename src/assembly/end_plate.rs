@@ -8,6 +8,7 @@ use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
 use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec, PryingRule};
 use crate::spec::expr::{Expr, ExprError};
+use crate::spec::loads::LoadSpec;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -189,6 +190,9 @@ pub struct EndPlate {
     pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
+    /// Loads of a case with a demand that the checks do not hold: the case, and why in a sentence.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unseen: Vec<(String, String)>,
     /// Prying forces are taken to develop whatever the length of the bolts.
     pub always_prying: bool,
     /// γ_M0.
@@ -233,6 +237,25 @@ fn longitudinal(
         ),
         help: "check the number and its unit, or take a larger column".into(),
     })
+}
+
+/// Loads that the hand checks do not hold beside those they do.
+fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)> {
+    let loads = || spec.loads.iter().filter(|l| !l.of_polygon);
+    let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
+    let given =
+        entry.column.as_ref().and_then(|c| spec.members.get(c)).is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
+    let why = |l: &LoadSpec| match (&l.end, &l.section) {
+        (Some(end), _) if !entry.ends.contains(end) => Some(format!(
+            "`{end}` is none of the ends that `hand_checks` of the template name: what acts there is not checked"
+        )),
+        (None, Some(section)) if demanded(&l.name) && !given => {
+            let cure = entry.column.as_ref().map_or(String::new(), |c| format!("; give members.{c}.N_Ed and M_Ed"));
+            Some(format!("what acts on `{section}` beside the member ends is not in the checks{cure}"))
+        }
+        _ => None,
+    };
+    loads().filter_map(|l| Some((l.name.clone(), why(l)?))).collect()
 }
 
 /// The values of a template's `hand_checks`, if it has them.
@@ -336,6 +359,7 @@ pub fn end_plate(
         preload: inputs.preload,
         category: spec.bolts.as_ref().and_then(|b| b.category),
         mu: inputs.mu,
+        unseen: unseen(spec, entry),
         always_prying: spec.code.prying == PryingRule::Always,
         gamma_m0: factors.gamma_m0,
         gamma_m1: factors.gamma_m1,

@@ -55,6 +55,8 @@ pub struct HandChecks {
     pub brittle: Option<String>,
     /// Load cases in which a component may buckle: the component method binds there, whatever a limit analysis says.
     pub unstable: Vec<String>,
+    /// Load cases at serviceability: of them only slip is checked.
+    pub serviceability: Vec<String>,
 }
 
 impl HandChecks {
@@ -73,7 +75,14 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(tying::tying(e));
     out.checks.extend(assumptions(e));
-    let (mut ductile, mut bending) = (false, Vec::new());
+    out.checks.extend(no_weld_strength(e));
+    let unseen = |(case, why): &(String, String)| {
+        let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
+        Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
+    };
+    out.checks.extend(e.unseen.iter().map(unseen));
+    // of every sense: the parts whose bending limits a row, and whether a web panel that governs may turn
+    let mut turning: Vec<(Sense, Vec<&str>, bool)> = Vec::new();
     out.notes.extend(left_out(e));
     for (sense, beta) in senses(e) {
         match assess(&sense.of(&joint(e, beta))) {
@@ -83,24 +92,38 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
                     if several { format!("{}, β = {}", sense.words(), n(beta)) } else { sense.words().into() };
                 out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
                 out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &a));
-                bending.extend(a.rows.iter().filter_map(|r| r.bending_of()));
+                let bending = a.rows.iter().filter_map(|r| r.bending_of()).collect();
+                let mut panel = false;
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
                     let clear = Section::from(section).clear_depth();
                     let rule = panel_in_shear(&format!("column web panel, {subject}"), clear, section.tw, c.steel.fy);
-                    ductile |= rule.status == Status::Ok;
+                    panel = rule.status == Status::Ok;
                     out.checks.push(rule);
                 }
+                turning.push((sense, bending, panel));
             }
             Err(fault) => out.notes.push(format!("component method, {}: {fault}", sense.words())),
         }
     }
+    let bending: Vec<&str> = turning.iter().flat_map(|t| t.1.iter().copied()).collect();
     let rules = ductility(e, &bending);
-    ductile |= rules.iter().any(|c| c.status == Status::Ok);
-    if !ductile {
+    // a rule counts for the sense it holds in; senses without load ask for none
+    let ductile = |sense: Sense| {
+        let of = |bending: &[&str]| ductility(e, bending).iter().any(|c| c.status == Status::Ok);
+        let each: Vec<_> = turning.iter().filter(|t| t.0 == sense).collect();
+        if each.is_empty() { of(&[]) } else { each.iter().all(|t| t.2 || of(&t.1)) }
+    };
+    let mut loaded: Vec<Sense> = e.actions.iter().map(|a| Sense::of_moment(a.at(1.0)[1][1])).collect();
+    if loaded.is_empty() {
+        loaded = vec![Sense::Top, Sense::Bottom];
+    }
+    if !loaded.into_iter().all(ductile) {
         out.brittle = Some(brittle(&rules));
     }
     out.checks.extend(rules);
+    let service = e.actions.iter().filter(|a| !a.state.is_ultimate());
+    out.serviceability.extend(service.map(|a| a.case.clone()));
     loaded::checks(e, &mut out);
     out.checks.sort_by_key(|c| c.topic);
     out
@@ -184,6 +207,22 @@ fn doubler_fault(c: &ColumnSide) -> Option<String> {
 /// b_s: the plate is as wide as the web is flat.
 fn doubler_width(c: &ColumnSide) -> f64 {
     Section::from(&c.section).clear_depth()
+}
+
+/// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
+fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
+    let column = e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
+    let beam = e.beam_steel.weaker(&e.plate_steel);
+    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
+    let without = column.into_iter().chain([beam]).filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
+    without
+        .map(|(_, steel, part)| {
+            let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
+            let why =
+                format!("Table 4.1 has no β_w for {}: its fillet welds have no strength by this code", steel.grade);
+            Check::undecided(Topic::Welds, part, clause, title, why)
+        })
+        .collect()
 }
 
 /// What the component method takes to be so, where the spec does not say it.

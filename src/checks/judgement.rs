@@ -19,6 +19,15 @@ pub struct Analysed {
     pub verdict: Verdict,
     /// Bracket of demand over capacity.
     pub utilisation: Option<[f64; 2]>,
+    /// Why bounds that would decide do not: no rule of rotation capacity holds.
+    pub brittle: bool,
+}
+
+impl Analysed {
+    /// A case that no analysis brackets.
+    pub fn not(case: impl Into<String>) -> Self {
+        Self { case: case.into(), verdict: Verdict::None, utilisation: None, brittle: false }
+    }
 }
 
 /// What decides a verdict.
@@ -59,7 +68,14 @@ pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Jud
         checks.beside_analysis(&a.case);
     }
     let each: Vec<Judgement> = cases.iter().map(|a| of_case(checks, a)).collect();
-    (together(&each), each)
+    let mut all = together(&each);
+    let service = |a: &Analysed| checks.serviceability.contains(&a.case);
+    if matches!(all.verdict, Verdict::Ok | Verdict::None) && cases.iter().all(service) {
+        all.verdict = Verdict::Undecided;
+        all.reason = "every load case is one of serviceability: give one with `state: ULS`".into();
+        all.governing = None;
+    }
+    (all, each)
 }
 
 /// The verdict on one load case.
@@ -77,7 +93,10 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         Verdict::Ok if !loaded => Verdict::None,
         verdict => verdict,
     };
+    let service = checks.serviceability.iter().any(|c| *c == a.case);
     let verdict = match Verdict::worst([by_code, a.verdict]) {
+        // a case at serviceability has slip to check, or nothing
+        Verdict::None if service => Verdict::None,
         Verdict::None => Verdict::Undecided,
         verdict => verdict,
     };
@@ -156,9 +175,14 @@ fn reason(a: &Analysed, by_code: Verdict, verdict: Verdict, governing: Option<&G
             "{case}: the lower bound carries the load, but the code gives no resistance for what limit analysis does not know: {what}"
         ),
         (Verdict::Undecided, Verdict::Undecided, _) => format!("{case}: the code gives no resistance: {what}"),
+        (Verdict::Undecided, _, Verdict::Undecided) if a.brittle => format!(
+            "{case}: the lower bound carries the load, but no rule of rotation capacity holds; the checks of the code are {}",
+            by_code.words()
+        ),
         (Verdict::Undecided, _, Verdict::Undecided) => {
             format!("{case}: the bounds do not decide; the checks of the code are {}", by_code.words())
         }
+        (Verdict::None, ..) => format!("{case}: a load case of serviceability, of which nothing is checked"),
         _ => format!("{case}: no check of the code covers the load, and no limit analysis was run"),
     }
 }
@@ -192,14 +216,13 @@ impl Judgement {
     }
 }
 
-/// What an exit code of a run says (CONTRACT: exit codes).
-pub fn exit_meaning(code: u8) -> &'static str {
+/// What an exit code of a run with a verdict says (CONTRACT: exit codes).
+fn exit_meaning(code: u8) -> &'static str {
     match code {
         0 => "verified",
         1 => "verified not OK",
-        2 => "bad input",
-        3 => "undecided, or no certificate within the limits",
-        _ => "something is missing on the machine",
+        3 => "undecided",
+        _ => "no result",
     }
 }
 
@@ -213,7 +236,7 @@ impl HandChecks {
         let of_case = |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
         for c in self.checks.iter_mut().filter(of_case) {
             c.status = match c.status {
-                Status::Failed | Status::Undecided => Status::Warning,
+                Status::Failed => Status::Warning,
                 Status::Ok => Status::Information,
                 other => other,
             };
@@ -238,7 +261,7 @@ mod tests {
 
     fn verdicts(checks: &[Check], unstable: &[&str], analysis: Verdict) -> [Verdict; 3] {
         let mut h = hand(checks, unstable);
-        let a = Analysed { case: "A".into(), verdict: analysis, utilisation: None };
+        let a = Analysed { verdict: analysis, ..Analysed::not("A") };
         let (j, _) = judge(&mut h, &[a]);
         [j.verdict, j.by_code, j.by_analysis]
     }
@@ -263,8 +286,11 @@ mod tests {
         let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
         assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
         let unknown = Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
-        assert_eq!(verdicts(&[unknown.clone()], &["A"], Fine), [Undecided, Undecided, Fine]);
+        assert_eq!(verdicts(std::slice::from_ref(&unknown), &["A"], Fine), [Undecided, Undecided, Fine]);
         assert_eq!(verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine), [NotOk, NotOk, Fine]);
+        // what the method does not cover is no strength that a bracket answers: its checks are missing
+        let missing = Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside").of_case("A");
+        assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
         // a distance that is missed needs no load
         assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
     }
@@ -277,11 +303,22 @@ mod tests {
         assert_eq!(verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing), [Undecided, Nothing, Nothing]);
     }
 
+    /// A case at serviceability without a check does not vote; alone it decides nothing.
+    #[test]
+    fn a_case_at_serviceability_does_not_stand_for_the_ultimate_one() {
+        let mut h = hand(&[check(Topic::Bolts, 0.9, Some("A"))], &[]);
+        h.serviceability = vec!["S".into()];
+        let (j, each) = judge(&mut h.clone(), &[Analysed::not("A"), Analysed::not("S")]);
+        assert_eq!((j.verdict, each[1].verdict), (Fine, Nothing));
+        let limit = Analysed { verdict: Fine, ..Analysed::not("S") };
+        assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
+    }
+
     /// The line names what governs: the failed check of the worst case, with clause and utilisation.
     #[test]
     fn the_last_line_names_what_governs() {
         let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Stability, 1.05, Some("B"))];
-        let case = |name: &str| Analysed { case: name.into(), verdict: Fine, utilisation: Some([0.69, 0.81]) };
+        let case = |name: &str| Analysed { verdict: Fine, utilisation: Some([0.69, 0.81]), ..Analysed::not(name) };
         let (j, each) = judge(&mut hand(&checks, &[]), &[case("A"), case("B")]);
         assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
         let line = j.line(1);

@@ -1,4 +1,4 @@
-//! The verdict on a load case: three values, from strict bounds alone.
+//! The three values of a verdict, and the one of strict bounds; `judgement` joins it with the code's checks.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// The demand is below the lower bound and every check holds.
+    /// The demand is carried.
     Ok,
-    /// The demand is above the upper bound, or a check failed.
+    /// The demand is not carried: by an upper bound or by a check.
     NotOk,
-    /// The demand lies inside the bracket, or there is no certificate.
+    /// Neither is known.
     Undecided,
     /// There is no demand to judge.
     None,

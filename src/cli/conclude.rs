@@ -77,16 +77,22 @@ pub fn conclude(
     }
     let last = match &result.judgement {
         Some(judgement) => judgement.line(code),
-        None => format!(
-            "verdict: {} (no load is a demand); exit code {code}: {}",
-            result.verdict.words(),
-            crate::checks::judgement::exit_meaning(code)
-        ),
+        None => {
+            let meaning = match code {
+                1 => "a check that needs no load fails",
+                3 => "no certificate within the limits",
+                _ if result.cases.is_empty() => "there was nothing to judge",
+                _ => "certified",
+            };
+            format!("verdict: {} (no load is a demand); exit code {code}: {meaning}", result.verdict.words())
+        }
     };
-    log.line(format!("report: {}", folder.target().join("report.md").display()));
-    log.line(last);
+    // the file holds the last words as well, the terminal gets them once the folder is whole
+    let words = [format!("result: {}", folder.target().join("report.md").display()), last];
+    words.iter().for_each(|w| log.detail(w));
     folder.write("log.txt", log.text().as_bytes())?;
     folder.finish()?;
+    words.iter().for_each(|w| log.say(w));
     if common.format == Format::Json {
         out::text(&json)?;
     }
@@ -105,7 +111,8 @@ fn judged(result: &mut ResultFile, echo: &mut Echo, analyses: &Analyses) {
             None if entries().count() < kinds.len() => Verdict::Undecided,
             None => Verdict::worst(entries().map(by_analysis)),
         };
-        Analysed { case: case.clone(), verdict, utilisation: limit.and_then(|c| c.utilisation) }
+        let brittle = limit.and_then(|c| c.demand.as_ref()).is_some_and(|d| d.brittle.is_some());
+        Analysed { case: case.clone(), verdict, utilisation: limit.and_then(|c| c.utilisation), brittle }
     };
     let analysed: Vec<Analysed> = analyses.demanded.iter().map(of_case).collect();
     if analysed.is_empty() {

@@ -12,7 +12,6 @@ use crate::adapt::plan;
 use crate::assembly::joint::PartRole;
 use crate::checks::check::number;
 use crate::checks::end_plate::{grip, moment_axial, stocked_length};
-use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, HandChecks, Status, Topic, hand_checks, judge};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::Mesher;
@@ -239,8 +238,8 @@ fn tell(hand: &HandChecks, cases: Vec<String>, log: &Log) {
     if cases.is_empty() {
         return;
     }
-    let alone = |case| Analysed { case, verdict: Verdict::None, utilisation: None };
-    let (judgement, _) = judge(&mut hand.clone(), &cases.into_iter().map(alone).collect::<Vec<_>>());
+    let alone: Vec<Analysed> = cases.into_iter().map(Analysed::not).collect();
+    let (judgement, _) = judge(&mut hand.clone(), &alone);
     log.line(format!("by code alone: {}: {}", judgement.verdict.words(), judgement.reason));
 }
 

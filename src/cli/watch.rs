@@ -1,4 +1,4 @@
-//! `bracket watch`: the checks of a spec again, whenever it or what it reads changes.
+//! `bracket watch`: the checks of a spec again, whenever a YAML or CSV file beside it or in the folder of `--catalog` changes.
 
 use super::check::{self, CheckArgs};
 use super::{Common, Outcome};

@@ -68,6 +68,11 @@ impl Log {
     /// Notes a line that is done with: it is kept, and shown unless quiet.
     pub fn line(&self, text: impl AsRef<str>) {
         self.keep(text.as_ref());
+        self.say(text);
+    }
+
+    /// Says a line that `log.txt` has already.
+    pub fn say(&self, text: impl AsRef<str>) {
         if !self.quiet {
             // a terminal that has gone is no reason to end the run
             self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));

@@ -11,7 +11,7 @@ pub(super) fn verdict(page: &mut String, result: &ResultFile) {
     let Some(j) = &result.judgement else {
         match result.verdict {
             Verdict::NotOk => paragraph(page, "Verdict: **NOT OK**: a check that needs no load fails."),
-            _ => paragraph(page, "No verdict: no load is a demand on the joint (actions at member ends are)."),
+            _ => paragraph(page, "No verdict: no load is a demand on a joint (actions at member ends are)."),
         }
         return;
     };

@@ -187,7 +187,8 @@ pub struct MemberSpec {
     /// Column: largest moment beside the joint about the strong axis (k_wc).
     #[serde(default, rename = "M_Ed", skip_serializing_if = "Option::is_none")]
     pub m_ed: Option<Moment>,
-    /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8 5.3(3); negative adds.
+    /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8 5.3(3); positive against what a
+    /// positive My of the right beam brings (of the left beam: a negative one).
     #[serde(default, rename = "V_Ed", skip_serializing_if = "Option::is_none")]
     pub v_ed: Option<Force>,
 }

@@ -162,7 +162,7 @@ fn without_a_terminal_there_is_no_bar() {
     let bench = bench(MODEL);
     let (out, err) = expect(&bench, &["analyse", "block.yaml"], 0);
     assert!(out.is_empty() && !err.contains(['\r', '\u{1b}']) && !err.contains("iteration"), "{err:?}");
-    assert_eq!(err.lines().count(), 5, "{err}");
+    assert_eq!(err.lines().count(), 6, "{err}");
 }
 
 /// The same under a terminal that `script` (util-linux) makes: iteration, gap, residual and time left are shown.
@@ -190,7 +190,7 @@ fn on_a_terminal_the_solve_shows_how_far_it_is() {
         assert!(text.contains(words), "{words:?} in {text:?}");
     }
     // nothing of a bar is left behind: what follows the last clearing of a line is empty
-    assert!(text.contains("result: block/report.md\r\n"), "{text:?}");
+    assert!(text.contains("result: block/report.md\r\n") && text.contains("exit code 0: certified\r\n"), "{text:?}");
     assert_eq!(text.rsplit("\u{1b}[2K").next().map(str::trim), Some(""), "{text:?}");
     let run = on_terminal("--quiet").expect("as before");
     assert!(run.stdout.is_empty(), "{:?}", String::from_utf8_lossy(&run.stdout));

@@ -100,8 +100,7 @@ impl RowForce {
     /// The part whose bending, alone or with the bolts, limits the row; `None` where something else does.
     pub fn bending_of(&self) -> Option<&'static str> {
         self.mode.filter(|m| m.bends() && self.force > 0.0)?;
-        let of = |part: &&str| self.limited_by.starts_with(*part);
-        ["end plate", "column flange"].into_iter().find(|part| of(&part))
+        ["end plate", "column flange"].into_iter().find(|part| self.limited_by.starts_with(part))
     }
 
     /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the plastic state of the row's
@@ -326,6 +325,12 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
                 number(rho)
             );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
+        }
+        let of_cross = compressed(&web, c);
+        if let Some(chi) = of_cross.steps.iter().find(|s| s.symbol == "χ" && s.value < 1.0) {
+            let why =
+                format!("the stiffened column web buckles under the compressed flange: χ = {}", number(chi.value));
+            out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2(4)", covered: true });
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);
         let limit = column_web::STIFFENER_SLENDERNESS * column_web::epsilon(c.fy);

@@ -6,8 +6,9 @@
 
 use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
 use super::beam;
-use super::joint::EndPlateJoint;
+use super::joint::{Column, EndPlateJoint};
 use super::rows::Rows;
+use crate::checks::check::number as n;
 use crate::checks::error::CheckError;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Solution, Variable};
 
@@ -91,6 +92,8 @@ pub struct Equilibrium {
     pub tension: f64,
     /// N_j,Rd of compression, without moment \[N\].
     pub compression: f64,
+    /// Why compression may make the column web buckle over the depth of the beam, which N_j,Rd holds; `None`: it does not.
+    pub buckles: Option<String>,
 }
 
 impl Equilibrium {
@@ -104,7 +107,8 @@ impl Equilibrium {
         };
         let beam = &joint.beam;
         let plastic = beam.section.area * beam.fy / joint.gamma_m0;
-        let mut out = Self { sets, plastic, tension: 0.0, compression: 0.0 };
+        let buckles = joint.column.as_ref().and_then(|c| Compression::buckles(joint, c));
+        let mut out = Self { sets, plastic, tension: 0.0, compression: 0.0, buckles };
         let alone = |n: f64| out.carried(n, 0.0, Rule::Plastic).map_or(0.0, |c| c.factor * n.abs());
         (out.tension, out.compression) = (alone(plastic), alone(-plastic));
         Ok(out)
@@ -213,7 +217,7 @@ impl RowSet {
         let pushed = self.compression.map(|c| {
             let [upper, lower] = [0, 1].map(|_| p.add_var(0.0, (0.0, c.flange * KILO)));
             let web = p.add_var(0.0, (0.0, c.web * KILO));
-            p.add_constraint(&[(upper, 1.0), (web, 1.0), (lower, 1.0)], ComparisonOp::Le, c.total * KILO);
+            p.add_constraint([(upper, 1.0), (web, 1.0), (lower, 1.0)], ComparisonOp::Le, c.total * KILO);
             force.extend([upper, web, lower].map(|v| (v, -1.0)));
             turning.extend([(upper, -c.lever * KILO), (lower, c.lever * KILO)]);
             shear.extend([(upper, -1.0), (lower, 1.0)]);
@@ -255,6 +259,18 @@ fn solved(p: &Problem) -> Option<Solution> {
 }
 
 impl Compression {
+    /// Whether the web between the flanges, with their zones where no stiffener parts them, buckles under a push.
+    fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<String> {
+        let (b, width) = (&joint.beam.section, zone_width(joint, c));
+        let depth = b.h - b.tf;
+        let width = if c.stiffener > 0.0 { depth - width } else { depth + width };
+        let web = zone(joint, c, width.max(0.0), 1.0);
+        let (lambda, rho) = (web.slenderness(), web.buckling());
+        (rho < 1.0).then(|| {
+            format!("the column web buckles under the compressed beam: λ̄_p = {} > 0.72, ρ = {}", n(lambda), n(rho))
+        })
+    }
+
     fn new(joint: &EndPlateJoint, beam_moment: f64, shear_area: f64) -> Self {
         let b = &joint.beam;
         let lever = 0.5 * (b.section.h - b.section.tf);

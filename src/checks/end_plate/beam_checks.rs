@@ -1,11 +1,11 @@
 //! The beam's own cross-section under the actions at the joint.
 
-use super::{EndPlate, Status, Topic, Unit, Worked, n};
+use super::{EndPlate, Status, Topic, Worked};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::eurocode::section::Beam;
 
-/// Shear, axial force and moment of the beam at the bolt plane. They fail: the forces of a joint are none that its beam cannot have.
+/// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot bring these forces needs another joint.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.
@@ -20,12 +20,8 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         out.push(against(beam.shear(), vz));
         let (slenderness, limit) = beam.stocky_web();
         if slenderness > limit {
-            let formula = format!("h_w/t_w ≤ 72 ε = {}: h_w/t_w", n(limit));
-            let title = "the web of the beam may buckle in shear (EN 1993-1-5 5), which is not checked";
-            let mut worked =
-                Worked::new("EN 1993-1-1:2005 6.2.6(6)", title, slenderness / limit, Unit::Number, formula);
-            worked.formula = format!("h_w/t_w = {} > 72 ε = {}", n(slenderness), n(limit));
-            out.push(worked.utilised(Topic::Member, subject.clone(), Status::Warning));
+            let worked = beam.shear_buckling(e.gamma_m1);
+            out.push(worked.against(Topic::Stability, subject.clone(), vz.abs(), Status::Failed));
         }
     }
     if vy != 0.0 {

@@ -33,8 +33,8 @@ impl Method {
 
     /// Utilisation of the joint under forces and moments of a member end, to be at most 1.
     ///
-    /// M_j,Ed/M_j,Rd; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the largest factor on M and N together, by the
-    /// plastic equilibrium of the components. What a pull takes off the compressed side does not count as a gain.
+    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the largest factor on M and N together, by the
+    /// plastic equilibrium of the components. A pull relieves the compressed side: that is not counted.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
@@ -50,7 +50,18 @@ impl Method {
         let mut value = bending;
         if self.small(axial) {
             if axial != 0.0 {
-                formula += &format!(", N_Ed = {} ≤ 0.05 N_pl,Rd", kn(axial));
+                // beside a moment a small force is left out, by itself it is held against the joint all the same
+                let resistance =
+                    self.equilibrium.as_ref().map(|e| if axial > 0.0 { e.tension } else { e.compression })?;
+                let alone = if resistance > 0.0 { axial.abs() / resistance } else { return None };
+                value = bending.max(alone);
+                formula += &format!(
+                    " = {}, N_Ed/N_j,Rd = {}/{} = {}, not added for N_Ed ≤ 0.05 N_pl,Rd; the larger",
+                    n(bending),
+                    kn(axial.abs()),
+                    kn(resistance),
+                    n(alone)
+                );
             }
         } else {
             let together = 1.0 / self.with_axial(at).filter(|c| c.factor > 0.0)?.factor;
@@ -140,6 +151,9 @@ fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
         let counts = SMALL_AXIAL * plastic / axial.abs();
         let together = || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
         let least = if bending <= counts { bending } else { bending.min(together()).max(counts) };
+        let resistance = method.equilibrium.as_ref().map(|e| if axial > 0.0 { e.tension } else { e.compression });
+        let alone = resistance.filter(|_| axial != 0.0).map_or(f64::INFINITY, |r| r / axial.abs());
+        let least = least.min(alone);
         return least.is_finite().then_some(least);
     }
     let over = |factor: f64| method.share(a.at(factor)).is_none_or(|u| u.value >= 1.0);

@@ -17,6 +17,7 @@ use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::component_method::assembly::RowForce;
 use crate::checks::component_method::beam::plastic_shear;
+use crate::checks::component_method::equilibrium::{Carried, RowPull};
 use crate::checks::component_method::joint::Section;
 use crate::checks::component_method::{Assessment, Equilibrium, Summed};
 use crate::checks::eurocode::bolts::ShearPlane;
@@ -77,16 +78,17 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         let mut found = Vec::new();
         if ultimate {
             found.push(side.moment(&method));
-            found.extend(side.stability(&method));
+            let stability = side.stability(&method);
+            if !stability.is_empty() && !out.unstable.contains(&a.case) {
+                out.unstable.push(a.case.clone());
+            }
+            found.extend(stability);
             let [[_, vy, vz], _] = a.at(1.0);
             found.extend(side.bolts(&method).checks(e, vz.hypot(vy)));
             found.extend(side.panel());
             found.extend(side.welds());
             let (rows, push) = (side.row_forces(&method), side.push(&method));
             found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows, push }));
-            if !side.assessment.stability.is_empty() && !out.unstable.contains(&a.case) {
-                out.unstable.push(a.case.clone());
-            }
         }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
@@ -102,15 +104,20 @@ fn loaded_joint(e: &EndPlate, a: &PlaneActions) -> EndPlateJoint {
     joint
 }
 
-/// Torsion and moments about the weak axis: the component method has no formula for them.
+/// Torsion, weak-axis moment and horizontal shear: the hand checks of bolts, plates and welds leave them out, and no bracket
+/// checks what they leave out.
 fn no_formula(a: &PlaneActions) -> Option<Check> {
-    let [_, [torsion, _, mz]] = a.at(1.0);
-    let acts = [("T", torsion), ("Mz", mz)].into_iter().filter(|(_, v)| v.abs() > 1e-6);
-    let names: Vec<String> = acts.map(|(name, v)| format!("{name} = {}", Unit::Moment.show(v))).collect();
+    let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
+    let moments = [("T", torsion, Unit::Moment), ("Mz", mz, Unit::Moment), ("Vy", vy, Unit::Force)];
+    let acts = moments.into_iter().filter(|(_, v, _)| v.abs() > 1e-6);
+    let names: Vec<String> = acts.map(|(name, v, unit)| format!("{name} = {}", unit.show(v))).collect();
     (!names.is_empty()).then(|| {
-        let why = format!("{} left out: the component method has no formula for it", names.join(" and "));
-        let (clause, title) = ("EN 1993-1-8:2005 6.2", "torsion and weak-axis moment");
-        Check::undecided(Topic::ComponentMethod, a.end.clone(), clause, title, why)
+        let why = format!(
+            "the checks of bolts, plates and welds leave {} out: EN 1993-1-8 6.2 has no formula",
+            names.join(" and ")
+        );
+        let (clause, title) = ("EN 1993-1-8:2005 6.2", "torsion, weak-axis moment and horizontal shear");
+        Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why)
     })
 }
 
@@ -182,67 +189,72 @@ impl Side<'_> {
     /// What may buckle: the compressed column web against its reduced resistance; what the code gives no resistance for is
     /// undecided.
     fn stability(&self, method: &Method) -> Vec<Check> {
-        let at = self.a.at(1.0);
-        let each = self.assessment.stability.iter().map(|s| {
+        let mut out = Vec::new();
+        for s in &self.assessment.stability {
             let web = self.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
             let Some(web) = web else {
                 let title = "stability that a limit analysis does not see";
-                return Check::undecided(Topic::Stability, self.subject(), s.clause, title, s.why.clone());
-            };
-            let lever = self.assessment.moment.value / self.assessment.tension();
-            let push = match method.with_axial(at) {
-                Some(c) => c.compression.into_iter().fold(0.0, f64::max) / c.factor,
-                None => at[1][1].abs() / lever,
+                out.push(Check::undecided(Topic::Stability, self.subject(), s.clause, title, s.why.clone()));
+                continue;
             };
             let mut worked = web.clone();
             worked.title = "column web in compression, with its buckling";
             worked.formula = format!("{}; {}", s.why, worked.formula);
-            worked.against(Topic::Stability, self.subject(), push, Status::Failed)
-        });
-        each.collect()
+            out.push(worked.against(Topic::Stability, self.subject(), self.push(method), Status::Failed));
+        }
+        let axial = self.a.at(1.0)[0][0];
+        if let Some((e, why)) = method.equilibrium.as_ref().and_then(|e| Some((e, e.buckles.as_ref()?))) {
+            if axial < 0.0 {
+                let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
+                let title = "axial compression of the joint, with the buckling of the column web";
+                let clause = "EN 1993-1-8:2005 6.2.6.2";
+                let worked = Worked::new(clause, title, e.compression, Unit::Force, formula);
+                out.push(worked.against(Topic::Stability, self.subject(), -axial, Status::Failed));
+            }
+        }
+        out
     }
 
-    /// Force of every row of the assessment under the actions \[N\], beyond any resistance.
-    fn row_forces(&self, method: &Method) -> Vec<f64> {
+    /// States of the rows that the actions may bring: the axial force alone, and together with the moment where it counts.
+    fn states(&self, method: &Method) -> Vec<Carried> {
         let at = self.a.at(1.0);
+        let alone = method.equilibrium.as_ref().and_then(|e| e.at(at[0][0], 0.0));
+        alone.into_iter().chain(method.with_axial(at)).filter(|c| c.factor > 0.0).collect()
+    }
+
+    /// What a row at `z` \[mm\] has under the actions, beyond any resistance: the moment's share, or more where the axial force gives it
+    /// more. A push that relieves a row counts for nothing, so that a larger load never has smaller forces.
+    fn at_row(&self, states: &[Carried], z: f64, by_moment: impl Fn(&RowForce) -> f64, of: fn(&RowPull) -> f64) -> f64 {
         let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
-        let share = at[1][1].abs() / method.moment;
-        let carried = method.with_axial(at);
-        let force = |row: &RowForce| match &carried {
-            Some(c) => {
-                let pull = c.rows.iter().find(|r| (r.z - upside * row.z).abs() < 1e-9);
-                pull.map_or(0.0, |r| r.force / c.factor)
-            }
-            None => share * row.force,
-        };
+        let row = self.assessment.rows.iter().find(|r| (upside * r.z - z).abs() < 1e-9);
+        let pulled = states.iter().filter_map(|c| Some(of(c.rows.iter().find(|r| (r.z - z).abs() < 1e-9)?) / c.factor));
+        pulled.fold(row.map_or(0.0, by_moment), f64::max)
+    }
+
+    /// Force of every row of the assessment under the actions \[N\].
+    fn row_forces(&self, method: &Method) -> Vec<f64> {
+        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
+        let (states, share) = (self.states(method), self.a.at(1.0)[1][1].abs() / method.moment);
+        let force = |r: &RowForce| self.at_row(&states, upside * r.z, |row| share * row.force, |pull| pull.force);
         self.assessment.rows.iter().map(force).collect()
     }
 
     /// Largest compression of a flange of the beam under the actions \[N\].
     fn push(&self, method: &Method) -> f64 {
         let at = self.a.at(1.0);
-        match method.with_axial(at) {
-            Some(c) => c.compression.into_iter().fold(0.0, f64::max) / c.factor,
-            // a push that does not count for the joint is there all the same, half of it in either flange
-            None => at[1][1].abs() / method.moment * self.assessment.tension() + 0.5 * (-at[0][0]).max(0.0),
-        }
+        // a push that does not count for the joint is there all the same, half of it in either flange
+        let plain = at[1][1].abs() / method.moment * self.assessment.tension() + 0.5 * (-at[0][0]).max(0.0);
+        let together = method.with_axial(at).filter(|c| c.factor > 0.0);
+        let of = |c: Carried| c.compression.into_iter().fold(0.0, f64::max) / c.factor;
+        together.map_or(plain, |c| of(c).max(at[1][1].abs() / method.moment * self.assessment.tension()))
     }
 
-    /// Tension of the bolts of every row under the actions, prying included and beyond any resistance.
+    /// Tension of the bolts of every row under the actions, prying included.
     fn bolts(&self, method: &Method) -> Bolts {
         let e = self.e;
-        let at = self.a.at(1.0);
         let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
-        let share = at[1][1].abs() / method.moment;
-        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
-        let carried = method.with_axial(at);
-        let pull = |z: f64| match &carried {
-            Some(c) => c.rows.iter().find(|r| (r.z - z).abs() < 1e-9).map_or(0.0, |r| r.bolt / c.factor),
-            None => {
-                let row = self.assessment.rows.iter().find(|r| (upside * r.z - z).abs() < 1e-9);
-                row.map_or(0.0, |r| r.bolt_force(share))
-            }
-        };
+        let (states, share) = (self.states(method), self.a.at(1.0)[1][1].abs() / method.moment);
+        let pull = |z: f64| self.at_row(&states, z, |row| row.bolt_force(share), |pull| pull.bolt);
         let mut rows: Vec<(f64, f64)> = e.rows.iter().map(|&z| (z, pull(z))).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
         let shear = shear_resistance(&e.bolt, &e.grade, ShearPlane::Thread, 1.0, e.gamma_m2).value;
@@ -263,19 +275,21 @@ impl Side<'_> {
         }
         let lever = self.assessment.stiffness.lever;
         let relief = self.e.column.as_ref().map_or(0.0, |c| c.shear);
-        let demand = ((own - other).abs() / lever - relief).max(0.0);
+        // V_Ed is positive against what a positive moment at an end along +x brings
+        let shear = self.a.outward * (own - other) / lever;
+        let demand = (shear - relief).abs();
         let mut check = resistance;
         check.title = match relief == 0.0 {
             true => "column web panel in shear, without what the shear of the column takes off",
             false => "column web panel in shear",
         };
         check.formula = format!(
-            "V_wp,Ed = |M_b1 − M_b2|/z{} = |{} − {}|/{}{} = {}; {}",
+            "V_wp,Ed = |(M_b1 − M_b2)/z{}| = |({} − {})/{}{}| = {}; {}",
             if relief == 0.0 { "" } else { " − (V_c1 − V_c2)/2" },
             Unit::Moment.show(own),
             Unit::Moment.show(other),
             Unit::Length.show(lever),
-            if relief == 0.0 { String::new() } else { format!(" − {}", Unit::Force.show(relief)) },
+            if relief == 0.0 { String::new() } else { format!(" − {}", Unit::Force.show(self.a.outward * relief)) },
             Unit::Force.show(demand),
             check.formula
         );

@@ -73,6 +73,28 @@ impl Beam {
         (self.web() / self.section.tw, 72.0 * epsilon(self.fy))
     }
 
+    /// Shear buckling resistance of the web, the flanges' part left out \[N\]: `χ_w h_w t_w f_y/(√3 γ_M1)` with
+    /// `λ̄_w = h_w/(86.4 t_w ε)`, χ_w = 1 up to 0.83 and 0.83/λ̄_w beyond.
+    ///
+    /// # Source
+    /// EN 1993-1-5:2006 5.2, 5.3 and Table 5.1, non-rigid end posts, stiffeners at the supports alone, η = 1.
+    pub fn shear_buckling(&self, gamma_m1: f64) -> Worked {
+        let (depth, web) = (self.web(), self.section.tw);
+        let lambda = depth / (86.4 * web * epsilon(self.fy));
+        let chi = if lambda <= 0.83 { 1.0 } else { 0.83 / lambda };
+        let value = chi * depth * web * self.fy / (3f64.sqrt() * gamma_m1);
+        let formula = format!(
+            "V_bw,Rd = χ_w h_w t_w f_y/(√3 γ_M1) = {} · {} · {} · {}/(√3 · {})",
+            n(chi),
+            n(depth),
+            n(web),
+            n(self.fy),
+            n(gamma_m1)
+        );
+        let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
+        Worked::new("EN 1993-1-5:2006 5.2", title, value, Unit::Force, formula).with("λ̄_w", lambda, Unit::Number)
+    }
+
     /// Class of the section under bending about its strong axis with an axial force; a class 4 is refused.
     ///
     /// # Source

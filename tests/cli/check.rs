@@ -1,0 +1,147 @@
+//! `bracket check` and `bracket watch`, and what `run` says by code: verdicts and exit codes without an analysis of the resistance.
+
+use crate::bench::Bench;
+use crate::expect;
+use serde_json::Value;
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+
+/// HEB140 and IPE270 with M16 under a moment [kN m].
+fn joint(moment: f64, kind: &str) -> String {
+    format!(
+        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB140, steel: S235}}, beam: {{profile: IPE270, steel: \
+         S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M16, grade: \"8.8\", rows: [-85, 85, 170]}}\nloads: [{{name: ULS1, end: \
+         beam_right, at: column_face, My: {moment} kN m}}]\nanalysis: {{kind: {kind}, max_passes: 1}}\n"
+    )
+}
+
+fn result(bench: &Bench, folder: &str) -> Value {
+    serde_json::from_str(&bench.read(&format!("{folder}/result.json"))).expect("JSON")
+}
+
+/// The last line of a run.
+fn last(err: &str) -> &str {
+    err.lines().last().unwrap_or_default()
+}
+
+/// An overload is refused by `check` without mesher, and by `run` whatever elastic analysis finds; a small load is OK by both.
+#[test]
+fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
+    let bench = Bench::new().file("over.yaml", joint(100.0, "elastic")).file("well.yaml", joint(20.0, "elastic"));
+    for (name, code, word, says) in [("over", 1, "not_ok", "NOT OK"), ("well", 0, "ok", "OK")] {
+        let spec = format!("{name}.yaml");
+        // no mesher is needed: one that is not there is not missed
+        let mut command = bench.command(&["check", &spec]);
+        command.env("BRACKET_GMSH", "/nowhere/gmsh");
+        let ended = command.output().expect("the program starts");
+        let err = String::from_utf8_lossy(&ended.stderr).into_owned();
+        assert_eq!(ended.status.code(), Some(code), "{err}");
+        let line = last(&err);
+        assert!(line.starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")), "{line}");
+        assert!(line.contains("EN 1993-1-8") && line.contains(&format!("exit code {code}")), "{line}");
+        let checked = result(&bench, &format!("{name}_check"));
+        assert_eq!((&checked["verdict"], &checked["judgement"]["by_code"]), (&word.into(), &word.into()));
+        assert_eq!(checked["cases"].as_array().map(Vec::len), Some(0));
+        for file in ["report.md", "report.html", "drawing.svg", "actions.svg", "moment_axial.svg", "log.txt"] {
+            assert!(bench.path().join(format!("{name}_check/{file}")).is_file(), "{name}: {file}");
+        }
+        assert!(bench.read(&format!("{name}_check/report.md")).contains(&format!("Verdict: **{says}**")));
+        let (_, err) = expect(&bench, &["run", &spec, "--size-factor", "3"], code);
+        assert!(last(&err).starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")), "{err}");
+        // the verdict by code stands before anything is meshed
+        let early = err.lines().position(|l| l.starts_with(&format!("by code alone: {says}: ULS1")));
+        let meshed = err.lines().position(|l| l.contains("tets,"));
+        assert!(early.is_some() && early < meshed, "{err}");
+        let run = result(&bench, name);
+        assert_eq!(run["verdict"], word);
+        let demand = &run["cases"][0]["demand"];
+        assert_eq!((&demand["verdict"], &demand["by_analysis"]), (&word.into(), &"none".into()));
+        // the same checks, to the digit
+        assert_eq!(run["checks"], checked["checks"]);
+    }
+}
+
+/// Pressures are no demand; a part of a joint that the checks do not cover and no limit analysis judges is undecided.
+#[test]
+fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
+    let bench = Bench::new().file("paper.yaml", crate::bench::JOINT).file(
+        "tee.yaml",
+        "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: M16, grade: \"8.8\", gauge: 100, rows: \
+         [0]}\nparameters: {length: 100}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 20 kN}]\n",
+    );
+    let (_, err) = expect(&bench, &["check", "paper.yaml"], 0);
+    assert!(last(&err).starts_with("verdict: none (no load is a demand)"), "{err}");
+    let (_, err) = expect(&bench, &["check", "tee.yaml"], 3);
+    assert!(last(&err).starts_with("verdict: UNDECIDED (by code none, by analysis none)"), "{err}");
+    assert!(bench.read("tee_check/report.md").contains("no check of the code covers the load"));
+}
+
+/// `--out` names the folder, `--format json` prints the result, a folder that is not ours stays, and a second look replaces the first.
+#[test]
+fn check_writes_its_own_folder_and_nothing_else() {
+    let bench = Bench::new().file("well.yaml", joint(20.0, "limit"));
+    std::fs::create_dir(bench.path().join("mine")).expect("a folder");
+    let bench = bench.file("mine/notes.txt", "mine");
+    let ended = bench.run(&["check", "well.yaml", "--out", "looked", "--format", "json", "-q"]);
+    assert_eq!(ended.status.code(), Some(0));
+    let told: Value = serde_json::from_slice(&ended.stdout).expect("JSON on standard output");
+    assert_eq!(told, result(&bench, "looked"));
+    assert!(ended.stderr.is_empty(), "{}", String::from_utf8_lossy(&ended.stderr));
+    expect(&bench, &["check", "well.yaml", "--out", "looked"], 0);
+    let before = bench.everything();
+    let (_, err) = expect(&bench, &["check", "well.yaml", "--out", "mine"], 2);
+    assert!(err.contains("is not a result folder"), "{err}");
+    assert_eq!(bench.everything(), before);
+    // `run` has the folder named after the spec for itself
+    assert!(!bench.path().join("well").exists() && !bench.path().join("well_check").exists());
+}
+
+/// The checks come again when the spec changes, also after a spec that is wrong.
+#[test]
+fn watch_repeats_on_every_change() {
+    let bench = Bench::new().file("joint.yaml", joint(20.0, "limit"));
+    let mut watching =
+        bench.command(&["watch", "joint.yaml"]).stderr(Stdio::piped()).spawn().expect("the program starts");
+    let mut lines = BufReader::new(watching.stderr.take().expect("a pipe")).lines().map_while(Result::ok);
+    let mut next = |words: &str| lines.by_ref().any(|l| l.contains(words));
+    assert!(next("verdict: OK"));
+    for (text, words) in [
+        (joint(100.0, "limit"), "verdict: NOT OK"),
+        ("template: [".into(), "error"),
+        (joint(20.0, "limit"), "verdict: OK"),
+    ] {
+        // written in one step, as editors do
+        std::fs::write(bench.path().join("new"), text).expect("written");
+        std::fs::rename(bench.path().join("new"), bench.path().join("joint.yaml")).expect("renamed");
+        assert!(next(words), "{words}");
+    }
+    watching.kill().expect("it runs");
+    watching.wait().expect("it ended");
+}
+
+/// Wrong inputs of the new keys and options: one message each, and nothing is written.
+#[test]
+fn wrong_inputs_of_check_are_refused_with_place_and_cure() {
+    let sound = joint(20.0, "limit");
+    let with = |old: &str, new: &str| sound.replacen(old, new, 1);
+    let wrong = [
+        (with("column: {profile", "column: {N_Ed: 800, profile"), "members.column.N_Ed", "kN"),
+        (with("column: {profile", "column: {N_Ed: -8000 kN, profile"), "yield strength", "larger column"),
+        (with("column: {profile", "column: {M_Ed: 500 kN m, profile"), "members.column.M_Ed", "larger column"),
+        (with("beam: {profile", "beam: {N_Ed: -80 kN, profile"), "members.beam.N_Ed", "loads"),
+        (with("beam: {profile", "beam: {V_Ed: 80 kN, profile"), "members.beam.V_Ed", "loads"),
+        (format!("code: {{prying: never}}\n{sound}"), "code.prying", "by_length"),
+        (format!("code: {{gamma_M1: 9}}\n{sound}"), "code.gamma_M1", "0.5 to 3"),
+        (format!("code: {{annex: XX}}\n{sound}"), "annex", "bracket catalog list annexes"),
+        (with("profile: IPE270", "profile: IPE275"), "IPE275", "IPE270"),
+        (format!("catalog: ./nowhere\n{sound}"), "catalog", "nowhere"),
+        (with("My: 20 kN m", "My: 20"), "My", "kN m"),
+    ];
+    for (text, place, cure) in wrong {
+        let bench = Bench::new().file("joint.yaml", &text);
+        let before = bench.everything();
+        let (_, err) = expect(&bench, &["check", "joint.yaml"], 2);
+        assert!(err.contains(place) && err.contains(cure), "{place}, {cure}: {err}");
+        assert_eq!(bench.everything(), before, "{place}");
+    }
+}
