@@ -35,6 +35,8 @@ pub struct EndPlateEntry {
     pub top: Expr,
     /// Distance of the two columns of bolts.
     pub gauge: Expr,
+    /// Distance of the two outer columns of bolts of rows with four; zero or absent: two bolts in a row.
+    pub outer_gauge: Option<Expr>,
     /// The list parameter that holds the rows, from the beam's axis.
     pub rows: String,
     /// Diameter of the holes.
@@ -164,6 +166,8 @@ pub struct EndPlate {
     pub top: f64,
     /// Distance of the two columns of bolts.
     pub gauge: f64,
+    /// Distance of the two outer columns of bolts; 0 where a row has two bolts.
+    pub outer_gauge: f64,
     /// Rows, in the order of the spec.
     pub rows: Vec<f64>,
     /// Diameter of the holes.
@@ -237,6 +241,24 @@ fn longitudinal(
         ),
         help: "check the number and its unit, or take a larger column".into(),
     })
+}
+
+impl EndPlate {
+    /// y of every column of bolts \[mm\].
+    pub fn columns(&self) -> Vec<f64> {
+        let pair = |gauge: f64| [-0.5 * gauge, 0.5 * gauge];
+        let mut out = pair(self.gauge).to_vec();
+        if self.outer_gauge > 0.0 {
+            out.extend(pair(self.outer_gauge));
+        }
+        out.sort_by(f64::total_cmp);
+        out
+    }
+
+    /// Bolts of one end plate.
+    pub fn bolt_count(&self) -> usize {
+        self.rows.len() * self.columns().len()
+    }
 }
 
 /// Loads that the hand checks do not hold beside those they do.
@@ -347,6 +369,7 @@ pub fn end_plate(
         bottom,
         top,
         gauge: length("gauge", &entry.gauge, positive)?,
+        outer_gauge: or_none("outer_gauge", &entry.outer_gauge)?,
         rows,
         hole: length("hole", &entry.hole, Some(bolt.d))?,
         rib: or_none("rib", &entry.rib)?,

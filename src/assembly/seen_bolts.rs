@@ -23,7 +23,7 @@ pub(super) struct Meshed<'a> {
     pub through: Vec<&'a str>,
 }
 
-/// Refuses a template whose bolts through an end plate are others than rows × 2 columns of its `hand_checks`. `frames` are those of
+/// Refuses a template whose bolts through an end plate are others than rows × columns of its `hand_checks`. `frames` are those of
 /// the member ends it names; without any, the beam runs along x through the origin.
 pub(super) fn check(
     bolts: &[Meshed<'_>],
@@ -34,7 +34,7 @@ pub(super) fn check(
     let upright = [Frame { origin: [0.0; 3], along: 0, depth: 2 }];
     let frames = if frames.is_empty() { &upright } else { frames };
     let listed: Vec<[f64; 2]> =
-        seen.rows.iter().flat_map(|&z| [[seen.gauge / 2.0, z], [-seen.gauge / 2.0, z]]).collect();
+        seen.rows.iter().flat_map(|&z| seen.columns().into_iter().map(move |y| [y, z])).collect();
     let plates = || parts.iter().filter(|p| p.role == PartRole::Plate);
     let of = |plate: &Part| -> Vec<&Meshed<'_>> {
         bolts.iter().filter(|b| b.through.contains(&plate.name.as_str())).collect()
@@ -60,11 +60,12 @@ pub(super) fn check(
             continue;
         }
         let rows: Vec<String> = seen.rows.iter().map(f64::to_string).collect();
+        let columns: Vec<String> = seen.columns().iter().map(f64::to_string).collect();
         let problem = format!(
-            "it sees {} bolts (rows at z = {} mm, columns at y = ±{} mm), the geometry has {} in `{plate}`: {}",
+            "it sees {} bolts (rows at z = {} mm, columns at y = {} mm), the geometry has {} in `{plate}`: {}",
             listed.len(),
             rows.join(", "),
-            seen.gauge / 2.0,
+            columns.join(", "),
             bolts.len(),
             faults[0]
         );

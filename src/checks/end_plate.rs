@@ -236,6 +236,12 @@ fn assumptions(e: &EndPlate) -> Vec<Check> {
         }
     };
     let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
+    if e.outer_gauge > 0.0 {
+        let (clause, title) = ("EN 1993-1-8:2005 6.2.4", "four bolts in a row");
+        let words = "the code has no rule of its own: the checks count the inner two of every row alone, in tension, shear and slip, on the safe \
+                     side; the analysis has all four";
+        out.push(Check::assumption(topic, "bolts", clause, title, words));
+    }
     let Some(c) = &e.column else { return out };
     let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
     let words = match c.longitudinal {
@@ -270,13 +276,16 @@ fn end_distance(e: &EndPlate, bottom: f64, top: f64) -> f64 {
 
 fn detailing(e: &EndPlate) -> Vec<Check> {
     let (b, d) = (&e.bolt, e.bolt.d);
-    let (p1, p2) = (pitches(e), Some(e.gauge));
+    let columns = e.columns();
+    let across = columns.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+    let (p1, p2) = (pitches(e), Some(across));
+    let outermost = e.gauge.max(e.outer_gauge);
     let thinner = e.thickness.min(other_thickness(e));
     let plate = Pattern {
         d0: e.hole,
         thickness: thinner,
         e1: Some(end_distance(e, e.bottom, e.top)),
-        e2: Some(0.5 * (e.width - e.gauge)),
+        e2: Some(0.5 * (e.width - outermost)),
         p1,
         p2,
     };
@@ -286,7 +295,7 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
         let free = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
         let end = end_distance(e, -free(c.below), free(c.above));
         let e1 = (end < 4.0 * thinner + 40.0).then_some(end);
-        let flange = Pattern { e1, e2: Some(0.5 * (c.section.b - e.gauge)), p1: None, p2: None, ..plate };
+        let flange = Pattern { e1, e2: Some(0.5 * (c.section.b - outermost)), p1: None, p2: None, ..plate };
         out.extend(pattern_checks("column flange", &flange));
         out.extend(overhang(e, c));
     }
@@ -316,7 +325,7 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
     let subject = format!("{} {}, {} washers", b.size, e.grade.grade, WASHERS);
     let mut length = least.information(Topic::Detailing, subject.clone());
     if let Some(l) = stocked {
-        let count = 2 * e.rows.len();
+        let count = e.bolt_count();
         let each = if e.column.is_some() { "each end plate" } else { "the splice" };
         length.formula += &format!("; order {} × {}, {count} for {each}", b.size, n(l));
         length.values.push(Step { symbol: "l".into(), value: l, unit: Unit::Length });

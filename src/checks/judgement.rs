@@ -93,7 +93,7 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         Verdict::Ok if !loaded => Verdict::None,
         verdict => verdict,
     };
-    let service = checks.serviceability.iter().any(|c| *c == a.case);
+    let service = checks.serviceability.contains(&a.case);
     let verdict = match Verdict::worst([by_code, a.verdict]) {
         // a case at serviceability has slip to check, or nothing
         Verdict::None if service => Verdict::None,

@@ -166,7 +166,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
         d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * e.rib, half), s.at(0.5 * e.rib, e.top));
     }
     for &z in &e.rows {
-        for y in [-0.5 * e.gauge, 0.5 * e.gauge] {
+        for y in e.columns() {
             // a hexagon with two sides upright
             let r = 0.5 * e.bolt.head_corners;
             let corners: Vec<[f64; 2]> = (0..6)
@@ -198,11 +198,11 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
     d.vertical_chain(left - 22.0, false, left, &ys, &show);
     // below: edges and gauge, then the whole
     let from = s.at(0.0, low)[1];
-    let ys: Vec<f64> = [-w, -0.5 * e.gauge, 0.5 * e.gauge, w].to_vec();
+    let ys: Vec<f64> = [-w].into_iter().chain(e.columns()).chain([w]).collect();
     let show: Vec<String> = ys.windows(2).map(|w| n(w[1] - w[0])).collect();
     let xs: Vec<f64> = ys.iter().map(|y| s.at(*y, 0.0)[0]).collect();
     d.horizontal_chain(from + 16.0, from, &xs, &show);
-    d.horizontal_chain(from + 52.0, from + 46.0, &[xs[0], xs[3]], &[n(e.width)]);
+    d.horizontal_chain(from + 52.0, from + 46.0, &[xs[0], xs[xs.len() - 1]], &[n(e.width)]);
 }
 
 /// What the parts are.
@@ -218,7 +218,7 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     out.push(format!("{plates} {size} {}", e.plate_steel.grade));
     let sets = if e.column.is_some() && both { 2 } else { 1 };
     let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
-    let count = 2 * e.rows.len() * sets;
+    let count = e.bolt_count() * sets;
     out.push(format!("{count} bolts {}{long} {}, holes of {} mm", e.bolt.size, e.grade.grade, n(e.hole)));
     if let Some(c) = &e.column {
         if c.stiffener > 0.0 {

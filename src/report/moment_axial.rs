@@ -20,6 +20,11 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     for x in [-small, small] {
         d.line(Pen::Hidden, axes.at([x, -axes.reach()[1]]), axes.at([x, axes.reach()[1]]));
     }
+    // what a push adds beyond M_j,Rd does not count
+    let [top_sense, bottom_sense] = diagram.resistance.map(|m| show([0.0, m])[1]);
+    for y in [top_sense, -bottom_sense] {
+        d.line(Pen::Hidden, axes.at([-axes.reach()[0], y]), axes.at([axes.reach()[0], y]));
+    }
     let [legend, top] = axes.draw(&mut d, ["N [kN]", "M_j [kN m]"]);
     for (name, point) in &demands {
         let at = axes.at(*point);
@@ -28,7 +33,7 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     }
     let lines = [
         ("#dbe7f3", "in plastic equilibrium of the components"),
-        ("#ffffff", "between the dashed lines N is left out (5 % of N_pl,Rd)"),
+        ("#ffffff", "dashed: M_j,Rd, beyond which nothing counts, and 5 % of N_pl,Rd, up to which N is not added"),
     ];
     for (i, (fill, text)) in lines.iter().enumerate() {
         let y = top + (2.0 + 1.5 * i as f64) * LINE;
@@ -48,6 +53,7 @@ mod tests {
         let diagram = MomentAxial {
             beta: 1.0,
             border: vec![[4e5, 0.0], [0.0, 8e7], [-9e5, 0.0], [0.0, -6e7]],
+            resistance: [8e7, 6e7],
             small: 6e4,
             demands: vec![("ULS1".into(), [1e5, 5e7]), ("ULS2".into(), [-2e5, 1e7])],
         };

@@ -33,7 +33,7 @@ pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> 
     };
     let long = length.map_or_else(|| "longer than stocked".into(), |l| format!("{} × {}", e.bolt.size, n(l)));
     let size = format!("{long}, grip {} mm, 2 washers", n(grip));
-    item("bolt".into(), 2 * e.rows.len() * sets, size, e.grade.grade.clone(), length.map(|l| bolt_mass(&e.bolt, l)));
+    item("bolt".into(), e.bolt_count() * sets, size, e.grade.grade.clone(), length.map(|l| bolt_mass(&e.bolt, l)));
     let plate = |sizes: [f64; 3]| (sizes.map(n).join(" × "), Some(DENSITY * sizes.iter().product::<f64>()));
     let (size, mass) = plate([e.thickness, e.width, e.top - e.bottom]);
     item("end plate".into(), plates, size, e.plate_steel.grade.clone(), mass);

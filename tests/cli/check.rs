@@ -46,7 +46,7 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
             assert!(bench.path().join(format!("{name}_check/{file}")).is_file(), "{name}: {file}");
         }
         assert!(bench.read(&format!("{name}_check/report.md")).contains(&format!("Verdict: **{says}**")));
-        let (_, err) = expect(&bench, &["run", &spec, "--size-factor", "3"], code);
+        let (_, err) = expect(&bench, &["run", &spec, "--size-factor", "2"], code);
         assert!(last(&err).starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")), "{err}");
         // the verdict by code stands before anything is meshed
         let early = err.lines().position(|l| l.starts_with(&format!("by code alone: {says}: ULS1")));

@@ -2,7 +2,7 @@
 //!
 //! After a wanted change: `BRACKET_UPDATE_GOLDEN=1 cargo test --test report golden`, then read the difference.
 
-use bracket::checks::{Check, Status, Topic, Unit, Worked};
+use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::file::AnalysisKind;
 use bracket::report::data::{
     CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile,
@@ -126,7 +126,14 @@ fn result() -> ResultFile {
         cases: vec![case("TOP"), limit],
         checks: checks(),
         tool: Tool { name: "bracket".into(), version: "0.0.0-golden".into() },
-        ..ResultFile::new("0123456789abcdef", 4, Verdict::Undecided)
+        judgement: Some(Judgement {
+            verdict: Verdict::NotOk,
+            by_code: Verdict::NotOk,
+            by_analysis: Verdict::Undecided,
+            reason: "TOP: a check fails: end distance, end plate, utilisation 1.04 (EN 1993-1-8:2005 Table 3.3)".into(),
+            governing: None,
+        }),
+        ..ResultFile::new("0123456789abcdef", 4, Verdict::NotOk)
     }
 }
 

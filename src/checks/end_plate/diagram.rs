@@ -14,6 +14,8 @@ pub struct MomentAxial {
     pub beta: f64,
     /// The border: N and M \[N, N mm\], tension and tension at the top positive.
     pub border: Vec<[f64; 2]>,
+    /// M_j,Rd of tension at the top and of tension at the bottom \[N mm\]: the most that counts; 0 where the tables do not cover it.
+    pub resistance: [f64; 2],
     /// Axial force that is left out beside a moment \[N\].
     pub small: f64,
     /// Load cases of this β, by name: N and M at the bolt plane.
@@ -32,8 +34,8 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
     let diagram = |beta: f64| {
         let plain = joint(e, beta);
         let equilibrium = Equilibrium::new(&plain).ok()?;
-        let moments = [assess(&plain), assess(&plain.mirrored())].into_iter().flatten();
-        let moment = moments.map(|a| a.moment.value).fold(0.0, f64::max);
+        let resistance = [assess(&plain), assess(&plain.mirrored())].map(|a| a.map_or(0.0, |a| a.moment.value));
+        let moment = resistance[0].max(resistance[1]);
         let of_beta = e.actions.iter().filter(|a| loaded::beta(e, a) == beta);
         let demands = of_beta.map(|a| {
             let [force, turn] = a.at(1.0);
@@ -41,7 +43,8 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
             (name, [force[0], turn[1]])
         });
         let small = SMALL_AXIAL * equilibrium.plastic;
-        Some(MomentAxial { beta, border: equilibrium.diagram(moment, POINTS), small, demands: demands.collect() })
+        let border = equilibrium.diagram(moment, POINTS);
+        Some(MomentAxial { beta, border, resistance, small, demands: demands.collect() })
     };
     betas.into_iter().filter_map(diagram).collect()
 }

@@ -203,14 +203,12 @@ impl Side<'_> {
             out.push(worked.against(Topic::Stability, self.subject(), self.push(method), Status::Failed));
         }
         let axial = self.a.at(1.0)[0][0];
-        if let Some((e, why)) = method.equilibrium.as_ref().and_then(|e| Some((e, e.buckles.as_ref()?))) {
-            if axial < 0.0 {
-                let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
-                let title = "axial compression of the joint, with the buckling of the column web";
-                let clause = "EN 1993-1-8:2005 6.2.6.2";
-                let worked = Worked::new(clause, title, e.compression, Unit::Force, formula);
-                out.push(worked.against(Topic::Stability, self.subject(), -axial, Status::Failed));
-            }
+        let buckling = method.equilibrium.as_ref().filter(|_| axial < 0.0);
+        if let Some((e, why)) = buckling.and_then(|e| Some((e, e.buckles.as_ref()?))) {
+            let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
+            let title = "axial compression of the joint, with the buckling of the column web";
+            let worked = Worked::new("EN 1993-1-8:2005 6.2.6.2", title, e.compression, Unit::Force, formula);
+            out.push(worked.against(Topic::Stability, self.subject(), -axial, Status::Failed));
         }
         out
     }
