@@ -109,7 +109,9 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
     });
     // where both say the same, what is used more
     let used = |g: &Option<Governing>| g.as_ref().and_then(|g| g.utilisation).map_or(0.0, |u| u[1]);
-    let by_bracket = by_code != verdict || (a.verdict == verdict && used(&analysis) > used(&code));
+    // a bracket that the rule of rotation capacity holds back governs nothing by its numbers
+    let more = used(&analysis) > used(&code) && !a.brittle;
+    let by_bracket = by_code != verdict || (a.verdict == verdict && more);
     let governing = if by_bracket { analysis.clone().or(code.clone()) } else { code.clone() };
     let reason = reason(a, by_code, verdict, governing.as_ref());
     Judgement { verdict, by_code, by_analysis: a.verdict, reason, governing }

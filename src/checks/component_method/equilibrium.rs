@@ -7,7 +7,7 @@
 use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
 use super::beam;
 use super::joint::{Column, EndPlateJoint};
-use super::rows::Rows;
+use super::rows::{Component, Rows};
 use crate::checks::check::number as n;
 use crate::checks::error::CheckError;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Solution, Variable};
@@ -103,7 +103,10 @@ impl Equilibrium {
         // one sense is enough: the other may have no row in tension
         let sets = match (upper, lower) {
             (Err(e), Err(_)) => return Err(e),
-            (a, b) => a.into_iter().chain(b).chain(RowSet::pulled(joint)).collect(),
+            (a, b) => {
+                let panel = a.as_ref().or(b.as_ref()).ok().and_then(|s| s.panel);
+                a.into_iter().chain(b).chain(RowSet::pulled(joint, panel)).collect()
+            }
         };
         let beam = &joint.beam;
         let plastic = beam.section.area * beam.fy / joint.gamma_m0;
@@ -148,47 +151,44 @@ impl Equilibrium {
 }
 
 impl RowSet {
-    /// The joint bent with tension at the top.
+    /// The joint bent with tension at the top: what the component method found of each row and group.
     fn bent(joint: &EndPlateJoint, sign: f64) -> Result<Self, CheckError> {
-        let rows = Rows::new(joint)?;
-        let assessment = assess(joint)?;
-        let compression = Some(Compression::new(joint, assessment.beam_moment.value, rows.shear_area()));
-        let panel = assessment.panel.as_ref().map(|p| p.value / joint.beta);
-        let elastic = assessment.rows.iter().enumerate().map(|(r, row)| {
-            let above = assessment.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
+        let found = assess(joint)?;
+        let shear_area = Rows::new(joint)?.shear_area();
+        let compression = Some(Compression::new(joint, found.beam_moment.value, shear_area));
+        let panel = found.panel.as_ref().map(|p| p.value / joint.beta);
+        let elastic = found.rows.iter().enumerate().map(|(r, row)| {
+            let above = found.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
             above.map(|a: &RowForce| a.grouped * row.lever / a.lever).fold(f64::INFINITY, f64::min)
         });
         let elastic = elastic.collect();
-        Ok(Self { sign, elastic, compression, panel, ..Self::of(&rows) })
-    }
-
-    /// The joint pulled as a whole; `None` where the tables do not cover its rows.
-    fn pulled(joint: &EndPlateJoint) -> Option<Self> {
-        let rows = Rows::all(joint).ok()?;
-        let panel = assess(joint).ok().and_then(|a| a.panel).map(|p| p.value / joint.beta);
-        Some(Self { panel, ..Self::of(&rows) })
-    }
-
-    fn of(rows: &Rows<'_>) -> Self {
-        let count = rows.count();
         let mut limits = Vec::new();
-        let mut prying = vec![1.0; count];
+        for (r, row) in found.rows.iter().enumerate() {
+            limits.push((r, r, row.single.max(0.0)));
+            // rows so close that the lengths of a group turn negative carry nothing
+            limits.extend(row.groups.iter().map(|g| (g.first, r, g.component.worked.value.max(0.0))));
+        }
+        let prying = found.rows.iter().map(|row| prying(&row.alone)).collect();
+        let z = found.rows.iter().map(|r| r.z).collect();
+        Ok(Self { sign, z, prying, limits: tightest(limits), elastic, compression, panel })
+    }
+
+    /// The joint pulled as a whole, `panel` as when it is bent; `None` where the tables do not cover its rows.
+    fn pulled(joint: &EndPlateJoint, panel: Option<f64>) -> Option<Self> {
+        let rows = Rows::all(joint).ok()?;
+        let count = rows.count();
+        let (mut limits, mut ratios) = (Vec::new(), Vec::new());
         for first in 0..count {
             for last in first..count {
                 let components = rows.components(first, last);
                 if first == last {
-                    let stubs = components.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
-                    prying[first] = stubs.fold(1.0, f64::max);
+                    ratios.push(prying(&components));
                 }
-                let least = components.iter().map(|c| c.worked.value).fold(f64::INFINITY, f64::min);
-                if least.is_finite() {
-                    // rows so close that the lengths of a group turn negative carry nothing
-                    limits.push((first, last, least.max(0.0)));
-                }
+                limits.extend(components.iter().map(|c| (first, last, c.worked.value.max(0.0))));
             }
         }
-        let elastic = vec![f64::INFINITY; count];
-        Self { sign: 1.0, z: rows.z.clone(), prying, limits, elastic, compression: None, panel: None }
+        let (z, elastic) = (rows.z.clone(), vec![f64::INFINITY; count]);
+        Some(Self { sign: 1.0, z, prying: ratios, limits: tightest(limits), elastic, compression: None, panel })
     }
 
     /// The largest factor, at most `most`.
@@ -251,6 +251,18 @@ impl RowSet {
         let rows = self.z.iter().fold(0.0, |a: f64, z| a.max(z.abs()));
         self.compression.map_or(rows, |c| c.lever.max(rows)).max(1.0)
     }
+}
+
+/// The least limit of every group of rows.
+fn tightest(mut limits: Vec<(usize, usize, f64)>) -> Vec<(usize, usize, f64)> {
+    limits.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+    limits.dedup_by_key(|l| (l.0, l.1));
+    limits
+}
+
+/// Bolt force over half of a row's force, from the T-stubs of the row alone.
+fn prying(alone: &[Component]) -> f64 {
+    alone.iter().filter_map(|c| Some(c.bolts? / c.worked.value)).fold(1.0, f64::max)
 }
 
 /// The optimum, if the program has one.

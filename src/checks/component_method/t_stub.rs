@@ -100,55 +100,26 @@ impl TStub {
         let plastic = |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        let kn = |x: f64| n(x * 1e-3);
-        let mut candidates = Vec::new();
+        // the formula is written for the mode that decides alone: writing takes longer than reckoning
+        let mut candidates: Vec<(Mode, f64)> = Vec::new();
         match (self.prying, self.washer_quarter) {
-            (Prying::Absent, _) => {
-                let formula = format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m));
-                candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m, formula));
-            }
-            (Prying::Develops, None) => {
-                let backing = if self.backing > 0.0 { format!(" + 2 · {}", kn(self.backing)) } else { String::new() };
-                let formula = match self.backing > 0.0 {
-                    true => format!("(4 M_pl,1 + 2 M_bp)/m = (4 · {}{backing})/{}", kn(mpl1), n(m)),
-                    false => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
-                };
-                candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m, formula));
-            }
+            (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
+            (Prying::Develops, None) => candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m)),
             (Prying::Develops, Some(ew)) => {
                 let below = 2.0 * m * e - ew * (m + e);
-                let value = ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below;
-                let formula = format!(
-                    "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 · {} · {})/{}",
-                    n(e),
-                    n(ew),
-                    kn(mpl1),
-                    n(e),
-                    kn(self.backing),
-                    n(below)
-                );
-                candidates.push((Mode::Flange, value, formula));
+                candidates.push((Mode::Flange, ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below));
             }
         }
         if self.prying == Prying::Develops {
-            let value = (2.0 * mpl2 + e * self.bolts) / (m + e);
-            let formula = format!(
-                "(2 M_pl,2 + n ΣF_t,Rd)/(m + n) = (2 · {} + {} · {})/({} + {})",
-                kn(mpl2),
-                n(e),
-                kn(self.bolts),
-                n(m),
-                n(e)
-            );
-            candidates.push((Mode::FlangeAndBolts, value, formula));
+            candidates.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
         }
-        candidates.push((Mode::Bolts, self.bolts, "ΣF_t,Rd".into()));
+        candidates.push((Mode::Bolts, self.bolts));
         let of = |mode: &dyn Fn(Mode) -> bool| candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1);
         let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
         let mode2 = of(&|c| c == Mode::FlangeAndBolts);
         // the first of equal ones decides
         let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
-        let formula = format!("F_T,Rd ({}) = {}", least.0.name(), least.2);
+        let formula = format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
         let mut worked = Worked::new("EN 1993-1-8:2005 Table 6.2", "T-stub in tension", least.1, Unit::Force, formula)
             .with("m", m, Unit::Length)
             .with("n", e, Unit::Length)
@@ -156,7 +127,7 @@ impl TStub {
             .with("Σℓ_eff,2", self.length2, Unit::Length)
             .with("M_pl,1", mpl1, Unit::Moment)
             .with("M_pl,2", mpl2, Unit::Moment);
-        for (mode, value, _) in &candidates {
+        for (mode, value) in &candidates {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
         // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2: the bolts are at F_t,Rd
@@ -166,6 +137,37 @@ impl TStub {
             Mode::FlangeWithoutPrying => least.1,
         };
         Resistance { mode1, mode2, mode3: self.bolts, mode: least.0, bolts: bolts.min(self.bolts), worked }
+    }
+
+    /// The formula of a mode with its numbers.
+    fn formula(&self, mode: Mode, mpl1: f64, mpl2: f64) -> String {
+        let (m, e) = (self.m, self.n);
+        let kn = |x: f64| n(x * 1e-3);
+        match (mode, self.washer_quarter) {
+            (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
+            (Mode::Flange, None) if self.backing > 0.0 => {
+                format!("(4 M_pl,1 + 2 M_bp)/m = (4 · {} + 2 · {})/{}", kn(mpl1), kn(self.backing), n(m))
+            }
+            (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
+            (Mode::Flange, Some(ew)) => format!(
+                "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 · {} · {})/{}",
+                n(e),
+                n(ew),
+                kn(mpl1),
+                n(e),
+                kn(self.backing),
+                n(2.0 * m * e - ew * (m + e))
+            ),
+            (Mode::FlangeAndBolts, _) => format!(
+                "(2 M_pl,2 + n ΣF_t,Rd)/(m + n) = (2 · {} + {} · {})/({} + {})",
+                kn(mpl2),
+                n(e),
+                kn(self.bolts),
+                n(m),
+                n(e)
+            ),
+            (Mode::Bolts, _) => "ΣF_t,Rd".into(),
+        }
     }
 }
 
