@@ -1,35 +1,16 @@
 //! The component method against a second implementation, written from the clauses in another language
 //! (`tests/independent/component_method.py`), over random joints.
 
+#[path = "common/numbers.rs"]
+mod numbers;
+
 use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::component_method::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
 use bracket::checks::component_method::{Assessment, Equilibrium, Summed, assess};
+use numbers::Numbers;
 use serde_json::Value;
 use std::io::Write;
 use std::process::{Command, Stdio};
-
-/// Numbers that look random and are the same every time: a linear congruence with the multiplier of MMIX.
-struct Numbers(u64);
-
-impl Numbers {
-    /// Between 0 and 1.
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[((self.unit() * all.len() as f64) as usize).min(all.len() - 1)]
-    }
-
-    fn chance(&mut self, part: f64) -> bool {
-        self.unit() < part
-    }
-}
 
 /// F_t,Rd [N], A_s [mm²], d [mm] of a bolt.
 const BOLTS: [(f64, f64, f64); 6] = [

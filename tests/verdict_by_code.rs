@@ -1,11 +1,15 @@
 //! Verdicts by code: the joints a checker would stop at, and random demands on random joints.
 
+#[path = "common/numbers.rs"]
+mod numbers;
+
 use bracket::assembly;
 use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::verdict::Verdict;
 use bracket::checks::{Analysed, Check, HandChecks, Judgement, Status, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::spec::yaml;
+use numbers::Numbers;
 use std::path::Path;
 
 /// The hand checks of a spec; `None` where the template refuses it.
@@ -94,24 +98,6 @@ fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
         }
     }
     assert_eq!(verdict(&of(5000.0), Verdict::Ok).0.verdict, Verdict::NotOk);
-}
-
-/// Numbers that look random and are the same every time.
-struct Numbers(u64);
-
-impl Numbers {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn of<T: Copy>(&mut self, all: &[T]) -> T {
-        all[((self.unit() * all.len() as f64) as usize).min(all.len() - 1)]
-    }
 }
 
 /// A spec of a one-sided joint without its loads, or of a splice.

@@ -679,11 +679,15 @@ class AxialProgram:
         column = rows.column
         if column is not None:
             width = compression_width(joint)
-            flange = min(flange, column.compression(width))
+            # half a zone beyond each flange, as far as the column reaches
+            ends = [joint["column"][key] for key in ("above", "below")]
+            beyond = [0.5 * width if end is None
+                      else max(0.0, min(0.5 * width, end - arm)) for end in ends]
+            flange = min(flange, column.compression(0.5 * width + min(beyond)))
             web = min(web, column.bare_compression(max(0.0, 2.0 * arm - width)))
             if column.stiffener == 0.0:
                 self.add([0.0] * count + [1.0] * 3,
-                         column.bare_compression(width + 2.0 * arm))
+                         column.bare_compression(sum(beyond) + 2.0 * arm))
         for k, cap in enumerate((flange, flange, max(0.0, web))):
             self.add([1.0 if i == count + k else 0.0 for i in range(self.size)], cap)
 

@@ -293,11 +293,14 @@ impl Compression {
         };
         let width = zone_width(joint, c);
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
-        let flange = compressed(&zone(joint, c, width, shear_area), c).value;
+        // half a zone beyond either flange, as far as the column reaches
+        let beyond = [c.above, c.below].map(|end| end.map_or(0.5 * width, |end| (end - lever).clamp(0.0, 0.5 * width)));
+        let least = 0.5 * width + beyond[0].min(beyond[1]);
+        let flange = compressed(&zone(joint, c, least, shear_area), c).value;
         let between = (2.0 * lever - width).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
         // without stiffeners the two zones and what lies between buckle together
-        let total = if c.stiffener > 0.0 { f64::INFINITY } else { bare(width + 2.0 * lever) };
+        let total = if c.stiffener > 0.0 { f64::INFINITY } else { bare(beyond[0] + beyond[1] + 2.0 * lever) };
         Self { flange: of_beam.min(flange), web: web_of_beam.min(between), total, lever }
     }
 }

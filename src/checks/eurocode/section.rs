@@ -139,7 +139,8 @@ impl Beam {
                 let modulus = s.w_pl - rho * web * web / (4.0 * s.tw);
                 let area = s.area - rho * shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, 0.0);
                 let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
-                let small = normal <= 0.25 * s.area * strength && normal <= 0.5 * web * strength;
+                // 6.2.10(3): the strength of the shear area is reduced for the small forces as well
+                let small = normal <= 0.25 * area * strength && normal <= 0.5 * (1.0 - rho) * web * strength;
                 let part = if small {
                     1.0
                 } else if area > 0.0 {
