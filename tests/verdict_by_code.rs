@@ -343,7 +343,8 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
         h.checks.iter().find(of).and_then(|c| c.resistance)
     };
     assert_eq!((length(&four, "e2"), length(&four, "p2")), (Some(35.0), Some(55.0)));
-    for (outer, words) in [("outer_gauge: 150", "overlap the inner ones"), ("outer_gauge: 280", "leave the end plate")]
+    for (outer, words) in
+        [("outer_gauge: 150", "too near to the inner ones"), ("outer_gauge: 280", "leave the end plate")]
     {
         let fault = spec(outer, 110.0).expect_err("refused");
         assert!(fault.0.iter().any(|d| d.message.contains(words)), "{fault:?}");

@@ -164,13 +164,13 @@ mod tests {
             (
                 "four columns",
                 vec![(COLUMNS, four.as_str())],
-                "it sees 6 bolts (rows at z = -215, -125, 110 mm, columns at y = ±50 mm), the geometry has 12 in `PLATE_R`: not seen are \
+                "it sees 6 bolts (rows at z = -215, -125, 110 mm, columns at y = -50, 50 mm), the geometry has 12 in `PLATE_R`: not seen are \
                  BOLT_R1Q at y = 75 mm, z = -215 mm",
             ),
             (
                 "another gauge",
                 vec![("  gauge: bolts.gauge\n", "  gauge: bolts.gauge + 1 mm\n")],
-                "columns at y = ±50.5 mm",
+                "columns at y = -50.5, 50.5 mm",
             ),
             (
                 "one column",

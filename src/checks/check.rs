@@ -332,11 +332,19 @@ impl Check {
         self
     }
 
+    /// Whether the formula begins with the demand: `V_wp,Ed = …; V_wp,Rd = …`.
+    fn formula_has_demand(&self) -> bool {
+        self.formula.split('=').next().is_some_and(|symbol| symbol.contains("Ed"))
+    }
+
     /// The check in a sentence.
     pub fn sentence(&self) -> String {
         let case = self.case.as_ref().map_or(String::new(), |c| format!("{c}, "));
         let demand = match (&self.case, self.demand) {
-            (Some(_), Some(ed)) if self.unit != Unit::Number => format!("{} against ", self.unit.show(ed)),
+            // a formula that begins with the demand says it itself
+            (Some(_), Some(ed)) if self.unit != Unit::Number && !self.formula_has_demand() => {
+                format!("{} against ", self.unit.show(ed))
+            }
             _ => String::new(),
         };
         format!("{case}{}: {}: {demand}{} ({})", self.subject, self.title, self.formula, self.clause)

@@ -21,6 +21,7 @@ use super::eurocode::welds::{WeldedSteel, full_strength_throat};
 use crate::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
+mod assumptions;
 mod beam_checks;
 mod case;
 mod class_checks;
@@ -74,8 +75,9 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(stiffener_checks::rib_weld(e));
     out.checks.extend(slip_checks::assembly(e));
     out.checks.extend(tying::tying(e));
-    out.checks.extend(assumptions(e));
-    out.checks.extend(no_weld_strength(e));
+    out.checks.extend(assumptions::assumptions(e));
+    out.checks.extend(assumptions::no_weld_strength(e));
+    out.notes.extend(assumptions::low_factors(e));
     let unseen = |(case, why): &(String, String)| {
         let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
         Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
@@ -207,52 +209,6 @@ fn doubler_fault(c: &ColumnSide) -> Option<String> {
 /// b_s: the plate is as wide as the web is flat.
 fn doubler_width(c: &ColumnSide) -> f64 {
     Section::from(&c.section).clear_depth()
-}
-
-/// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
-fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
-    let column = e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
-    let beam = e.beam_steel.weaker(&e.plate_steel);
-    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
-    let without = column.into_iter().chain([beam]).filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
-    without
-        .map(|(_, steel, part)| {
-            let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
-            let why =
-                format!("Table 4.1 has no β_w for {}: its fillet welds have no strength by this code", steel.grade);
-            Check::undecided(Topic::Welds, part, clause, title, why)
-        })
-        .collect()
-}
-
-/// What the component method takes to be so, where the spec does not say it.
-fn assumptions(e: &EndPlate) -> Vec<Check> {
-    let topic = Topic::ComponentMethod;
-    let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
-    let rule = match e.always_prying {
-        true => "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)",
-        false => {
-            "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always takes them to develop everywhere"
-        }
-    };
-    let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
-    if e.outer_gauge > 0.0 {
-        let (clause, title) = ("EN 1993-1-8:2005 6.2.4", "four bolts in a row");
-        let words = "the code has no rule of its own: the checks count the inner two of every row alone, in tension, shear and slip, on the safe \
-                     side; the analysis has all four";
-        out.push(Check::assumption(topic, "bolts", clause, title, words));
-    }
-    let Some(c) = &e.column else { return out };
-    let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
-    let words = match c.longitudinal {
-        Some(stress) => format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress)),
-        None => {
-            "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more (k_wc falls to 0.7 at f_y)"
-                .into()
-        }
-    };
-    out.push(Check::assumption(topic, "column web", clause, title, words));
-    out
 }
 
 /// Rows from the top.

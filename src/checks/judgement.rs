@@ -72,7 +72,7 @@ pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Jud
     let service = |a: &Analysed| checks.serviceability.contains(&a.case);
     if matches!(all.verdict, Verdict::Ok | Verdict::None) && cases.iter().all(service) {
         all.verdict = Verdict::Undecided;
-        all.reason = "every load case is one of serviceability: give one with `state: ULS`".into();
+        all.reason = "Every load case is one of serviceability: give one with `state: ULS`".into();
         all.governing = None;
     }
     (all, each)
@@ -204,10 +204,13 @@ impl Governing {
 impl Judgement {
     /// The answer of a run in one line.
     pub fn line(&self, code: u8) -> String {
-        let governs = self.governing.as_ref().map_or_else(String::new, |g| {
-            let case = g.case.as_ref().map_or_else(String::new, |c| format!("{c}, "));
-            format!("; governing: {case}{}", g.words())
-        });
+        let governs = self.governing.as_ref().map_or_else(
+            || format!("; {}", self.reason),
+            |g| {
+                let case = g.case.as_ref().map_or_else(String::new, |c| format!("{c}, "));
+                format!("; governing: {case}{}", g.words())
+            },
+        );
         format!(
             "verdict: {} (by code {}, by analysis {}){governs}; exit code {code}: {}",
             self.verdict.words(),

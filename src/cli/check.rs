@@ -40,6 +40,18 @@ impl CheckArgs {
 
 /// Runs `bracket check`.
 pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
+    judge(args, common).map_err(|mut faults| {
+        // a report that stays must not be read as one of this input
+        let report = args.folder().join("report.md");
+        if let Some(d) = faults.0.last_mut().filter(|_| report.is_file()) {
+            let old = format!("`{}` is of an earlier input", report.display());
+            d.help = Some(d.help.take().map_or(old.clone(), |help| format!("{help}; {old}")));
+        }
+        faults
+    })
+}
+
+fn judge(args: &CheckArgs, common: &Common) -> Outcome {
     let input = spec_file::read(&args.spec, args.catalog.folder())?;
     check_names(&input, &[])?;
     check_sizes(&input)?;

@@ -43,7 +43,7 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
     };
     write_new(path, &text)?;
     if !common.quiet {
-        eprintln!("wrote {0}; run it with `bracket run {0}`", path.display());
+        eprintln!("wrote {0}; check it with `bracket check {0}`, run it with `bracket run {0}`", path.display());
     }
     Ok(0)
 }

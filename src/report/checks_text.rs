@@ -9,7 +9,7 @@ use crate::checks::{Check, Status, Topic};
 pub(super) fn failed(page: &mut String, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),
-        (Status::Undecided, "The code gives no resistance for one thing", "The code gives no resistance for these"),
+        (Status::Undecided, "One check cannot be made by the code", "These checks cannot be made by the code"),
     ] {
         let found: Vec<&Check> = checks.iter().filter(|c| c.status == status).collect();
         if found.is_empty() {
@@ -83,8 +83,7 @@ const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::ComponentMethod,
         "Component method",
-        "For both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2, its prying forces decided by \
-         the length of the bolts. Of a load case, strength by this method decides where no limit analysis does; where one decides and \
+        "For both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2. Of a load case, strength by this method decides where no limit analysis does; where one decides and \
          nothing may buckle, a demand above its resistance is a warning.",
     ),
     (

@@ -31,14 +31,17 @@ pub fn drawing(diagram: &MomentAxial) -> String {
         d.circle(Pen::Edge, "#c03a00", at, 3.5);
         d.text([at[0] + 7.0, at[1] - 7.0], Anchor::Start, name);
     }
-    let lines = [
-        ("#dbe7f3", "in plastic equilibrium of the components"),
-        ("#ffffff", "dashed: M_j,Rd, beyond which nothing counts, and 5 % of N_pl,Rd, up to which N is not added"),
+    let y = |line: f64| top + (2.0 + 1.5 * line) * LINE;
+    d.rectangle(Pen::Edge, "#dbe7f3", [legend, y(0.0)], [legend + 22.0, y(0.0) + 12.0]);
+    d.text([legend + 30.0, y(0.0) + 6.0], Anchor::Start, "in plastic equilibrium of the components");
+    let dashed = [
+        "horizontal: M_j,Rd, the limit also under compression",
+        "vertical: 5 % of N_pl,Rd, inside which N is not added",
     ];
-    for (i, (fill, text)) in lines.iter().enumerate() {
-        let y = top + (2.0 + 1.5 * i as f64) * LINE;
-        d.rectangle(Pen::Edge, fill, [legend, y], [legend + 22.0, y + 12.0]);
-        d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
+    for (i, text) in dashed.into_iter().enumerate() {
+        let at = y(1.0 + i as f64) + 6.0;
+        d.line(Pen::Hidden, [legend, at], [legend + 22.0, at]);
+        d.text([legend + 30.0, at], Anchor::Start, text);
     }
     d.finish("Moment and axial force by the component method")
 }

@@ -48,6 +48,9 @@ pub(super) fn table_of_checks(page: &mut String, result: &ResultFile) {
         return;
     }
     rows.extend(worst_distance(&result.checks).map(row));
+    // what decides without a load: distances have their row
+    let open = |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
+    rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
     rows.extend(loaded.into_iter().map(row));
     let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
     let bold = |r: Row| match r.governs_by {

@@ -278,7 +278,7 @@ impl Side<'_> {
         let demand = (shear - relief).abs();
         let mut check = resistance;
         check.title = match relief == 0.0 {
-            true => "column web panel in shear, without what the shear of the column takes off",
+            true => "column web panel in shear (column shear not given, V_Ed = 0)",
             false => "column web panel in shear",
         };
         check.formula = format!(

@@ -1,0 +1,68 @@
+//! What the checks take to be so where the spec is silent, and what of the input the code does not stand behind.
+
+use super::{EndPlate, Topic, Unit, n};
+use crate::checks::check::Check;
+
+/// Partial factors below the recommended ones: a slip of the pen, or a national annex.
+pub(super) fn low_factors(e: &EndPlate) -> Vec<String> {
+    let all = [
+        ("gamma_M0", e.gamma_m0, 1.0),
+        ("gamma_M1", e.gamma_m1, 1.0),
+        ("gamma_M2", e.gamma_m2, 1.25),
+        ("gamma_M3", e.gamma_m3, 1.25),
+        ("gamma_M3_ser", e.gamma_m3_ser, 1.1),
+        ("gamma_M7", e.gamma_m7, 1.1),
+    ];
+    let low = all.into_iter().filter(|(_, given, recommended)| given < recommended);
+    low.map(|(name, given, recommended)| {
+        let (given, recommended) = (n(given), n(recommended));
+        format!("{name} = {given} is below the recommended {recommended}: resistances are larger than by EN 1993")
+    })
+    .collect()
+}
+
+/// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
+pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
+    let column = e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
+    let beam = e.beam_steel.weaker(&e.plate_steel);
+    let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
+    let without = column.into_iter().chain([beam]).filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
+    without
+        .map(|(_, steel, part)| {
+            let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
+            let why =
+                format!("Table 4.1 has no β_w for {}: its fillet welds have no strength by this code", steel.grade);
+            Check::undecided(Topic::Welds, part, clause, title, why)
+        })
+        .collect()
+}
+
+/// What the component method takes to be so, where the spec does not say it.
+pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
+    let topic = Topic::ComponentMethod;
+    let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
+    let rule = match e.always_prying {
+        true => "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)",
+        false => {
+            "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always takes them to develop everywhere"
+        }
+    };
+    let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
+    if e.outer_gauge > 0.0 {
+        let (clause, title) = ("EN 1993-1-8:2005 6.2.4", "four bolts in a row");
+        let words = "the code has no rule of its own: the checks count the inner two of every row alone, in tension, shear and slip, on the safe \
+                     side; the analysis has all four";
+        out.push(Check::assumption(topic, "bolts", clause, title, words));
+    }
+    let Some(c) = &e.column else { return out };
+    let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
+    let words = match c.longitudinal {
+        Some(stress) => format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress)),
+        None => {
+            "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more (k_wc falls to 0.7 at f_y)"
+                .into()
+        }
+    };
+    out.push(Check::assumption(topic, "column web", clause, title, words));
+    out
+}
