@@ -25,6 +25,8 @@ pub struct PartialFactors {
     pub gamma_m7: f64,
     /// Each of them for the list of resolved values, with its origin.
     pub resolved: Vec<Resolved>,
+    /// Those below the recommended ones, a sentence each: a slip of the pen, or a national annex.
+    pub low: Vec<String>,
 }
 
 impl PartialFactors {
@@ -34,7 +36,7 @@ impl PartialFactors {
             let unlisted = |e| AssemblyError::Catalog { path: "code.annex".into(), cause: Box::new(e) };
             catalog.annex(name).map_err(|e| faults.push(unlisted(e))).ok()
         });
-        let mut resolved = Vec::new();
+        let (mut resolved, mut low) = (Vec::new(), Vec::new());
         let mut factor = |name: &str, given: Option<f64>, of_annex: fn(&NationalAnnex) -> Option<f64>| {
             let path = format!("code.{name}");
             let recommended = catalog.partial_factor(name).map_err(|e| {
@@ -46,6 +48,12 @@ impl PartialFactors {
             if !RANGE.contains(&value) {
                 let (path, name, value) = (path.clone(), path.clone(), value.to_string());
                 faults.push(AssemblyError::OutOfRange { path, name, value, range: "0.5 to 3".into() });
+            }
+            if value < recommended.value {
+                low.push(format!(
+                    "{name} = {value} is below the recommended {}: resistances are larger than by EN 1993",
+                    recommended.value
+                ));
             }
             let origin = match (given, set, annex) {
                 (Some(_), _, Some(a)) => format!("given, in place of annex {}", a.annex),
@@ -78,6 +86,7 @@ impl PartialFactors {
             gamma_m3_ser: factor("gamma_M3_ser", code.gamma_m3_ser, |a| a.gamma_m3_ser),
             gamma_m7: factor("gamma_M7", code.gamma_m7, |a| a.gamma_m7),
             resolved,
+            low,
         }
     }
 }
@@ -107,6 +116,15 @@ mod tests {
         let all =
             "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: 1.05, gamma_M7: 1.06}";
         assert_eq!(six(&ok(&with_code(all)).end_plate.expect("hand checks")), [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]);
+    }
+
+    /// A factor below the recommended one is told; one that an annex raises is not.
+    #[test]
+    fn a_factor_below_the_recommended_one_is_a_warning() {
+        let notes = |code: &str| ok(&with_code(code)).notes;
+        let words = "gamma_M2 = 1.1 is below the recommended 1.25: resistances are larger than by EN 1993";
+        assert_eq!(notes("{gamma_M2: 1.1}"), [words]);
+        assert!(notes("{}").is_empty() && notes("{annex: DE, gamma_M0: 1.0}").is_empty());
     }
 
     #[test]

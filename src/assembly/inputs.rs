@@ -188,7 +188,8 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// What the reader of the report must know about the grades: ASTM steels and bolts under the checks of a European code.
+    /// What the reader of the report must know about factors and grades: partial factors below the recommended ones, ASTM steels and
+    /// bolts under the checks of a European code.
     pub fn notes(&self) -> Vec<String> {
         let foreign = |standard: &str| standard.starts_with("ASTM");
         let mut grades: Vec<String> = Vec::new();
@@ -199,11 +200,13 @@ impl<'a> Inputs<'a> {
                 grades.push(name);
             }
         }
+        let mut out = self.factors.low.clone();
         if grades.is_empty() {
-            return Vec::new();
+            return out;
         }
         let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of AISC 360 are not in this edition";
-        vec![format!("grades of ASTM standards ({}): {text}", grades.join(", "))]
+        out.push(format!("grades of ASTM standards ({}): {text}", grades.join(", ")));
+        out
     }
 
     /// The partial factors with their origins.

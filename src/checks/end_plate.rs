@@ -77,7 +77,6 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
     out.checks.extend(tying::tying(e));
     out.checks.extend(assumptions::assumptions(e));
     out.checks.extend(assumptions::no_weld_strength(e));
-    out.notes.extend(assumptions::low_factors(e));
     let unseen = |(case, why): &(String, String)| {
         let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
         Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)

@@ -45,6 +45,16 @@ pub fn shear_area(area: f64, b: f64, h: f64, tf: f64, tw: f64, r: f64, doubler: 
     (area - 2.0 * b * tf + (tw + 2.0 * r) * tf).max((h - 2.0 * tf) * tw) + doubler
 }
 
+/// λ̄_w and χ_w of a web in shear, `depth` h_w and `web` t_w \[mm\], stiffened at its supports alone:
+/// `λ̄_w = h_w/(86.4 t_w ε)`, χ_w = 1 up to 0.83 and 0.83/λ̄_w beyond.
+///
+/// # Source
+/// EN 1993-1-5:2006 5.3(1) and (3), Table 5.1, non-rigid end posts, η = 1.
+pub fn shear_buckling(depth: f64, web: f64, fy: f64) -> (f64, f64) {
+    let lambda = depth / (86.4 * web * epsilon(fy));
+    (lambda, if lambda < 0.83 { 1.0 } else { 0.83 / lambda })
+}
+
 /// A column web panel between the flanges of the beam. Lengths in mm, strengths in MPa.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShearPanel {
@@ -103,8 +113,7 @@ impl ShearPanel {
         }
         let (mut clause, mut value) = ("EN 1993-1-8:2005 6.2.6.1", plastic);
         if self.slender() {
-            let lambda = self.web_depth / (86.4 * self.web * epsilon(self.fy));
-            let chi = if lambda < 0.83 { 1.0 } else { 0.83 / lambda };
+            let (_, chi) = shear_buckling(self.web_depth, self.web, self.fy);
             let buckling = 0.9 * chi * self.web_depth * self.web * self.fy / (root3 * self.gamma_m1);
             if buckling < plastic {
                 (clause, value) = ("EN 1993-1-5:2006 5.2", buckling);

@@ -1,25 +1,7 @@
 //! What the checks take to be so where the spec is silent, and what of the input the code does not stand behind.
 
-use super::{EndPlate, Topic, Unit, n};
+use super::{EndPlate, Topic, Unit};
 use crate::checks::check::Check;
-
-/// Partial factors below the recommended ones: a slip of the pen, or a national annex.
-pub(super) fn low_factors(e: &EndPlate) -> Vec<String> {
-    let all = [
-        ("gamma_M0", e.gamma_m0, 1.0),
-        ("gamma_M1", e.gamma_m1, 1.0),
-        ("gamma_M2", e.gamma_m2, 1.25),
-        ("gamma_M3", e.gamma_m3, 1.25),
-        ("gamma_M3_ser", e.gamma_m3_ser, 1.1),
-        ("gamma_M7", e.gamma_m7, 1.1),
-    ];
-    let low = all.into_iter().filter(|(_, given, recommended)| given < recommended);
-    low.map(|(name, given, recommended)| {
-        let (given, recommended) = (n(given), n(recommended));
-        format!("{name} = {given} is below the recommended {recommended}: resistances are larger than by EN 1993")
-    })
-    .collect()
-}
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
 pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {

@@ -33,8 +33,8 @@ impl Method {
 
     /// Utilisation of the joint under forces and moments of a member end, to be at most 1.
     ///
-    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the largest factor on M and N together, by the
-    /// plastic equilibrium of the components. A pull relieves the compressed side: that is not counted.
+    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the
+    /// largest factor on M and N together, by the plastic equilibrium of the components. A pull relieves the compressed side: that is not counted.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).

@@ -12,7 +12,7 @@ use super::{
     Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing,
     bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
 };
-use super::{beam_checks, slip_checks};
+use super::{beam_checks, slip_checks, weld_checks};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::component_method::assembly::RowForce;
@@ -23,7 +23,6 @@ use crate::checks::component_method::{Assessment, Equilibrium, Summed};
 use crate::checks::eurocode::bolts::ShearPlane;
 use crate::checks::eurocode::interaction::{self, Forces};
 use crate::checks::eurocode::welds::{least_size, simplified};
-use std::f64::consts::SQRT_2;
 
 /// Part of the interaction formula of Table 3.4 that divides the tension.
 const TENSION_PART: f64 = 1.4;
@@ -78,16 +77,18 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         let mut found = Vec::new();
         if ultimate {
             found.push(side.moment(&method));
-            let stability = side.stability(&method);
+            // every state of the rows is a linear program or two: found once
+            let (states, push) = (side.states(&method), side.push(&method));
+            let stability = side.stability(&method, push);
             if !stability.is_empty() && !out.unstable.contains(&a.case) {
                 out.unstable.push(a.case.clone());
             }
             found.extend(stability);
             let [[_, vy, vz], _] = a.at(1.0);
-            found.extend(side.bolts(&method).checks(e, vz.hypot(vy)));
+            found.extend(side.bolts(&method, &states).checks(e, vz.hypot(vy)));
             found.extend(side.panel());
             found.extend(side.welds());
-            let (rows, push) = (side.row_forces(&method), side.push(&method));
+            let rows = side.row_forces(&method, &states);
             found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows, push }));
         }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
@@ -188,7 +189,7 @@ impl Side<'_> {
 
     /// What may buckle: the compressed column web against its reduced resistance; what the code gives no resistance for is
     /// undecided.
-    fn stability(&self, method: &Method) -> Vec<Check> {
+    fn stability(&self, method: &Method, push: f64) -> Vec<Check> {
         let mut out = Vec::new();
         for s in &self.assessment.stability {
             let web = self.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
@@ -200,7 +201,7 @@ impl Side<'_> {
             let mut worked = web.clone();
             worked.title = "column web in compression, with its buckling";
             worked.formula = format!("{}; {}", s.why, worked.formula);
-            out.push(worked.against(Topic::Stability, self.subject(), self.push(method), Status::Failed));
+            out.push(worked.against(Topic::Stability, self.subject(), push, Status::Failed));
         }
         let axial = self.a.at(1.0)[0][0];
         let buckling = method.equilibrium.as_ref().filter(|_| axial < 0.0);
@@ -213,6 +214,11 @@ impl Side<'_> {
         out
     }
 
+    /// Sign of z in the joint's own axes: the assessment has its tension at the top.
+    fn upside(&self) -> f64 {
+        if self.sense == Sense::Bottom { -1.0 } else { 1.0 }
+    }
+
     /// States of the rows that the actions may bring: the axial force alone, and together with the moment where it counts.
     fn states(&self, method: &Method) -> Vec<Carried> {
         let at = self.a.at(1.0);
@@ -223,17 +229,15 @@ impl Side<'_> {
     /// What a row at `z` \[mm\] has under the actions, beyond any resistance: the moment's share, or more where the axial force gives it
     /// more. A push that relieves a row counts for nothing, so that a larger load never has smaller forces.
     fn at_row(&self, states: &[Carried], z: f64, by_moment: impl Fn(&RowForce) -> f64, of: fn(&RowPull) -> f64) -> f64 {
-        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
-        let row = self.assessment.rows.iter().find(|r| (upside * r.z - z).abs() < 1e-9);
+        let row = self.assessment.rows.iter().find(|r| (self.upside() * r.z - z).abs() < 1e-9);
         let pulled = states.iter().filter_map(|c| Some(of(c.rows.iter().find(|r| (r.z - z).abs() < 1e-9)?) / c.factor));
         pulled.fold(row.map_or(0.0, by_moment), f64::max)
     }
 
     /// Force of every row of the assessment under the actions \[N\].
-    fn row_forces(&self, method: &Method) -> Vec<f64> {
-        let upside = if self.sense == Sense::Bottom { -1.0 } else { 1.0 };
-        let (states, share) = (self.states(method), self.a.at(1.0)[1][1].abs() / method.moment);
-        let force = |r: &RowForce| self.at_row(&states, upside * r.z, |row| share * row.force, |pull| pull.force);
+    fn row_forces(&self, method: &Method, states: &[Carried]) -> Vec<f64> {
+        let share = self.a.at(1.0)[1][1].abs() / method.moment;
+        let force = |r: &RowForce| self.at_row(states, self.upside() * r.z, |row| share * row.force, |pull| pull.force);
         self.assessment.rows.iter().map(force).collect()
     }
 
@@ -241,18 +245,19 @@ impl Side<'_> {
     fn push(&self, method: &Method) -> f64 {
         let at = self.a.at(1.0);
         // a push that does not count for the joint is there all the same, half of it in either flange
-        let plain = at[1][1].abs() / method.moment * self.assessment.tension() + 0.5 * (-at[0][0]).max(0.0);
+        let bending = at[1][1].abs() / method.moment * self.assessment.tension();
+        let plain = bending + 0.5 * (-at[0][0]).max(0.0);
         let together = method.with_axial(at).filter(|c| c.factor > 0.0);
         let of = |c: Carried| c.compression.into_iter().fold(0.0, f64::max) / c.factor;
-        together.map_or(plain, |c| of(c).max(at[1][1].abs() / method.moment * self.assessment.tension()))
+        together.map_or(plain, |c| of(c).max(bending))
     }
 
     /// Tension of the bolts of every row under the actions, prying included.
-    fn bolts(&self, method: &Method) -> Bolts {
+    fn bolts(&self, method: &Method, states: &[Carried]) -> Bolts {
         let e = self.e;
         let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
-        let (states, share) = (self.states(method), self.a.at(1.0)[1][1].abs() / method.moment);
-        let pull = |z: f64| self.at_row(&states, z, |row| row.bolt_force(share), |pull| pull.bolt);
+        let share = self.a.at(1.0)[1][1].abs() / method.moment;
+        let pull = |z: f64| self.at_row(states, z, |row| row.bolt_force(share), |pull| pull.bolt);
         let mut rows: Vec<(f64, f64)> = e.rows.iter().map(|&z| (z, pull(z))).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
         let shear = shear_resistance(&e.bolt, &e.grade, ShearPlane::Thread, 1.0, e.gamma_m2).value;
@@ -303,7 +308,7 @@ impl Side<'_> {
         let [[axial, vy, vz], [_, my, _]] = self.a.at(1.0);
         if e.flange_throat > 0.0 {
             let subject = format!("{}, beam flange", self.a.end);
-            let length = 2.0 * b.b - b.tw - 2.0 * b.r - 2.0 * SQRT_2 * e.flange_throat;
+            let length = weld_checks::flange_run(e);
             let force = my.abs() / (b.h - b.tf) + 0.5 * axial.max(0.0);
             let mut worked = simplified(e.flange_throat, &steel).with("l_eff", length, Unit::Length);
             worked.formula = format!(
@@ -318,7 +323,7 @@ impl Side<'_> {
         }
         if e.web_throat > 0.0 {
             let subject = format!("{}, beam web", self.a.end);
-            let length = b.h - 2.0 * (b.tf + b.r) - 2.0 * e.web_throat;
+            let length = weld_checks::web_run(e);
             let force = vz.hypot(vy);
             let mut worked = simplified(e.web_throat, &steel).with("l_eff", length, Unit::Length);
             worked.formula = format!(

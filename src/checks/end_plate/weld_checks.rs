@@ -30,7 +30,7 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
 }
 
 /// Effective length of each of the two welds of the beam web \[mm\].
-fn web_run(e: &EndPlate) -> f64 {
+pub(super) fn web_run(e: &EndPlate) -> f64 {
     e.beam.h - 2.0 * (e.beam.tf + e.beam.r) - 2.0 * e.web_throat
 }
 
@@ -104,7 +104,7 @@ fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
 }
 
 /// Effective length of the welds of one flange, outside along its width, inside up to the root fillets \[mm\].
-fn flange_run(e: &EndPlate) -> f64 {
+pub(super) fn flange_run(e: &EndPlate) -> f64 {
     2.0 * e.beam.b - e.beam.tw - 2.0 * e.beam.r - 2.0 * SQRT_2 * e.flange_throat
 }
 
