@@ -3,14 +3,20 @@
 //! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two solves of the same matrix
 //! in the same run, and the yardstick Y = solve ÷ (iterations × (one factor + two solves)).
 
+use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::mesh::joint::MeshOptions;
+use bracket::mesh::joint::mesh_joint;
+use bracket::model::AnalysisModel;
 use bracket::model::file::AnalysisKind;
 use bracket::model::from_joint;
-use bracket::model::program::ConicProgram;
 use bracket::model::resolve::resolve;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{self, SolveOptions, Solver};
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::programs::conic::ConicProgram;
+use bracket::solve;
+use bracket::solve::SolveOptions;
+use bracket::solve::Solver;
 use std::path::Path;
 use std::time::Instant;
 
@@ -92,7 +98,7 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let assembly = start.elapsed().as_secs_f64();
     println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
     measure(name, &program, &block, options);
-    println!("  peak memory {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
+    println!("  peak memory {} MiB", bracket::analysis::memory::peak_memory_mib().unwrap_or(0));
 }
 
 fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options) {

@@ -10,7 +10,9 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use bracket::solve::{SolveOptions, Solver, prepare};
+use bracket::solve::SolveOptions;
+use bracket::solve::Solver;
+use bracket::solve::prepare;
 use common::yielding::{FORMS, Form, block, plate};
 use std::time::Instant;
 
@@ -68,7 +70,7 @@ fn main() {
                 let y = seconds / (f64::from(s.iterations) * (u.factor + 2.0 * u.solve));
                 print!(" | Y {y:.2}");
             }
-            println!(" | {} MiB", bracket::adapt::memory::peak_memory_mib().unwrap_or(0));
+            println!(" | {} MiB", bracket::analysis::memory::peak_memory_mib().unwrap_or(0));
         }
     }
 }

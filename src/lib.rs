@@ -6,19 +6,25 @@
 //!
 //! Units everywhere: mm, N, MPa, N mm, rad. Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`.
 
-pub mod adapt;
+pub mod analysis;
 pub mod assembly;
-pub mod bounds;
 pub mod catalog;
+pub mod certify;
 pub mod checks;
 pub mod cli;
 pub mod diag;
 pub mod diag_render;
+pub mod driver;
+pub mod elements;
 pub mod geometry;
 pub mod math;
 pub mod mesh;
 pub mod model;
+pub mod programs;
+pub mod recover;
+pub mod refine;
 pub mod report;
+pub mod result;
 pub mod solve;
 pub mod spec;
 pub mod text_file;

@@ -1,6 +1,7 @@
 //! The `bracket` command.
 
-use bracket::cli::{Cli, Format};
+use bracket::cli::Cli;
+use bracket::cli::Format;
 use bracket::diag_render;
 use clap::Parser;
 use std::io::{IsTerminal, Write};

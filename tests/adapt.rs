@@ -3,8 +3,9 @@
 
 mod common;
 
-use bracket::adapt::rates;
-use bracket::mesh::{TetMesh, bisect};
+use bracket::mesh::TetMesh;
+use bracket::mesh::bisect;
+use bracket::refine::rates;
 use common::Block;
 use common::solved::{Solved, solve};
 

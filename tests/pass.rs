@@ -3,14 +3,24 @@
 #[path = "common/mod.rs"]
 mod common;
 
-use bracket::adapt::memory::{Limit, Room};
-use bracket::adapt::pass::{self, Event, Pass, PassOptions, ProgramRun, Progress};
-use bracket::adapt::problem::Program;
-use bracket::adapt::words;
-use bracket::mesh::{NamedFaces, TetMesh};
-use bracket::model::{AnalysisModel, Kinematic};
-use bracket::report::case::case_result;
-use bracket::solve::{SolveOptions, SolveStatus, Solver};
+use bracket::analysis::diagnosis;
+use bracket::analysis::engine;
+use bracket::analysis::engine::Event;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::ProgramRun;
+use bracket::analysis::engine::Progress;
+use bracket::analysis::memory::Limit;
+use bracket::analysis::memory::Room;
+use bracket::analysis::program_run::Program;
+use bracket::mesh::NamedFaces;
+use bracket::mesh::TetMesh;
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::result::case::case_result;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::Solver;
 use common::solved::{resolve, solve_to};
 use common::{Block, beside, triangles_where};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -68,7 +78,7 @@ fn rooms(limit: Limit, bytes: &[u64]) -> PassOptions {
 
 /// Runs the model with these rooms.
 fn in_rooms(model: &AnalysisModel, limit: Limit, bytes: &[u64]) -> (Pass, Vec<String>) {
-    told(|p| pass::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
+    told(|p| engine::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
 }
 
 /// Which programs gave a bound.
@@ -168,7 +178,7 @@ fn a_solver_without_forecast_is_not_held_back() {
     let model = on_ground();
     let mut options = rooms(Limit::Machine, &[0]);
     options.solve.solver = Solver::Clarabel;
-    let (pass, words) = told(|p| pass::run(&model, &options, p).expect("no fault of the model"));
+    let (pass, words) = told(|p| engine::run(&model, &options, p).expect("no fault of the model"));
     assert_eq!(bounds(&pass), [true, true]);
     let n = both(&pass)[0].dofs;
     at(&words, &format!("kinematic forecast {n} false"));
@@ -187,7 +197,7 @@ fn every_iteration_is_kept_and_told() {
                 counted[usize::from(program == Program::Static)].fetch_add(1, Ordering::Relaxed);
             }
         });
-        let pass = pass::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress).expect("sound");
+        let pass = engine::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress).expect("sound");
         for (run, told) in both(&pass).into_iter().zip(count.iter()) {
             let trace = &run.trace;
             assert_eq!(trace.len(), told.load(Ordering::Relaxed));
@@ -218,7 +228,7 @@ fn interrupted_at(
     let (free, _) = in_rooms(model, Limit::Machine, &[u64::MAX]);
     let s = both(&free)[1].forecast.expect("condensed").bytes;
     let options = PassOptions { solve, ..rooms(Limit::Machine, &[s]) };
-    pass::run(model, &options, &progress).expect("no fault of the model")
+    engine::run(model, &options, &progress).expect("no fault of the model")
 }
 
 #[test]
@@ -274,7 +284,7 @@ fn a_program_that_waits_has_less_time() {
             std::thread::sleep(std::time::Duration::from_millis(2100));
         }
     });
-    let pass = pass::run(&model, &options, &slow).expect("no fault of the model");
+    let pass = engine::run(&model, &options, &slow).expect("no fault of the model");
     assert_eq!(bounds(&pass), [true, false]);
     assert_eq!(both(&pass)[1].status, SolveStatus::TimeLimit);
 }
@@ -330,7 +340,7 @@ fn what_is_no_certificate_names_no_contact() {
     let model = resolve(&yaml, mesh).expect("a sound model");
     let kinematic = Kinematic::new(&model).expect("it has a program");
     let contacts: Vec<usize> = kinematic.points.iter().map(|p| p.contact).collect();
-    let conflict = |z: &[f64]| words::conflict(&model, &kinematic.program, &contacts, z);
+    let conflict = |z: &[f64]| diagnosis::conflict(&model, &kinematic.program, &contacts, z);
     let rows = kinematic.program.h.len();
     // the first row of each cone of three
     let pressed = |size: f64| (0..rows).map(|r| if r % 3 == 0 { size } else { 0.0 }).collect::<Vec<f64>>();

@@ -1,7 +1,9 @@
 //! Category of the bolts and limit states of the load cases: what of a spec must agree.
 
 use super::error::AssemblyError;
-use crate::spec::connection::{BoltCategory, ConnectionSpec, PreloadSpec};
+use crate::spec::connection::BoltCategory;
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::connection::PreloadSpec;
 
 /// Categories that are preloaded without a preload; load cases of two limit states.
 pub(super) fn check(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {

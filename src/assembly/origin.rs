@@ -2,7 +2,8 @@
 
 use super::error::AssemblyError;
 use super::template::Template;
-use crate::diag::{Diagnostic, Place};
+use crate::diag::Diagnostic;
+use crate::diag::Place;
 use crate::spec::yaml::PlaceIndex;
 use std::path::PathBuf;
 

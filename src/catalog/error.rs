@@ -1,7 +1,8 @@
 //! What can be wrong with a catalogue or with a name looked up in it.
 
 use super::table::Source;
-use crate::diag::{Diagnostic, Fault};
+use crate::diag::Diagnostic;
+use crate::diag::Fault;
 use std::path::PathBuf;
 
 /// A fault of the catalogue stage.

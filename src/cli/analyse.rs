@@ -1,18 +1,28 @@
 //! `bracket analyse`: the engine on a mesh the user brings.
 
-use super::analysis::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, file_stem, finish, use_threads};
-use super::remesh::{ByBisection, Remesh};
 use super::{Common, Outcome, spec_file};
-use crate::adapt::plan;
 use crate::checks::HandChecks;
 use crate::diag::Diagnostic;
-use crate::mesh::{merge, msh, quality};
-use crate::model::file::{ModelFile, Nodes};
+use crate::driver::case::AnalysisOptions;
+use crate::driver::case::Case;
+use crate::driver::case::Echo;
+use crate::driver::case::WHEN_INTERRUPTED;
+use crate::driver::case::file_stem;
+use crate::driver::case::finish;
+use crate::driver::case::use_threads;
+use crate::driver::remesh::ByBisection;
+use crate::driver::remesh::Remesh;
+use crate::mesh::merge;
+use crate::mesh::msh;
+use crate::mesh::quality;
+use crate::model::file::ModelFile;
+use crate::model::file::Nodes;
 use crate::model::resolve::load_model;
-use crate::report::data::input_hash;
-use crate::report::folder::ResultFolder;
-use crate::report::log::Log;
-use crate::report::page::Table;
+use crate::refine::plan;
+use crate::report::console::log::Log;
+use crate::report::markdown::page::Table;
+use crate::result::data::input_hash;
+use crate::result::folder::ResultFolder;
 use crate::spec::connection::AnalysisSpec;
 use crate::spec::yaml;
 use crate::text_file;

@@ -1,16 +1,18 @@
 //! `bracket check`: the code's checks of a spec, without mesher or solver.
 
-use super::conclude::{Analyses, conclude};
 use super::run::{check_names, check_sizes, demanded_cases, echo};
 use super::spec_file::{self, CatalogOptions};
 use super::{Common, Outcome};
 use crate::checks::hand_checks;
 use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
-use crate::report::data::{ResultFile, input_hash};
-use crate::report::folder::ResultFolder;
-use crate::report::log::Log;
-use crate::report::page::ModelTraits;
+use crate::driver::conclude::Analyses;
+use crate::driver::conclude::conclude;
+use crate::report::console::log::Log;
+use crate::report::markdown::page::ModelTraits;
+use crate::result::data::ResultFile;
+use crate::result::data::input_hash;
+use crate::result::folder::ResultFolder;
 use std::path::PathBuf;
 
 /// The code's checks, detailing, drawing and verdict by code, at once.

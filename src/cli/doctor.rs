@@ -1,8 +1,12 @@
 //! `bracket doctor`.
 
-use super::{Common, Format, Outcome, out};
 use crate::catalog::Catalog;
-use crate::mesh::gmsh::{Mesher, VARIABLE};
+use crate::cli::Common;
+use crate::cli::Format;
+use crate::cli::Outcome;
+use crate::mesh::gmsh::Mesher;
+use crate::mesh::gmsh::VARIABLE;
+use crate::report::console::out;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -1,15 +1,20 @@
 //! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
-use super::aside::Folder;
-use super::interrupt::Interrupt;
 use super::spec_file::{self, CatalogOptions};
 use super::{Common, Format, Outcome};
 use crate::assembly::Assembly;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
+use crate::driver::aside::Folder;
+use crate::driver::interrupt::Interrupt;
 use crate::mesh::gmsh::Mesher;
-use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
-use crate::mesh::{msh_write, quality};
-use crate::report::log::Log;
+use crate::mesh::joint::JointMesh;
+use crate::mesh::joint::MeshOptions;
+use crate::mesh::joint::mesh_joint;
+use crate::mesh::joint::write_step;
+use crate::mesh::msh_write;
+use crate::mesh::quality;
+use crate::report::console::log::Log;
 use crate::text_file;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,23 +1,11 @@
 //! The command line: a file per subcommand.
 
-pub mod adaptive;
 pub mod analyse;
-pub mod analysis;
-pub mod answer;
-pub mod aside;
 pub mod catalog;
 pub mod check;
-pub mod conclude;
-mod derived;
 pub mod doctor;
-pub mod interrupt;
-pub mod memory_limit;
 pub mod mesh;
 pub mod new;
-pub mod out;
-pub mod outcome;
-mod polygon;
-pub mod remesh;
 pub mod run;
 pub mod schema;
 pub mod spec_file;

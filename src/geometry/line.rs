@@ -1,7 +1,9 @@
 //! A straight line through a solid: the stretches of it that lie inside.
 
 use super::flat::{FlatPrism, FlatSolid};
-use crate::math::vec3::{V3, dot, sub};
+use crate::math::vec3::V3;
+use crate::math::vec3::dot;
+use crate::math::vec3::sub;
 
 /// Sorted, disjoint stretches of a line's parameter.
 pub type Stretches = Vec<[f64; 2]>;

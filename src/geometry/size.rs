@@ -6,7 +6,8 @@
 
 use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
-use crate::assembly::joint::{PartRole, Surface};
+use crate::assembly::joint::PartRole;
+use crate::assembly::joint::Surface;
 use crate::math::vec3::V3;
 use std::fmt::Write;
 

@@ -5,6 +5,7 @@ pub mod dense;
 pub mod lanes;
 pub mod mandel;
 pub mod quadrature;
+pub mod rigid_motion;
 pub mod vec3;
 pub mod wide;
 

@@ -1,6 +1,7 @@
 //! What can be wrong with a mesh.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
 use std::path::PathBuf;
 
 /// A place in a mesh file.

@@ -2,10 +2,11 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, RigidFace, SurfaceLoad, Traction};
 use super::file::Friction;
-use super::holds::ModelError;
-use crate::math::vec3::{self, V3};
+use crate::math::vec3;
+use crate::math::vec3::V3;
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
+use crate::model::ModelError;
 
 /// How much of the live and of the dead loads counts.
 ///

@@ -2,7 +2,7 @@
 //!
 //! The text is that of `report.md`; pictures are put into it as data URIs.
 
-use super::folder::ResultFolder;
+use crate::result::folder::ResultFolder;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
 /// The look of the page: narrow tables that do not break, headings with what follows them, A4 when printed.

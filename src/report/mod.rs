@@ -1,44 +1,8 @@
-//! What a run leaves behind: the result folder, its numbers, its page, its pictures and its fields.
+//! Words and pictures of a result.
 
-mod axes;
-mod canvas;
-pub mod case;
-mod checks_text;
-pub mod combine;
-mod comparison;
-pub mod contact_map;
-pub mod data;
-pub mod demand;
-pub mod drawing;
-pub mod field_files;
+pub mod console;
+pub mod draw;
 pub mod figures;
-pub mod folder;
-mod history;
 pub mod html;
-mod input;
-pub mod joint_stiffness;
-mod lettering;
-pub mod limit_case;
-mod limit_text;
-pub mod log;
-pub mod moment_axial;
-pub mod pace;
-pub mod page;
-pub mod plastic_file;
-mod plastic_text;
-pub mod plot;
-pub mod polygon;
-pub mod preload_text;
-pub mod progress;
-pub mod raster;
-pub mod schedule;
-pub mod static_forces;
+pub mod markdown;
 pub mod study;
-mod summary;
-pub mod surface;
-mod svg;
-pub mod text;
-pub mod verdict_text;
-pub mod vtu;
-
-pub use canvas::Picture;

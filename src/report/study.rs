@@ -1,12 +1,17 @@
 //! The rows of a study of speed against error, as table, CSV and plots.
 
-use super::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
 use super::figures::{Rounding, fixed, percent_up};
-use super::plot::{Plot, Series};
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
 use crate::mesh::gmsh::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::model::file::AnalysisKind;
+use crate::report::draw::plot::Plot;
+use crate::report::draw::plot::Series;
+use crate::result::data::CaseResult;
+use crate::result::data::HistoryRow;
+use crate::result::data::RESIDUAL_TOLERANCE;
+use crate::result::data::Upper;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;

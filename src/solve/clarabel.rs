@@ -7,8 +7,9 @@
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
-use crate::model::explicit::Explicit;
-use crate::model::program::{Cone, ConicProgram};
+use crate::programs::conic::Cone;
+use crate::programs::conic::ConicProgram;
+use crate::programs::explicit::Explicit;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use std::time::Instant;
@@ -171,7 +172,8 @@ fn by_columns(rows: &[Vec<(usize, f64)>], n: usize) -> CscMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::program::{Csr, SymmetricCsc};
+    use crate::programs::conic::Csr;
+    use crate::programs::conic::SymmetricCsc;
 
     /// The upper triangle of a dense symmetric matrix.
     fn upper(a: &[&[f64]]) -> SymmetricCsc {

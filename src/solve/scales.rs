@@ -1,6 +1,7 @@
 //! Scales that make a program's numbers dimensionless before a solver sees them.
 
-use crate::model::program::{ConicProgram, Elements};
+use crate::programs::conic::ConicProgram;
+use crate::programs::conic::Elements;
 
 /// Scales of a program: `x_i = size·columns_i·x̂_i`, `z = size·rows·ẑ`.
 ///
@@ -119,7 +120,7 @@ impl Scales {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::program::SymmetricCsc;
+    use crate::programs::conic::SymmetricCsc;
 
     fn diagonal(values: &[f64]) -> SymmetricCsc {
         let n = values.len();

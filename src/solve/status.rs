@@ -46,7 +46,7 @@ impl SolveStatus {
     }
 }
 
-/// Primal and dual unknowns of a [`crate::model::ConicProgram`].
+/// Primal and dual unknowns of a [`crate::programs::ConicProgram`].
 ///
 /// For `Unbounded`, `x` is the direction along which the objective falls.
 #[derive(Clone, Debug)]

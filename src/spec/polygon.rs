@@ -1,7 +1,8 @@
 //! A capacity polygon of a connection spec: two actions at a member's end, run in several directions.
 
 use super::loads::{Action, ActionPoint, LoadSpec};
-use crate::units::{Force, Moment};
+use crate::units::Force;
+use crate::units::Moment;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect};
-use bracket::report::vtu::VtuGrid;
+use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
 /// A block that widens less under its load than the softer one below it: the edges of the joint slip.

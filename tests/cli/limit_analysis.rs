@@ -8,7 +8,7 @@ use crate::bench::{Bench, Told, none_wrong, refusal};
 use crate::common::Block;
 use crate::{expect, mesh};
 use bracket::mesh::msh_write;
-use bracket::report::vtu::VtuGrid;
+use bracket::result::fields::vtu::VtuGrid;
 use serde_json::{Value, json};
 
 const BAR: &str = "\

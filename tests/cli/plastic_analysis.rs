@@ -12,7 +12,7 @@ use crate::bench::{Bench, Told, none_wrong, refusal};
 use crate::common::Block;
 use crate::expect;
 use bracket::mesh::msh_write;
-use bracket::report::vtu::VtuGrid;
+use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
 const CUBE: &str = "\

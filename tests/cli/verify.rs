@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect, mesh};
-use bracket::report::vtu::VtuGrid;
+use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
 /// A finished result, changed by `tamper`; the exit code of `verify` and what it says.

@@ -9,10 +9,13 @@
 //! displacement. No point is excepted.
 
 use super::Random;
-use bracket::bounds::fields::{DisplacementField, StressField};
-use bracket::mesh::tet::{EDGES, FACES};
+use bracket::certify::fields::DisplacementField;
+use bracket::certify::fields::StressField;
+use bracket::mesh::tet::EDGES;
+use bracket::mesh::tet::FACES;
 use bracket::model::AnalysisModel;
-use bracket::model::analysis::{BoundaryFace, Traction};
+use bracket::model::analysis::BoundaryFace;
+use bracket::model::analysis::Traction;
 use std::collections::BTreeMap;
 
 type V3 = [f64; 3];
@@ -128,7 +131,7 @@ fn outward(x: &[V3; 3]) -> V3 {
 /// Panics at the first random point where one of the two fields is not admissible.
 pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &DisplacementField) {
     // the space's own numbering of mid-sides is the file format of the field, not a computation
-    let space = bracket::model::kinematic::Tet10Space::new(&model.mesh);
+    let space = bracket::elements::space::Tet10Space::new(&model.mesh);
     let mut middle = BTreeMap::new();
     for (e, t) in model.mesh.tets.iter().enumerate() {
         let nodes = space.tet(&model.mesh, e);

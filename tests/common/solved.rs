@@ -1,13 +1,19 @@
 //! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
 
 use super::{oracle, points};
-use bracket::adapt::pass::{self, Pass, PassOptions};
-use bracket::diag::{Diagnostics, Place};
+use bracket::analysis::engine;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::diag::Diagnostics;
+use bracket::diag::Place;
 use bracket::mesh::TetMesh;
+use bracket::model::AnalysisModel;
 use bracket::model::file::ModelFile;
-use bracket::model::program::ConicProgram;
-use bracket::model::{AnalysisModel, Kinematic, Static};
-use bracket::solve::{SolveOptions, SolveStatus};
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::programs::conic::ConicProgram;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
 use std::path::Path;
 
 /// A model and its pass.
@@ -40,7 +46,8 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
         Err(e) => panic!("{e:?}"),
     };
     let pass =
-        pass::run(&model, &PassOptions { solve: options.clone(), ..PassOptions::default() }, &pass::silent()).unwrap();
+        engine::run(&model, &PassOptions { solve: options.clone(), ..PassOptions::default() }, &engine::silent())
+            .unwrap();
     // the problem that the bounds belong to
     model.shift = pass.shift.clone();
     model.preload.iter_mut().zip(&pass.preload).for_each(|(p, t)| p.closure = Some(t.closure));

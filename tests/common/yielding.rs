@@ -1,9 +1,12 @@
 //! Bodies that yield: models for tests and benchmarks of the elastic, perfectly plastic programs.
 
 use super::{Block, solved};
+use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::TetMesh;
-use bracket::model::program::ConicProgram;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::programs::conic::ConicProgram;
 use bracket::solve::Solution;
 
 /// Steel that yields: E \[MPa\], ν, f_y \[MPa\].

@@ -1,11 +1,14 @@
 //! Forces of bolts and between flanges from the static field: in equilibrium with the loads, prying included.
 
 use crate::built::{joint, model};
-use bracket::adapt::pass::{self, PassOptions, silent};
+use bracket::analysis::engine;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
 use bracket::diag::Place;
 use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
-use bracket::report::static_forces::{StaticForces, static_forces};
+use bracket::result::forces::StaticForces;
+use bracket::result::forces::static_forces;
 
 /// Forces of a T-stub with two bolts under the load, elastic; `mirror`: the planes of symmetry of its mesh.
 fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {
@@ -17,7 +20,7 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
     let (file, mesh) = model(&joint, factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
     assert_eq!(m.symmetry, 1 << mirror.len());
-    let pass = pass::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
     static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, mirror)
 }
 

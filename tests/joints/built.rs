@@ -1,14 +1,20 @@
 //! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs run.
 
-use bracket::adapt::limit;
-use bracket::adapt::pass::{self, PassOptions, silent};
-use bracket::assembly::{self, Joint};
+use bracket::analysis::engine;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::analysis::limit;
+use bracket::assembly;
+use bracket::assembly::Joint;
 use bracket::catalog::Catalog;
 use bracket::diag::Place;
 use bracket::mesh::TetMesh;
-use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::model::file::{AnalysisKind, ModelFile};
-use bracket::model::from_joint::{cases, model_file};
+use bracket::mesh::joint::MeshOptions;
+use bracket::mesh::joint::mesh_joint;
+use bracket::model::file::AnalysisKind;
+use bracket::model::file::ModelFile;
+use bracket::model::from_joint::cases;
+use bracket::model::from_joint::model_file;
 use bracket::model::resolve::resolve;
 use bracket::spec::ConnectionSpec;
 use bracket::spec::yaml;
@@ -42,7 +48,7 @@ pub fn bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]
     } else {
-        let pass = pass::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let pass = engine::run(&model, &PassOptions::default(), &silent()).unwrap();
         let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]

@@ -2,7 +2,10 @@
 
 use crate::bench::Bench;
 use crate::built::{joint, model};
-use bracket::adapt::pass::{self, Pass, PassOptions, silent};
+use bracket::analysis::engine;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
 use bracket::diag::Place;
 use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
@@ -26,7 +29,7 @@ fn spec(preload: &str, n: f64) -> String {
 fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (Pass, f64) {
     let (file, mesh) = model(&joint(&spec(preload, n)), factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
-    let pass = pass::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
     assert!(pass.bracket.as_ref().is_some_and(|b| b.is_strict()), "{:?}", pass.bracket);
     (pass, f64::from(m.symmetry))
 }

@@ -1,20 +1,23 @@
 //! S_j,ini of joints under one moment, from both sides.
 
 use crate::built::{joint, model};
-use bracket::adapt::pass::{self, PassOptions, silent};
-use bracket::checks::{JointStiffness, hand_checks};
+use bracket::analysis::engine;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::checks::JointStiffness;
+use bracket::checks::hand_checks;
 use bracket::diag::Place;
 use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
-use bracket::report::case::case_result;
-use bracket::report::joint_stiffness::joint_stiffness;
+use bracket::result::case::case_result;
+use bracket::result::stiffness::joint_stiffness;
 
 /// What an elastic analysis on a coarse mesh says of the first load case's joint.
 fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let joint = joint(spec);
     let (file, mesh) = model(&joint, 4.0, false, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
-    let pass = pass::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
     let entry = case_result("A", &m, &pass, None);
     assert!(entry.certificate.is_some_and(|c| c.strict), "{name}");
     let s = joint_stiffness(&entry, &hand_checks(joint.end_plate.as_ref().unwrap()).moments);

@@ -4,11 +4,16 @@ use crate::certified::run;
 use crate::common::yielding::model;
 use crate::common::{Block, solved};
 use crate::random::assembly;
-use bracket::adapt::coulomb_limit::CoulombEstimate;
-use bracket::adapt::limit::LimitPass;
+use bracket::analysis::coulomb_limit::CoulombEstimate;
+use bracket::analysis::limit::LimitPass;
+use bracket::elements::hencky_kinematic::Flow;
+use bracket::model::AnalysisModel;
 use bracket::model::file::Friction;
-use bracket::model::{AnalysisModel, Flow, Kinematic};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::programs::Kinematic;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::condensed;
 
 /// The model under Coulomb's law, its load factor to be estimated.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {

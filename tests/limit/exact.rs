@@ -5,12 +5,19 @@
 use crate::certified::{run, sharp_factors};
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
-use bracket::bounds::free_mechanism::{certify_free, is_free};
-use bracket::bounds::limit_certificate::certify_upper;
-use bracket::bounds::unlimited::certify_unlimited;
+use bracket::certify::limit_certificate::certify_upper;
+use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::TetMesh;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::recover::free_mechanism::certify_free;
+use bracket::recover::free_mechanism::is_free;
+use bracket::recover::unlimited::certify_unlimited;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::condensed;
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 

@@ -9,14 +9,20 @@
 
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
-use bracket::adapt::limit::{self, LimitPass};
-use bracket::adapt::pass::{PassOptions, silent};
-use bracket::bounds::supporting::{Axes, half_plane};
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::analysis::limit;
+use bracket::analysis::limit::LimitPass;
+use bracket::certify::supporting::Axes;
+use bracket::certify::supporting::half_plane;
 use bracket::math::convex::HalfPlane;
 use bracket::model::AnalysisModel;
-use bracket::report::demand::ActionValue;
-use bracket::report::polygon::{Axis, CapacityPolygon, Point};
-use bracket::solve::{Patterns, SolveOptions};
+use bracket::result::demand::ActionValue;
+use bracket::result::polygon::Axis;
+use bracket::result::polygon::CapacityPolygon;
+use bracket::result::polygon::Point;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
 use bracket::spec::polygon::PolygonSpec;
 
 const SIDES: [f64; 3] = [40.0, 10.0, 20.0];

@@ -1,11 +1,16 @@
 //! Load cases on one mesh share orderings and symbolic factors, and every bound and field stays what it is alone, to the last bit.
 
 use crate::common::{Block, solved};
-use bracket::adapt::limit::{self, LimitPass};
-use bracket::adapt::pass::{self, Pass, PassOptions, silent};
+use bracket::analysis::engine;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::analysis::limit;
+use bracket::analysis::limit::LimitPass;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::solve::{Patterns, SolveOptions};
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
 
 /// Two leaves on each other, clamped at one end.
 fn leaves() -> TetMesh {
@@ -38,7 +43,7 @@ fn options(patterns: &Patterns) -> PassOptions {
 
 /// What a limit pass answers, bit by bit.
 fn answer(p: &LimitPass) -> (Vec<u64>, String) {
-    let stress = |s: &Option<bracket::bounds::fields::StressField>| format!("{:?}", s.as_ref().unwrap());
+    let stress = |s: &Option<bracket::certify::fields::StressField>| format!("{:?}", s.as_ref().unwrap());
     let bounds = [p.bracket.as_ref().unwrap().lower(), p.frictionless.as_ref().unwrap()].map(|b| b.value().to_bits());
     let upper = p.bracket.as_ref().unwrap().upper().value().to_bits();
     let fields = format!("{}{}{:?}", stress(&p.stress), stress(&p.frictionless_stress), p.velocity);
@@ -69,7 +74,7 @@ fn elastic_and_limit_analysis_share_and_answer_as_alone() {
         (b.lower().value().to_bits(), b.upper().value().to_bits(), format!("{:?}{:?}", p.stress, p.displacement))
     };
     let run = |load: &str, patterns: &Patterns| {
-        energies(&pass::run(&case("elastic", load), &options(patterns), &silent()).unwrap())
+        energies(&engine::run(&case("elastic", load), &options(patterns), &silent()).unwrap())
     };
     limit::run(&case("limit", LOADS[0]), &options(&shared), &silent()).unwrap();
     let before = shared.count();

@@ -3,11 +3,12 @@
 use crate::certified::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, triangles_where};
-use bracket::bounds::StressField;
-use bracket::bounds::limit_certificate::certify_upper;
-use bracket::bounds::unlimited::certify_unlimited;
-use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::certify::StressField;
+use bracket::certify::limit_certificate::certify_upper;
+use bracket::mesh::NamedFaces;
+use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
+use bracket::recover::unlimited::certify_unlimited;
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 

@@ -13,11 +13,13 @@
 
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, Random, solved};
+use bracket::elements::super_element::PARAMETERS;
+use bracket::elements::super_element::SuperElement;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;
-use bracket::model::super_element::{PARAMETERS, SuperElement};
-use bracket::model::{Static, static_form::SuperElements};
+use bracket::programs::Static;
+use bracket::programs::static_form::SuperElements;
 
 pub const SEEDS: [u64; 3] = [1, 7, 42];
 /// Relative size of the noise put on exact fields.
@@ -248,7 +250,7 @@ impl Case {
 
     /// The exact velocities with relative noise.
     pub fn velocities(&self, noise: f64, random: &mut Random) -> Vec<V3> {
-        let space = bracket::model::kinematic::Tet10Space::new(&self.model.mesh);
+        let space = bracket::elements::space::Tet10Space::new(&self.model.mesh);
         let mut body = vec![0; space.nodes.len()];
         for e in 0..self.model.mesh.tets.len() {
             space.tet(&self.model.mesh, e).iter().for_each(|&n| body[n] = self.model.mesh.tet_body[e] as usize);

@@ -3,11 +3,14 @@
 
 use crate::cases;
 use crate::common::Random;
-use bracket::bounds::fields::DisplacementField;
-use bracket::bounds::flow::VelocityField;
-use bracket::bounds::limit_certificate::certify_upper;
+use bracket::certify::fields::DisplacementField;
+use bracket::certify::flow::VelocityField;
+use bracket::certify::limit_certificate::certify_upper;
+use bracket::elements::hencky_kinematic::Flow;
+use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
 
 /// Every kind of load, live and dead.
 fn model(seed: u64) -> AnalysisModel {

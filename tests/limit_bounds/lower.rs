@@ -3,16 +3,21 @@
 use crate::cases::{self, Case, NOISE, SEEDS};
 use crate::common::yielding::FY;
 use crate::common::{Random, points};
-use bracket::bounds::LowerFactor;
-use bracket::bounds::fields::{DisplacementField, StressField};
-use bracket::bounds::limit_certificate::certify_lower;
-use bracket::bounds::limit_lower::{self, ApproximateStress, Lower, LowerError};
-use bracket::bounds::recover;
-use bracket::bounds::sampling::sample_lower;
-use bracket::model::Static;
+use bracket::certify::LowerFactor;
+use bracket::certify::fields::DisplacementField;
+use bracket::certify::fields::StressField;
+use bracket::certify::limit_certificate::certify_lower;
+use bracket::certify::sampling::sample_lower;
+use bracket::elements::space::Tet10Space;
 use bracket::model::analysis::Traction;
-use bracket::model::kinematic::Tet10Space;
-use bracket::solve::{Patterns, SolveOptions};
+use bracket::programs::Static;
+use bracket::recover::elastic;
+use bracket::recover::limit_lower;
+use bracket::recover::limit_lower::ApproximateStress;
+use bracket::recover::limit_lower::Lower;
+use bracket::recover::limit_lower::LowerError;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
 
 fn dead_field(case: &Case, noise: f64, random: &mut Random) -> Option<StressField> {
     let stress = case.dead?;
@@ -58,7 +63,7 @@ fn exact_fields_with_noise() {
                 // the stored field alone says the same
                 let again = certify_lower(&case.model, &lower.field, c.factor);
                 assert_eq!(
-                    bracket::bounds::limit_certificate::LowerCertificate { scaled_by: c.scaled_by, ..again },
+                    bracket::certify::limit_certificate::LowerCertificate { scaled_by: c.scaled_by, ..again },
                     *c
                 );
                 let s = sample_lower(&case.model, &lower.field, c.factor, 2000);
@@ -196,7 +201,7 @@ fn elastic_field_of_the_dead_loads() {
         let alone = case.model.without_live_loads();
         let statics = Static::new(&alone).unwrap();
         let solution = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
-        let dead = recover::stress(&statics, &solution, &Patterns::default()).unwrap();
+        let dead = elastic::stress(&statics, &solution, &Patterns::default()).unwrap();
         let a = case.static_field(case.factor, NOISE, true, &mut Random::new(7));
         let lower = limit_lower::project(&case.model, &given(&a), Some(&dead), &Patterns::default()).unwrap();
         let bound = LowerFactor::new(lower.certificate);

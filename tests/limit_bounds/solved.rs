@@ -4,15 +4,26 @@
 use crate::cases;
 use crate::common::Block;
 use crate::common::yielding::{FY, block, model};
-use bracket::bounds::fields::{DisplacementField, StressField};
-use bracket::bounds::flow::VelocityField;
-use bracket::bounds::limit_lower::{self, ApproximateStress};
-use bracket::bounds::{FactorBracket, LowerFactor, UpperFactor};
-use bracket::bounds::{limit_upper, recover};
-use bracket::model::super_element::PARAMETERS;
-use bracket::model::yielding_super_element::parameter_unit;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::certify::FactorBracket;
+use bracket::certify::LowerFactor;
+use bracket::certify::UpperFactor;
+use bracket::certify::fields::DisplacementField;
+use bracket::certify::fields::StressField;
+use bracket::certify::flow::VelocityField;
+use bracket::elements::hencky_kinematic::Flow;
+use bracket::elements::hencky_static::parameter_unit;
+use bracket::elements::super_element::PARAMETERS;
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::recover::elastic;
+use bracket::recover::limit_lower;
+use bracket::recover::limit_lower::ApproximateStress;
+use bracket::recover::limit_upper;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::condensed;
 
 /// The stress parameters of every element, in MPa, from the program's own.
 fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<[f64; PARAMETERS]> {
@@ -128,7 +139,7 @@ fn limit_programs_under_dead_load() {
         let alone = case.model.without_live_loads();
         let statics = Static::new(&alone).unwrap();
         let elastic = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
-        let dead = recover::stress(&statics, &elastic, &Patterns::default()).unwrap();
+        let dead = elastic::stress(&statics, &elastic, &Patterns::default()).unwrap();
         let b = limit("sliding", &case.model, Some(&dead));
         assert!(b.gap() < 1e-2 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
     }

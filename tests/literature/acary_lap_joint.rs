@@ -23,7 +23,8 @@
 use crate::common::points;
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, renamed, triangles_where};
-use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::mesh::NamedFaces;
+use bracket::mesh::TetMesh;
 use bracket::solve::SolveOptions;
 
 const MU: f64 = 0.3;

@@ -19,7 +19,8 @@
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, graded, mapped};
-use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::mesh::NamedFaces;
+use bracket::mesh::TetMesh;
 use bracket::solve::SolveOptions;
 
 const F: f64 = 1e4;

@@ -16,9 +16,11 @@
 //! to lie above the figure, by no more than 1e-4, and the reference's own program, with those contacts left out,
 //! is asked for the figure to 1e-6.
 
-use bracket::adapt::pass;
-use bracket::model::{AnalysisModel, Kinematic};
-use bracket::solve::{self, SolveStatus};
+use bracket::analysis::engine;
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::solve;
+use bracket::solve::SolveStatus;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -33,7 +35,7 @@ fn close(a: f64, b: f64) {
 
 fn check(folder: &str, upper: f64, lower: f64) {
     let model = model(folder);
-    let result = pass::run(&model, &Default::default(), &pass::silent()).unwrap();
+    let result = engine::run(&model, &Default::default(), &engine::silent()).unwrap();
     println!("{:?}\n{:?}", result.kinematic, result.statics);
     let bracket = result.bracket.as_ref().expect("both programs end optimal");
     println!("{:?}\n{:?} gap {}", bracket.lower(), bracket.upper(), bracket.gap());
@@ -57,7 +59,7 @@ fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     let model = model(folder);
     let full = Kinematic::new(&model).unwrap();
     let mut program = full.program.clone();
-    program.g = bracket::model::program::Csr { ncols: full.map.n, ..Default::default() };
+    program.g = bracket::programs::conic::Csr { ncols: full.map.n, ..Default::default() };
     program.h.clear();
     program.cones.clear();
     let mut seen = BTreeSet::new();

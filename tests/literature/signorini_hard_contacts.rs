@@ -276,7 +276,7 @@ fn a_bolt_loose_in_its_hole() {
 fn the_random_points_find_faulty_fields() {
     let s = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0);
     let (stress, u) = (s.pass.stress.clone().unwrap(), s.pass.displacement.clone().unwrap());
-    let refused = |stress: &bracket::bounds::fields::StressField, u: &bracket::bounds::fields::DisplacementField| {
+    let refused = |stress: &bracket::certify::fields::StressField, u: &bracket::certify::fields::DisplacementField| {
         std::panic::catch_unwind(|| crate::common::points::check("faulty", &s.model, stress, u)).is_err()
     };
     assert!(!refused(&stress, &u));

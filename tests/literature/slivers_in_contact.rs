@@ -15,10 +15,12 @@
 
 use crate::common::solved::{resolve, solve};
 use crate::common::{Block, Random};
-use bracket::adapt::pass::{self, PassError, PassOptions};
+use bracket::analysis::engine;
+use bracket::analysis::engine::PassError;
+use bracket::analysis::engine::PassOptions;
 use bracket::mesh::TetMesh;
 use bracket::mesh::quality::smallest_dihedral;
-use bracket::model::holds::ModelError;
+use bracket::model::ModelError;
 
 const E: f64 = 210_000.0;
 const TOP: f64 = 12.0;
@@ -128,7 +130,7 @@ fn tets_too_flat_for_a_number_are_named() {
     let mesh = bad(0.001, 0.005);
     let yaml = model(0.3, "0", "- {face: Z1, pressure: 100}\n");
     let model = resolve(&yaml, mesh.clone()).unwrap();
-    let Err(e) = pass::run(&model, &PassOptions::default(), &pass::silent()) else { panic!("a result") };
+    let Err(e) = engine::run(&model, &PassOptions::default(), &engine::silent()) else { panic!("a result") };
     println!("{e}");
     let PassError::Model(ModelError::FlatTet { tet, .. }) = e else { panic!("{e:?}") };
     assert!(smallest_dihedral(&mesh.corners(tet)) < 0.05);

@@ -4,15 +4,24 @@
 use crate::certified::{plastic_model, run, strict, strict_pass};
 use crate::common::Block;
 use crate::common::yielding::{self, FY};
-use bracket::adapt::pass::{self, PassOptions, silent};
-use bracket::adapt::{limit, pass::Pass};
+use bracket::analysis::engine;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::analysis::limit;
+use bracket::elements::hencky_kinematic::Flow;
+use bracket::model::AnalysisModel;
 use bracket::model::file::AnalysisKind;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::condensed;
 
 fn elastic(model: &AnalysisModel) -> Pass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };
-    pass::run(&model, &PassOptions::default(), &silent()).unwrap()
+    engine::run(&model, &PassOptions::default(), &silent()).unwrap()
 }
 
 fn block(n: usize, factor: f64) -> AnalysisModel {

@@ -2,11 +2,13 @@
 
 use crate::common::yielding::model;
 use crate::common::{Random, points};
-use bracket::adapt::pass::{Pass, PassOptions, silent};
-use bracket::adapt::plastic;
-use bracket::bounds::PlasticField;
-use bracket::bounds::fields::StressField;
-use bracket::bounds::plastic_field::PlasticTet;
+use bracket::analysis::engine::Pass;
+use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::silent;
+use bracket::analysis::hencky;
+use bracket::certify::PlasticField;
+use bracket::certify::fields::StressField;
+use bracket::certify::plastic_field::PlasticTet;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::file::AnalysisKind;
@@ -18,7 +20,7 @@ pub fn plastic_model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
 }
 
 pub fn run(model: &AnalysisModel) -> Pass {
-    plastic::run(model, &PassOptions::default(), &silent()).unwrap()
+    hencky::run(model, &PassOptions::default(), &silent()).unwrap()
 }
 
 /// Both bounds of the energy, after all that holds for every pass.

@@ -1,8 +1,12 @@
 //! Result folders: whole, or not there.
 
-use bracket::diag::{Diagnostic, Fault};
-use bracket::report::data::{RESULT_FILE, ResultFile, Verdict};
-use bracket::report::folder::{FolderError, ResultFolder};
+use bracket::diag::Diagnostic;
+use bracket::diag::Fault;
+use bracket::result::data::RESULT_FILE;
+use bracket::result::data::ResultFile;
+use bracket::result::data::Verdict;
+use bracket::result::folder::FolderError;
+use bracket::result::folder::ResultFolder;
 use std::fs;
 use std::path::Path;
 

@@ -3,8 +3,12 @@
 //! With `BRACKET_TEST_PICTURES` naming a folder, the pictures are kept there to be looked at.
 
 use bracket::mesh::TetMesh;
-use bracket::report::raster::{Deformed, Field, PictureOptions, draw};
-use bracket::report::{Picture, surface::Surface};
+use bracket::report::draw::Picture;
+use bracket::report::draw::raster::Deformed;
+use bracket::report::draw::raster::Field;
+use bracket::report::draw::raster::PictureOptions;
+use bracket::report::draw::raster::draw;
+use bracket::report::draw::surface::Surface;
 
 /// A box of `n` cells along each axis, five tets a cell, as body `body`.
 fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [usize; 3]) {

@@ -16,8 +16,12 @@ use crate::common::yielding::{E, FORMS, FY, Form, NU, model};
 use crate::common::{Block, beside};
 use crate::duality::optimal;
 use bracket::mesh::TetMesh;
-use bracket::model::{AnalysisModel, Static};
-use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::model::AnalysisModel;
+use bracket::programs::Static;
+use bracket::solve::Patterns;
+use bracket::solve::SolveOptions;
+use bracket::solve::SolveStatus;
+use bracket::solve::condensed;
 
 const SEEDS: [u64; 2] = [1, 7];
 

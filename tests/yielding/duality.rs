@@ -2,10 +2,16 @@
 
 use crate::common::yielding::{Built, FORMS, FY, Form, block, model};
 use crate::common::{Block, oracle};
-use bracket::model::program::{ConicProgram, cone_margin};
-use bracket::model::yielding_super_element::parameter_unit;
-use bracket::model::{AnalysisModel, Flow, Kinematic, Static};
-use bracket::solve::{Solution, SolveOptions, solve};
+use bracket::elements::hencky_kinematic::Flow;
+use bracket::elements::hencky_static::parameter_unit;
+use bracket::model::AnalysisModel;
+use bracket::programs::Kinematic;
+use bracket::programs::Static;
+use bracket::programs::conic::ConicProgram;
+use bracket::programs::conic::cone_margin;
+use bracket::solve::Solution;
+use bracket::solve::SolveOptions;
+use bracket::solve::solve;
 
 /// The program of a model and its solution by the condensed method, after all that holds for every optimal one; Clarabel
 /// finds the same objective.
@@ -161,7 +167,7 @@ fn elastic_displacements_are_stationary() {
     for e in 0..model.mesh.tets.len() {
         let nodes = elastic.space.tet(&model.mesh, e);
         let at = nodes.map(|n| [full[3 * n], full[3 * n + 1], full[3 * n + 2]]);
-        let strains = bracket::model::tet10::vertex_strains(&model.mesh.corners(e), &at);
+        let strains = bracket::elements::tet10::vertex_strains(&model.mesh.corners(e), &at);
         let stress = strains.map(|s| bracket::math::mandel::deviator(&material.stress(&s)));
         let radius = bracket::math::mandel::yield_radius(FY) * model.mesh.volume(e) / 4.0;
         for i in 0..4 {

@@ -3,7 +3,11 @@
 use super::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
-use crate::model::file::{AnalysisKind, Friction, Law, LoadEntry, ModelFile};
+use crate::model::file::AnalysisKind;
+use crate::model::file::Friction;
+use crate::model::file::Law;
+use crate::model::file::LoadEntry;
+use crate::model::file::ModelFile;
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
 pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) {

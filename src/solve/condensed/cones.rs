@@ -1,6 +1,6 @@
 //! Cone arithmetic and Nesterov–Todd scaling, cone by cone, on flat vectors.
 
-use crate::model::program::Cone;
+use crate::programs::conic::Cone;
 
 /// The product cone of a program.
 #[derive(Clone, Debug)]

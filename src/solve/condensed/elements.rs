@@ -6,10 +6,16 @@
 //! to zero, and a pressure is held by no point at all.
 
 use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
-use crate::math::wide::{LANES, Lane};
-use crate::model::batch::{Batch, NONE, Shape, YIELD_ROWS};
-use crate::model::program::{ConicProgram, SymmetricCsc};
-use crate::solve::sparse::{LinearError, Locator};
+use crate::elements::batch::Batch;
+use crate::elements::batch::NONE;
+use crate::elements::batch::Shape;
+use crate::elements::batch::YIELD_ROWS;
+use crate::math::wide::LANES;
+use crate::math::wide::Lane;
+use crate::programs::conic::ConicProgram;
+use crate::programs::conic::SymmetricCsc;
+use crate::solve::sparse::LinearError;
+use crate::solve::sparse::Locator;
 use rayon::prelude::*;
 use std::sync::Arc;
 

@@ -8,13 +8,15 @@
 //! # Source
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
 
-use super::carrying::Side;
 use super::cones::{Scaling, dot};
 use super::correction::Correction;
 use super::problem::{Problem, largest};
 use super::system::{CondensedSystem, Solved};
 use super::targets::Targets;
-use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
+use crate::solve::condensed::static_condensation::Side;
+use crate::solve::status::Iteration;
+use crate::solve::status::SolveOptions;
+use crate::solve::status::SolveStatus;
 use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.
@@ -326,7 +328,7 @@ fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
         let margins: Vec<f64> =
-            cones.blocks.iter().map(|&(at, d)| crate::model::program::cone_margin(&v[at..at + d])).collect();
+            cones.blocks.iter().map(|&(at, d)| crate::programs::conic::cone_margin(&v[at..at + d])).collect();
         let worst = margins.iter().fold(f64::INFINITY, |m, x| m.min(*x));
         let mean = margins.iter().map(|m| m.max(0.0)).sum::<f64>() / cones.degree().max(1.0);
         let target = (0.1 * mean).max(1e-2 * largest(&v)).max(1e-8);

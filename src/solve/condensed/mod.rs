@@ -3,7 +3,6 @@
 //! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one; every
 //! iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one nested-dissection ordering.
 
-pub mod carrying;
 pub mod cones;
 pub mod correction;
 pub mod elements;
@@ -11,6 +10,7 @@ pub mod elimination;
 pub mod ipm;
 pub mod panel;
 pub mod problem;
+pub mod static_condensation;
 pub mod system;
 pub mod targets;
 
@@ -19,7 +19,7 @@ use super::forecast::Forecast;
 use super::scales::Scales;
 use super::sparse::{LinearError, Patterns};
 use super::status::{Solution, SolveOptions};
-use crate::model::program::ConicProgram;
+use crate::programs::conic::ConicProgram;
 use cones::Scaling;
 use problem::Problem;
 use std::time::Instant;
@@ -89,7 +89,9 @@ impl Prepared {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::program::{Cone, Csr, SymmetricCsc};
+    use crate::programs::conic::Cone;
+    use crate::programs::conic::Csr;
+    use crate::programs::conic::SymmetricCsc;
     use crate::solve::SolveStatus;
 
     /// `min ½ p x² + q x` in each unknown, with the given rows.

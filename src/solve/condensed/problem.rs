@@ -1,7 +1,7 @@
 //! A scaled program and its cones, with the scalar products and measures of the iteration.
 
 use super::cones::{Cones, dot};
-use crate::model::program::ConicProgram;
+use crate::programs::conic::ConicProgram;
 
 /// A scaled program, ready for the iteration.
 pub struct Problem {

@@ -3,15 +3,17 @@
 //! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach the sparse factor.
 //! Every entry has its place in the factor's own storage, so no matrix is assembled beside it.
 
-use super::carrying::Side;
 use super::cones::{Cones, Scaling, dot};
 use super::elements::{ElementSystem, UNSCALED, union};
 use super::elimination::SCALING;
 use super::problem::Problem;
-use crate::model::batch::YIELD_ROWS;
-use crate::model::program::ConicProgram;
+use crate::elements::batch::YIELD_ROWS;
+use crate::programs::conic::ConicProgram;
+use crate::solve::condensed::static_condensation::Side;
 use crate::solve::forecast::Forecast;
-use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
+use crate::solve::sparse::LinearError;
+use crate::solve::sparse::Patterns;
+use crate::solve::sparse::SparseCholesky;
 
 /// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness. With 1e-8 (of the median)
 /// forces of joints with contact are lost in rounding and iterations do not end; 1e-6 to 1e-4 need the same number of iterations.

@@ -54,7 +54,7 @@ impl Targets {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::program::Cone;
+    use crate::programs::conic::Cone;
 
     /// One cone in a hundred that cannot go far keeps its product; the others and the residuals do not wait for it.
     #[test]

@@ -8,7 +8,7 @@ pub mod patterns;
 pub mod substitution;
 pub mod symbolic;
 
-use crate::model::program::SymmetricCsc;
+use crate::programs::conic::SymmetricCsc;
 use factor::Pool;
 use patterns::Layout;
 pub use patterns::Patterns;

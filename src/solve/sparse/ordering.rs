@@ -1,6 +1,6 @@
 //! Fill-reducing ordering: METIS nested dissection of the graph of blocks (nodes or faces).
 
-use crate::model::program::SymmetricCsc;
+use crate::programs::conic::SymmetricCsc;
 use std::sync::{Mutex, PoisonError};
 
 /// A block with more neighbours than this many times the mean is kept out of the dissection and eliminated last.

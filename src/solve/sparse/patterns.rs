@@ -6,7 +6,7 @@
 use super::factor::Plan;
 use super::ordering::BlockGraph;
 use super::symbolic::Symbolic;
-use crate::model::program::SymmetricCsc;
+use crate::programs::conic::SymmetricCsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Patterns kept at most. One mesh has two of each of its programs, with contact and without, and those again where a motion that

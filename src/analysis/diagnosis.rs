@@ -1,0 +1,109 @@
+//! What a certificate of the solver means, in sentences: which parts move away, which contacts exclude each other.
+
+use crate::math::vec3;
+use crate::math::vec3::V3;
+use crate::model::analysis::AnalysisModel;
+use crate::programs::conic::ConicProgram;
+use crate::programs::conic::cone_margin;
+
+/// Share of the largest that a part's motion or a contact's multiplier must reach to be named.
+const NAMED: f64 = 0.05;
+
+/// Largest part of its own terms that `Gᵀ z` of a certificate may keep. Solvers measure it against unknowns that grow without
+/// limit in an infeasible program, so it need not be small to rounding: enough to say which contacts, not to prove it.
+const VANISHES: f64 = 1e-2;
+
+/// Which parts move along an unbounded direction, in words; `moved`: points with their part.
+pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3)>) -> String {
+    let mut mean = vec![([0.0; 3], 0.0); model.parts.len()];
+    for (p, u) in moved {
+        let m = &mut mean[p as usize];
+        *m = (vec3::add(m.0, u), m.1 + 1.0);
+    }
+    let mean: Vec<V3> = mean.into_iter().map(|(s, n)| if n > 0.0 { vec3::scale(1.0 / n, s) } else { s }).collect();
+    let largest = mean.iter().map(|m| vec3::norm(*m)).fold(0.0, f64::max);
+    let moving: Vec<String> = mean
+        .iter()
+        .zip(&model.parts)
+        .filter(|(m, _)| vec3::norm(**m) > NAMED * largest)
+        .map(|(m, name)| {
+            let d = (0..3).max_by(|&a, &b| m[a].abs().total_cmp(&m[b].abs())).unwrap_or(0);
+            format!("part {name} moves along {}{}", if m[d] < 0.0 { "−" } else { "+" }, ["x", "y", "z"][d])
+        })
+        .collect();
+    if moving.is_empty() { "the parts turn without moving their centres".into() } else { moving.join(", ") }
+}
+
+/// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in words; `flow`: what each body
+/// dissipates on it. `None`: nothing flows.
+pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
+    let total: f64 = flow.iter().sum();
+    let mut bodies: Vec<(f64, &String)> =
+        flow.iter().map(|f| f / total).zip(&model.mesh.bodies).filter(|b| b.0 > NAMED).collect();
+    bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let named: Vec<String> =
+        bodies.iter().map(|(share, name)| format!("`{name}` ({:.0} % of the dissipation)", 100.0 * share)).collect();
+    match &named[..] {
+        [] => None,
+        [one] => Some(format!("body {one} yields without end")),
+        [first @ .., last] => Some(format!("bodies {} and {last} yield without end", first.join(", "))),
+    }
+}
+
+/// A contact as people call it: its name and the parts it joins. `contact` counts interfaces first, then the ground's.
+fn contact_name(model: &AnalysisModel, contact: usize) -> String {
+    let part = |tet: u32| &model.parts[model.tet_part[tet as usize] as usize];
+    if let Some(i) = model.interfaces.get(contact) {
+        let sides = i.faces.first().map_or(String::new(), |f| {
+            let (a, b) = (part(f.a.tet), part(f.b.tet));
+            if a == b { format!(" (part {a} against itself)") } else { format!(" (part {a} against part {b})") }
+        });
+        return format!("`{}`{sides}", i.name);
+    }
+    let Some(g) = model.ground.get(contact - model.interfaces.len()) else { return format!("contact {}", contact + 1) };
+    let side = g.faces.first().map_or(String::new(), |f| format!(" (part {} against the ground)", part(f.tet)));
+    format!("`{}`{side}", g.name)
+}
+
+/// The contacts that no motion satisfies together, in words, from the certificate `z` of an infeasible program: `z ∈ K`,
+/// `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x that is not huge. `None` when z is no such certificate.
+///
+/// `contacts`: the contact each cone belongs to.
+pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize], z: &[f64]) -> Option<String> {
+    if z.len() != program.h.len() || z.iter().any(|z| !z.is_finite()) {
+        return None;
+    }
+    // yield points have multipliers too, but exclude no motion
+    let rows = program.g.nrows();
+    let (z, h) = (&z[..rows], &program.h[..rows]);
+    let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let left = largest(&program.g.mul_transpose(z));
+    let mut terms = program.g.clone();
+    terms.values.iter_mut().for_each(|v| *v = v.abs());
+    let terms = largest(&terms.mul_transpose(&z.iter().map(|z| z.abs()).collect::<Vec<_>>()));
+    let work: f64 = h.iter().zip(z).map(|(h, z)| h * z).sum();
+    let size = largest(z);
+    // the share of each contact: the normal components of its multipliers, which z ∈ K makes the largest ones
+    let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];
+    let mut worst = f64::INFINITY;
+    for ((start, cone), &contact) in program.cone_starts().into_iter().zip(&program.cones).zip(contacts) {
+        worst = worst.min(cone_margin(&z[start..start + cone.dim()]));
+        *share.get_mut(contact)? += z[start].max(0.0);
+    }
+    if left > VANISHES * terms || work >= 0.0 || worst < -VANISHES * size {
+        return None;
+    }
+    let most = largest(&share);
+    let names: Vec<String> =
+        (0..share.len()).filter(|&c| share[c] > NAMED * most).map(|c| contact_name(model, c)).collect();
+    match &names[..] {
+        [] => None,
+        [one] => {
+            Some(format!("the solver found no displacement on this mesh that satisfies the contact {one} everywhere"))
+        }
+        [first @ .., last] => Some(format!(
+            "the solver found no displacement on this mesh that satisfies the contacts {} and {last} together",
+            first.join(", ")
+        )),
+    }
+}

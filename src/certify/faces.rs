@@ -1,0 +1,150 @@
+//! What each outer face of the mesh is asked for: supports, loads, rigid motion, contact.
+
+use crate::math::vec3;
+use crate::math::vec3::V3;
+use crate::mesh::tet::FACES;
+use crate::model::AnalysisModel;
+use crate::model::analysis::BoundaryFace;
+use crate::model::analysis::ContactLaw;
+use crate::model::analysis::FacePair;
+use crate::model::analysis::SurfaceLoad;
+use crate::model::analysis::Weld;
+use crate::model::loads::Loads;
+use crate::model::opening::Bernstein;
+
+/// Key of a boundary face: tet and local face.
+pub type FaceKey = (u32, u8);
+
+/// The role of one outer face.
+#[derive(Clone, Debug, Default)]
+pub struct FaceRole<'a> {
+    /// Components held at zero or moving rigidly: their traction is a reaction.
+    pub reaction: [bool; 3],
+    /// Loads on the face, and how much each counts.
+    pub loads: Vec<(f64, &'a SurfaceLoad)>,
+    /// In contact or welded: its traction is that of the interface.
+    pub contact: bool,
+    /// On a preloaded cut: its traction is that of the other side.
+    pub cut: bool,
+}
+
+impl FaceRole<'_> {
+    /// Prescribed traction at a point \[MPa\].
+    pub fn load(&self, x: V3, n: V3) -> V3 {
+        self.loads.iter().fold([0.0; 3], |t, (share, l)| vec3::add(t, vec3::scale(*share, l.at(x, n))))
+    }
+}
+
+fn key(f: &BoundaryFace) -> FaceKey {
+    (f.tet, f.local)
+}
+
+/// The roles of all outer faces that have one under the given loads; faces without an entry are free.
+pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
+    let mut roles: std::collections::BTreeMap<FaceKey, FaceRole<'_>> = Default::default();
+    for s in &model.supports {
+        for f in &s.faces {
+            let r = roles.entry(key(f)).or_default();
+            (0..3).for_each(|d| r.reaction[d] |= s.fix[d]);
+        }
+    }
+    for s in &model.rigid {
+        for f in &s.faces {
+            let r = roles.entry(key(f)).or_default();
+            (0..3).for_each(|d| r.reaction[d] |= s.components[d]);
+        }
+    }
+    for l in &model.surface_loads {
+        for f in &l.faces {
+            roles.entry(key(f)).or_default().loads.push((loads.share(l.dead), l));
+        }
+    }
+    let contacts = model.interfaces.iter().flat_map(|i| &i.faces);
+    for f in contacts.chain(model.welds.iter().flat_map(|w| &w.faces)) {
+        roles.entry(key(&f.a)).or_default().contact = true;
+        roles.entry(key(&f.b)).or_default().contact = true;
+    }
+    for g in &model.ground {
+        for f in &g.faces {
+            roles.entry(key(f)).or_default().contact = true;
+        }
+    }
+    for f in model.preload.iter().flat_map(|p| &p.faces) {
+        roles.entry(key(&f.a)).or_default().cut = true;
+        roles.entry(key(&f.b)).or_default().cut = true;
+    }
+    roles
+}
+
+/// One face of an interface seen from side A.
+pub struct InterfaceFace<'a, L> {
+    /// Its number among the faces of its kind: of contact faces, interfaces first.
+    pub index: usize,
+    /// Its law.
+    pub law: &'a L,
+    /// Which interface of its kind it belongs to; contacts with the ground follow those between parts.
+    pub of: usize,
+    /// Side A.
+    pub a: BoundaryFace,
+    /// Vertices on side A, outward order.
+    pub nodes_a: [u32; 3],
+    /// Side B with the matching vertices; `None`: rigid ground.
+    pub b: Option<(BoundaryFace, [u32; 3])>,
+}
+
+/// A face in contact.
+pub type ContactFace<'a> = InterfaceFace<'a, ContactLaw>;
+/// A face of a weld of finite strength.
+pub type WeldFace<'a> = InterfaceFace<'a, Weld>;
+
+fn pair<'a, L>(law: &'a L, of: usize, f: &FacePair) -> InterfaceFace<'a, L> {
+    InterfaceFace { index: 0, law, of, a: f.a, nodes_a: f.nodes_a, b: Some((f.b, f.nodes_b)) }
+}
+
+/// Every weld face of the model, weld by weld.
+pub fn weld_faces(model: &AnalysisModel) -> Vec<WeldFace<'_>> {
+    let welds = model.welds.iter().enumerate();
+    numbered(welds.flat_map(|(of, weld)| weld.faces.iter().map(move |f| pair(weld, of, f))))
+}
+
+/// Every contact face of the model, interfaces first.
+pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
+    let interfaces = model.interfaces.iter().enumerate();
+    let interfaces = interfaces.flat_map(|(of, i)| i.faces.iter().map(move |f| pair(&i.law, of, f)));
+    let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(of, g)| {
+        g.faces.iter().map(move |f| ContactFace {
+            index: 0,
+            law: &g.law,
+            of,
+            a: *f,
+            nodes_a: FACES[f.local as usize].map(|i| model.mesh.tets[f.tet as usize][i]),
+            b: None,
+        })
+    });
+    numbered(interfaces.chain(ground))
+}
+
+fn numbered<'a, L>(faces: impl Iterator<Item = InterfaceFace<'a, L>>) -> Vec<InterfaceFace<'a, L>> {
+    faces.enumerate().map(|(index, f)| InterfaceFace { index, ..f }).collect()
+}
+
+impl<L> InterfaceFace<'_, L> {
+    /// Corners \[mm\].
+    pub fn corners(&self, model: &AnalysisModel) -> [V3; 3] {
+        self.nodes_a.map(|n| model.mesh.nodes[n as usize])
+    }
+
+    /// Unit normal out of side A and area \[mm²\].
+    pub fn normal(&self, model: &AnalysisModel) -> (V3, f64) {
+        let a = vec3::area_vector(&self.corners(model));
+        let size = vec3::norm(a);
+        (vec3::scale(1.0 / size, a), size)
+    }
+}
+
+impl ContactFace<'_> {
+    /// Bernstein coefficients of initial gap and shift \[mm\].
+    pub fn opening(&self, model: &AnalysisModel) -> Bernstein {
+        model.opening(self.index, self.law, &self.corners(model))
+    }
+}

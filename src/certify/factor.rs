@@ -1,0 +1,156 @@
+//! Bounds of the load factor as types: a number is a bound only with its certificate, and only [`FactorBracket::new`] joins two.
+
+use crate::certify::bracket::Contradiction;
+use crate::certify::certificate::TOLERANCE;
+use crate::certify::limit_certificate::LowerCertificate;
+use crate::certify::limit_certificate::UpperCertificate;
+
+/// A lower bound, strict as far as its certificate says, of the limit load factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LowerFactor {
+    certificate: LowerCertificate,
+}
+
+/// An upper bound, strict as far as its certificate says, of the limit load factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UpperFactor {
+    certificate: UpperCertificate,
+}
+
+fn within<const N: usize>(residuals: [Option<f64>; N]) -> bool {
+    residuals.into_iter().flatten().all(|r| r <= TOLERANCE)
+}
+
+impl LowerFactor {
+    /// From a certificate.
+    pub fn new(certificate: LowerCertificate) -> Self {
+        Self { certificate }
+    }
+    /// Its value, rounded down; zero is exact, no live load acts then.
+    pub fn value(&self) -> f64 {
+        let factor = self.certificate.factor;
+        if factor == 0.0 { 0.0 } else { factor.next_down() }
+    }
+    /// What it rests on.
+    pub fn certificate(&self) -> &LowerCertificate {
+        &self.certificate
+    }
+    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface, tractions of welds within their
+    /// strength, what the residuals may hide included.
+    pub fn is_strict(&self) -> bool {
+        let c = &self.certificate;
+        c.factor.is_finite()
+            && within([Some(c.equilibrium), Some(c.traction_jump), c.contact])
+            && c.worst() + c.cover <= 1.0
+    }
+}
+
+impl UpperFactor {
+    /// From a certificate.
+    pub fn new(certificate: UpperCertificate) -> Self {
+        Self { certificate }
+    }
+    /// Its value, what the residuals may hide included, rounded up.
+    pub fn value(&self) -> f64 {
+        (self.certificate.factor + self.certificate.cover).next_up()
+    }
+    /// What it rests on.
+    pub fn certificate(&self) -> &UpperCertificate {
+        &self.certificate
+    }
+    /// True when every residual is within [`TOLERANCE`] and the live loads do work.
+    pub fn is_strict(&self) -> bool {
+        let c = &self.certificate;
+        self.value().is_finite()
+            && c.live_power > 0.0
+            && within([Some(c.volume), Some(c.rigid), Some(c.compatibility), c.contact])
+    }
+}
+
+/// Both bounds of one load factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FactorBracket {
+    lower: LowerFactor,
+    upper: UpperFactor,
+}
+
+impl FactorBracket {
+    /// Joins two bounds; refuses lower > upper beyond rounding.
+    pub fn new(lower: LowerFactor, upper: UpperFactor) -> Result<Self, Contradiction> {
+        let (low, up) = (lower.value(), upper.value());
+        // numbers that are none are in no order
+        let ordered = low <= up + 1e-9 * low.abs().max(up.abs());
+        if ordered { Ok(Self { lower, upper }) } else { Err(Contradiction { lower: low, upper: up }) }
+    }
+
+    /// The lower bound.
+    pub fn lower(&self) -> &LowerFactor {
+        &self.lower
+    }
+
+    /// The upper bound.
+    pub fn upper(&self) -> &UpperFactor {
+        &self.upper
+    }
+
+    /// `(λ_up − λ_low) / λ_low`; infinite when the lower bound is not positive.
+    pub fn gap(&self) -> f64 {
+        let (low, up) = (self.lower.value(), self.upper.value());
+        if low > 0.0 { (up - low) / low } else { f64::INFINITY }
+    }
+
+    /// True when both bounds are strict.
+    pub fn is_strict(&self) -> bool {
+        self.lower.is_strict() && self.upper.is_strict()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lower(factor: f64) -> LowerFactor {
+        LowerFactor::new(LowerCertificate { factor, utilisation: 1.0 - 1e-9, ..LowerCertificate::default() })
+    }
+
+    fn upper(factor: f64) -> UpperFactor {
+        UpperFactor::new(UpperCertificate { factor, live_power: 1.0, ..UpperCertificate::default() })
+    }
+
+    /// Lower above upper is refused, numbers equal to rounding are not, and the gap is relative to the lower bound.
+    #[test]
+    fn joins_only_what_agrees() {
+        let bracket = FactorBracket::new(lower(2.0), upper(2.5)).expect("in order");
+        assert!((bracket.gap() - 0.25).abs() < 1e-12 && bracket.is_strict());
+        assert!(FactorBracket::new(lower(2.0), upper(2.0 * (1.0 - 1e-12))).is_ok());
+        assert!(FactorBracket::new(lower(2.0), upper(1.99)).is_err());
+        assert!(FactorBracket::new(lower(2.0), upper(f64::NAN)).is_err());
+        assert_eq!(FactorBracket::new(lower(0.0), upper(1.0)).expect("in order").gap(), f64::INFINITY);
+        assert!(lower(3.0).value() < 3.0 && upper(3.0).value() > 3.0);
+    }
+
+    /// Every residual alone takes the strictness away.
+    #[test]
+    fn strict_only_within_tolerance() {
+        let bad = 2.0 * TOLERANCE;
+        let l = |f: fn(&mut LowerCertificate, f64), x: f64| {
+            let mut c = lower(1.0).certificate;
+            f(&mut c, x);
+            LowerFactor::new(c).is_strict()
+        };
+        assert!(lower(1.0).is_strict() && upper(1.0).is_strict());
+        assert!(!l(|c, x| c.equilibrium = x, bad) && !l(|c, x| c.traction_jump = x, bad));
+        assert!(
+            !l(|c, x| c.contact = Some(x), bad) && !l(|c, x| c.cover = x, bad) && !l(|c, x| c.utilisation = x, 1.1)
+        );
+        assert!(!l(|c, x| c.equilibrium = x, f64::NAN) && !l(|c, x| c.utilisation = x, f64::NAN));
+        let u = |f: fn(&mut UpperCertificate, f64), x: f64| {
+            let mut c = upper(1.0).certificate;
+            f(&mut c, x);
+            UpperFactor::new(c).is_strict()
+        };
+        assert!(!u(|c, x| c.volume = x, bad) && !u(|c, x| c.rigid = x, bad) && !u(|c, x| c.compatibility = x, bad));
+        assert!(!u(|c, x| c.contact = Some(x), bad) && !u(|c, x| c.live_power = x, -1.0));
+        assert!(!u(|c, x| c.volume = x, f64::NAN) && !u(|c, x| c.factor = x, f64::NAN));
+    }
+}

@@ -1,0 +1,65 @@
+//! Resultants of contact: with which force, and where, one body presses on another, from a stress field.
+
+use crate::certify::certificate::contact_tractions;
+use crate::certify::faces::contact_faces;
+use crate::certify::fields::StressField;
+use crate::math::Sum;
+use crate::math::vec3;
+use crate::math::vec3::V3;
+use crate::model::AnalysisModel;
+use std::collections::BTreeMap;
+
+/// What contact carries between two bodies of the meshed part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactResultant {
+    /// Bodies of the mesh; the second is `None` where it is rigid ground.
+    pub between: (u32, Option<u32>),
+    /// Force on the first body \[N\], global axes.
+    pub force: V3,
+    /// Compression ∫ r_N dA \[N\].
+    pub compression: f64,
+    /// Centre of pressure ∫ r_N x dA / ∫ r_N dA \[mm\]; `None` where nothing presses.
+    pub centre: Option<V3>,
+}
+
+#[derive(Default)]
+struct Sums {
+    force: [Sum; 3],
+    compression: Sum,
+    moment: [Sum; 3],
+}
+
+/// The resultants of all pairs of bodies in contact, in the order of the bodies.
+///
+/// Tractions are linear over each face, so that the integrals are exact: `∫ r = A/3 Σ r_i`, `∫ r_N x = A/12 Σ (1 + δ_ij) r_Ni x_j`. Loads on
+/// faces in contact count as carried by the contact.
+pub fn contact_resultants(model: &AnalysisModel, field: &StressField) -> Vec<ContactResultant> {
+    let mut pairs: BTreeMap<(u32, Option<u32>), Sums> = BTreeMap::new();
+    let body = |tet: u32| model.mesh.tet_body[tet as usize];
+    for face in contact_faces(model) {
+        let sums = pairs.entry((body(face.a.tet), face.b.map(|(b, _)| body(b.tet)))).or_default();
+        let (n, area) = face.normal(model);
+        let x = face.corners(model);
+        let r = contact_tractions(model, field, &face, None);
+        let normal = r.map(|r| vec3::dot(r, n));
+        for i in 0..3 {
+            sums.compression.add(area / 3.0 * normal[i]);
+            for k in 0..3 {
+                // r is the pressure on the other side, the force on A is against it
+                sums.force[k].add(-area / 3.0 * r[i][k]);
+                for j in 0..3 {
+                    let weight = if i == j { 2.0 } else { 1.0 };
+                    sums.moment[k].add(area / 12.0 * weight * normal[i] * x[j][k]);
+                }
+            }
+        }
+    }
+    pairs
+        .into_iter()
+        .map(|(between, s)| {
+            let compression = s.compression.value();
+            let centre = (compression > 0.0).then(|| s.moment.map(|m| m.value() / compression));
+            ContactResultant { between, force: s.force.map(|f| f.value()), compression, centre }
+        })
+        .collect()
+}

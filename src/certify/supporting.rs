@@ -1,0 +1,49 @@
+//! The half plane of two actions that a mechanism bounds: stronger than its load factor, which is one point of its edge.
+//!
+//! Let actions `x₁ A₁ + x₂ A₂` act. For every pair x that some admissible stress carries, virtual work with admissible velocities
+//! gives `x₁ P₁ + x₂ P₂ ≤ D`: P_k is the power of the unit action A_k, D the dissipation. The certificate of the mechanism found
+//! for one direction d of x has D and `P = d₁ P₁ + d₂ P₂`; divided by P, the half plane is `n · x ≤ λ_up` with `n · d = 1`.
+
+use crate::certify::factor::UpperFactor;
+use crate::certify::flow::VelocityField;
+use crate::certify::limit_certificate::rigid_motions;
+use crate::math::Sum;
+use crate::math::convex::HalfPlane;
+use crate::model::AnalysisModel;
+
+/// Two unit actions, each a force and a moment about its reference point on every rigid face of a model \[N, N mm\].
+pub type Axes = [Vec<[f64; 6]>; 2];
+
+/// Part of the powers by which they may differ from the power of the certificate.
+const SAME: f64 = 1e-9;
+
+/// The half plane, in multiples of the two actions, that the certified velocities of the direction `direction` prove; `None` where the
+/// bound is not strict, or where other loads than these actions do work.
+///
+/// `model` is under `direction[0] · axes[0] + direction[1] · axes[1]` and nothing else. What the residuals may hide is in the offset, as it is in
+/// the load factor.
+pub fn half_plane(
+    model: &AnalysisModel,
+    velocity: &VelocityField,
+    bound: &UpperFactor,
+    axes: &Axes,
+    direction: [f64; 2],
+) -> Option<HalfPlane> {
+    let certificate = bound.certificate();
+    let motions = rigid_motions(model, velocity);
+    let fits = axes.iter().all(|a| a.len() == motions.len());
+    if !(bound.is_strict() && fits) || model.has_dead_loads() || certificate.live_power <= 0.0 {
+        return None;
+    }
+    let terms = |k: usize| motions.iter().zip(&axes[k]).flat_map(|(m, a)| (0..6).map(move |i| m[i] * a[i]));
+    let power = [0, 1].map(|k| Sum::of(terms(k)));
+    let size: f64 = (0..2).map(|k| direction[k].abs() * terms(k).map(f64::abs).sum::<f64>()).sum();
+    let together = direction[0] * power[0] + direction[1] * power[1];
+    if (together - certificate.live_power).abs() > SAME * size {
+        return None;
+    }
+    let normal = power.map(|p| p / certificate.live_power);
+    // rounding of the powers turns the normal by less than this
+    let offset = bound.value() * (1.0 + 1e-12);
+    Some(HalfPlane { normal, offset })
+}

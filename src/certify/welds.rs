@@ -1,0 +1,107 @@
+//! Welds of finite strength: what a stress asks of them, what a jump of the displacement dissipates in them.
+
+use crate::certify::certificate::contact_tractions;
+use crate::certify::faces::WeldFace;
+use crate::certify::faces::weld_faces;
+use crate::certify::fields::StressField;
+use crate::elements::space::FACE_EDGES;
+use crate::elements::space::Tet10Space;
+use crate::math::Sum;
+use crate::math::quadrature::triangle_p2;
+use crate::math::vec3;
+use crate::math::vec3::V3;
+use crate::model::AnalysisModel;
+
+/// Halvings of the faces on which the dissipation of the final displacements is evaluated.
+const SUBDIVISIONS: u32 = 2;
+
+/// Jump of displacements (or velocities) u at the nodes of a face, from side A to side B.
+pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
+    let a = space.triangle(face.nodes_a);
+    let b = face.b.map(|(_, nodes)| space.triangle(nodes));
+    std::array::from_fn(|i| vec3::sub(b.map_or([0.0; 3], |b| u[b[i]]), u[a[i]]))
+}
+
+/// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at vertices and mid-sides.
+///
+/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6. A subdivision applies that to the
+/// four triangles that the mid-sides make.
+pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
+    if subdivisions == 0 {
+        let edges = FACE_EDGES
+            .iter()
+            .enumerate()
+            .map(|(e, &[p, q])| vec3::sub(vec3::scale(2.0, g[3 + e]), vec3::scale(0.5, vec3::add(g[p], g[q]))));
+        return g[..3].iter().copied().chain(edges).map(vec3::norm).sum::<f64>() / 6.0;
+    }
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let middle = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| 0.5 * (p[i] + q[i])) };
+    let middles = FACE_EDGES.map(|[p, q]| middle(corners[p], corners[q]));
+    let parts = [
+        [corners[0], middles[0], middles[2]],
+        [middles[0], corners[1], middles[1]],
+        [middles[2], middles[1], corners[2]],
+        [middles[1], middles[2], middles[0]],
+    ];
+    let at = |l: [f64; 3]| {
+        let shape = triangle_p2(l);
+        (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])))
+    };
+    let part = |x: &[[f64; 3]; 3]| {
+        let points: [[f64; 3]; 6] =
+            std::array::from_fn(
+                |i| if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) },
+            );
+        mean_norm(&points.map(at), subdivisions - 1)
+    };
+    0.25 * parts.iter().map(part).sum::<f64>()
+}
+
+/// Dissipation of a weld face, an upper bound \[N mm\].
+pub fn dissipation_of(model: &AnalysisModel, space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> f64 {
+    let (_, area) = face.normal(model);
+    face.law.strength * area * mean_norm(&jumps(space, face, u), SUBDIVISIONS)
+}
+
+/// Dissipation of each weld, an upper bound \[N mm\].
+pub fn dissipations(model: &AnalysisModel, u: &[V3]) -> Vec<f64> {
+    let space = Tet10Space::new(&model.mesh);
+    let mut out = vec![Sum::default(); model.welds.len()];
+    for face in weld_faces(model) {
+        out[face.of].add(dissipation_of(model, &space, &face, u));
+    }
+    out.iter().map(|d| d.value()).collect()
+}
+
+/// What a stress asks of a weld.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Utilisation {
+    /// Largest traction over the strength; not a number if any traction is none.
+    pub largest: f64,
+    /// An upper bound of the mean of the traction's length over the strength: that of its values at the vertices of the faces, between
+    /// which it is linear.
+    pub mean: f64,
+}
+
+/// Largest traction of each weld over its strength; not a number if any traction is none.
+pub fn utilisations(model: &AnalysisModel, field: &StressField) -> Vec<f64> {
+    demands(model, field).into_iter().map(|u| u.largest).collect()
+}
+
+/// What a stress asks of each weld.
+pub fn demands(model: &AnalysisModel, field: &StressField) -> Vec<Utilisation> {
+    let mut out = vec![0.0f64; model.welds.len()];
+    let mut means = vec![[Sum::default(); 2]; model.welds.len()];
+    for face in weld_faces(model) {
+        let (_, area) = face.normal(model);
+        means[face.of][1].add(area);
+        for t in contact_tractions(model, field, &face, None) {
+            let used = vec3::norm(t) / face.law.strength;
+            means[face.of][0].add(area / 3.0 * used);
+            let worst = &mut out[face.of];
+            *worst = if used.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(used) };
+        }
+    }
+    let mean = means.into_iter().map(|[used, area]| used.value() / area.value());
+    out.into_iter().zip(mean).map(|(largest, mean)| Utilisation { largest, mean }).collect()
+}

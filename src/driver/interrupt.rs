@@ -1,0 +1,162 @@
+//! Ctrl-C, and the polite signals of batch systems: the first ends the run in order, the second at once.
+//!
+//! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in place of others' while it
+//! orders, and blocked signals never reach a handler.
+
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
+use crate::report::console::log::Log;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+/// What is done before the program exits at once: it must leave no half-written result.
+type LastWords = Box<dyn Fn() + Send>;
+
+/// The exit code of a run without a certificate (CONTRACT).
+const UNDECIDED: i32 = 3;
+
+/// The user's wish to stop.
+#[derive(Clone, Default)]
+pub struct Interrupt {
+    flag: Arc<AtomicBool>,
+    work: Arc<Mutex<Option<Work>>>,
+}
+
+/// Work that is under way.
+struct Work {
+    /// The log ends with the run: its end clears the terminal.
+    log: Weak<Log>,
+    /// What the first signal leads to.
+    now: &'static str,
+    last_words: LastWords,
+}
+
+impl Interrupt {
+    /// Watches for signals from now on. Must come before any other thread starts: threads inherit what is blocked.
+    ///
+    /// As long as no work has begun, a signal ends the program at once.
+    pub fn watch() -> Result<Self, Diagnostics> {
+        let interrupt = Self::default();
+        interrupt.listen()?;
+        Ok(interrupt)
+    }
+
+    /// Work begins. The first signal from now on only asks for its end and says what that leads to (`now`); the second one ends
+    /// the program after `last_words`.
+    pub fn begin(&self, log: &Arc<Log>, now: &'static str, last_words: impl Fn() + Send + 'static) {
+        let work = Work { log: Arc::downgrade(log), now, last_words: Box::new(last_words) };
+        *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
+    }
+
+    /// Set once the user has asked to stop.
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        self.flag.clone()
+    }
+
+    /// True once the user has asked to stop.
+    pub fn asked(&self) -> bool {
+        self.flag.load(Ordering::Relaxed)
+    }
+
+    /// Ends a run that has nothing to write yet.
+    pub fn check(&self, doing: &str) -> Result<(), Diagnostics> {
+        if !self.asked() {
+            return Ok(());
+        }
+        Err(Diagnostic::undecided("cli/interrupted", format!("interrupted while {doing}: nothing was written"))
+            .help("run the same command again when there is time for it")
+            .into())
+    }
+
+    #[cfg(not(unix))]
+    fn listen(&self) -> Result<(), Diagnostics> {
+        Ok(())
+    }
+
+    #[cfg(unix)]
+    fn listen(&self) -> Result<(), Diagnostics> {
+        use nix::sys::signal::{SigSet, Signal};
+        let mut wanted = SigSet::empty();
+        wanted.add(Signal::SIGINT);
+        wanted.add(Signal::SIGTERM);
+        // who starts a run under nohup wants it to outlive the terminal
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        if ignored(&status) >> (Signal::SIGHUP as i32 - 1) & 1 == 0 {
+            wanted.add(Signal::SIGHUP);
+        }
+        let failed = |e: String| {
+            Diagnostic::environment("cli/signals", format!("the signals of the system cannot be watched: {e}"))
+                .help("run the command from a shell of its own")
+        };
+        wanted.thread_block().map_err(|e| failed(e.to_string()))?;
+        let watcher = self.clone();
+        let watch = move || {
+            let mut first = None;
+            // the wait fails for no set of real signals
+            while wanted.wait().is_ok() {
+                watcher.heard(&mut first);
+            }
+        };
+        std::thread::Builder::new().name("signals".into()).spawn(watch).map_err(|e| failed(e.to_string()))?;
+        Ok(())
+    }
+
+    /// A signal has come; `first`: when the first one came.
+    #[cfg(unix)]
+    fn heard(&self, first: &mut Option<std::time::Instant>) {
+        /// `timeout` and some shells send a signal to the process and to its group: that is one wish, not two.
+        const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
+        let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(work) = &*work else {
+            // whoever closed standard error wants to hear nothing
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), b"interrupted: nothing was written\n");
+            std::process::exit(UNDECIDED);
+        };
+        match first {
+            None => {
+                *first = Some(std::time::Instant::now());
+                self.flag.store(true, Ordering::Relaxed);
+                if let Some(log) = work.log.upgrade() {
+                    log.line(format!("interrupted: {}; interrupt again to stop at once", work.now));
+                }
+            }
+            Some(at) if at.elapsed() < ECHO => {}
+            Some(_) => {
+                (work.last_words)();
+                std::process::exit(UNDECIDED);
+            }
+        }
+    }
+}
+
+/// The mask of ignored signals in the text of `/proc/self/status`; 0 where it is not told.
+#[cfg(unix)]
+fn ignored(status: &str) -> u64 {
+    let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
+    mask.and_then(|m| u64::from_str_radix(m.trim(), 16).ok()).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(unix)]
+    fn the_mask_of_ignored_signals_is_read() {
+        use nix::sys::signal::Signal;
+        let status = "Name:\tbracket\nSigIgn:\t0000000000001001\nSigCgt:\t0000000000000002\n";
+        let mask = ignored(status);
+        assert_eq!((mask >> (Signal::SIGHUP as i32 - 1) & 1, mask >> (Signal::SIGINT as i32 - 1) & 1), (1, 0));
+        assert_eq!(ignored(""), 0);
+    }
+
+    #[test]
+    fn a_run_without_anything_to_write_ends_with_exit_3() {
+        let interrupt = Interrupt::default();
+        assert!(interrupt.check("meshing").is_ok() && !interrupt.asked());
+        interrupt.flag().store(true, Ordering::Relaxed);
+        let e = interrupt.check("meshing").expect_err("interrupted");
+        assert_eq!((e.exit_code(), e.0[0].code), (3, "cli/interrupted"));
+        assert!(e.0[0].message.contains("while meshing"));
+    }
+}

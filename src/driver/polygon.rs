@@ -1,0 +1,54 @@
+//! From the passes of a polygon's directions to the polygon of the result.
+
+use crate::certify::UpperFactor;
+use crate::certify::supporting::Axes;
+use crate::certify::supporting::half_plane;
+use crate::driver::adaptive::Kept;
+use crate::driver::analysis_pass::Outcome;
+use crate::driver::case::Case;
+use crate::result::data::CaseResult;
+use crate::result::data::Upper;
+use crate::result::demand::ActionValue;
+use crate::result::polygon::Axis;
+use crate::result::polygon::CapacityPolygon;
+use crate::result::polygon::Point;
+use crate::spec::polygon::PolygonSpec;
+
+/// A polygon whose directions are being analysed.
+pub struct Directions {
+    spec: PolygonSpec,
+    axes: Axes,
+    points: Vec<Point>,
+}
+
+impl Directions {
+    /// Of the cases to come; `None` where none of them is a direction.
+    pub fn among(cases: &[Case], spec: Option<&PolygonSpec>) -> Option<Self> {
+        let actions = |along: [f64; 2]| {
+            let case = cases.iter().find(|c| c.direction == Some(along))?;
+            Some(case.model.rigid.iter().map(|r| r.action).collect())
+        };
+        // both axes are among the directions
+        Some(Self { spec: spec?.clone(), axes: [actions([1.0, 0.0])?, actions([0.0, 1.0])?], points: Vec::new() })
+    }
+
+    /// Takes in what a direction has left.
+    pub fn add(&mut self, direction: [f64; 2], entry: &CaseResult, best: &Kept) {
+        let (lower, upper) = entry.safe_bounds();
+        let Outcome::Factor(pass) = &best.outcome else { return };
+        let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
+        let mechanism = pass.velocity.as_ref().zip(pass.upper.clone()).or(free);
+        let bound = mechanism.filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
+        let half_plane = bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
+        self.points.push(Point { case: entry.name.clone(), direction, lower, upper, half_plane });
+    }
+
+    /// The polygon.
+    pub fn polygon(self) -> Option<CapacityPolygon> {
+        let axes = self
+            .spec
+            .axes()?
+            .map(|(action, size)| Axis { action: action.word().into(), unit: ActionValue::of(action, size) });
+        Some(CapacityPolygon::new([self.spec.end, self.spec.at.word().into()], axes, self.points))
+    }
+}

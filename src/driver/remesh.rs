@@ -1,0 +1,175 @@
+//! How a case gets its next mesh: a spec's geometry is meshed again by a map of sizes, a user's mesh is bisected.
+
+use crate::assembly::Assembly;
+use crate::cli::analyse::quality_table;
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
+use crate::diag::Place;
+use crate::mesh::TetMesh;
+use crate::mesh::bisect;
+use crate::mesh::joint::MeshOptions;
+use crate::mesh::joint::mesh_joint;
+use crate::mesh::quality;
+use crate::mesh::size_field::Edges;
+use crate::mesh::size_field::FILLING;
+use crate::mesh::size_field::SizeField;
+use crate::model::AnalysisModel;
+use crate::model::file::AnalysisKind;
+use crate::model::file::ModelFile;
+use crate::model::file::Nodes;
+use crate::model::from_joint;
+use crate::model::resolve::resolve;
+use crate::refine::optimum::Design;
+use crate::report::console::log::Log;
+use crate::report::markdown::page::Table;
+use std::time::{Duration, Instant};
+
+/// A mesh that follows another one.
+pub struct Made {
+    /// The model on it.
+    pub model: AnalysisModel,
+    /// The mesh as a file holds it: bodies share nodes.
+    pub mesh: TetMesh,
+    /// The model file, its mesh still to be named.
+    pub file: ModelFile,
+    /// Quality.
+    pub quality: Table,
+    /// Seconds it took.
+    pub seconds: f64,
+}
+
+/// What makes the next mesh of a case.
+pub trait Remesh {
+    /// The parts it would make of those wanted of each tet of the last mesh, as far as that is known before.
+    fn realised(&self, wanted: &[f64]) -> Vec<f64>;
+
+    /// Makes the mesh of a design, in so many seconds at most.
+    fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
+}
+
+/// Counts nearer to what was asked for than this save a run of the mesher.
+const NEAR: f64 = 0.07;
+
+/// Exponent of the mesher's count of tets in their size.
+const COUNT_EXPONENT: f64 = 2.5;
+
+/// Time any run of the mesher may take \[s\].
+const MESHER_SECONDS: f64 = 600.0;
+
+/// Where in the input file the text of a path stands.
+pub type Places<'a> = &'a dyn Fn(&str) -> Place;
+
+/// Removes the mesher's working folder: script and log are of use only when it fails, and then they are in the message.
+pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
+    let dir = &options.work_dir;
+    match std::fs::remove_dir_all(dir) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+            Err(Diagnostic::environment("run/clean", format!("`{}` cannot be removed: {e}", dir.display())).into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A spec's geometry, meshed again by a map of sizes.
+pub struct ByMap<'a> {
+    assembly: &'a Assembly,
+    options: MeshOptions,
+    case: String,
+    kind: AnalysisKind,
+    coulomb_estimate: bool,
+    place: Places<'a>,
+    mesh: TetMesh,
+    edges: Edges,
+    /// Tets per regular tetrahedra of the wanted size, as the last run of the mesher had it.
+    filling: f64,
+}
+
+impl<'a> ByMap<'a> {
+    /// After the first mesh, which was made with these options.
+    pub fn new(
+        assembly: &'a Assembly,
+        options: MeshOptions,
+        (case, kind): (String, AnalysisKind),
+        place: Places<'a>,
+        mesh: TetMesh,
+    ) -> Self {
+        let edges = Edges::new(&mesh);
+        Self { assembly, options, case, kind, coulomb_estimate: false, place, mesh, edges, filling: FILLING }
+    }
+
+    /// With an estimate of the load factor under Coulomb's law on every mesh, if `asked`.
+    pub fn estimating(self, asked: bool) -> Self {
+        Self { coulomb_estimate: asked, ..self }
+    }
+}
+
+impl Remesh for ByMap<'_> {
+    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+        SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh)
+    }
+
+    fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics> {
+        let start = Instant::now();
+        let field = SizeField::new(&self.mesh, &self.edges, &design.wanted);
+        let mut scale = self.filling.cbrt();
+        let mut made = None;
+        // once more where the count is not what was wanted: sizes that the geometry sets do not follow the map
+        for _ in 0..2 {
+            let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, MESHER_SECONDS);
+            let mut options = self.options.clone();
+            options.size_view = Some(field.view(&self.mesh, scale));
+            options.time_limit = Duration::from_secs_f64(left);
+            let joint = mesh_joint(self.assembly, &options, &mut |stage| log.stage(stage));
+            clean(&options)?;
+            let joint = joint?;
+            let ratio = joint.mesh.tets.len() as f64 / design.tets;
+            made = Some(joint);
+            if ratio.ln().abs() < NEAR {
+                break;
+            }
+            scale *= ratio.powf(1.0 / COUNT_EXPONENT);
+        }
+        // the loop runs at least once
+        let Some(joint) = made else { return Err(Diagnostics(Vec::new())) };
+        self.filling = scale.powi(3).clamp(0.3, 1.2);
+        let mut file =
+            from_joint::model_file(self.assembly, &joint.mesh, &joint.symmetry_used, "mesh.msh", &self.case, self.kind);
+        file.symmetry = joint.copies;
+        file.coulomb_estimate = self.coulomb_estimate;
+        let model = resolve(&file, joint.mesh.clone(), self.place)?;
+        self.edges = Edges::new(&joint.mesh);
+        self.mesh = joint.mesh.clone();
+        let quality = quality_table(&joint.quality);
+        Ok(Made { model, mesh: joint.mesh, file, quality, seconds: start.elapsed().as_secs_f64() })
+    }
+}
+
+/// A user's mesh, refined by bisection.
+pub struct ByBisection<'a> {
+    file: ModelFile,
+    place: Places<'a>,
+    mesh: TetMesh,
+}
+
+impl<'a> ByBisection<'a> {
+    /// After the first mesh; `mesh`: as it was read, coincident nodes of different bodies made one.
+    pub fn new(file: &ModelFile, place: Places<'a>, mesh: TetMesh) -> Self {
+        Self { file: ModelFile { nodes: Nodes::Shared, ..file.clone() }, place, mesh }
+    }
+}
+
+impl Remesh for ByBisection<'_> {
+    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+        bisect::refine(&self.mesh, wanted).parts(self.mesh.tets.len())
+    }
+
+    fn remesh(&mut self, design: &Design, _: f64, log: &Log) -> Result<Made, Diagnostics> {
+        let start = Instant::now();
+        log.stage("bisecting the mesh");
+        self.mesh = bisect::refine(&self.mesh, &design.wanted).mesh;
+        let model = resolve(&self.file, self.mesh.clone(), self.place)?;
+        let quality = quality_table(&quality::table(&self.mesh));
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Made { model, mesh: self.mesh.clone(), file: self.file.clone(), quality, seconds })
+    }
+}

@@ -1,0 +1,15 @@
+//! The finite elements: one a file, their geometry and quadrature beside them.
+//!
+//! The kinematic program uses 10-node tetrahedra, the static program super-elements of four subtets with linear stress.
+//! Each exists in an elastic form and in one with von Mises cones.
+
+pub mod batch;
+pub mod columns;
+pub mod hencky_kinematic;
+pub mod hencky_static;
+pub mod space;
+pub mod split_flow;
+pub mod split_tet10;
+pub mod stress_basis;
+pub mod super_element;
+pub mod tet10;

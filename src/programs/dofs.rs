@@ -1,0 +1,126 @@
+//! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid face.
+
+use crate::elements::batch::NONE;
+use crate::elements::columns::Columns;
+
+/// Each full unknown as a linear combination of the program's unknowns; an empty combination is held at zero.
+#[derive(Clone, Debug, Default)]
+pub struct DofMap {
+    start: Vec<usize>,
+    terms: Vec<(u32, f64)>,
+    /// Number of the program's unknowns.
+    pub n: usize,
+    /// The first `plain` unknowns are single full unknowns; then come motions of rigid faces.
+    pub plain: usize,
+    /// So many unknowns at the end are closures of preloaded cuts.
+    pub closures: usize,
+    /// Closures that are given \[mm\].
+    pub frozen: Vec<(usize, f64)>,
+    /// Block (node, face or rigid motion) of each of the program's unknowns, for orderings.
+    pub block: Vec<u32>,
+}
+
+impl DofMap {
+    /// Builds the map from the combination of each full unknown.
+    pub fn new(combinations: Vec<Vec<(u32, f64)>>, plain: usize, block: Vec<u32>) -> Self {
+        let mut start = Vec::with_capacity(combinations.len() + 1);
+        let mut terms = Vec::with_capacity(combinations.len());
+        start.push(0);
+        for c in combinations {
+            terms.extend(c);
+            start.push(terms.len());
+        }
+        Self { start, terms, n: block.len(), plain, block, ..Self::default() }
+    }
+
+    /// The combination of full unknown `i`.
+    pub fn terms(&self, i: usize) -> &[(u32, f64)] {
+        &self.terms[self.start[i]..self.start[i + 1]]
+    }
+
+    /// The unknown that full unknown `i` is, if it is one of its own.
+    pub fn own(&self, i: usize) -> Option<usize> {
+        match self.terms(i) {
+            [(k, _)] if (*k as usize) < self.plain => Some(*k as usize),
+            _ => None,
+        }
+    }
+
+    /// Number of motions of rigid faces.
+    pub fn rigid(&self) -> usize {
+        self.n - self.plain - self.closures
+    }
+
+    /// True when full unknown `i` follows another one across a preloaded cut.
+    pub fn follows(&self, i: usize) -> bool {
+        self.own(i).is_none() && self.terms(i).iter().any(|(k, _)| (*k as usize) < self.plain)
+    }
+
+    /// Puts the given closures in the place of what a solver has left of them.
+    pub fn keep_frozen(&self, x: &mut [f64]) {
+        self.frozen.iter().for_each(|&(k, value)| x[k] = value);
+    }
+
+    /// Number of full unknowns.
+    pub fn full(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// Full values of the program's unknowns `x`.
+    pub fn expand(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.full()).map(|i| self.terms(i).iter().map(|&(k, c)| c * x[k as usize]).sum()).collect()
+    }
+
+    /// Forces on the program's unknowns from forces on the full ones (the transpose of [`Self::expand`]).
+    pub fn reduce(&self, f: &[f64]) -> Vec<f64> {
+        let mut r = vec![0.0; self.n];
+        for (i, &fi) in f.iter().enumerate() {
+            for &(k, c) in self.terms(i) {
+                r[k as usize] += c * fi;
+            }
+        }
+        r
+    }
+
+    /// Diagonal of the stiffness on the program's unknowns from one that is diagonal on the full ones.
+    pub fn reduce_diagonal(&self, d: &[f64]) -> Vec<f64> {
+        let mut r = vec![0.0; self.n];
+        for (i, &di) in d.iter().enumerate() {
+            self.terms(i).iter().for_each(|&(k, c)| r[k as usize] += c * c * di);
+        }
+        r
+    }
+
+    /// The columns of an element with the given full unknowns.
+    pub fn columns(&self, dofs: &[usize]) -> Columns {
+        // motions of rigid faces move several full unknowns at once
+        let single = |d: &usize| self.terms(*d).is_empty() || self.own(*d).is_some();
+        if dofs.iter().all(single) {
+            let unknown = |d: &usize| self.terms(*d).first().map_or(NONE, |t| t.0);
+            return Columns { unknowns: dofs.iter().map(unknown).collect(), terms: None };
+        }
+        let mut unknowns: Vec<u32> = dofs.iter().flat_map(|d| self.terms(*d)).map(|t| t.0).collect();
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        let place = |u: u32| unknowns.partition_point(|v| *v < u);
+        let terms = dofs.iter().map(|d| self.terms(*d).iter().map(|&(u, c)| (place(u), c)).collect()).collect();
+        Columns { unknowns, terms: Some(terms) }
+    }
+
+    /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
+    pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
+        let mut row: Vec<(u32, f64)> =
+            full.iter().flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w))).collect();
+        row.sort_unstable_by_key(|t| t.0);
+        let largest = row.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+        let mut merged: Vec<(u32, f64)> = Vec::with_capacity(row.len());
+        for (k, w) in row {
+            match merged.last_mut() {
+                Some(last) if last.0 == k => last.1 += w,
+                _ => merged.push((k, w)),
+            }
+        }
+        merged.retain(|t| t.1.abs() > 1e-13 * largest);
+        merged
+    }
+}

@@ -1,0 +1,56 @@
+//! Appends the elements that yield to a program.
+
+use crate::elements::batch::Batch;
+use crate::elements::batch::Placed;
+use crate::elements::batch::Shape;
+use crate::elements::batch::YIELD_ROWS;
+use crate::elements::batch::YieldingElement;
+use crate::math::wide::LANES;
+use crate::programs::conic::Cone;
+use crate::programs::conic::ConicProgram;
+use crate::programs::conic::Elements;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Elements that exist beside the program at the same time.
+const AT_A_TIME: usize = 512;
+
+/// Appends the elements' own unknowns and yield points to a program, `None` for an element that does not yield; returns
+/// where each element's unknowns start: those of element `e` are `first[e]..first[e + 1]`.
+pub fn append<E: Send>(
+    program: &mut ConicProgram,
+    elements: usize,
+    element: impl Fn(usize) -> Result<Option<YieldingElement>, E> + Sync,
+) -> Result<Vec<usize>, E> {
+    let mut first = vec![program.q.len()];
+    let mut waiting: BTreeMap<(Shape, usize), Vec<Placed>> = BTreeMap::new();
+    let mut batches = Vec::new();
+    let mut start = 0;
+    while start < elements {
+        let end = (start + AT_A_TIME).min(elements);
+        let some: Vec<Option<YieldingElement>> =
+            (start..end).into_par_iter().map(&element).collect::<Result<_, E>>()?;
+        for element in some {
+            if let Some(element) = element {
+                let (own, row) = (program.q.len() as u32, program.h.len() as u32);
+                program.q.extend(&element.q);
+                program.stiffness.resize(own as usize + element.shape.parameters(), 1.0);
+                program.stiffness.extend(&element.inner_stiffness);
+                program.h.extend(&element.h);
+                program.cones.extend((0..element.shape.points()).map(|_| Cone::SecondOrder(YIELD_ROWS)));
+                let same = waiting.entry((element.shape, element.columns.len())).or_default();
+                same.push((element, own, row));
+                if same.len() == LANES {
+                    batches.push(Batch::new(same));
+                    same.clear();
+                }
+            }
+            first.push(program.q.len());
+        }
+        start = end;
+    }
+    batches.extend(waiting.values().filter(|same| !same.is_empty()).map(|same| Batch::new(same)));
+    program.elements = Elements { batches: Arc::new(batches), scale: Vec::new() };
+    Ok(first)
+}

@@ -1,0 +1,78 @@
+//! From the unknowns of the elastic, perfectly plastic programs to fields that are admissible to rounding.
+//!
+//! Displacements: contacts are opened as in the elastic recovery; the plastic strain is not the solver's but the best one of these
+//! displacements, tet by tet. Stresses: contact tractions are balanced and the elements brought into equilibrium by an elastic
+//! solution for what the solver left, as in the elastic recovery. That changes the stress by the solver's tolerance, for which
+//! the program kept room under the yield surface.
+
+use crate::certify::fields::DisplacementField;
+use crate::certify::fields::StressField;
+use crate::certify::plastic_field::InnerNodes;
+use crate::certify::plastic_field::PlasticField;
+use crate::certify::plastic_field::mean;
+use crate::certify::plastic_field::with_plastic_strain;
+use crate::elements::split_tet10::INNER_UNKNOWNS;
+use crate::math::vec3;
+use crate::model::AnalysisModel;
+use crate::programs::Kinematic;
+use crate::programs::Static;
+use crate::recover::elastic::RecoverError;
+use crate::recover::elastic::balanced_stress;
+use crate::recover::elastic::interface_tractions;
+use crate::recover::elastic::opened;
+use crate::recover::elastic::smallest_margin;
+use crate::recover::elastic::stress_field;
+use crate::solve::Patterns;
+use crate::solve::Solution;
+
+/// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers the energy.
+///
+/// `model` is the one whose cones are shifted as the program's rows are by `offsets`; `patterns` here and below: what is known of
+/// the mesh's matrices.
+pub fn plastic_motion(
+    model: &AnalysisModel,
+    kinematic: &Kinematic,
+    offsets: &[f64],
+    solution: &Solution,
+    patterns: &Patterns,
+) -> Result<PlasticField, RecoverError> {
+    let program = &kinematic.program;
+    let given = kinematic.nodal(&solution.x);
+    let x = &solution.x[..kinematic.map.n];
+    let slack: Vec<f64> = program.g.mul(x).iter().zip(offsets).map(|(a, b)| a + b).collect();
+    let violated = smallest_margin(program, &slack) < 0.0;
+    // the elastic program has the same shared unknowns, and a stiffness on all of them
+    let nodes = match violated {
+        true => {
+            let elastic = Kinematic::new(model)?;
+            opened(model, &elastic, &elastic.program.h, x.to_vec(), patterns)?
+        }
+        false => DisplacementField { u: given.clone() },
+    };
+    let inner = |e: usize| -> Option<InnerNodes> {
+        let own = kinematic.own.get(e).copied()?..kinematic.own.get(e + 1).copied()?;
+        // parameters of the stress come first; a plain element has nothing behind them
+        let values = solution.x[own].last_chunk::<INNER_UNKNOWNS>().filter(|_| kinematic.split[e])?;
+        // they follow what the opening did to their corners
+        let shift = mean(model.mesh.tets[e].map(|n| vec3::sub(nodes.u[n as usize], given[n as usize])));
+        Some(std::array::from_fn(|i| vec3::add(shift, [values[3 * i], values[3 * i + 1], values[3 * i + 2]])))
+    };
+    let inner: Vec<Option<InnerNodes>> = (0..model.mesh.tets.len()).map(inner).collect();
+    Ok(with_plastic_strain(model, nodes, |e| inner[e]))
+}
+
+/// The stress of a solution of the static program, in equilibrium to rounding.
+pub fn yielding_stress(
+    model: &AnalysisModel,
+    statics: &Static,
+    solution: &Solution,
+    patterns: &Patterns,
+) -> Result<StressField, RecoverError> {
+    let parameters = statics.all_parameters(&solution.x)?;
+    balanced_stress(&Static::new(model)?, interface_tractions(statics, solution), parameters, patterns)
+}
+
+/// The stress of a solution of the static program as the solver left it: no bound follows.
+pub fn approximate_stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
+    Ok(stress_field(&statics.elements, &statics.all_parameters(&solution.x)?)?)
+}

@@ -1,0 +1,187 @@
+//! What a run says while it works: lines on standard error, bars where a terminal shows them, and `log.txt`.
+
+use crate::analysis::program_run::Program;
+use crate::report::console::pace::Pace;
+use crate::report::console::pace::about;
+use crate::solve::Iteration;
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::io::{IsTerminal, Write};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Length of a program's bar.
+const WHOLE: u64 = 1000;
+
+/// Program, bar, time left, iteration.
+const TEMPLATE: &str = "{prefix:9} [{bar:8}] {left:>17}  {wide_msg}";
+
+/// How often a bar is drawn again.
+const TICK: Duration = Duration::from_millis(250);
+
+/// Collects the log of a run and shows it on standard error.
+#[derive(Debug)]
+pub struct Log {
+    start: Instant,
+    quiet: bool,
+    lines: Mutex<String>,
+    bars: MultiProgress,
+    /// What is being done now.
+    stage: ProgressBar,
+    programs: Mutex<BTreeMap<Program, Bar>>,
+    /// Whether there is a terminal to draw on.
+    drawn: bool,
+}
+
+/// A program's bar and what it counts down.
+#[derive(Debug)]
+struct Bar {
+    bar: ProgressBar,
+    pace: Arc<Mutex<Timed>>,
+}
+
+/// A pace and when it was told last.
+#[derive(Debug)]
+struct Timed {
+    pace: Pace,
+    told: Instant,
+}
+
+fn held<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Log {
+    /// A log that shows its lines on standard error unless `quiet`, with bars only on a terminal.
+    pub fn new(quiet: bool) -> Self {
+        let drawn = !quiet && std::io::stderr().is_terminal();
+        let target = if drawn { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let bars = MultiProgress::with_draw_target(target);
+        let stage = bars.add(ProgressBar::new_spinner());
+        if drawn {
+            stage.enable_steady_tick(TICK);
+        }
+        let programs = Mutex::default();
+        Self { start: Instant::now(), quiet, lines: Mutex::default(), bars, stage, programs, drawn }
+    }
+
+    /// Notes a line that is done with: it is kept, and shown unless quiet.
+    pub fn line(&self, text: impl AsRef<str>) {
+        self.keep(text.as_ref());
+        self.say(text);
+    }
+
+    /// Says a line that `log.txt` has already.
+    pub fn say(&self, text: impl AsRef<str>) {
+        if !self.quiet {
+            // a terminal that has gone is no reason to end the run
+            self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));
+        }
+    }
+
+    /// Notes a line that only `log.txt` wants.
+    pub fn detail(&self, text: impl AsRef<str>) {
+        self.keep(text.as_ref());
+    }
+
+    /// Says what is being done now; shown beside the spinner until the next stage.
+    pub fn stage(&self, text: impl Into<String>) {
+        let text = text.into();
+        self.keep(&text);
+        self.stage.set_message(text);
+    }
+
+    /// A program's solve begins: on a terminal it gets a bar.
+    pub fn begin(&self, program: Program, pace: Pace) {
+        if !self.drawn {
+            return;
+        }
+        let pace = Arc::new(Mutex::new(Timed { pace, told: Instant::now() }));
+        let bar = self.bars.add(ProgressBar::new(WHOLE));
+        bar.set_style(style(pace.clone()));
+        bar.set_prefix(program.name());
+        bar.enable_steady_tick(TICK);
+        if let Some(old) = held(&self.programs).insert(program, Bar { bar, pace }) {
+            old.bar.finish_and_clear();
+        }
+    }
+
+    /// The next iteration of a program, with the words that stand beside its bar.
+    pub fn iteration(&self, program: Program, i: &Iteration, words: &str) {
+        let programs = held(&self.programs);
+        let Some(Bar { bar, pace }) = programs.get(&program) else { return };
+        let mut timed = held(pace);
+        timed.pace.tell(i);
+        timed.told = Instant::now();
+        let share = timed.pace.share();
+        // drawing asks for the pace again
+        drop(timed);
+        bar.set_position((share * WHOLE as f64) as u64);
+        bar.set_message(words.to_string());
+    }
+
+    /// A program's solve has ended: its bar goes.
+    pub fn end(&self, program: Program) {
+        if let Some(Bar { bar, .. }) = held(&self.programs).remove(&program) {
+            bar.finish_and_clear();
+        }
+    }
+
+    /// Seconds since the run began.
+    pub fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// The text of `log.txt`: seconds since the start before each line.
+    pub fn text(&self) -> String {
+        held(&self.lines).clone()
+    }
+
+    fn keep(&self, text: &str) {
+        let seconds = self.start.elapsed().as_secs_f64();
+        let mut lines = held(&self.lines);
+        for line in text.lines() {
+            lines.push_str(&format!("[{seconds:9.3} s] {line}\n"));
+        }
+    }
+}
+
+/// The bar of a program; the time left runs on between iterations.
+fn style(pace: Arc<Mutex<Timed>>) -> ProgressStyle {
+    let left = move |_: &ProgressState, out: &mut dyn fmt::Write| {
+        let timed = held(&pace);
+        let left = timed.pace.left().map(|left| (left - timed.told.elapsed().as_secs_f64()).max(1.0));
+        let _ = out.write_str(&left.map_or(String::new(), |left| format!("{} left", about(left))));
+    };
+    ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("left", left)
+}
+
+impl Drop for Log {
+    fn drop(&mut self) {
+        held(&self.programs).values().for_each(|b| b.bar.finish_and_clear());
+        self.stage.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keeps_every_line_in_order_with_its_time() {
+        let log = Log::new(true);
+        log.stage("mesh");
+        log.detail("9 000 tets\nsecond line");
+        log.line("done");
+        let text = log.text();
+        let said: Vec<_> = text.lines().filter_map(|l| l.split_once(" s] ")).map(|(_, t)| t).collect();
+        assert_eq!(said, ["mesh", "9 000 tets", "second line", "done"]);
+        assert!(text.starts_with('['));
+    }
+
+    #[test]
+    fn the_bar_s_template_is_sound() {
+        assert!(ProgressStyle::with_template(TEMPLATE).is_ok());
+    }
+}

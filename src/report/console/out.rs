@@ -1,0 +1,64 @@
+//! Data on standard output; talk goes to standard error.
+
+use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
+use serde::Serialize;
+use std::io::{ErrorKind, Write};
+
+/// Writes text to standard output. A reader that has seen enough (`bracket … | head`) is no fault.
+pub fn text(data: &str) -> Result<(), Diagnostics> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(data.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
+            Err(Diagnostic::environment("cli/stdout", format!("cannot write to standard output: {e}"))
+                .help("check the disk or the pipe the output goes to")
+                .into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes one JSON document and a line end to standard output.
+pub fn json(data: &impl Serialize) -> Result<(), Diagnostics> {
+    text(&format!("{:#}\n", serde_json::json!(data)))
+}
+
+/// Lines of cells in columns: the first column left, numbers right, two blanks between.
+pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
+    let width =
+        |i: usize| rows.iter().map(|r| r[i].chars().count()).chain([head[i].chars().count()]).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..head.len()).map(width).collect();
+    let number = |i: usize| i > 0 && rows.iter().all(|r| r[i] == "-" || r[i].parse::<f64>().is_ok());
+    let right: Vec<bool> = (0..head.len()).map(number).collect();
+    let line = |cells: &mut dyn Iterator<Item = &str>| {
+        let mut line = String::new();
+        for (i, cell) in cells.enumerate() {
+            let gap = " ".repeat(widths[i] - cell.chars().count());
+            line.push_str(if i > 0 { "  " } else { "" });
+            if right[i] {
+                line.push_str(&gap);
+            }
+            line.push_str(cell);
+            if !right[i] {
+                line.push_str(&gap);
+            }
+        }
+        line.truncate(line.trim_end().len());
+        line + "\n"
+    };
+    let mut text = line(&mut head.iter().copied());
+    for row in rows {
+        text += &line(&mut row.iter().map(String::as_str));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn numbers_stand_right_and_names_left() {
+        let rows = [["IPE80", "80", "a"], ["UB1016", "1016.5", "bb"]].map(|r| r.map(str::to_owned).to_vec());
+        let expected = "name         h  text\nIPE80       80  a\nUB1016  1016.5  bb\n";
+        assert_eq!(super::columns(&["name", "h", "text"], &rows), expected);
+    }
+}

@@ -1,0 +1,128 @@
+//! The events of a pass as lines and bars.
+
+use crate::analysis::engine::Event;
+use crate::analysis::engine::Refusal;
+use crate::analysis::memory::Limit;
+use crate::analysis::memory::Room;
+use crate::analysis::program_run::Program;
+use crate::report::console::log::Log;
+use crate::report::console::pace::Pace;
+use crate::report::console::pace::about;
+use crate::report::figures::Rounding;
+use crate::report::figures::fixed;
+use crate::report::figures::percent_up;
+use crate::report::figures::significant;
+use crate::solve::Forecast;
+use crate::solve::Iteration;
+
+/// Bytes in GiB with three digits, rounded to the safe side.
+fn gib(bytes: u64, rounding: Rounding) -> String {
+    format!("{} GiB", significant(bytes as f64 / f64::from(1u32 << 30), 3, rounding))
+}
+
+/// The room there is, and who sets it.
+fn room_words(room: &Room) -> String {
+    let bytes = gib(room.bytes, Rounding::Down);
+    match room.limit {
+        Limit::Machine => format!("{bytes} are available"),
+        Limit::Asked(all) => {
+            format!("{bytes} are left of the {} that --memory-limit allows", gib(all, Rounding::Nearest))
+        }
+    }
+}
+
+/// Why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
+pub fn refusal_words(refusal: &Refusal) -> String {
+    format!("needs {} more memory, {}", gib(refusal.needed, Rounding::Up), room_words(&refusal.room))
+}
+
+fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
+    let mut text = format!("{} unknowns", fixed(unknowns as f64, 0, Rounding::Nearest));
+    if let Some(f) = forecast {
+        let millions = significant(f.factor_entries as f64 / 1e6, 3, Rounding::Nearest);
+        let memory = gib(f.bytes, Rounding::Up);
+        text += &format!(", {millions} million factor entries, {memory} of memory, {}", about(f.seconds));
+    }
+    text
+}
+
+/// Tells the log what a program of a load case does; `tolerance`: where its solve ends.
+pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
+    let name = program.name();
+    match event {
+        Event::Assembly => log.stage(format!("{case}: assembling the {name} program")),
+        Event::Forecast { unknowns, forecast } => {
+            log.line(format!("{case}: {name} program: {}", forecast_words(unknowns, forecast)));
+        }
+        Event::Waits { needed, room } => log.line(format!(
+            "{case}: the programs run one after the other, the {name} one last: side by side they need {} more memory, {}",
+            gib(needed, Rounding::Up),
+            room_words(&room)
+        )),
+        Event::Refused(refusal) => {
+            log.line(format!("{case}: the {name} program is not started: it {}", refusal_words(refusal)));
+        }
+        Event::Solve { forecast } => {
+            log.stage(format!("{case}: solving the {name} program"));
+            log.begin(program, Pace::new(tolerance, forecast.map(|f| f.seconds)));
+        }
+        Event::Iteration(i) => {
+            let Iteration { number, gap, residual, step, .. } = i;
+            log.detail(format!("{case}: {name} iteration {number}: gap {gap:.1e}, residual {residual:.1e}, step {step:.2}"));
+            // with bar and time left it fits into 80 columns
+            log.iteration(program, i, &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"));
+        }
+        Event::Tightening => log.line(format!("{case}: the bolts are tightened first")),
+        Event::Slips { solves, change } => log.line(format!(
+            "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed them by {} of the largest",
+            percent_up(change)
+        )),
+        Event::Certify => {
+            log.end(program);
+            log.stage(format!("{case}: certifying the {name} field"));
+        }
+        Event::Yielding { tets } => {
+            let tets = fixed(tets as f64, 0, Rounding::Nearest);
+            log.line(format!("{case}: the {name} program with yield conditions in {tets} tets"));
+        }
+        Event::Coulomb => log.line(format!("{case}: Coulomb's law by a fixed point on the {name} program")),
+        Event::Frictionless => log.line(format!("{case}: the {name} program once more, without friction")),
+        Event::Ended(run) => {
+            log.end(program);
+            log.detail(format!("{case}: {name} program: {} after {} iterations", run.status.words(), run.iterations));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GIB: u64 = 1 << 30;
+
+    #[test]
+    fn costs_are_told_in_users_words() {
+        let forecast = Forecast {
+            unknowns: 52_341,
+            factor_entries: 12_400_000,
+            factor_flops: 1e10,
+            bytes: 3 * GIB / 10,
+            seconds: 42.0,
+        };
+        assert_eq!(
+            forecast_words(52_341, Some(&forecast)),
+            "52\u{a0}341 unknowns, 12.4 million factor entries, 0.300 GiB of memory, about 40 s"
+        );
+        assert_eq!(forecast_words(912, None), "912 unknowns");
+    }
+
+    /// What is needed is rounded up and what there is down: a refusal never reads as if it fitted.
+    #[test]
+    fn a_refusal_never_reads_as_if_it_fitted() {
+        for limit in [Limit::Machine, Limit::Asked(8 * GIB)] {
+            let text = refusal_words(&Refusal { needed: GIB + 1, room: Room { bytes: GIB - 1, limit } });
+            assert!(text.starts_with("needs 1.01 GiB more memory, 0.999 GiB are"), "{text}");
+            assert_eq!(text.contains("of the 8.00 GiB that --memory-limit allows"), limit != Limit::Machine, "{text}");
+        }
+    }
+}

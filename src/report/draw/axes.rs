@@ -1,0 +1,73 @@
+//! A frame with two axes through zero, ticks and names: what plots of forces and moments stand in.
+
+use crate::report::draw::svg::Anchor;
+use crate::report::draw::svg::Drawing;
+use crate::report::draw::svg::LINE;
+use crate::report::draw::svg::Pen;
+use crate::report::figures::Rounding;
+use crate::report::figures::significant;
+
+/// Side of the frame and what is left of it for numbers \[pixels\].
+const SIDE: f64 = 420.0;
+const MARGIN: f64 = 72.0;
+
+/// A square frame that shows −reach to +reach on either axis.
+pub(crate) struct Axes {
+    reach: [f64; 2],
+}
+
+impl Axes {
+    /// With a little room beyond the largest values.
+    pub fn new(largest: [f64; 2]) -> Self {
+        Self { reach: largest.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 }) }
+    }
+
+    /// Half of what is shown on either axis.
+    pub fn reach(&self) -> [f64; 2] {
+        self.reach
+    }
+
+    /// A point of the plot \[pixels\].
+    pub fn at(&self, c: [f64; 2]) -> [f64; 2] {
+        let part = |k: usize| c[k] / self.reach[k];
+        [MARGIN + 0.5 * SIDE * (1.0 + part(0)), LINE + 0.5 * SIDE * (1.0 - part(1))]
+    }
+
+    /// Draws the frame with its ticks; the names of the axes say what grows to the right and upwards. Returns the point where
+    /// a legend begins.
+    pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
+        let reach = self.reach;
+        let [left, top] = self.at([-reach[0], reach[1]]);
+        let [right, bottom] = self.at([reach[0], -reach[1]]);
+        d.rectangle(Pen::Thin, "none", [left, top], [right, bottom]);
+        d.line(Pen::Thin, self.at([-reach[0], 0.0]), self.at([reach[0], 0.0]));
+        d.line(Pen::Thin, self.at([0.0, -reach[1]]), self.at([0.0, reach[1]]));
+        for axis in 0..2 {
+            let by = step(2.0 * reach[axis]);
+            let last = (reach[axis] / by).floor() as i32;
+            for k in -last..=last {
+                let value = f64::from(k) * by;
+                let text = significant(value, 3, Rounding::Nearest).replace('-', "−");
+                if axis == 0 {
+                    let [x, _] = self.at([value, 0.0]);
+                    d.line(Pen::Thin, [x, bottom], [x, bottom + 4.0]);
+                    d.text([x, bottom + LINE], Anchor::Middle, &text);
+                } else {
+                    let [_, y] = self.at([0.0, value]);
+                    d.line(Pen::Thin, [left - 4.0, y], [left, y]);
+                    d.text([left - 8.0, y], Anchor::End, &text);
+                }
+            }
+        }
+        d.text([0.5 * (left + right), bottom + 2.0 * LINE + 4.0], Anchor::Middle, names[0]);
+        let legend = right + 20.0;
+        d.text([legend, top + 8.0], Anchor::Start, &format!("upwards: {}", names[1]));
+        [legend, top]
+    }
+}
+
+/// A round step that divides a range into four to ten.
+fn step(range: f64) -> f64 {
+    let power = 10f64.powf((range / 4.0).log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| range / s >= 4.0).unwrap_or(power)
+}

@@ -1,0 +1,348 @@
+//! Drawings of an end plate joint: side view and front view with dimensions, and the sketch of the actions with their signs.
+//!
+//! They show what the hand checks see (`assembly::EndPlate`), so that a wrong value of a spec meets the eye.
+
+use crate::assembly::EndPlate;
+use crate::assembly::PlaneActions;
+use crate::checks::check::Unit;
+use crate::checks::check::number as n;
+use crate::report::draw::svg::Anchor;
+use crate::report::draw::svg::Drawing;
+use crate::report::draw::svg::LINE;
+use crate::report::draw::svg::Pen;
+
+/// Height of the joint on the page \[pixels\].
+const HEIGHT: f64 = 380.0;
+/// Widest view \[pixels\].
+const WIDTH: f64 = 420.0;
+const STEEL: &str = "#eef1f4";
+const BOLT: &str = "#c9d3dc";
+const MARGIN: f64 = 24.0;
+
+/// Side view and front view. `plates`: end plates of the joint, 1 or 2; `length`: nominal length of the bolts, where one is
+/// stocked.
+pub fn views(e: &EndPlate, plates: usize, length: Option<f64>) -> String {
+    sheet(e, plates, length).finish("Joint, side view and front view of the end plate")
+}
+
+/// Actions at the member ends with their positive senses, and their values.
+pub fn actions(e: &EndPlate) -> String {
+    loads(e).finish("Actions at the member ends, positive senses")
+}
+
+/// Millimetres of the joint to pixels of the page.
+struct Scale {
+    /// Pixels a millimetre.
+    k: f64,
+    /// Page coordinates of x = 0, z = 0.
+    origin: [f64; 2],
+}
+
+impl Scale {
+    fn at(&self, x: f64, z: f64) -> [f64; 2] {
+        [self.origin[0] + self.k * x, self.origin[1] - self.k * z]
+    }
+}
+
+/// Upper and lower end of what is drawn \[mm\]: the column goes on beyond the plate.
+fn extent(e: &EndPlate) -> [f64; 2] {
+    let half = 0.5 * e.beam.h;
+    let beyond = if e.column.is_some() { 0.22 * e.beam.h } else { 0.0 };
+    [e.bottom.min(-half) - beyond, e.top.max(half) + beyond]
+}
+
+fn sheet(e: &EndPlate, plates: usize, length: Option<f64>) -> Drawing {
+    let mut d = Drawing::default();
+    let [low, high] = extent(e);
+    let stub = 0.8 * e.beam.h;
+    let depth = e.column.as_ref().map_or(0.0, |c| c.section.h);
+    // of a splice both plates are drawn, of a column those there are
+    let both = e.column.is_none() || plates > 1;
+    let right = 0.5 * depth + e.thickness + stub;
+    let left = if both { right } else { 0.5 * depth };
+    let k = (HEIGHT / (high - low)).min(WIDTH / (left + right));
+    let top = MARGIN + 1.5 * LINE;
+    let side = Scale { k, origin: [MARGIN + 40.0 + k * left, top + k * high] };
+    d.text([side.origin[0], MARGIN], Anchor::Middle, "side view");
+    side_view(&mut d, e, &side, both, [low, high]);
+    let wide = e.width.max(e.column.as_ref().map_or(0.0, |c| c.section.b));
+    let centre = side.origin[0] + k * right + 150.0 + 0.5 * k * wide;
+    let front = Scale { k, origin: [centre, side.origin[1]] };
+    d.text([centre, MARGIN], Anchor::Middle, "end plate, seen from the beam");
+    front_view(&mut d, e, &front, [low, high]);
+    let below = side.at(0.0, low)[1] + 5.5 * LINE;
+    for (i, text) in legend(e, both, length).iter().enumerate() {
+        d.text([MARGIN, below + LINE * i as f64], Anchor::Start, text);
+    }
+    d
+}
+
+fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: [f64; 2]) {
+    let half = 0.5 * e.beam.h;
+    let face = e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.h);
+    if let Some(c) = &e.column {
+        let (h, tf) = (face, c.section.tf);
+        d.rectangle(Pen::None, STEEL, s.at(-h, low), s.at(h, high));
+        for x in [-h, -h + tf, h - tf, h] {
+            d.line(Pen::Edge, s.at(x, low), s.at(x, high));
+        }
+        if c.doubler > 0.0 {
+            let inner = h - tf - c.section.r;
+            d.rectangle(Pen::Hidden, "none", s.at(-inner, e.bottom), s.at(inner, e.top));
+        }
+        if c.stiffener > 0.0 {
+            for z in [half - 0.5 * e.beam.tf, -half + 0.5 * e.beam.tf] {
+                let t = 0.5 * c.stiffener;
+                d.rectangle(Pen::Edge, BOLT, s.at(-h + tf, z - t), s.at(h - tf, z + t));
+            }
+        }
+        // the column goes on
+        for z in [low, high] {
+            break_line(d, s.at(-h, z), s.at(h, z));
+        }
+    }
+    let sides: &[f64] = if both { &[1.0, -1.0] } else { &[1.0] };
+    let stub = 0.8 * e.beam.h;
+    for &side in sides {
+        let (start, end) = (side * (face + e.thickness), side * (face + e.thickness + stub));
+        d.rectangle(Pen::Edge, STEEL, s.at(side * face, e.bottom), s.at(start, e.top));
+        d.rectangle(Pen::None, STEEL, s.at(start, -half), s.at(end, half));
+        for z in [half, half - e.beam.tf, -half + e.beam.tf, -half] {
+            d.line(Pen::Edge, s.at(start, z), s.at(end, z));
+        }
+        break_line(d, s.at(end, -half), s.at(end, half));
+    }
+    // over what they pass through
+    for &side in sides {
+        if e.column.is_some() || side > 0.0 {
+            let inner = e.column.as_ref().map_or(-e.thickness, |c| face - c.section.tf);
+            e.rows.iter().for_each(|z| bolt(d, e, s, side, [face + e.thickness, inner], *z));
+        }
+    }
+    // below: the column and a plate, or both plates
+    let from = s.at(0.0, low)[1];
+    let (points, show) = match &e.column {
+        Some(c) => (vec![-face, face, face + e.thickness], vec![n(c.section.h), n(e.thickness)]),
+        None => (vec![-e.thickness, 0.0, e.thickness], vec![n(e.thickness); 2]),
+    };
+    let xs: Vec<f64> = points.iter().map(|x| s.at(*x, 0.0)[0]).collect();
+    d.horizontal_chain(from + 22.0, from, &xs, &show);
+    let [x, _] = s.at(face + e.thickness + stub, 0.0);
+    let ys = [-half, half].map(|z| s.at(0.0, z)[1]);
+    d.vertical_chain(x + 22.0, true, x, &ys, &[n(e.beam.h)]);
+}
+
+/// A bolt in the side view: head on the plate, shank, nut; `side` −1 mirrors it.
+fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, side: f64, [outer, inner]: [f64; 2], z: f64) {
+    let b = &e.bolt;
+    let mut piece = |x: [f64; 2], half: f64| {
+        d.rectangle(Pen::Edge, BOLT, s.at(side * x[0], z - half), s.at(side * x[1], z + half));
+    };
+    piece([inner, outer], 0.5 * b.d);
+    piece([outer, outer + b.head_height], 0.5 * b.head_width);
+    piece([inner - b.nut_height, inner], 0.5 * b.nut_width);
+}
+
+/// The end of a member that goes on: a line with a zigzag in its middle.
+fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
+    let at = |t: f64, off: f64| {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy).max(1.0);
+        [a[0] + t * dx - off * dy / length, a[1] + t * dy + off * dx / length]
+    };
+    let path = [at(0.0, 0.0), at(0.44, 0.0), at(0.48, 5.0), at(0.52, -5.0), at(0.56, 0.0), at(1.0, 0.0)];
+    path.windows(2).for_each(|w| d.line(Pen::Edge, w[0], w[1]));
+}
+
+fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
+    let (half, b) = (0.5 * e.beam.h, &e.beam);
+    if let Some(c) = &e.column {
+        for y in [-0.5, 0.5].map(|y| y * c.section.b) {
+            d.line(Pen::Hidden, s.at(y, low), s.at(y, high));
+        }
+    }
+    let w = 0.5 * e.width;
+    d.rectangle(Pen::Edge, STEEL, s.at(-w, e.bottom), s.at(w, e.top));
+    for z in [half - b.tf, -half] {
+        d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.b, z), s.at(0.5 * b.b, z + b.tf));
+    }
+    d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * b.tw, -half + b.tf), s.at(0.5 * b.tw, half - b.tf));
+    if e.rib > 0.0 {
+        d.rectangle(Pen::Edge, BOLT, s.at(-0.5 * e.rib, half), s.at(0.5 * e.rib, e.top));
+    }
+    for &z in &e.rows {
+        for y in e.columns() {
+            // a hexagon with two sides upright
+            let r = 0.5 * e.bolt.head_corners;
+            let corners: Vec<[f64; 2]> = (0..6)
+                .map(|i| std::f64::consts::FRAC_PI_3 * (f64::from(i) + 0.5))
+                .map(|a| s.at(y + r * a.cos(), z + r * a.sin()))
+                .collect();
+            d.polygon(Pen::Edge, "#ffffff", &corners);
+            d.circle(Pen::Edge, BOLT, s.at(y, z), 0.5 * s.k * e.bolt.d);
+            let reach = 1.5 * r;
+            d.line(Pen::Thin, s.at(y - reach, z), s.at(y + reach, z));
+            d.line(Pen::Thin, s.at(y, z - reach), s.at(y, z + reach));
+        }
+    }
+    // right: ends and rows, then the whole; left: the flanges of the beam
+    let wide = w.max(e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.b));
+    let [right, left] = [s.at(wide, 0.0)[0], s.at(-wide, 0.0)[0]];
+    let mut rows = e.rows.clone();
+    rows.sort_by(f64::total_cmp);
+    let points: Vec<f64> = [e.bottom].into_iter().chain(rows).chain([e.top]).collect();
+    let chain = |points: &[f64]| -> (Vec<f64>, Vec<String>) {
+        let show = points.windows(2).map(|w| n(w[1] - w[0])).collect();
+        (points.iter().map(|z| s.at(0.0, *z)[1]).collect(), show)
+    };
+    let (ys, show) = chain(&points);
+    d.vertical_chain(right + 22.0, true, right, &ys, &show);
+    let (ys, show) = chain(&[e.bottom, e.top]);
+    d.vertical_chain(right + 74.0, true, right + 60.0, &ys, &show);
+    let (ys, show) = chain(&[e.bottom, -half, half, e.top]);
+    d.vertical_chain(left - 22.0, false, left, &ys, &show);
+    // below: edges and gauge, then the whole
+    let from = s.at(0.0, low)[1];
+    let ys: Vec<f64> = [-w].into_iter().chain(e.columns()).chain([w]).collect();
+    let show: Vec<String> = ys.windows(2).map(|w| n(w[1] - w[0])).collect();
+    let xs: Vec<f64> = ys.iter().map(|y| s.at(*y, 0.0)[0]).collect();
+    d.horizontal_chain(from + 16.0, from, &xs, &show);
+    d.horizontal_chain(from + 52.0, from + 46.0, &[xs[0], xs[xs.len() - 1]], &[n(e.width)]);
+}
+
+/// What the parts are.
+fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
+    let mut out = Vec::new();
+    if let Some(c) = &e.column {
+        out.push(format!("column {} {}", c.section.name, c.steel.grade));
+    }
+    let beams = if both { "beams" } else { "beam" };
+    out.push(format!("{beams} {} {}", e.beam.name, e.beam_steel.grade));
+    let plates = if both { "2 end plates" } else { "end plate" };
+    let size = format!("{} × {} × {}", n(e.thickness), n(e.width), n(e.top - e.bottom));
+    out.push(format!("{plates} {size} {}", e.plate_steel.grade));
+    let sets = if e.column.is_some() && both { 2 } else { 1 };
+    let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
+    let count = e.bolt_count() * sets;
+    out.push(format!("{count} bolts {}{long} {}, holes of {} mm", e.bolt.size, e.grade.grade, n(e.hole)));
+    if let Some(c) = &e.column {
+        if c.stiffener > 0.0 {
+            out.push(format!("stiffeners of {} mm on both sides of the column web", n(c.stiffener)));
+        }
+        if c.doubler > 0.0 {
+            out.push(format!("web doubler of {} mm on one side (dashed)", n(c.doubler)));
+        }
+    }
+    if e.rib > 0.0 {
+        out.push(format!("rib of {} mm on the upper flange (front view)", n(e.rib)));
+    }
+    let weld = |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
+    out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
+    out.push("dimensions in mm; z from the beam's axis, up".into());
+    out
+}
+
+/// The joint in lines, an arrow for every positive action, and the values of the load cases.
+fn loads(e: &EndPlate) -> Drawing {
+    let mut d = Drawing::default();
+    let ends: Vec<&str> = e.actions.iter().fold(Vec::new(), |mut ends, a| {
+        if !ends.contains(&a.end.as_str()) {
+            ends.push(&a.end);
+        }
+        ends
+    });
+    let [x, y] = [330.0, 150.0];
+    let face = if e.column.is_some() { 26.0 } else { 0.0 };
+    if e.column.is_some() {
+        d.rectangle(Pen::Edge, STEEL, [x - face, y - 95.0], [x + face, y + 95.0]);
+        d.text([x, y + 112.0], Anchor::Middle, "column");
+    }
+    let left_too = ends.iter().any(|e| e.contains("left")) || e.column.is_none();
+    let sides: &[f64] = if left_too { &[1.0, -1.0] } else { &[1.0] };
+    for &side in sides {
+        let (plane, end) = (x + side * face, x + side * 190.0);
+        d.rectangle(Pen::Edge, STEEL, [plane, y - 22.0], [end, y + 22.0]);
+        let name = if side > 0.0 { "right" } else { "left" };
+        let Some(end_name) = ends.iter().find(|e| e.contains(name) || ends.len() == 1 && side > 0.0) else { continue };
+        d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);
+        d.line(Pen::Hidden, [plane, y - 70.0], [plane, y + 70.0]);
+        // pull, lift, and the moment that pulls the top
+        d.arrow([end, y], [end + side * 46.0, y]);
+        d.arrow([end, y - 26.0], [end, y - 70.0]);
+        d.turn([end, y], 34.0, side > 0.0);
+        let anchor = if side > 0.0 { Anchor::Start } else { Anchor::End };
+        d.text([end + side * 52.0, y], anchor, "N, x′");
+        d.text([end + side * 6.0, y - 78.0], anchor, "Vz, z′");
+        d.text([end + side * 34.0, y - 34.0], anchor, "My");
+    }
+    let plane = if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
+    d.text([x, y - 112.0], Anchor::Middle, plane);
+    let lines = ["Positive as drawn: N pulls, Vz lifts, My pulls the top; y′ = z′ × x′. Values at the bolt plane, load factor 1:".into()];
+    let values = e.actions.iter().map(value);
+    for (i, text) in lines.into_iter().chain(values).enumerate() {
+        d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);
+    }
+    d
+}
+
+fn value(a: &PlaneActions) -> String {
+    let [force, moment] = a.at(1.0);
+    let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
+    let units = [Unit::Force, Unit::Force, Unit::Force, Unit::Moment, Unit::Moment, Unit::Moment];
+    let all = names.into_iter().zip(units).zip(force.into_iter().chain(moment));
+    let told: Vec<String> = all
+        .filter(|((name, _), v)| *v != 0.0 || ["N", "Vz", "My"].contains(name))
+        .map(|((name, unit), v)| format!("{name} = {}", unit.show(v)))
+        .collect();
+    let fixed = a.dead.iter().flatten().any(|v| *v != 0.0);
+    let note = if fixed { " (a part of it fixed)" } else { "" };
+    format!("{}, {}: {}{note}", a.case, a.end, told.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::build;
+    use crate::catalog::Catalog;
+    use crate::report::draw::svg::overlaps;
+    use crate::spec::ConnectionSpec;
+    use crate::spec::yaml;
+    use std::path::Path;
+
+    fn end_plate(text: &str) -> EndPlate {
+        let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
+        let joint = build(&spec, Path::new("."), &Catalog::builtin().expect("catalogue")).expect("a joint");
+        joint.end_plate.expect("an end plate")
+    }
+
+    const COLUMN: &str = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: S235}, beam: {profile: \
+        IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, 190]}\nparameters: \
+        {double_sided: true, doubler: true, rib: true}\nloads: [{name: A, end: beam_right, at: node, My: 40 kN m, Vz: -30 kN}, {name: \
+        A, end: beam_left, at: node, My: 30 kN m, Mz: 1 kN m}]\n";
+    const SPLICE: &str = "template: beam_splice\nmembers: {beam: {profile: IPE600, steel: S235}}\nplate: {thickness: 6, z: [-400, \
+        310]}\nbolts: {size: M20, grade: \"8.8\", rows: [-350, -200, -155, 155]}\nloads: [{name: A, end: beam_right, at: bolt_plane, \
+        My: 40 kN m}]\n";
+
+    /// No two texts overlap, and every dimension that a fitter needs is there.
+    #[test]
+    fn drawings_tell_every_size_and_no_text_covers_another() {
+        for (text, plates) in [(COLUMN, 2), (COLUMN, 1), (SPLICE, 2)] {
+            let e = end_plate(text);
+            let drawings = [sheet(&e, plates, Some(65.0)), loads(&e)];
+            for d in &drawings {
+                assert_eq!(overlaps(&d.labels), 0, "{:?}", d.labels);
+                assert!(d.labels.iter().all(|l| l[0] >= 0.0 && l[1] >= 0.0), "{:?}", d.labels);
+            }
+        }
+        let e = end_plate(COLUMN);
+        let text = views(&e, 2, Some(65.0));
+        for wanted in [">200<", ">15<", ">300<", ">100<", ">180<", ">12 bolts M20 × 65 8.8, holes of 22 mm<"] {
+            assert!(text.contains(wanted), "{wanted}");
+        }
+        // two beams, twelve bolts in the side view of three rows, six hexagons in front
+        assert_eq!(text.matches("<circle").count(), 6);
+        let sketch = actions(&e);
+        assert!(sketch.contains("A, beam_right: N = 0 kN, Vz = -30 kN, My = 37 kN m"), "{sketch}");
+        assert!(sketch.contains("Mz = 1 kN m"), "{sketch}");
+    }
+}

@@ -1,0 +1,14 @@
+//! Drawings, plots and pictures.
+
+pub mod axes;
+pub mod canvas;
+pub mod contact_map;
+pub mod drawing;
+pub mod lettering;
+pub mod moment_axial;
+pub mod plot;
+pub mod raster;
+pub mod surface;
+pub mod svg;
+
+pub use canvas::Picture;

@@ -1,0 +1,130 @@
+//! The component method beside the bracket of a load case.
+
+use crate::checks::Comparison;
+use crate::checks::check::Unit;
+use crate::report::figures::Rounding;
+use crate::report::figures::significant;
+use crate::report::markdown::text::inline;
+use crate::report::markdown::text::paragraph;
+use crate::result::data::CaseResult;
+
+/// What von Mises adds to the bending strength of a plate that cannot contract along its hinge: 2/√3.
+const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
+
+/// A line a member end; where the component method lies outside the bracket, what accounts for it.
+pub(crate) fn lines(page: &mut String, case: &CaseResult) {
+    let Some(demand) = &case.demand else { return };
+    for c in &demand.component_method {
+        paragraph(page, &inline(&line(&case.name, c, case.safe_bounds())));
+    }
+    if let Some(why) = &demand.brittle {
+        paragraph(page, &inline(&format!("The verdict is at most UNDECIDED: {why}.")));
+    }
+}
+
+fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> String {
+    let beta =
+        if c.beta > 0.0 { format!(", β = {}", significant(c.beta, 3, Rounding::Nearest)) } else { String::new() };
+    let mut text = format!(
+        "{case}, {}: the component method gives M_j,Rd = {} for {}{beta}; the load asks {} of it.",
+        c.end,
+        Unit::Moment.show(c.resistance),
+        c.sense,
+        Unit::Moment.show(c.demand.abs())
+    );
+    let Some(method) = c.factor.filter(|f| *f > 0.0) else { return text };
+    let ratio = |b: f64, rounding| significant(b / method, 3, rounding);
+    let factor = significant(method, 3, Rounding::Nearest);
+    match bounds {
+        (Some(low), Some(up)) => {
+            text += &format!(
+                " Its load factor is {factor}; FE_low/CM = {}, FE_up/CM = {}: it lies {}",
+                ratio(low, Rounding::Down),
+                ratio(up, Rounding::Up),
+                place(method, low, up, c)
+            );
+        }
+        (Some(low), None) => {
+            text += &format!(" Its load factor is {factor}; FE_low/CM = {}.", ratio(low, Rounding::Down))
+        }
+        (None, Some(up)) => text += &format!(" Its load factor is {factor}; FE_up/CM = {}.", ratio(up, Rounding::Up)),
+        (None, None) => text += &format!(" Its load factor is {factor}."),
+    }
+    text
+}
+
+/// Where the component method lies, with the numbers that account for it.
+fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
+    let percent = |part: f64| significant(100.0 * part, 2, Rounding::Nearest);
+    let rows = format!("its rows {} on a lever arm of {} mm", c.limited_by, significant(c.lever, 3, Rounding::Nearest));
+    let beam = Unit::Moment.show(c.beam);
+    if method < low && !c.stability.is_empty() {
+        return format!(
+            "{} % below the lower bound. Limit analysis sees no buckling, so that the component method decides: {}; {rows}; the beam \
+             alone carries {beam}.",
+            percent(1.0 - method / low),
+            c.stability.join("; ")
+        );
+    }
+    if method < low {
+        return format!(
+            "{} % below the lower bound. The model carries more because the component method bends plates and flanges at f_y where the \
+             model, unable to contract along a hinge, carries up to 2/√3 = {} of that; and because it measures to the bolt axis where \
+             the head, {} mm to either side, holds the plate nearer to the web; {rows}; the beam alone carries {beam}.",
+            percent(1.0 - method / low),
+            significant(PLANE_STRAIN, 4, Rounding::Nearest),
+            significant(c.head, 3, Rounding::Nearest)
+        );
+    }
+    if method > up {
+        return format!(
+            "{} % above the upper bound, for the mechanism of the model fails earlier than the sum of the components: {rows}; the \
+             beam alone carries {beam}; M_j,Rd knows nothing of the shear force, and of the column only its web and flange at \
+             the joint.",
+            percent(method / up - 1.0)
+        );
+    }
+    format!("inside the bracket ({rows}).")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn comparison(factor: f64) -> Comparison {
+        Comparison {
+            case: "ULS1".into(),
+            end: "beam_right".into(),
+            sense: "tension at the top".into(),
+            beta: 1.0,
+            demand: 50e6,
+            resistance: 50e6 * factor,
+            factor: Some(factor),
+            limited_by: "z = 190 mm 180 kN (end plate, mode 2)".into(),
+            stability: Vec::new(),
+            lever: 300.0,
+            beam: 148e6,
+            head: 15.0,
+        }
+    }
+
+    /// The line tells the two ratios, rounded outwards, and on which side the component method lies.
+    #[test]
+    fn the_line_says_on_which_side_and_by_how_much() {
+        let line = |factor| line("ULS1", &comparison(factor), (Some(1.2), Some(1.5)));
+        let inside = line(1.3);
+        assert!(inside.contains("FE_low/CM = 0.923, FE_up/CM = 1.16: it lies inside the bracket"), "{inside}");
+        let below = line(1.0);
+        assert!(below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"), "{below}");
+        // what may buckle explains a difference that must not be called safe
+        let mut unstable = comparison(1.0);
+        unstable.stability = vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];
+        let decided = super::line("ULS1", &unstable, (Some(1.2), Some(1.5)));
+        assert!(decided.contains("sees no buckling") && decided.contains("ρ = 0.645"), "{decided}");
+        assert!(!decided.contains("2/√3") && !decided.contains("safe") && !below.contains("safe"), "{decided}");
+        let above = line(1.8);
+        assert!(above.contains("20 % above the upper bound") && above.contains("148"), "{above}");
+        let one = super::line("ULS1", &comparison(1.0), (Some(1.2), None));
+        assert!(one.ends_with("FE_low/CM = 1.2.") || one.ends_with("FE_low/CM = 1.20."), "{one}");
+    }
+}

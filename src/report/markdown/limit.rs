@@ -1,0 +1,155 @@
+//! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
+
+use crate::analysis::coulomb::FixedPointRun;
+use crate::report::figures::Rounding;
+use crate::report::figures::bracket;
+use crate::report::figures::percent_up;
+use crate::report::figures::significant;
+use crate::report::markdown::page::Table;
+use crate::report::markdown::text::inline;
+use crate::report::markdown::text::is_strict;
+use crate::report::markdown::text::paragraph;
+use crate::report::markdown::text::strings;
+use crate::report::markdown::text::table;
+use crate::result::data::CaseResult;
+use crate::result::data::Problem;
+use crate::result::data::Quantity;
+use crate::result::data::Upper;
+
+/// The load factor that a fixed point finds under Coulomb's law.
+pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
+    let value = significant(factor, 4, Rounding::Nearest);
+    let how = run.map_or(String::new(), |run| {
+        let open = run.missing.map_or(String::new(), |m| {
+            format!(", after which {} of it are missing to Coulomb's law", percent_up(m))
+        });
+        format!(
+            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load factors, and this is one of them.",
+            run.solves
+        )
+    });
+    format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound).{how}")
+}
+
+/// What the load factor means to an engineer.
+pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
+    if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
+        let word = if is_strict(case) { "lies" } else { "is estimated" };
+        let given = load.words();
+        paragraph(
+            page,
+            &format!(
+                "The given load of the whole structure is {given}; the load at collapse {word} between {low} and {high} {unit}."
+            ),
+        );
+    }
+    if let (Some(load), None, Some(Upper::Finite(upper))) = (case.load, case.lower, case.upper)
+        && upper > 0.0
+    {
+        let most = significant((upper * load.value() * load.scale()).next_up(), 4, Rounding::Up);
+        let word = if is_strict(case) { "is" } else { "is estimated as" };
+        let unit = load.unit();
+        paragraph(
+            page,
+            &format!(
+                "The given load of the whole structure is {}; the load at collapse {word} at most {most} {unit}: how much of it is carried \
+                 at least is not known.",
+                load.words()
+            ),
+        );
+    }
+    if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
+        let low = significant(lower, 4, Rounding::Down);
+        // the associated model is stronger than the Coulomb structure it may stand for
+        let dilates = if case.problem == Problem::Associated { " with its associated friction" } else { "" };
+        let safe = if is_strict(case) {
+            format!("Every load up to {low} times the given one can be carried by the model{dilates}")
+        } else {
+            format!("About {low} times the given load can be carried by the model (an estimate)")
+        };
+        paragraph(page, &format!("{safe}; instability and limited ductility are not part of it."));
+    }
+    let smooth = case.frictionless.and_then(|f| f.lower);
+    match (case.problem, smooth, case.upper) {
+        (Problem::Coulomb, Some(_), Some(_)) => paragraph(
+            page,
+            "Under Coulomb's law the load factor is at least that without friction (the lower value) and at most that with \
+             associated friction (the upper value).",
+        ),
+        (Problem::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
+            let (low, high) = bracket(low, high, 3);
+            paragraph(
+                page,
+                &format!(
+                    "Without dilation (Coulomb's law with the same coefficient) the load factor is at least that without \
+                     friction and at most that with associated friction: between {low} and {high}."
+                ),
+            );
+        }
+        _ => {}
+    }
+}
+
+/// Where the mechanism works and what limits the lower bound.
+pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
+    if case.quantity != Quantity::LoadFactor {
+        return welds(page, case);
+    }
+    if case.dissipation.is_empty() && case.limiting_part.is_none() && case.welds.is_empty() {
+        return;
+    }
+    page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
+    if let Some(part) = &case.limiting_part {
+        let part = inline(part);
+        paragraph(page, &format!("The stress of the lower bound is nearest to the yield surface in body **{part}**."));
+    }
+    if !case.dissipation.is_empty() {
+        paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
+        let mut parts: Vec<(String, f64)> = case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
+        parts.extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
+        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let rows = parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
+        let of = if case.welds.is_empty() { "body" } else { "body or weld" };
+        table(page, &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() });
+    }
+    welds(page, case);
+}
+
+/// What each weld bears.
+fn welds(page: &mut String, case: &CaseResult) {
+    let rows: Vec<Vec<String>> = case
+        .welds
+        .iter()
+        .filter_map(|w| {
+            let work = w.work.map(|w| significant(w, 4, Rounding::Up));
+            let used = [w.utilisation, w.mean_utilisation];
+            let percent = |u: Option<f64>| u.map_or(String::new(), |u| format!("{:.1}", 100.0 * u));
+            let stress =
+                |u: Option<f64>| u.zip(w.throat_strength).map_or(String::new(), |(u, f)| format!("{:.0}", u * f));
+            let strength = w.throat_strength.map_or(String::new(), |f| format!("{f:.0}"));
+            w.utilisation?;
+            let [largest, mean] = used;
+            let shares = [percent(largest), percent(mean)];
+            let stresses = [stress(largest), stress(mean), strength];
+            Some([vec![w.weld.clone()], shares.to_vec(), stresses.to_vec(), vec![work.unwrap_or_default()]].concat())
+        })
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    let name = inline(&case.name);
+    paragraph(page, &format!("What the stress of the lower bound asks of the welds ({name}):"));
+    let columns = strings([
+        "weld",
+        "largest traction over strength [%]",
+        "mean [%]",
+        "stress on the throat, largest [MPa]",
+        "mean [MPa]",
+        "strength of the throat [MPa]",
+        "work dissipated, upper bound [N mm]",
+    ]);
+    // columns that no weld fills are left out
+    let filled: Vec<bool> = (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
+    let cut = |row: Vec<String>| row.into_iter().zip(&filled).filter(|(_, f)| **f).map(|(cell, _)| cell).collect();
+    table(page, &Table { columns: cut(columns), rows: rows.into_iter().map(cut).collect() });
+}

@@ -1,0 +1,79 @@
+//! What a report says of an elastic, perfectly plastic analysis beyond its bracket: how much has yielded, how far the load moves
+//! at least, where yield conditions were needed.
+
+use crate::report::figures::Rounding;
+use crate::report::figures::fixed;
+use crate::report::figures::significant;
+use crate::report::markdown::page::Table;
+use crate::report::markdown::text::inline;
+use crate::report::markdown::text::paragraph;
+use crate::report::markdown::text::strings;
+use crate::report::markdown::text::table;
+use crate::result::data::CaseResult;
+use crate::result::data::ProgramRun;
+
+/// How far the load moves at least.
+pub(crate) fn displacement(page: &mut String, case: &CaseResult) {
+    if let (Some(load), Some(least)) = (case.load, case.load_displacement_at_least) {
+        let (what, unit) = load.moves();
+        let low = significant(least, 4, Rounding::Down);
+        let mean = if what == "displacement" { " (along the load, the mean over its face)" } else { "" };
+        paragraph(
+            page,
+            &format!(
+                "The load of the whole structure is {}. Its {what}{mean} is at least {low} {unit}; once something yields, an energy \
+                 does not bound it from above.",
+                load.words()
+            ),
+        );
+    }
+}
+
+/// How much has yielded, body by body, and where yield conditions were needed.
+pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
+    if case.yielding.is_empty() {
+        return;
+    }
+    page.push_str(&format!("## Yielding of {}\n\n", inline(&case.name)));
+    paragraph(
+        page,
+        "The utilisation is the largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress. The yielded volume is that in which the \
+         upper bound's field has plastic strain (an estimate), the plastic work that of this field in the whole structure.",
+    );
+    let dash = || "–".to_string();
+    let mut parts: Vec<_> = case.yielding.iter().collect();
+    parts.sort_by(|a, b| b.dissipation.unwrap_or(0.0).total_cmp(&a.dissipation.unwrap_or(0.0)));
+    let rows = parts.iter().map(|p| {
+        vec![
+            p.part.clone(),
+            p.utilisation.map_or_else(dash, |u| fixed(u, 3, Rounding::Up)),
+            p.yielded.map_or_else(dash, |y| fixed(100.0 * y, 1, Rounding::Nearest)),
+            p.dissipation.map_or_else(dash, |d| significant(d, 3, Rounding::Nearest)),
+        ]
+    });
+    let columns = strings(["body", "utilisation", "yielded volume [%]", "plastic work [N mm]"]);
+    table(page, &Table { columns, rows: rows.collect() });
+    let Some(last) = case.history.last() else { return };
+    let words = |name: &str, run: &Option<ProgramRun>| {
+        let run = run.as_ref()?;
+        let tets = run.yielding_tets?;
+        let percent = fixed(100.0 * tets as f64 / last.macro_tets.max(1) as f64, 1, Rounding::Nearest);
+        let count = fixed(tets as f64, 0, Rounding::Nearest);
+        let solves = match run.solves {
+            Some(1) => "1 solve".to_string(),
+            n => format!("{} solves", n.unwrap_or_default()),
+        };
+        Some(format!("in {count} of the tets ({percent} %) of the {name} program, after {solves}"))
+    };
+    let of_both: Vec<String> =
+        [words("static", &last.static_), words("kinematic", &last.kinematic)].into_iter().flatten().collect();
+    if !of_both.is_empty() {
+        paragraph(
+            page,
+            &format!(
+                "Yield conditions were needed {}; everywhere else the stress was found below yield without them.",
+                of_both.join(", and ")
+            ),
+        );
+    }
+}

@@ -1,0 +1,38 @@
+//! The box a report begins with: the verdict by code, by analysis, and the joint one with its reason.
+
+use crate::checks::Judgement;
+use crate::checks::verdict::Verdict;
+use crate::report::markdown::page::Table;
+use crate::report::markdown::text::inline;
+use crate::report::markdown::text::paragraph;
+use crate::report::markdown::text::strings;
+use crate::report::markdown::text::table;
+use crate::result::data::ResultFile;
+
+/// The verdict, and what it stands on.
+pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
+    let Some(j) = &result.judgement else {
+        match result.verdict {
+            Verdict::NotOk => paragraph(page, "Verdict: **NOT OK**: a check that needs no load fails."),
+            _ => paragraph(page, "No verdict: no load is a demand on a joint (actions at member ends are)."),
+        }
+        return;
+    };
+    paragraph(page, &format!("Verdict: **{}**. {}.", j.verdict.words(), inline(&j.reason)));
+    let columns = strings(["verdict", "", "stands on"]);
+    table(page, &Table { columns, rows: rows(j) });
+}
+
+fn rows(j: &Judgement) -> Vec<Vec<String>> {
+    let row = |name: &str, verdict: Verdict, on: &str| vec![name.to_owned(), verdict.words().into(), on.to_owned()];
+    let code = "binding checks of EN 1993; strength by the component method where no limit analysis decides";
+    let analysis = match j.by_analysis {
+        Verdict::None => "no analysis of the resistance was run",
+        _ => "strict bounds of limit analysis; without friction from below",
+    };
+    vec![
+        row("by code", j.by_code, code),
+        row("by analysis", j.by_analysis, analysis),
+        row("**joint**", j.verdict, "the worse of the two"),
+    ]
+}

@@ -1,0 +1,199 @@
+//! What a result tells beside its bounds, from the fields that `verify` has confirmed: the capacity polygon, the joint's stiffness and the
+//! forces of the static field.
+
+use crate::assembly::BoltLine;
+use crate::certify::UpperFactor;
+use crate::certify::fields::StressField;
+use crate::certify::flow::VelocityField;
+use crate::certify::supporting::Axes;
+use crate::certify::supporting::half_plane;
+use crate::math::convex::HalfPlane;
+use crate::mesh::naming::symmetry_face;
+use crate::model::AnalysisModel;
+use crate::result::data::CaseResult;
+use crate::result::data::LoadSize;
+use crate::result::demand::ActionValue;
+use crate::result::forces::BoltForce;
+use crate::result::forces::ContactForce;
+use crate::result::forces::static_forces;
+use crate::result::polygon::CapacityPolygon;
+use crate::result::polygon::Point;
+
+/// Part of a number by which a claim may differ from what is recomputed.
+const SAME: f64 = 1e-9;
+
+/// What the files of a case have proved.
+pub struct Proved {
+    /// The entry as the fields give it.
+    pub entry: CaseResult,
+    /// The model of the upper bound; its forces and moments are the case's.
+    pub model: AnalysisModel,
+    /// The velocities of the upper bound of a load factor, and what they prove.
+    pub mechanism: Option<(VelocityField, UpperFactor)>,
+    /// The stress of the lower bound, on its model, and the load factor it carries.
+    pub stress: Option<(AnalysisModel, StressField, f64)>,
+}
+
+fn near(a: f64, b: f64) -> bool {
+    // infinities and what is not a number are never near
+    (a - b).abs() <= SAME * a.abs().max(b.abs())
+}
+
+/// `near` beside numbers as large as `size`.
+fn near_beside(a: f64, b: f64, size: f64) -> bool {
+    (a - b).abs() <= SAME * size
+}
+
+/// What a polygon claims against the bounds and half planes of the cases proved; sentences for what does not agree.
+pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<String> {
+    let of_case = |name: &str| proved.iter().find(|p| p.entry.name == name);
+    let along = |direction: [f64; 2]| {
+        let point = claimed.points.iter().find(|p| p.direction == direction)?;
+        of_case(&point.case)
+    };
+    let (Some(first), Some(second)) = (along([1.0, 0.0]), along([0.0, 1.0])) else {
+        return vec!["polygon: the cases of its two axes are not among its points".into()];
+    };
+    let axes: Axes = [first, second].map(|p| p.model.rigid.iter().map(|r| r.action).collect());
+    let mut out = Vec::new();
+    for (axis, case) in claimed.axes.iter().zip([first, second]) {
+        let same = match (axis.unit, case.entry.load) {
+            (ActionValue::Force(unit), Some(LoadSize::Force(load)))
+            | (ActionValue::Moment(unit), Some(LoadSize::Moment(load))) => near(unit.abs(), load),
+            // several components at the reference point: the model has no size of its own for them
+            (_, None) => true,
+            _ => false,
+        };
+        if !same {
+            out.push(format!("polygon: the unit of {} is not the load of {}", axis.action, case.entry.name));
+        }
+    }
+    for point in &claimed.points {
+        let differs = match of_case(&point.case) {
+            None => Some("there is no such case"),
+            Some(case) => point_difference(point, case, &axes),
+        };
+        out.extend(differs.map(|what| format!("polygon, {}: {what}", point.case)));
+    }
+    if out.is_empty() {
+        out.extend(hull_differences(claimed));
+    }
+    out
+}
+
+/// What is wrong with a point of a polygon.
+fn point_difference(point: &Point, case: &Proved, axes: &Axes) -> Option<&'static str> {
+    let [a, b] = point.direction;
+    let actions = case.model.rigid.iter().map(|r| r.action);
+    let size = axes.iter().flatten().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    let fits = axes.iter().all(|axis| axis.len() == case.model.rigid.len());
+    let turned = |(k, action): (usize, [f64; 6])| {
+        (0..6).any(|i| !near_beside(action[i], a * axes[0][k][i] + b * axes[1][k][i], size))
+    };
+    if !fits || actions.enumerate().any(turned) {
+        return Some("its model is not loaded in its direction");
+    }
+    let (lower, upper) = case.entry.safe_bounds();
+    let same = |claimed: Option<f64>, found: Option<f64>| match (claimed, found) {
+        (Some(c), Some(f)) => near(c, f) || c == f,
+        (c, f) => c.is_none() && f.is_none(),
+    };
+    if !same(point.lower, lower) || !same(point.upper, upper) {
+        return Some("lower or upper is not the bound of its case");
+    }
+    let claimed = point.half_plane?;
+    let proves = |(velocity, bound): &(VelocityField, UpperFactor)| {
+        half_plane(&case.model, velocity, bound, axes, point.direction)
+    };
+    match case.mechanism.as_ref().and_then(proves) {
+        Some(found) if same_plane(&claimed, &found) => None,
+        Some(_) => Some("half_plane is not what the mechanism bounds"),
+        None => Some("the stored mechanism bounds no half plane"),
+    }
+}
+
+fn same_plane(a: &HalfPlane, b: &HalfPlane) -> bool {
+    let size = b.normal[0].hypot(b.normal[1]);
+    let offset = near(a.offset, b.offset) || a.offset == b.offset;
+    (0..2).all(|k| near_beside(a.normal[k], b.normal[k], size)) && offset
+}
+
+/// The hulls claimed against those of the points, which have been confirmed.
+fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
+    let names = [claimed.end.clone(), claimed.at.clone()];
+    let found = CapacityPolygon::new(names, claimed.axes.clone(), claimed.points.clone());
+    let units = claimed.axes.each_ref().map(|a| a.unit.value().abs());
+    let same = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+        let largest = b.iter().fold(1.0f64, |m, c| m.max(c[0].abs() / units[0]).max(c[1].abs() / units[1]));
+        let corner = |(a, b): (&[f64; 2], &[f64; 2])| (0..2).all(|k| near_beside(a[k], b[k], largest * units[k]));
+        a.len() == b.len() && a.iter().zip(b).all(corner)
+    };
+    let agree = [
+        ("inner is not the hull of the lower points", same(&claimed.inner, &found.inner)),
+        ("outer is not the intersection of the half planes", same(&claimed.outer, &found.outer)),
+        ("outer_bounded is not what the half planes say", claimed.outer_bounded == found.outer_bounded),
+    ];
+    agree.into_iter().filter(|(_, agrees)| !agrees).map(|(what, _)| format!("polygon: {what}")).collect()
+}
+
+/// What a case claims of the joint's stiffness and of forces, against its bracket and the stress of its lower bound.
+pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
+    let stiffness = stiffness_difference(claimed, &proved.entry);
+    stiffness
+        .into_iter()
+        .chain(force_differences(claimed, proved))
+        .map(|what| format!("{}: {what}", claimed.name))
+        .collect()
+}
+
+/// The stiffness from the confirmed bracket of the rotation. The beam's own rotation and the component method stand as they are told: the
+/// fields do not hold them.
+fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<String> {
+    let told = claimed.joint_stiffness.as_ref()?;
+    let (Some(LoadSize::Moment(total)), Some(rotation)) = (found.load, found.load_displacement) else {
+        return Some("joint_stiffness is told, but the load is no moment whose rotation is bracketed".into());
+    };
+    let again = told.again(total, rotation);
+    let same = again.is_some_and(|a| a.agrees(told, near));
+    (!same).then(|| "joint_stiffness is not what the bracket of the rotation gives".into())
+}
+
+/// Forces of bolts and between parts, from the stress of the lower bound.
+fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
+    let Some(told) = &claimed.static_forces else { return Vec::new() };
+    let Some((model, stress, factor)) = &proved.stress else {
+        return vec!["static_forces are told without the stress of a lower bound".into()];
+    };
+    let mut out = Vec::new();
+    if !near(told.load_factor, *factor) {
+        out.push("static_forces: the load factor is not that of the stress".to_owned());
+    }
+    let line = |b: &BoltForce| {
+        let place = b.place.clone()?;
+        Some(BoltLine { part: b.bolt.clone(), last: place.under, axis: place.axis, position: place.position })
+    };
+    // results of earlier versions do not tell where their bolts are
+    let Some(lines) = told.bolts.iter().map(line).collect::<Option<Vec<_>>>() else { return out };
+    let mirror: Vec<usize> = (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
+    let found = static_forces(model, stress, *factor, &lines, &mirror);
+    let sizes =
+        found.bolts.iter().flat_map(|b| [b.tension, b.shear]).chain(found.contacts.iter().map(|c| c.compression));
+    let size = sizes.fold(0.0f64, |m, f| m.max(f.abs()));
+    let force = |a: f64, b: f64| near_beside(a, b, size);
+    for b in &told.bolts {
+        let same = |f: &BoltForce| f.bolt == b.bolt && force(f.tension, b.tension) && force(f.shear, b.shear);
+        if !found.bolts.iter().any(same) {
+            out.push(format!("the forces of bolt {} are not those of the stress", b.bolt));
+        }
+    }
+    let reach = model.mesh.nodes.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    let same = |a: &ContactForce, b: &ContactForce| {
+        let centre = (0..3).all(|k| (a.centre[k] - b.centre[k]).abs() <= 1e-6 * reach);
+        a.between == b.between && force(a.compression, b.compression) && centre
+    };
+    let contacts = told.contacts.len() == found.contacts.len();
+    if !contacts || !told.contacts.iter().zip(&found.contacts).all(|(a, b)| same(a, b)) {
+        out.push("the compression between the parts is not that of the stress".into());
+    }
+    out
+}

@@ -1,0 +1,5 @@
+//! Field files: what ParaView opens and `verify` reads.
+
+pub mod field_files;
+pub mod plastic_file;
+pub mod vtu;

@@ -1,0 +1,317 @@
+//! A result folder, written aside and renamed: it is whole or it is not there.
+//!
+//! Everything goes into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into place; when a run
+//! ends in any other way the part is removed and the target is as it was.
+
+use crate::diag::Diagnostic;
+use crate::result::data::RESULT_FILE;
+use crate::result::data::ResultError;
+use crate::result::data::ResultFile;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Marks a `.part` folder as ours and is locked while a run writes into it.
+const MARKER: &str = ".bracket-run";
+
+/// Why a result folder cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum FolderError {
+    /// The target exists and is not a result of ours.
+    #[error("`{}` exists and is not a result folder of this program ({why}); it was left as it is", path.display())]
+    NotOurs {
+        /// The target.
+        path: PathBuf,
+        /// What is missing.
+        why: String,
+    },
+    /// The target is the folder the user stands in, or above it.
+    #[error("`{}` is the current folder or holds it, and cannot be replaced", path.display())]
+    StandingInside {
+        /// The target.
+        path: PathBuf,
+    },
+    /// Another run writes to the same target.
+    #[error("another run is writing to `{}`", path.display())]
+    Busy {
+        /// The part folder.
+        path: PathBuf,
+    },
+    /// A folder of the part's name exists and is not ours.
+    #[error("`{}` is in the way and is not an unfinished result of this program", path.display())]
+    InTheWay {
+        /// The part folder.
+        path: PathBuf,
+    },
+    /// A name inside the folder that would leave it.
+    #[error("`{name}` is not the name of a file inside a result folder")]
+    Name {
+        /// The name.
+        name: String,
+    },
+    /// The folder holds no valid `result.json` yet.
+    #[error("the unfinished result has no usable {RESULT_FILE}: {why}")]
+    Incomplete {
+        /// What is wrong with it.
+        why: String,
+    },
+    /// The system refused.
+    #[error("cannot {action} `{}`: {source}", path.display())]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// On which path.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl From<FolderError> for crate::diag::Diagnostics {
+    fn from(e: FolderError) -> Self {
+        Diagnostic::from(e).into()
+    }
+}
+
+impl From<FolderError> for Diagnostic {
+    fn from(e: FolderError) -> Self {
+        let text = e.to_string();
+        match e {
+            FolderError::NotOurs { path, .. } => Diagnostic::input("report/folder-exists", text)
+                .file(path)
+                .help("choose another folder with --out, or move this one away"),
+            FolderError::StandingInside { path } => {
+                Diagnostic::input("report/folder-current", text).file(path).help("choose another folder with --out")
+            }
+            FolderError::Busy { path } => Diagnostic::input("report/folder-busy", text)
+                .file(path)
+                .help("wait for the other run, or choose another folder with --out"),
+            FolderError::InTheWay { path } => Diagnostic::input("report/folder-in-the-way", text)
+                .file(path)
+                .help("move it away or choose another --out"),
+            FolderError::Name { .. } => Diagnostic::input("report/file-name", text)
+                .help("rename the load case: letters, digits, `-`, `_` and `.` make a file name"),
+            FolderError::Incomplete { .. } => {
+                Diagnostic::undecided("report/incomplete", text).help("no result was written; please report this fault")
+            }
+            FolderError::Io { path, source, .. } => {
+                let (code, help) = match source.kind() {
+                    io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => (
+                        "report/disk-full",
+                        "free some space or choose a folder on another disk with --out; nothing was left behind",
+                    ),
+                    io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+                        ("report/read-only", "choose a folder you may write to with --out")
+                    }
+                    _ => ("report/io", "check the path and the disk, or choose another folder with --out"),
+                };
+                Diagnostic::environment(code, text).file(path).help(help)
+            }
+        }
+    }
+}
+
+fn io_error(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderError {
+    move |source| FolderError::Io { action, path: path.into(), source }
+}
+
+/// A result folder in the making; dropped unfinished, it leaves nothing behind.
+#[derive(Debug)]
+pub struct ResultFolder {
+    target: PathBuf,
+    part: PathBuf,
+    /// Parents made for the part, outermost first.
+    parents: Vec<PathBuf>,
+    /// Holds the lock on the marker.
+    _lock: File,
+    /// Locked while the folder moves into place, true once it is there.
+    finished: Arc<Mutex<bool>>,
+}
+
+impl ResultFolder {
+    /// Starts a folder for `target`, after checking that `target` may be replaced. Call it before the work begins.
+    pub fn begin(target: &Path) -> Result<Self, FolderError> {
+        let target = resolve(target)?;
+        check_replaceable(&target)?;
+        let part = with_suffix(&target, ".part");
+        let mut parents: Vec<PathBuf> = Vec::new();
+        for parent in target.ancestors().skip(1).take_while(|p| !p.as_os_str().is_empty() && !p.exists()) {
+            parents.insert(0, parent.into());
+        }
+        let result = parents
+            .iter()
+            .try_for_each(|p| fs::create_dir(p).map_err(io_error("create the folder", p)))
+            .and_then(|()| claim(&part, &target));
+        match result {
+            Ok(lock) => Ok(Self { target, part, parents, _lock: lock, finished: Arc::default() }),
+            Err(e) => {
+                remove_empty(&parents);
+                Err(e)
+            }
+        }
+    }
+
+    /// The folder to write into meanwhile, for other programs that write files themselves.
+    pub fn path(&self) -> &Path {
+        &self.part
+    }
+
+    /// Where the result will be.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Writes one file, `name` relative to the folder (`fields/TOP_static.vtu`); sub-folders are made.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
+        let inside = !name.is_empty()
+            && Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)))
+            && name != MARKER;
+        if !inside {
+            return Err(FolderError::Name { name: name.into() });
+        }
+        let path = self.part.join(name);
+        // the user knows the target, not the part: messages name the former
+        let shown = self.target.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(io_error("create the folder of", &shown))?;
+        }
+        let mut file = File::create(&path).map_err(io_error("create", &shown))?;
+        file.write_all(bytes).map_err(io_error("write", &shown))?;
+        // some file systems find out that the disk is full only now
+        file.sync_all().map_err(io_error("write", &shown))
+    }
+
+    /// For a program that ends right after, from whatever thread: removes what is written so far. A folder that is finished is
+    /// left alone, one that is being moved into place is waited for.
+    pub fn give_up(&self) -> impl Fn() + Send + 'static {
+        let (finished, part, parents) = (self.finished.clone(), self.part.clone(), self.parents.clone());
+        move || {
+            let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
+            if !*finished {
+                // what is written meanwhile stays in the part; the next run to the same target removes it
+                let _ = fs::remove_dir_all(&part);
+                remove_empty(&parents);
+            }
+            // nothing may begin to move from now on
+            std::mem::forget(finished);
+        }
+    }
+
+    /// Moves the folder into place, replacing an earlier result of ours.
+    pub fn finish(self) -> Result<PathBuf, FolderError> {
+        let result = self.part.join(RESULT_FILE);
+        let incomplete = |why: String| FolderError::Incomplete { why };
+        let text = fs::read_to_string(&result).map_err(|e| incomplete(e.to_string()))?;
+        ResultFile::from_json(&text).map_err(|e| incomplete(e.to_string()))?;
+        // held to the end: nobody may remove the part while it is moved
+        let mut finished = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
+        // the target may have changed while the run was busy
+        check_replaceable(&self.target)?;
+        let marker = self.part.join(MARKER);
+        fs::remove_file(&marker).map_err(io_error("remove", &marker))?;
+        let old = with_suffix(&self.target, ".old.part");
+        let replaces = self.target.exists();
+        if replaces {
+            if old.exists() {
+                return Err(FolderError::InTheWay { path: old });
+            }
+            fs::rename(&self.target, &old).map_err(io_error("replace", &self.target))?;
+        }
+        if let Err(source) = fs::rename(&self.part, &self.target) {
+            if replaces {
+                // put the earlier result back; if that fails too, it is still there under its aside name
+                let _ = fs::rename(&old, &self.target);
+            }
+            return Err(FolderError::Io { action: "finish", path: self.target.clone(), source });
+        }
+        *finished = true;
+        if replaces {
+            // the new result is in place: failing to remove the old one must not undo that
+            let _ = fs::remove_dir_all(&old);
+        }
+        drop(finished);
+        Ok(self.target.clone())
+    }
+}
+
+impl Drop for ResultFolder {
+    fn drop(&mut self) {
+        if !*self.finished.lock().unwrap_or_else(PoisonError::into_inner) {
+            let _ = fs::remove_dir_all(&self.part);
+            remove_empty(&self.parents);
+        }
+    }
+}
+
+fn remove_empty(parents: &[PathBuf]) {
+    for parent in parents.iter().rev() {
+        // only removes what is empty: others may have written there meanwhile
+        let _ = fs::remove_dir(parent);
+    }
+}
+
+/// Follows a link or a name such as `.` to the folder itself, so that the part stands beside it on the same disk.
+fn resolve(target: &Path) -> Result<PathBuf, FolderError> {
+    if target.symlink_metadata().is_ok() && (target.is_symlink() || target.file_name().is_none()) {
+        return target.canonicalize().map_err(io_error("find", target));
+    }
+    match target.file_name() {
+        Some(_) => Ok(target.into()),
+        None => Err(FolderError::Io {
+            action: "create the folder",
+            path: target.into(),
+            source: io::Error::new(io::ErrorKind::InvalidInput, "it has no name"),
+        }),
+    }
+}
+
+fn with_suffix(target: &Path, suffix: &str) -> PathBuf {
+    let mut name = target.file_name().unwrap_or_default().to_os_string();
+    name.push(suffix);
+    target.with_file_name(name)
+}
+
+/// An existing target must be a folder with a readable `result.json` of ours.
+fn check_replaceable(target: &Path) -> Result<(), FolderError> {
+    let not_ours = |why: String| FolderError::NotOurs { path: target.into(), why };
+    match target.symlink_metadata() {
+        Err(e) if matches!(e.kind(), io::ErrorKind::NotFound) => return Ok(()),
+        Err(e) => return Err(io_error("look at", target)(e)),
+        Ok(meta) if !meta.is_dir() => return Err(not_ours("it is not a folder".into())),
+        Ok(_) => {}
+    }
+    let text = fs::read_to_string(target.join(RESULT_FILE)).map_err(|e| match e.kind() {
+        io::ErrorKind::NotFound => not_ours(format!("it holds no {RESULT_FILE}")),
+        _ => not_ours(format!("its {RESULT_FILE} cannot be read: {e}")),
+    })?;
+    ResultFile::from_json(&text).map_err(|e: ResultError| not_ours(e.to_string()))?;
+    if let (Ok(current), Ok(target_full)) = (std::env::current_dir(), target.canonicalize())
+        && current.starts_with(&target_full)
+    {
+        return Err(FolderError::StandingInside { path: target.into() });
+    }
+    Ok(())
+}
+
+/// Makes the part folder and locks its marker; the left-over of a killed run is removed first. Messages name the target.
+fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
+    let marker = part.join(MARKER);
+    if part.symlink_metadata().is_ok() {
+        let lock = File::open(&marker).map_err(|_| FolderError::InTheWay { path: part.into() })?;
+        match lock.try_lock() {
+            Ok(()) => fs::remove_dir_all(part).map_err(io_error("remove the unfinished", part))?,
+            Err(fs::TryLockError::WouldBlock) => return Err(FolderError::Busy { path: part.into() }),
+            Err(fs::TryLockError::Error(e)) => return Err(io_error("lock", &marker)(e)),
+        }
+    }
+    fs::create_dir(part).map_err(|e| match e.kind() {
+        io::ErrorKind::AlreadyExists => FolderError::Busy { path: part.into() },
+        _ => io_error("create the folder", target)(e),
+    })?;
+    let made = File::create_new(&marker).and_then(|f| f.try_lock().map(|()| f).map_err(io::Error::from));
+    made.map_err(|e| {
+        let _ = fs::remove_dir_all(part);
+        io_error("create a file in", target)(e)
+    })
+}

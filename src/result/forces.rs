@@ -1,0 +1,145 @@
+//! Forces of bolts and between parts, from the stress of the lower bound.
+
+use crate::assembly::BoltLine;
+use crate::certify::fields::StressField;
+use crate::certify::resultants::contact_resultants;
+use crate::math::vec3;
+use crate::math::vec3::V3;
+use crate::model::AnalysisModel;
+use crate::model::file::AnalysisKind;
+use crate::report::figures::Rounding;
+use crate::report::figures::significant;
+use crate::report::markdown::page::Table;
+use crate::report::markdown::text::inline;
+use crate::report::markdown::text::paragraph;
+use crate::report::markdown::text::strings;
+use crate::report::markdown::text::table;
+use crate::result::data::CaseResult;
+use serde::{Deserialize, Serialize};
+
+/// Coordinates nearer to a plane of symmetry lie on it \[mm\].
+pub(crate) const ON_PLANE: f64 = 1e-6;
+
+/// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates of the bolts' forces; in limit
+/// analysis one of the distributions that plasticity may choose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StaticForces {
+    /// The load factor they belong to.
+    pub load_factor: f64,
+    /// Bolts of the meshed part, whole ones also where a plane of symmetry halves them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bolts: Vec<BoltForce>,
+    /// What presses where, bolts apart, of the whole structure's copy that is meshed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<ContactForce>,
+}
+
+/// Force of a bolt, from what lies under its nut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoltForce {
+    /// Name of the bolt.
+    pub bolt: String,
+    /// Tension, prying included \[N\].
+    pub tension: f64,
+    /// Shear \[N\].
+    pub shear: f64,
+    /// Where the bolt is; results of earlier versions do not tell it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place: Option<BoltPlace>,
+}
+
+/// Where a bolt is, and which part its force is taken from: enough to find its force again in the field.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoltPlace {
+    /// The part under its nut.
+    pub under: String,
+    /// Unit vector from head to nut.
+    pub axis: [f64; 3],
+    /// Centre of the head's bearing face \[mm\].
+    pub position: [f64; 3],
+}
+
+/// Compression between two parts of the meshed part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ContactForce {
+    /// The two parts.
+    pub between: [String; 2],
+    /// ∫ r_N dA of the meshed part \[N\].
+    pub compression: f64,
+    /// Centre of pressure of the meshed part \[mm\].
+    pub centre: [f64; 3],
+}
+
+/// The forces of a stress field; `mirror`: axes of the planes of symmetry, through the origin.
+pub fn static_forces(
+    model: &AnalysisModel,
+    stress: &StressField,
+    load_factor: f64,
+    lines: &[BoltLine],
+    mirror: &[usize],
+) -> StaticForces {
+    let bodies = &model.mesh.bodies;
+    let found = contact_resultants(model, stress);
+    let force_on = |bolt: &str, part: &str| -> Option<V3> {
+        found.iter().find_map(|c| {
+            let (a, b) = (bodies.get(c.between.0 as usize)?, bodies.get(c.between.1? as usize)?);
+            match () {
+                () if a == bolt && b == part => Some(c.force),
+                () if a == part && b == bolt => Some(vec3::scale(-1.0, c.force)),
+                () => None,
+            }
+        })
+    };
+    let bolts = lines.iter().filter_map(|line| {
+        let mut force = force_on(&line.part, &line.last)?;
+        for &k in mirror {
+            if line.axis[k] == 0.0 && line.position[k].abs() < ON_PLANE {
+                // the other half: what acts along the plane is doubled, what acts across it balances
+                force = vec3::scale(2.0, force);
+                force[k] = 0.0;
+            }
+        }
+        let tension = vec3::dot(force, line.axis);
+        let shear = vec3::norm(vec3::along(force, -tension, line.axis));
+        let place = BoltPlace { under: line.last.clone(), axis: line.axis, position: line.position };
+        Some(BoltForce { bolt: line.part.clone(), tension, shear, place: Some(place) })
+    });
+    let is_bolt = |name: &String| lines.iter().any(|l| l.part == *name);
+    let contacts = found.iter().filter_map(|c| {
+        let (a, b) = (bodies.get(c.between.0 as usize)?, bodies.get(c.between.1? as usize)?);
+        let centre = c.centre.filter(|_| !is_bolt(a) && !is_bolt(b))?;
+        Some(ContactForce { between: [a.clone(), b.clone()], compression: c.compression, centre })
+    });
+    StaticForces { load_factor, bolts: bolts.collect(), contacts: contacts.collect() }
+}
+
+/// Tables of bolts and of contacts.
+pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
+    let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
+    let kn = |f: f64| significant(1e-3 * f, 3, Rounding::Nearest);
+    let what = match case.analysis {
+        AnalysisKind::Limit => "one of the distributions that plasticity may choose",
+        _ => "estimates, not bounds",
+    };
+    let copies = if symmetry > 1 { "; the others are their mirror images" } else { "" };
+    paragraph(
+        page,
+        &inline(&format!(
+            "{}: forces of the bolts at load factor {}, from the stress of the lower bound ({what}), prying included{copies}:",
+            case.name,
+            significant(s.load_factor, 4, Rounding::Down)
+        )),
+    );
+    let rows = s.bolts.iter().map(|b| vec![inline(&b.bolt), kn(b.tension), kn(b.shear)]).collect();
+    table(page, &Table { columns: strings(["bolt", "tension [kN]", "shear [kN]"]), rows });
+    if s.contacts.is_empty() {
+        return;
+    }
+    let rows = s.contacts.iter().map(|c| {
+        let centre = c.centre.map(|x| format!("{x:.1}")).join(", ");
+        vec![inline(&c.between.join(" on ")), kn(c.compression), centre]
+    });
+    let part = if symmetry > 1 { "contact, of the meshed part" } else { "contact" };
+    let columns = strings([part, "compression [kN]", "centre of pressure x, y, z [mm]"]);
+    table(page, &Table { columns, rows: rows.collect() });
+}

@@ -1,0 +1,113 @@
+//! One row a mesh of `result.json`: what it cost and what it gave.
+
+use crate::result::data::Upper;
+use serde::{Deserialize, Serialize};
+
+/// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed part.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HistoryRow {
+    /// Tetrahedra of the mesh, before any is split in four.
+    pub macro_tets: usize,
+    /// Unknowns of the kinematic program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic_dofs: Option<usize>,
+    /// Unknowns of the static program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_dofs: Option<usize>,
+    /// Lower bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+    /// Relative gap, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// The kinematic program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic: Option<ProgramRun>,
+    /// The static program.
+    #[serde(default, rename = "static", skip_serializing_if = "Option::is_none")]
+    pub static_: Option<ProgramRun>,
+    /// Limit analysis with friction: the static program without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_frictionless: Option<ProgramRun>,
+    /// Wall time of everything on this mesh, the mesher included \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seconds: Option<f64>,
+    /// What was expected of this mesh before it was made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub predicted: Option<Predicted>,
+    /// Wall time of the mesher and the reader \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh_seconds: Option<f64>,
+    /// Peak resident memory of the process so far \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_memory_mib: Option<u64>,
+}
+
+/// What was expected of a mesh before it was made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Predicted {
+    /// Tetrahedra.
+    pub macro_tets: usize,
+    /// Relative gap of this mesh's bounds, a fraction.
+    pub gap: f64,
+    /// Wall time of everything on this mesh \[s\].
+    pub seconds: f64,
+}
+
+/// One program on one mesh.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ProgramRun {
+    /// Wall time of assembly, solution and recovery together \[s\].
+    pub seconds: f64,
+    /// Iterations of the solver.
+    pub iterations: u32,
+    /// Elastic, perfectly plastic analysis: tets with a yield condition.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yielding_tets: Option<usize>,
+    /// Elastic, perfectly plastic analysis: solves, until no tet without a yield condition was beyond yield.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solves: Option<u32>,
+    /// The solver's own word for how it ended.
+    pub status: String,
+    /// Part of `seconds` spent in assembly \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub assembly_seconds: Option<f64>,
+    /// Part of `seconds` spent in the solver \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solve_seconds: Option<f64>,
+    /// Peak resident memory of the process at the end of this program \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_memory_mib: Option<u64>,
+    /// Nonzeros of the sparse factor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor_entries: Option<usize>,
+    /// Memory the solve was expected to need \[MiB\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forecast_memory_mib: Option<u64>,
+    /// Time the solve was expected to take \[s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forecast_seconds: Option<f64>,
+    /// Every iteration of the solver.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub trace: Vec<TraceRow>,
+}
+
+/// One iteration of a solver. Numbers that begin again belong to another solver that took over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TraceRow {
+    /// Its number; 0 is the starting point.
+    pub number: u32,
+    /// Relative duality gap; absent where it is no number yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Largest relative residual; absent where it is no number yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub residual: Option<f64>,
+    /// Length of the step that led here, 0 to 1.
+    pub step: f64,
+    /// Wall time since the solve began \[s\].
+    pub seconds: f64,
+}

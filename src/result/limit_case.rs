@@ -1,0 +1,227 @@
+//! From a pass of limit analysis to the entry of its load case in `result.json`.
+
+use crate::analysis::engine::ProgramRun;
+use crate::analysis::limit::LimitPass;
+use crate::analysis::limit::NO_LIMIT;
+use crate::analysis::limit::SUBDIVISIONS;
+use crate::analysis::memory::peak_memory_mib;
+use crate::analysis::program_run::Program;
+use crate::certify::flow::VelocityField;
+use crate::certify::limit_certificate::dissipation_densities;
+use crate::certify::limit_certificate::utilisation;
+use crate::result::case::estimate_warning;
+use crate::result::case::only_load;
+use crate::result::case::problem;
+use crate::result::case::program_run;
+use crate::result::case::run_warning;
+use crate::result::case::weld_uses;
+use crate::result::data::CaseResult;
+use crate::result::data::Certificate;
+use crate::result::data::HistoryRow;
+use crate::result::data::PartShare;
+use crate::result::data::PeakPressure;
+use crate::result::data::Problem;
+use crate::result::data::Quantity;
+use crate::result::data::RawBracket;
+use crate::result::data::Upper;
+
+use crate::certify::FactorBracket;
+use crate::certify::LowerFactor;
+use crate::certify::UpperFactor;
+use crate::certify::welds;
+use crate::math::Sum;
+use crate::model::AnalysisModel;
+use crate::solve::SolveStatus;
+
+/// The lower bound, the bracket and the static program that answer for the problem the user asked about: under Coulomb's law
+/// those without friction.
+fn answer(pass: &LimitPass, problem: Problem) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramRun>) {
+    match problem {
+        Problem::Coulomb => (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref()),
+        _ => (pass.lower.as_ref(), pass.bracket.as_ref(), pass.statics.as_ref()),
+    }
+}
+
+/// The residuals of both fields, worst of the two where both have one.
+fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
+    if let Some(u) = &pass.unlimited {
+        let c = &u.certificate;
+        return Some(Certificate {
+            strict: c.is_strict(),
+            equilibrium: Some(c.equilibrium),
+            traction_jump: Some(c.traction_jump),
+            yield_: Some(c.deviator),
+            contact: c.contact,
+            ..Certificate::default()
+        });
+    }
+    let free = pass.free.as_ref().map(|f| UpperFactor::new(f.certificate.clone()));
+    let upper = pass.upper.as_ref().or(free.as_ref());
+    if lower.is_none() && upper.is_none() {
+        return None;
+    }
+    let (sc, kc) = (lower.map(|b| b.certificate()), upper.map(|b| b.certificate()));
+    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)].into_iter().flatten().reduce(f64::max);
+    Some(Certificate {
+        strict: lower.is_none_or(|b| b.is_strict()) && upper.is_none_or(|b| b.is_strict()),
+        equilibrium: sc.map(|c| c.equilibrium),
+        traction_jump: sc.map(|c| c.traction_jump),
+        yield_: sc.map(|c| c.worst() + c.cover - 1.0),
+        contact,
+        compatibility: kc.map(|c| c.compatibility.max(c.rigid)),
+        volume: kc.map(|c| c.volume),
+    })
+}
+
+/// The load can grow without limit, says the static program: any multiple of it finds its equilibrium.
+fn unbounded(run: Option<&ProgramRun>) -> bool {
+    run.is_some_and(|r| r.status == SolveStatus::Infeasible)
+}
+
+/// What the user must know of the programs: why one of them gave no bound.
+fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
+    let mut runs: Vec<(&str, &str, &ProgramRun)> =
+        pass.runs().map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run)).collect();
+    runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
+    let mut warnings: Vec<String> = Vec::new();
+    let mut tell = |text: String| {
+        if !warnings.contains(&text) {
+            warnings.push(text);
+        }
+    };
+    for (name, bound, run) in runs {
+        match run.status {
+            _ if run.trouble.is_some() => tell(run_warning(name, bound, run).unwrap_or_default()),
+            SolveStatus::Optimal => {}
+            SolveStatus::Infeasible if name == "frictionless static" => {
+                tell(format!("without friction {NO_LIMIT} (the solver says so, no certificate proves it)"));
+            }
+            SolveStatus::Infeasible => tell(format!(
+                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load that only presses the parts \
+                 together or changes their volume does this"
+            )),
+            SolveStatus::Unbounded => {
+                let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
+                let without = if name == "frictionless static" { "without friction " } else { "" };
+                tell(format!(
+                    "{without}the dead loads alone make it collapse{parts}; the load factor has no lower bound"
+                ));
+            }
+            status => tell(run_warning(name, bound, run).unwrap_or_else(|| {
+                format!("the {name} program ended with status `{}`: no {bound} bound", status.words())
+            })),
+        }
+    }
+    if let Some(parts) = &pass.moves {
+        tell(format!("the live loads move the structure freely: {parts}"));
+    }
+    if let Some(parts) = &pass.slides {
+        tell(format!("friction alone holds the structure, without it the load factor is 0: {parts}"));
+    }
+    let alone = pass.frictionless.is_none() && pass.lower.is_some();
+    if problem == Problem::Coulomb && alone && pass.slides.is_none() {
+        tell("under Coulomb's law only the bound without friction is safe, and there is none".into());
+    }
+    warnings
+}
+
+/// Why there is no estimate under Coulomb's law although one was asked for.
+fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
+    let why = match &pass.coulomb_estimate {
+        Some(e) => e.trouble.clone()?,
+        None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => return None,
+        None => "the program with associated friction has no answer to begin with".into(),
+    };
+    Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
+}
+
+/// What each body and each weld adds to the dissipation of a mechanism.
+fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
+    let mesh = &model.mesh;
+    let mut bodies = vec![Sum::default(); mesh.bodies.len()];
+    for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate() {
+        bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
+    }
+    let welds = welds::dissipations(model, &velocity.nodes.u);
+    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(welds.iter().copied()));
+    let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
+    let bodies = mesh.bodies.iter().zip(&bodies);
+    let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
+    (bodies.collect(), welds.into_iter().map(share).collect())
+}
+
+/// The entry of a load case after one pass of limit analysis.
+pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, mesh_seconds: Option<f64>) -> CaseResult {
+    let problem = problem(model);
+    let (low, bracket, static_run) = answer(pass, problem);
+    let lower = low.map(LowerFactor::value);
+    let raw_upper = pass.upper.as_ref().map(|b| Upper::Finite(b.value()));
+    // of two programs that both find no limit, the one of the stresses is what the word stands on
+    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
+    let upper = raw_upper.or(pass.free.is_some().then_some(Upper::Finite(0.0)));
+    let upper = upper.or(no_limit.then_some(Upper::UNBOUNDED));
+    let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
+    let mut certificate = certificate(pass, low);
+    let mut warnings = program_warnings(pass, problem);
+    warnings.extend(estimate_warning(certificate));
+    warnings.extend(estimate_missing(model, pass));
+    // what a solver says of an upper bound no residual proves, and a result is strict only as a whole
+    if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
+        c.strict = false;
+    }
+    // a raw value beside the answer has no certificate of its own there: it is told only where it is a bound
+    let strict = |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
+    let frictionless = strict(&pass.frictionless).map(|low| RawBracket { lower: Some(low), upper: None });
+    let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
+        .then(|| RawBracket { lower: strict(&pass.lower), upper });
+    let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
+    let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
+    let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
+    let nearest = stress.as_ref().map(|s| utilisation(model, s));
+    let limiting_part = nearest.filter(|(most, _)| used.iter().all(|w| w.largest <= *most)).and_then(|n| n.1).map(body);
+    let (dissipation, weld_shares) = pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
+    let peak = low.and_then(|b| b.certificate().peak_pressure);
+    CaseResult {
+        name: name.into(),
+        analysis: model.analysis,
+        quantity: Quantity::LoadFactor,
+        problem,
+        lower,
+        upper,
+        gap,
+        utilisation: None,
+        demand: None,
+        frictionless,
+        associated,
+        coulomb_estimate: pass.coulomb_estimate.as_ref().and_then(|e| e.factor),
+        preload: Vec::new(),
+        fixed_point: pass.coulomb_estimate.as_ref().filter(|e| e.factor.is_some()).map(|e| e.run.clone()),
+        load: only_load(model).filter(|l| l.value() > 0.0),
+        load_displacement: None,
+        load_displacement_at_least: None,
+        static_forces: None,
+        joint_stiffness: None,
+        certificate,
+        history: vec![HistoryRow {
+            macro_tets: model.mesh.tets.len(),
+            kinematic_dofs: pass.kinematic.as_ref().map(|r| r.dofs),
+            static_dofs: pass.statics.as_ref().or(static_run).map(|r| r.dofs),
+            lower,
+            upper,
+            gap,
+            kinematic: pass.kinematic.as_ref().map(program_run),
+            static_: pass.statics.as_ref().map(program_run),
+            static_frictionless: pass.frictionless_run.as_ref().map(program_run),
+            seconds: None,
+            predicted: None,
+            mesh_seconds,
+            peak_memory_mib: peak_memory_mib(),
+        }],
+        dissipation,
+        yielding: Vec::new(),
+        limiting_part,
+        welds: weld_uses(model, used, weld_shares, Vec::new()),
+        peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
+        warnings,
+    }
+}
