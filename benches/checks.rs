@@ -4,10 +4,8 @@
 
 use bracket::assembly;
 use bracket::catalog::Catalog;
-use bracket::checks::Analysed;
 use bracket::checks::end_plate::moment_axial;
-use bracket::checks::hand_checks;
-use bracket::checks::judge;
+use bracket::checks::{Analysed, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::spec::yaml;
 use std::hint::black_box;

@@ -5,18 +5,14 @@
 
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
-use bracket::mesh::joint::MeshOptions;
-use bracket::mesh::joint::mesh_joint;
-use bracket::model::AnalysisModel;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
 use bracket::model::file::AnalysisKind;
-use bracket::model::from_joint;
 use bracket::model::resolve::resolve;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
+use bracket::model::{AnalysisModel, from_joint};
 use bracket::programs::conic::ConicProgram;
+use bracket::programs::{Kinematic, Static};
 use bracket::solve;
-use bracket::solve::SolveOptions;
-use bracket::solve::Solver;
+use bracket::solve::{SolveOptions, Solver};
 use std::path::Path;
 use std::time::Instant;
 

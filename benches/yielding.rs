@@ -10,9 +10,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use bracket::solve::SolveOptions;
-use bracket::solve::Solver;
-use bracket::solve::prepare;
+use bracket::solve::{SolveOptions, Solver, prepare};
 use common::yielding::{FORMS, Form, block, plate};
 use std::time::Instant;
 

@@ -1,8 +1,6 @@
 //! Faults made visible: for people with the line and a caret under the place, for programs as JSON.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::diag::Place;
+use crate::diag::{Diagnostic, Diagnostics, Place};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};

@@ -1,7 +1,6 @@
 //! The `bracket` command.
 
-use bracket::cli::Cli;
-use bracket::cli::Format;
+use bracket::cli::{Cli, Format};
 use bracket::diag_render;
 use clap::Parser;
 use std::io::{IsTerminal, Write};

@@ -3,8 +3,7 @@
 
 mod common;
 
-use bracket::mesh::TetMesh;
-use bracket::mesh::bisect;
+use bracket::mesh::{TetMesh, bisect};
 use bracket::refine::rates;
 use common::Block;
 use common::solved::{Solved, solve};

@@ -4,17 +4,9 @@
 #[path = "common/numbers.rs"]
 mod numbers;
 
-use bracket::catalog::Catalog;
-use bracket::catalog::IProfile;
-use bracket::checks::component_method::Assessment;
-use bracket::checks::component_method::Equilibrium;
-use bracket::checks::component_method::Summed;
-use bracket::checks::component_method::assess;
-use bracket::checks::component_method::joint::Beam;
-use bracket::checks::component_method::joint::Bolts;
-use bracket::checks::component_method::joint::Column;
-use bracket::checks::component_method::joint::EndPlateJoint;
-use bracket::checks::component_method::joint::Plate;
+use bracket::catalog::{Catalog, IProfile};
+use bracket::checks::component_method::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
+use bracket::checks::component_method::{Assessment, Equilibrium, Summed, assess};
 use numbers::Numbers;
 use serde_json::Value;
 use std::io::Write;

@@ -3,24 +3,15 @@
 #[path = "common/mod.rs"]
 mod common;
 
-use bracket::analysis::diagnosis;
-use bracket::analysis::engine;
-use bracket::analysis::engine::Event;
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::ProgramRun;
-use bracket::analysis::engine::Progress;
-use bracket::analysis::memory::Limit;
-use bracket::analysis::memory::Room;
+use bracket::analysis::engine::{Event, Pass, PassOptions, ProgramRun, Progress};
+use bracket::analysis::memory::{Limit, Room};
 use bracket::analysis::program_run::Program;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::analysis::{diagnosis, engine};
+use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
 use bracket::result::case::case_result;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::Solver;
+use bracket::solve::{SolveOptions, SolveStatus, Solver};
 use common::solved::{resolve, solve_to};
 use common::{Block, beside, triangles_where};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -4,16 +4,9 @@
 mod numbers;
 
 use bracket::assembly;
-use bracket::catalog::Catalog;
-use bracket::catalog::IProfile;
-use bracket::checks::Analysed;
-use bracket::checks::Check;
-use bracket::checks::HandChecks;
-use bracket::checks::Judgement;
-use bracket::checks::Status;
-use bracket::checks::hand_checks;
-use bracket::checks::judge;
+use bracket::catalog::{Catalog, IProfile};
 use bracket::checks::verdict::Verdict;
+use bracket::checks::{Analysed, Check, HandChecks, Judgement, Status, hand_checks, judge};
 use bracket::spec::connection::ConnectionSpec;
 use bracket::spec::yaml;
 use numbers::Numbers;

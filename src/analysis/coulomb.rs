@@ -5,35 +5,22 @@
 //! the kinematic program alone is iterated: its offsets change, all else is used again. The static program then solves the
 //! last of these problems, with the very shift that program was solved with: both bounds are strict for one problem.
 
-use crate::analysis::engine::Both;
-use crate::analysis::engine::Pass;
-use crate::analysis::engine::PassError;
-use crate::analysis::engine::PassOptions;
-use crate::analysis::engine::Progress;
-use crate::analysis::engine::both;
+use crate::analysis::engine::{Both, Pass, PassError, PassOptions, Progress, both};
 use crate::analysis::fixed_point::FixedPoint;
-use crate::analysis::program_run::Another;
-use crate::analysis::program_run::Problem;
-use crate::analysis::program_run::Program;
+use crate::analysis::program_run::{Another, Problem, Program};
 use crate::certify::bracket::UpperBound;
 use crate::certify::certificate::certify_displacement;
 use crate::certify::fields::DisplacementField;
 use crate::math::Sum;
-use crate::math::vec3;
-use crate::math::vec3::V3;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
+use crate::math::vec3::{self, V3};
 use crate::model::file::Bounds;
 use crate::model::opening::ConeShift;
-use crate::programs::ConicProgram;
-use crate::programs::Kinematic;
-use crate::programs::Static;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
 use crate::programs::kinematic::ControlPoint;
-use crate::recover::elastic;
-use crate::recover::elastic::RecoverError;
-use crate::solve::Patterns;
-use crate::solve::Solution;
+use crate::programs::{ConicProgram, Kinematic, Static};
+use crate::recover::elastic::{self, RecoverError};
+use crate::solve::{Patterns, Solution};
 use serde::{Deserialize, Serialize};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;

@@ -11,37 +11,21 @@
 //! V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb friction problem via convex
 //! optimization, ZAMM 91 (2011), 155–175.
 
-use crate::analysis::coulomb::FixedPointRun;
-use crate::analysis::coulomb::Slips;
-use crate::analysis::coulomb::load_factor;
-use crate::analysis::engine::Both;
-use crate::analysis::engine::Event;
-use crate::analysis::engine::PassError;
-use crate::analysis::engine::PassOptions;
-use crate::analysis::engine::Progress;
-use crate::analysis::engine::both_of;
-use crate::analysis::limit::SUBDIVISIONS;
-use crate::analysis::limit::velocity;
-use crate::analysis::program_run::Another;
-use crate::analysis::program_run::Problem;
-use crate::analysis::program_run::Program;
+use crate::analysis::coulomb::{FixedPointRun, Slips, load_factor};
+use crate::analysis::engine::{Both, Event, PassError, PassOptions, Progress, both_of};
+use crate::analysis::limit::{SUBDIVISIONS, velocity};
+use crate::analysis::program_run::{Another, Problem, Program};
 use crate::certify::fields::DisplacementField;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::certify_upper;
 use crate::elements::hencky_kinematic::Flow;
 use crate::math::vec3::V3;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
 use crate::model::file::Bounds;
-use crate::programs::ConicProgram;
-use crate::programs::Kinematic;
-use crate::programs::Static;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
+use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
-use crate::solve::Patterns;
-use crate::solve::Solution;
-use crate::solve::SolveOptions;
-use crate::solve::SolveStatus;
+use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 
 /// What the fixed point has come to.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,10 +1,8 @@
 //! What a certificate of the solver means, in sentences: which parts move away, which contacts exclude each other.
 
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::analysis::AnalysisModel;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::cone_margin;
+use crate::programs::conic::{ConicProgram, cone_margin};
 
 /// Share of the largest that a part's motion or a contact's multiplier must reach to be named.
 const NAMED: f64 = 0.05;

@@ -8,51 +8,29 @@
 //! Under Coulomb's law each of the kinematic solves is a fixed point as in elastic analysis, which starts from the slips of the one
 //! before; the static program then solves the last of these problems.
 
-use crate::analysis::coulomb::Slid;
-use crate::analysis::coulomb::Slips;
+use crate::analysis::coulomb::{Slid, Slips};
 use crate::analysis::diagnosis;
-use crate::analysis::engine::Both;
-use crate::analysis::engine::Event;
-use crate::analysis::engine::Pass;
-use crate::analysis::engine::PassError;
-use crate::analysis::engine::PassOptions;
-use crate::analysis::engine::ProgramRun;
-use crate::analysis::engine::Progress;
-use crate::analysis::engine::both_of;
-use crate::analysis::program_run::Another;
-use crate::analysis::program_run::Problem;
-use crate::analysis::program_run::Program;
-use crate::certify::bracket::LowerBound;
-use crate::certify::bracket::UpperBound;
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
+use crate::analysis::engine::{Both, Event, Pass, PassError, PassOptions, ProgramRun, Progress, both_of};
+use crate::analysis::program_run::{Another, Problem, Program};
+use crate::certify::bracket::{LowerBound, UpperBound};
+use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::limit_certificate::hidden_utilisation;
-use crate::certify::plastic_certificate::certify_plastic_motion;
-use crate::certify::plastic_certificate::certify_yielding_stress;
-use crate::certify::plastic_certificate::dissipation;
-use crate::certify::plastic_certificate::trial_utilisations;
-use crate::certify::plastic_certificate::utilisations;
+use crate::certify::plastic_certificate::{
+    certify_plastic_motion, certify_yielding_stress, dissipation, trial_utilisations, utilisations,
+};
 use crate::certify::plastic_field::PlasticField;
 use crate::elements::batch::YIELD_ROWS;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::hencky_static::YIELD_POINTS;
 use crate::math::vec3::V3;
 use crate::mesh::numbering::FaceNumbering;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
 use crate::model::file::Bounds;
-use crate::programs::ConicProgram;
-use crate::programs::Kinematic;
-use crate::programs::Static;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
+use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
-use crate::recover::plastic::approximate_stress;
-use crate::recover::plastic::plastic_motion;
-use crate::recover::plastic::yielding_stress;
-use crate::solve::Patterns;
-use crate::solve::Solution;
-use crate::solve::SolveOptions;
-use crate::solve::SolveStatus;
+use crate::recover::plastic::{approximate_stress, plastic_motion, yielding_stress};
+use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Accuracy of an elastic solution that only tells where yield conditions go: relative gap and residual.

@@ -4,27 +4,14 @@
 //! the tractions in the static one. The two closures enclose the exact one where nothing else is loaded; their mean is
 //! taken. Step 2: the same closure on both sides, all loads: both bounds are strict for the structure with that closure.
 
-use crate::analysis::engine::Both;
-use crate::analysis::engine::Done;
-use crate::analysis::engine::Event;
-use crate::analysis::engine::Pass;
-use crate::analysis::engine::PassError;
-use crate::analysis::engine::PassOptions;
-use crate::analysis::engine::Progress;
-use crate::analysis::engine::both;
-use crate::analysis::engine::run;
-use crate::analysis::program_run::Problem;
-use crate::analysis::program_run::Program;
+use crate::analysis::engine::{Both, Done, Event, Pass, PassError, PassOptions, Progress, both, run};
+use crate::analysis::program_run::{Problem, Program};
 use crate::math::vec3::V3;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
-use crate::programs::ConicProgram;
-use crate::programs::Kinematic;
-use crate::programs::Static;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
+use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
-use crate::solve::Patterns;
-use crate::solve::Solution;
+use crate::solve::{Patterns, Solution};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 

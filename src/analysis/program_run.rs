@@ -1,25 +1,16 @@
 //! The two programs of a pass behind one face: what a pass asks of either.
 
 use crate::analysis::diagnosis;
-use crate::certify::bracket::LowerBound;
-use crate::certify::bracket::UpperBound;
-use crate::certify::certificate::certify_displacement;
-use crate::certify::certificate::certify_stress;
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
+use crate::certify::bracket::{LowerBound, UpperBound};
+use crate::certify::certificate::{certify_displacement, certify_stress};
+use crate::certify::fields::{DisplacementField, StressField};
 use crate::math::vec3::V3;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
 use crate::model::loads::Loads;
-use crate::programs::ConicProgram;
-use crate::programs::Kinematic;
-use crate::programs::Static;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
-use crate::recover::elastic;
-use crate::recover::elastic::RecoverError;
-use crate::solve::Patterns;
-use crate::solve::Solution;
-use crate::solve::SolveOptions;
+use crate::programs::{ConicProgram, Kinematic, Static};
+use crate::recover::elastic::{self, RecoverError};
+use crate::solve::{Patterns, Solution, SolveOptions};
 
 /// Which of the two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

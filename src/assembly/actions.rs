@@ -6,11 +6,8 @@ use super::joint::{Action as Acting, FaceLoad, FaceRule};
 use super::scope::Scope;
 use super::template::{EndEntry, SHIPPED, Template};
 use crate::diag::did_you_mean;
-use crate::math::vec3;
-use crate::math::vec3::V3;
-use crate::spec::loads::ActionPoint;
-use crate::spec::loads::LimitState;
-use crate::spec::loads::LoadSpec;
+use crate::math::vec3::{self, V3};
+use crate::spec::loads::{ActionPoint, LimitState, LoadSpec};
 use serde::Serialize;
 
 /// A member end at one turn of its loops.

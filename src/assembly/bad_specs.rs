@@ -1,8 +1,7 @@
 //! Specs that cannot be built: each ends with one code, one place and a message that names the cure.
 
 use super::tests::{PAPER, joint, with};
-use crate::diag::Diagnostic;
-use crate::diag::Fault;
+use crate::diag::{Diagnostic, Fault};
 
 /// What is changed in the paper's spec, and what the first fault must say.
 struct Case {

@@ -1,9 +1,7 @@
 //! Category of the bolts and limit states of the load cases: what of a spec must agree.
 
 use super::error::AssemblyError;
-use crate::spec::connection::BoltCategory;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::connection::PreloadSpec;
+use crate::spec::connection::{BoltCategory, ConnectionSpec, PreloadSpec};
 
 /// Categories that are preloaded without a preload; load cases of two limit states.
 pub(super) fn check(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {

@@ -2,8 +2,7 @@
 
 use super::error::AssemblyError;
 use super::scope::Resolved;
-use crate::catalog::Catalog;
-use crate::catalog::NationalAnnex;
+use crate::catalog::{Catalog, NationalAnnex};
 use crate::spec::connection::Code;
 
 /// What a partial factor may be.
@@ -94,9 +93,7 @@ impl PartialFactors {
 
 #[cfg(test)]
 mod tests {
-    use crate::assembly::tests::PAPER;
-    use crate::assembly::tests::joint;
-    use crate::assembly::tests::ok;
+    use crate::assembly::tests::{PAPER, joint, ok};
 
     fn with_code(code: &str) -> String {
         format!("code: {code}\n{PAPER}")

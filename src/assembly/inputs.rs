@@ -1,31 +1,19 @@
 //! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
 
-use super::actions;
-use super::categories;
 use super::end_plate::Strength;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
 use super::joint::PartMaterial;
 use super::scope::{Given, Resolved, Scope, path_of};
 use super::template::{Parameter, ParameterKind, Template};
-use crate::catalog;
-use crate::catalog::BoltGrade;
-use crate::catalog::BoltSize;
-use crate::catalog::Catalog;
-use crate::catalog::CatalogError;
-use crate::catalog::IProfile;
-use crate::catalog::Steel;
+use super::{actions, categories};
+use crate::catalog::{self, BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
 use crate::diag::did_you_mean;
-use crate::spec::connection::AnalysisKind;
-use crate::spec::connection::ConnectionSpec;
-use crate::spec::connection::FrictionLaw;
-use crate::spec::connection::FySource;
-use crate::spec::connection::MeshSize;
-use crate::spec::connection::ParameterValue;
-use crate::spec::connection::PreloadSpec;
+use crate::spec::connection::{
+    AnalysisKind, ConnectionSpec, FrictionLaw, FySource, MeshSize, ParameterValue, PreloadSpec,
+};
 use crate::spec::expr::Value;
-use crate::units;
-use crate::units::Length;
+use crate::units::{self, Length};
 use std::collections::BTreeMap;
 
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].

@@ -2,8 +2,7 @@
 
 use super::error::AssemblyError;
 use super::template::Template;
-use crate::diag::Diagnostic;
-use crate::diag::Place;
+use crate::diag::{Diagnostic, Place};
 use crate::spec::yaml::PlaceIndex;
 use std::path::PathBuf;
 

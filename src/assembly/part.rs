@@ -1,8 +1,7 @@
 //! Solids of parts: rolled sections, boxes, bolts with holes, and their convex pieces.
 
 use super::joint::{MidPlane, OutlineEdge, Solid};
-use crate::catalog::BoltSize;
-use crate::catalog::IProfile;
+use crate::catalog::{BoltSize, IProfile};
 
 /// Wedges that stand for a root fillet in clash checks; the chord errs by 0.2 % of the radius.
 const FILLET_WEDGES: usize = 6;

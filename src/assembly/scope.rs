@@ -3,9 +3,7 @@
 use super::error::AssemblyError;
 use super::template::{Default, Loop, Parameter, ParameterKind, Template};
 use crate::diag::did_you_mean;
-use crate::spec::expr::Expr;
-use crate::spec::expr::ExprError;
-use crate::spec::expr::Value;
+use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
 use std::collections::BTreeMap;
 

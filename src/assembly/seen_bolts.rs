@@ -124,8 +124,7 @@ mod tests {
     use crate::assembly::tests::with;
     use crate::catalog::Catalog;
     use crate::diag::Diagnostics;
-    use crate::spec::ConnectionSpec;
-    use crate::spec::yaml;
+    use crate::spec::{ConnectionSpec, yaml};
     use std::path::Path;
 
     fn shipped() -> &'static str {

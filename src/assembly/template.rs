@@ -4,15 +4,11 @@
 
 use super::end_plate::EndPlateEntry;
 use super::origin::Origin;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::diag::did_you_mean;
+use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
 use crate::spec::connection::ParameterValue;
 use crate::spec::expr::Expr;
-use crate::spec::loads::ActionPoint;
-use crate::spec::loads::LoadSpec;
-use crate::spec::yaml;
-use crate::spec::yaml::Parsed;
+use crate::spec::loads::{ActionPoint, LoadSpec};
+use crate::spec::yaml::{self, Parsed};
 use crate::text_file;
 use schemars::JsonSchema;
 use serde::Deserialize;

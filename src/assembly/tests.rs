@@ -4,8 +4,7 @@ use super::joint::{Action, OutlineEdge, Part, PartRole, Solid, Surface};
 use super::{Joint, build};
 use crate::catalog::Catalog;
 use crate::diag::Diagnostics;
-use crate::spec::ConnectionSpec;
-use crate::spec::yaml;
+use crate::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
 pub(super) const PAPER: &str = include_str!("../../examples/paper_joint/joint.yaml");

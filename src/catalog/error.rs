@@ -1,8 +1,7 @@
 //! What can be wrong with a catalogue or with a name looked up in it.
 
 use super::table::Source;
-use crate::diag::Diagnostic;
-use crate::diag::Fault;
+use crate::diag::{Diagnostic, Fault};
 use std::path::PathBuf;
 
 /// A fault of the catalogue stage.

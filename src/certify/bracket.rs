@@ -1,8 +1,6 @@
 //! Bounds as types: a number is a bound only with its certificate, and only [`Bracket::new`] joins two.
 
-use crate::certify::certificate::KinematicCertificate;
-use crate::certify::certificate::StaticCertificate;
-use crate::certify::certificate::TOLERANCE;
+use crate::certify::certificate::{KinematicCertificate, StaticCertificate, TOLERANCE};
 
 /// A lower bound, strict as far as its certificate says, of the exact potential energy, −Π_c \[N mm\].
 #[derive(Clone, Debug, PartialEq)]

@@ -4,38 +4,22 @@
 //! energy comes from Gauss points, work from direct quadrature, equilibrium, tractions and contact from the stored values,
 //! face by face. The identity Σ contributions = gap, asserted in every run, ties both certificates together.
 
-use crate::certify::faces::FaceRole;
-use crate::certify::faces::InterfaceFace;
-use crate::certify::faces::contact_faces;
-use crate::certify::faces::roles;
-use crate::certify::faces::weld_faces;
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
+use crate::certify::faces::{FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
+use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::welds;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
-use crate::elements::super_element::SuperElement;
-use crate::elements::super_element::gradients;
-use crate::elements::super_element::integrate;
+use crate::elements::space::{FACE_EDGES, Tet10Space};
+use crate::elements::super_element::{SuperElement, gradients, integrate};
 use crate::elements::tet10;
 use crate::math::Sum;
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
-use crate::math::quadrature::TETRAHEDRON_2;
-use crate::math::quadrature::TRIANGLE_4;
-use crate::math::quadrature::triangle_p2;
+use crate::math::mandel::{self, Mandel};
+use crate::math::quadrature::{TETRAHEDRON_2, TRIANGLE_4, triangle_p2};
 use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::Preload;
-use crate::model::analysis::SurfaceLoad;
-use crate::model::loads::Loads;
-use crate::model::loads::face_corners;
-use crate::model::loads::face_nodes;
+use crate::model::analysis::{BoundaryFace, Preload, SurfaceLoad};
+use crate::model::loads::{Loads, face_corners, face_nodes};
 use crate::model::opening::bernstein_at;
 
 /// Largest residual at which a bound is called strict.

@@ -3,8 +3,7 @@
 //! `π(ε) = √2 k ‖ε‖` is convex and ε linear in a tet, so the value interpolated between any points of a partition is at least
 //! `∫ π(ε)`: the vertex rule, or the same on the 8 tets that the edge middles make.
 
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
+use crate::math::mandel::{self, Mandel};
 use crate::mesh::tet::EDGES;
 
 /// Positions in [`EDGES`] of the three pairs of opposite edges: the ends of an octahedron's diagonals.

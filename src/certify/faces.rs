@@ -1,14 +1,9 @@
 //! What each outer face of the mesh is asked for: supports, loads, rigid motion, contact.
 
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::ContactLaw;
-use crate::model::analysis::FacePair;
-use crate::model::analysis::SurfaceLoad;
-use crate::model::analysis::Weld;
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, SurfaceLoad, Weld};
 use crate::model::loads::Loads;
 use crate::model::opening::Bernstein;
 

@@ -2,8 +2,7 @@
 
 use crate::certify::bracket::Contradiction;
 use crate::certify::certificate::TOLERANCE;
-use crate::certify::limit_certificate::LowerCertificate;
-use crate::certify::limit_certificate::UpperCertificate;
+use crate::certify::limit_certificate::{LowerCertificate, UpperCertificate};
 
 /// A lower bound, strict as far as its certificate says, of the limit load factor.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,7 @@
 use crate::certify::fields::DisplacementField;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::space::Tet10Space;
-use crate::elements::split_flow;
-use crate::elements::split_tet10;
+use crate::elements::{split_flow, split_tet10};
 use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 

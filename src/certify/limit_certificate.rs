@@ -7,30 +7,18 @@
 //! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near by: how near, measured from
 //! the residuals, is the certificate's `cover`. A bound has to leave room for it.
 
-use crate::certify::certificate::add_work;
-use crate::certify::certificate::certify_stress;
-use crate::certify::certificate::fit_rigid;
-use crate::certify::certificate::largest;
-use crate::certify::certificate::off_supports;
-use crate::certify::certificate::ratio;
+use crate::certify::certificate::{add_work, certify_stress, fit_rigid, largest, off_supports, ratio};
 use crate::certify::dissipation::mean_norm;
-use crate::certify::faces::contact_faces;
-use crate::certify::faces::weld_faces;
+use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::flow::Piece;
-use crate::certify::flow::VelocityField;
-use crate::certify::flow::pieces;
+use crate::certify::flow::{Piece, VelocityField, pieces};
 use crate::certify::welds;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
+use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::tet10;
 use crate::math::Sum;
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
-use crate::math::mandel::deviator;
+use crate::math::mandel::{self, Mandel, deviator};
 use crate::math::quadrature::TETRAHEDRON_2;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use rayon::prelude::*;

@@ -4,31 +4,18 @@
 //! `π(p) = √(2/3) f_y ‖p‖` from above as in [`crate::certify::dissipation`]. Lower bound: −Π_c of a stress in equilibrium and inside the yield
 //! surface; what the residuals of its equilibrium may hide must find room there too.
 
-use crate::certify::certificate::KinematicCertificate;
-use crate::certify::certificate::StaticCertificate;
-use crate::certify::certificate::certify_motion;
-use crate::certify::certificate::certify_stress;
-use crate::certify::certificate::largest;
+use crate::certify::certificate::{KinematicCertificate, StaticCertificate, certify_motion, certify_stress, largest};
 use crate::certify::dissipation::mean_norm;
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::hidden_utilisation;
-use crate::certify::limit_certificate::utilisation;
-use crate::certify::plastic_field::PlasticField;
-use crate::certify::plastic_field::PlasticPiece;
-use crate::certify::plastic_field::at_points;
-use crate::certify::plastic_field::length;
-use crate::certify::plastic_field::tensor;
+use crate::certify::limit_certificate::{hidden_utilisation, utilisation};
+use crate::certify::plastic_field::{PlasticField, PlasticPiece, at_points, length, tensor};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::PointStress;
 use crate::elements::tet10;
 use crate::math::Sum;
-use crate::math::mandel;
-use crate::math::mandel::Isotropic;
-use crate::math::mandel::Mandel;
-use crate::math::mandel::deviator;
+use crate::math::mandel::{self, Isotropic, Mandel, deviator};
 use crate::math::quadrature::TETRAHEDRON_2;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 

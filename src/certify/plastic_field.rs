@@ -6,14 +6,10 @@
 
 use crate::certify::fields::DisplacementField;
 use crate::elements::space::Tet10Space;
-use crate::elements::split_tet10;
-use crate::elements::tet10;
-use crate::math::mandel::DEVIATORIC;
-use crate::math::mandel::Mandel;
-use crate::math::mandel::deviator;
+use crate::elements::{split_tet10, tet10};
+use crate::math::mandel::{DEVIATORIC, Mandel, deviator};
 use crate::math::quadrature::tetrahedron_mass;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
 use rayon::prelude::*;

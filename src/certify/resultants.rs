@@ -4,8 +4,7 @@ use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::contact_faces;
 use crate::certify::fields::StressField;
 use crate::math::Sum;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use std::collections::BTreeMap;
 

@@ -1,27 +1,19 @@
 //! Random points inside elements and on faces: the fields must be admissible there too, with no exception.
 
-use crate::certify::certificate::contact_tractions;
-use crate::certify::certificate::stress_at;
-use crate::certify::faces::contact_faces;
-use crate::certify::faces::roles;
-use crate::certify::faces::weld_faces;
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
-use crate::certify::flow::VelocityField;
-use crate::certify::flow::pieces;
+use crate::certify::certificate::{contact_tractions, stress_at};
+use crate::certify::faces::{contact_faces, roles, weld_faces};
+use crate::certify::fields::{DisplacementField, StressField};
+use crate::certify::flow::{VelocityField, pieces};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::gradients;
 use crate::elements::tet10;
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
+use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::triangle_p2;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::FacePair;
+use crate::model::analysis::{BoundaryFace, FacePair};
 use crate::model::loads::Loads;
 use crate::model::opening::bernstein_at;
 

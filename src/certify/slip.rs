@@ -2,8 +2,7 @@
 
 use crate::certify::faces::contact_faces;
 use crate::certify::fields::DisplacementField;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
+use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;

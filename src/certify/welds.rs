@@ -1,15 +1,12 @@
 //! Welds of finite strength: what a stress asks of them, what a jump of the displacement dissipates in them.
 
 use crate::certify::certificate::contact_tractions;
-use crate::certify::faces::WeldFace;
-use crate::certify::faces::weld_faces;
+use crate::certify::faces::{WeldFace, weld_faces};
 use crate::certify::fields::StressField;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
+use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::math::Sum;
 use crate::math::quadrature::triangle_p2;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 
 /// Halvings of the faces on which the dissipation of the final displacements is evaluated.

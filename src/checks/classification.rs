@@ -1,8 +1,6 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 use serde::{Deserialize, Serialize};
 
 /// Whether bracing takes 80 % of the sway of the frame.

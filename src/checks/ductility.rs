@@ -1,10 +1,6 @@
 //! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
 
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::check::Topic;
-use crate::checks::check::Unit;
-use crate::checks::check::number as n;
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
 use crate::checks::component_method::column_web::epsilon;
 
 /// The bolt and the plate or flange it clamps.

@@ -18,8 +18,7 @@ use super::eurocode::bolts::{ShearPlane, shear_resistance, tension_resistance};
 use super::eurocode::punching::{mean_diameter, punching_resistance};
 use super::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use super::eurocode::welds::{WeldedSteel, full_strength_throat};
-use crate::assembly::ColumnSide;
-use crate::assembly::EndPlate;
+use crate::assembly::{ColumnSide, EndPlate};
 use std::f64::consts::SQRT_2;
 
 mod assumptions;

@@ -1,16 +1,8 @@
 //! `bracket catalog`.
 
-use crate::catalog::BoltSize;
-use crate::catalog::Catalog;
-use crate::catalog::CatalogError;
-use crate::catalog::IProfile;
-use crate::catalog::NationalAnnex;
-use crate::catalog::Steel;
-use crate::cli::Common;
-use crate::cli::Format;
-use crate::cli::Outcome;
-use crate::diag::Diagnostic;
-use crate::diag::did_you_mean;
+use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
+use crate::cli::{Common, Format, Outcome};
+use crate::diag::{Diagnostic, did_you_mean};
 use crate::report::console::out;
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;

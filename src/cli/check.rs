@@ -6,12 +6,10 @@ use super::{Common, Outcome};
 use crate::checks::hand_checks;
 use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
-use crate::driver::conclude::Analyses;
-use crate::driver::conclude::conclude;
+use crate::driver::conclude::{Analyses, conclude};
 use crate::report::console::log::Log;
 use crate::report::markdown::page::ModelTraits;
-use crate::result::data::ResultFile;
-use crate::result::data::input_hash;
+use crate::result::data::{ResultFile, input_hash};
 use crate::result::folder::ResultFolder;
 use std::path::PathBuf;
 

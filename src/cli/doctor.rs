@@ -1,11 +1,8 @@
 //! `bracket doctor`.
 
 use crate::catalog::Catalog;
-use crate::cli::Common;
-use crate::cli::Format;
-use crate::cli::Outcome;
-use crate::mesh::gmsh::Mesher;
-use crate::mesh::gmsh::VARIABLE;
+use crate::cli::{Common, Format, Outcome};
+use crate::mesh::gmsh::{Mesher, VARIABLE};
 use crate::report::console::out;
 use serde::Serialize;
 use std::path::{Path, PathBuf};

@@ -2,8 +2,7 @@
 
 use super::{Common, Outcome};
 use crate::assembly::template::Template;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
 use clap::ValueEnum;

@@ -1,15 +1,11 @@
 //! A connection spec from its file: what `bracket run` and `bracket mesh` read.
 
-use crate::assembly;
-use crate::assembly::Joint;
-use crate::catalog::Catalog;
-use crate::catalog::CatalogError;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::assembly::{self, Joint};
+use crate::catalog::{Catalog, CatalogError};
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::polygon::PolygonFault;
-use crate::spec::yaml;
-use crate::spec::yaml::Parsed;
+use crate::spec::yaml::{self, Parsed};
 use crate::text_file;
 use std::path::{Path, PathBuf};
 

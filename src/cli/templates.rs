@@ -2,9 +2,7 @@
 
 use super::new::named_on_the_command_line;
 use super::{Common, Format, Outcome};
-use crate::assembly::template;
-use crate::assembly::template::SHIPPED;
-use crate::assembly::template::Template;
+use crate::assembly::template::{self, SHIPPED, Template};
 use crate::diag::Diagnostics;
 use serde_json::{Value, json};
 use std::path::Path;

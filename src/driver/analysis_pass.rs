@@ -1,39 +1,24 @@
 //! What a pass of either kind leaves, and what becomes of it in the result folder.
 
-use crate::analysis::engine;
-use crate::analysis::engine::Pass;
-use crate::analysis::engine::PassError;
-use crate::analysis::engine::PassOptions;
-use crate::analysis::engine::ProgramRun;
-use crate::analysis::engine::Progress;
+use crate::analysis::engine::{self, Pass, PassError, PassOptions, ProgramRun, Progress};
 use crate::analysis::hencky;
-use crate::analysis::limit;
-use crate::analysis::limit::LimitPass;
+use crate::analysis::limit::{self, LimitPass};
 use crate::analysis::program_run::Program;
 use crate::certify::error::Contributions;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::dissipation_densities;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::png;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::file::AnalysisKind;
-use crate::report::draw::raster::Deformed;
-use crate::report::draw::raster::Field;
-use crate::report::draw::raster::PictureOptions;
-use crate::report::draw::raster::draw;
+use crate::report::draw::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::markdown::page::PictureRef;
 use crate::result::case::case_result;
-use crate::result::data::CaseResult;
-use crate::result::data::Problem;
-use crate::result::fields::field_files::displacement_grid;
-use crate::result::fields::field_files::lower_grid;
-use crate::result::fields::field_files::shift_grid;
-use crate::result::fields::field_files::stress_grid;
-use crate::result::fields::field_files::velocity_grid;
-use crate::result::fields::field_files::yielding_stress_grid;
+use crate::result::data::{CaseResult, Problem};
+use crate::result::fields::field_files::{
+    displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
+};
 use crate::result::fields::plastic_file::plastic_grid;
 use crate::result::fields::vtu::VtuGrid;
 use crate::result::folder::ResultFolder;

@@ -1,7 +1,6 @@
 //! A folder of output that is no result folder: filled aside, then renamed; removed if anything fails.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::MesherError;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};

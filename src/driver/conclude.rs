@@ -1,10 +1,8 @@
 //! What every command that judges a spec ends with: verdict, files of the result folder, last words, exit code.
 
-use crate::checks::Analysed;
-use crate::checks::judge;
 use crate::checks::verdict::Verdict;
-use crate::cli::Common;
-use crate::cli::Format;
+use crate::checks::{Analysed, judge};
+use crate::cli::{Common, Format};
 use crate::diag::Diagnostic;
 use crate::driver::case::Echo;
 use crate::model::file::AnalysisKind;
@@ -12,13 +10,9 @@ use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::console::out;
 use crate::report::html;
-use crate::report::markdown::page::ModelTraits;
-use crate::report::markdown::page::PictureRef;
-use crate::report::markdown::page::ReportData;
+use crate::report::markdown::page::{ModelTraits, PictureRef, ReportData};
 use crate::report::markdown::text::report_markdown;
-use crate::result::data::CaseResult;
-use crate::result::data::HistoryRow;
-use crate::result::data::ResultFile;
+use crate::result::data::{CaseResult, HistoryRow, ResultFile};
 use crate::result::folder::ResultFolder;
 
 /// What the analyses of a run left behind.

@@ -3,8 +3,7 @@
 //! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in place of others' while it
 //! orders, and blocked signals never reach a handler.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};

@@ -1,7 +1,6 @@
 //! `--memory-limit`: how much memory a run may use.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 
 /// Units and their bytes; SI and binary ones both, as schedulers and people write them.
 const UNITS: [(&str, f64); 8] = [

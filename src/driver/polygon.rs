@@ -1,17 +1,13 @@
 //! From the passes of a polygon's directions to the polygon of the result.
 
 use crate::certify::UpperFactor;
-use crate::certify::supporting::Axes;
-use crate::certify::supporting::half_plane;
+use crate::certify::supporting::{Axes, half_plane};
 use crate::driver::adaptive::Kept;
 use crate::driver::analysis_pass::Outcome;
 use crate::driver::case::Case;
-use crate::result::data::CaseResult;
-use crate::result::data::Upper;
+use crate::result::data::{CaseResult, Upper};
 use crate::result::demand::ActionValue;
-use crate::result::polygon::Axis;
-use crate::result::polygon::CapacityPolygon;
-use crate::result::polygon::Point;
+use crate::result::polygon::{Axis, CapacityPolygon, Point};
 use crate::spec::polygon::PolygonSpec;
 
 /// A polygon whose directions are being analysed.

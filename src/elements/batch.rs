@@ -13,18 +13,10 @@
 //! # Layout
 //! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at once.
 
-use crate::math::lanes::Place;
-use crate::math::lanes::add_times;
-use crate::math::lanes::add_times_part;
-use crate::math::lanes::add_transposed;
-use crate::math::lanes::add_transposed_part;
-use crate::math::lanes::kernel;
-use crate::math::lanes::subtract_symmetric;
-use crate::math::wide::LANES;
-use crate::math::wide::Lane;
-use crate::math::wide::parts;
-use crate::math::wide::registers;
-use crate::math::wide::registers_mut;
+use crate::math::lanes::{
+    Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel, subtract_symmetric,
+};
+use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 
 /// No unknown, no element.
 pub const NONE: u32 = u32::MAX;

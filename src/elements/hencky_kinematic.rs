@@ -15,16 +15,11 @@
 //! # Sign
 //! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`, the deviatoric part against the plastic strain.
 
-use crate::elements::batch::Rule;
-use crate::elements::batch::Shape;
-use crate::elements::batch::YieldingElement;
+use crate::elements::batch::{Rule, Shape, YieldingElement};
 use crate::elements::columns::Columns;
-use crate::elements::split_flow;
-use crate::elements::split_tet10;
-use crate::elements::tet10;
-use crate::elements::tet10::strain_columns;
-use crate::math::mandel::Isotropic;
-use crate::math::mandel::deviator;
+use crate::elements::tet10::{self, strain_columns};
+use crate::elements::{split_flow, split_tet10};
+use crate::math::mandel::{Isotropic, deviator};
 use crate::math::vec3::V3;
 
 /// Which element a body that yields is made of.

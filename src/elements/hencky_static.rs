@@ -10,12 +10,9 @@
 //! stiffness. A body force adds its particular stress σ_p: tractions on v, `dev σ_p` in the offsets of the points, and
 //! `−N_eᵀ∫C⁻¹σ_p` on the parameters.
 
-use crate::elements::batch::Shape;
-use crate::elements::batch::YieldingElement;
+use crate::elements::batch::{Shape, YieldingElement};
 use crate::elements::columns::Columns;
-use crate::elements::super_element::PARAMETERS;
-use crate::elements::super_element::SuperElement;
-use crate::elements::super_element::TRACTIONS;
+use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
 use crate::math::mandel::deviator;
 
 /// Points of an element where its yield condition is imposed: 4 in each subtet.

@@ -11,19 +11,11 @@
 //! # Shape
 //! Nodes as in [`crate::elements::split_tet10`]; velocity `3 i + d` is component d at node i.
 
-use crate::elements::split_tet10;
-use crate::elements::split_tet10::INNER_UNKNOWNS;
-use crate::elements::split_tet10::NODES;
-use crate::elements::split_tet10::OUTER;
-use crate::elements::split_tet10::subtet_corners;
-use crate::elements::split_tet10::subtet_nodes;
-use crate::elements::super_element::gradients;
-use crate::elements::super_element::jacobian;
+use crate::elements::split_tet10::{self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes};
+use crate::elements::super_element::{gradients, jacobian};
 use crate::elements::tet10;
-use crate::math::vec3;
-use crate::math::vec3::V3;
-use crate::mesh::tet::EDGES;
-use crate::mesh::tet::FACES;
+use crate::math::vec3::{self, V3};
+use crate::mesh::tet::{EDGES, FACES};
 use faer::Mat;
 use faer::prelude::SolveLstsq;
 use std::sync::OnceLock;

@@ -9,8 +9,7 @@ use crate::elements::super_element::centroid;
 use crate::elements::tet10;
 use crate::math::mandel::Isotropic;
 use crate::math::vec3::V3;
-use crate::mesh::tet::EDGES;
-use crate::mesh::tet::FACES;
+use crate::mesh::tet::{EDGES, FACES};
 
 /// Nodes on the faces, those of the plain element.
 pub const OUTER: usize = 10;

@@ -3,16 +3,10 @@
 //! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 values less 66 rows of equilibrium leave
 //! 30 parameters. Points and tractions are numbered as in [`crate::elements::super_element`].
 
-use crate::elements::super_element::PARAMETERS;
-use crate::elements::super_element::TRACTIONS;
-use crate::elements::super_element::centroid;
-use crate::elements::super_element::gradients;
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
-use crate::math::quadrature::tetrahedron_mass;
-use crate::math::quadrature::triangle_mass;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::elements::super_element::{PARAMETERS, TRACTIONS, centroid, gradients};
+use crate::math::mandel::{self, Mandel};
+use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
+use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use faer::Mat;
 use std::sync::OnceLock;

@@ -10,14 +10,9 @@
 
 use crate::elements::stress_basis::reference;
 use crate::math::dense::Cholesky;
-use crate::math::mandel;
-use crate::math::mandel::Isotropic;
-use crate::math::mandel::Mandel;
-use crate::math::quadrature::tetrahedron_mass;
-use crate::math::quadrature::triangle_mass;
-use crate::math::vec3;
-use crate::math::vec3::M3;
-use crate::math::vec3::V3;
+use crate::math::mandel::{self, Isotropic, Mandel};
+use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
+use crate::math::vec3::{self, M3, V3};
 use crate::mesh::tet::FACES;
 
 /// Free stress parameters of an element.

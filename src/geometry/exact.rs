@@ -8,11 +8,7 @@ use super::flat::{FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
 use super::scene::Body;
 use crate::assembly::joint::Surface;
-use crate::math::vec3::V3;
-use crate::math::vec3::along;
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::sub;
+use crate::math::vec3::{V3, along, cross, dot, sub};
 
 /// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far above rounding.
 const BESIDE: f64 = 1e-5;
@@ -265,9 +261,7 @@ fn side_planes(prism: &FlatPrism) -> impl Iterator<Item = Plane> + '_ {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::joint::Part;
-    use crate::assembly::joint::PartRole;
-    use crate::assembly::joint::Solid;
+    use crate::assembly::joint::{Part, PartRole, Solid};
 
     fn part(solid: Solid) -> Part {
         Part {

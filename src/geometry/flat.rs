@@ -4,13 +4,8 @@
 //! Every facet is then an exact plane: meshes of any size fill the same body, areas can be checked to rounding, and
 //! both bounds refer to one and the same structure on every remesh.
 
-use crate::assembly::joint::OutlineEdge;
-use crate::assembly::joint::Solid;
-use crate::math::vec3::V3;
-use crate::math::vec3::along;
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::unit;
+use crate::assembly::joint::{OutlineEdge, Solid};
+use crate::math::vec3::{V3, along, cross, dot, unit};
 
 /// Chords that replace a quarter circle of an outline (a root fillet).
 pub const CHORDS_PER_QUARTER: usize = 2;

@@ -6,11 +6,8 @@
 use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
-use crate::assembly::joint::MidPlane;
-use crate::assembly::joint::OutlineEdge;
-use crate::assembly::joint::Solid;
-use crate::math::vec3::V3;
-use crate::math::vec3::along;
+use crate::assembly::joint::{MidPlane, OutlineEdge, Solid};
+use crate::math::vec3::{V3, along};
 use std::fmt::Write;
 
 /// Name of the file with wanted sizes, beside the script.
@@ -303,8 +300,7 @@ fn rectangle(axis: usize, at: f64, min: V3, max: V3) -> [V3; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::fixtures::lap_joint;
-    use crate::geometry::fixtures::paper_joint;
+    use crate::geometry::fixtures::{lap_joint, paper_joint};
 
     const MESH: Purpose = Purpose::Mesh {
         layers: true,

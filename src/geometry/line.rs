@@ -1,9 +1,7 @@
 //! A straight line through a solid: the stretches of it that lie inside.
 
 use super::flat::{FlatPrism, FlatSolid};
-use crate::math::vec3::V3;
-use crate::math::vec3::dot;
-use crate::math::vec3::sub;
+use crate::math::vec3::{V3, dot, sub};
 
 /// Sorted, disjoint stretches of a line's parameter.
 pub type Stretches = Vec<[f64; 2]>;

@@ -8,10 +8,8 @@ use super::error::GeometryError;
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, intersect};
 use crate::assembly::Assembly;
-use crate::assembly::joint::Part;
-use crate::assembly::joint::Solid;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::assembly::joint::{Part, Solid};
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::V3;
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query;
@@ -246,8 +244,7 @@ fn distance(a: &Checked, b: &Checked) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::fixtures::lap_joint;
-    use crate::geometry::fixtures::paper_joint;
+    use crate::geometry::fixtures::{lap_joint, paper_joint};
 
     fn messages(assembly: &Assembly) -> Vec<(String, String)> {
         match check(assembly) {

@@ -2,11 +2,7 @@
 
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, Stretches, intersect};
-use crate::assembly::joint::Assembly;
-use crate::assembly::joint::MidPlane;
-use crate::assembly::joint::Part;
-use crate::assembly::joint::Surface;
-use crate::assembly::joint::SymmetryPlane;
+use crate::assembly::joint::{Assembly, MidPlane, Part, Surface, SymmetryPlane};
 
 /// Coordinates closer than this to a plane lie on it \[mm\].
 pub const ON_PLANE: f64 = 1e-6;

@@ -6,8 +6,7 @@
 
 use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
-use crate::assembly::joint::PartRole;
-use crate::assembly::joint::Surface;
+use crate::assembly::joint::{PartRole, Surface};
 use crate::math::vec3::V3;
 use std::fmt::Write;
 

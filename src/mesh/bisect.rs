@@ -177,8 +177,7 @@ fn rename(at: &mut HashMap<Edge, Vec<u32>>, e: Edge, old: u32, new: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::fixtures::cubes;
-    use crate::mesh::fixtures::name;
+    use crate::mesh::fixtures::{cubes, name};
     use crate::mesh::quality;
     use crate::mesh::topology::FaceTable;
 

@@ -1,7 +1,6 @@
 //! What can be wrong with a mesh.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use std::path::PathBuf;
 
 /// A place in a mesh file.

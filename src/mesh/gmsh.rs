@@ -2,8 +2,7 @@
 //!
 //! gmsh prints errors, goes on, and exits with success; nothing here trusts an exit code alone.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::Read;

@@ -3,10 +3,7 @@
 use super::TetMesh;
 use super::error::MeshError;
 use super::topology::{FaceTable, face_nodes};
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::sub;
-use crate::math::vec3::unit;
+use crate::math::vec3::{cross, dot, sub, unit};
 use std::collections::{BTreeMap, HashMap};
 
 /// Nodes of different bodies closer than this times the size of the mesh (diagonal of its box) are one.

@@ -3,15 +3,10 @@
 use super::topology::{FaceRow, FaceTable, face_nodes};
 use super::{NamedFaces, TetMesh};
 use crate::assembly::joint::Surface;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::geometry::exact;
-use crate::geometry::exact::MANTLE_TOLERANCE;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::geometry::exact::{self, MANTLE_TOLERANCE};
 use crate::geometry::scene::Scene;
-use crate::math::vec3::V3;
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::sub;
+use crate::math::vec3::{V3, cross, dot, sub};
 
 /// Nodes closer than this to a named plane are on it and are moved there exactly \[mm\].
 const SNAP: f64 = 1e-6;

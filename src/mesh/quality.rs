@@ -2,11 +2,7 @@
 
 use super::TetMesh;
 use super::tet::FACES;
-use crate::math::vec3::V3;
-use crate::math::vec3::area_vector;
-use crate::math::vec3::dot;
-use crate::math::vec3::norm;
-use crate::math::vec3::sub;
+use crate::math::vec3::{V3, area_vector, dot, norm, sub};
 use serde::Serialize;
 
 /// Quality of one body's tets.

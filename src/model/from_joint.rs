@@ -5,12 +5,7 @@ use super::file::{
     PreloadEntry, RigidEntry, SupportEntry,
 };
 use crate::assembly::Assembly;
-use crate::assembly::joint::Action;
-use crate::assembly::joint::BoltPreload;
-use crate::assembly::joint::FaceLoad;
-use crate::assembly::joint::Surface;
-use crate::assembly::joint::SymmetryPlane;
-use crate::assembly::joint::WeldRule;
+use crate::assembly::joint::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
 use crate::mesh::TetMesh;
 use crate::mesh::naming::symmetry_face;
 
@@ -190,8 +185,7 @@ fn rigid_entries(assembly: &Assembly, loads: &[&FaceLoad], symmetry_used: &[Symm
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::fixtures::lap_joint;
-    use crate::geometry::fixtures::paper_joint;
+    use crate::geometry::fixtures::{lap_joint, paper_joint};
     use crate::mesh::NamedFaces;
 
     /// A mesh with names only: that is all `model_file` looks at.

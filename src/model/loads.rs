@@ -2,8 +2,7 @@
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, RigidFace, SurfaceLoad, Traction};
 use super::file::Friction;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
 use crate::model::ModelError;

@@ -7,8 +7,7 @@
 use super::analysis::{AnalysisModel, ContactLaw};
 use super::file::{Friction, Gap};
 use crate::elements::space::FACE_EDGES;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 
 /// Bernstein coefficients of a quadratic polynomial on a triangle: of the vertices, then of the edges [`FACE_EDGES`].
 pub type Bernstein = [f64; 6];

@@ -8,11 +8,8 @@
 //! `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or maximised ones, never both. Rows keep their natural sign: the
 //! gradient is `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
 
-use crate::elements::batch::Batch;
-use crate::elements::batch::NONE;
-use crate::elements::batch::YIELD_ROWS;
-use crate::math::wide::LANES;
-use crate::math::wide::Lane;
+use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
+use crate::math::wide::{LANES, Lane};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;

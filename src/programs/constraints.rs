@@ -2,8 +2,7 @@
 
 use crate::math::vec3::V3;
 use crate::model::ModelError;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::FacePair;
+use crate::model::analysis::{BoundaryFace, FacePair};
 
 /// Points that carry unknowns: what a support or rigid face finds on its mesh faces.
 pub trait FacePoints {

@@ -1,8 +1,7 @@
 //! Rigid motions that no support resists, only contact: there the stiffness is zero.
 
 use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::analysis::AnalysisModel;
 use crate::programs::dofs::DofMap;
 

@@ -4,8 +4,7 @@
 //! the length of the shank over that of an element, and a solver that starts there stalls. So solvers measure the unknowns from a
 //! displacement that spreads the closure along the body of the bolt.
 
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::ModelError;
 use crate::model::analysis::AnalysisModel;
 use crate::programs::constraints::FacePoints;

@@ -4,15 +4,9 @@
 //! The cones of yield points hold maximised unknowns. Written out, their multipliers λ ∈ K⁶ become unknowns behind all
 //! others, coupled to the parameters by `B`, with `h` as their linear term; the multiplier of `λ ∈ K⁶` is then `h + B σ`.
 
-use crate::elements::batch::NONE;
-use crate::elements::batch::Shape;
-use crate::elements::batch::VERTEX_VALUES;
-use crate::elements::batch::YIELD_ROWS;
+use crate::elements::batch::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
 use crate::math::wide::LANES;
-use crate::programs::conic::Cone;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::conic::SymmetricCsc;
+use crate::programs::conic::{Cone, ConicProgram, Csr, SymmetricCsc};
 
 /// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones hold minimised unknowns only.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,42 +5,24 @@
 //! holds at every point of the interface, not only at nodes.
 
 use crate::elements::batch::Rule;
-use crate::elements::hencky_kinematic::Flow;
-use crate::elements::hencky_kinematic::FlowingTet10;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
-use crate::elements::split_flow;
-use crate::elements::split_tet10;
-use crate::elements::tet10;
-use crate::math::quadrature::TRIANGLE_4;
-use crate::math::quadrature::triangle_p2;
+use crate::elements::hencky_kinematic::{Flow, FlowingTet10};
+use crate::elements::space::{FACE_EDGES, Tet10Space};
+use crate::elements::{split_flow, split_tet10, tet10};
+use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
 use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::ModelError;
-use crate::model::analysis::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::FacePair;
-use crate::model::loads::Loads;
-use crate::model::loads::face_corners;
-use crate::model::loads::face_nodes;
-use crate::model::opening::Bernstein;
-use crate::model::opening::ConeShift;
+use crate::model::analysis::{AnalysisModel, BoundaryFace, FacePair};
+use crate::model::loads::{Loads, face_corners, face_nodes};
+use crate::model::opening::{Bernstein, ConeShift};
 use crate::programs::assemble::assemble;
-use crate::programs::conic::Cone;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::constraints;
-use crate::programs::constraints::FacePoints;
-use crate::programs::contact_modes::ContactMode;
-use crate::programs::contact_modes::contact_modes;
-use crate::programs::cuts;
+use crate::programs::conic::{Cone, ConicProgram, Csr};
+use crate::programs::constraints::{self, FacePoints};
+use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::dofs::DofMap;
-use crate::programs::rigid_motions;
-use crate::programs::rigid_motions::RigidMotions;
-use crate::programs::rigid_motions::RigidPieces;
-use crate::programs::weld_face;
+use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::yielding_elements::append;
+use crate::programs::{cuts, weld_face};
 use std::collections::{BTreeMap, BTreeSet};
 
 struct Points<'a> {

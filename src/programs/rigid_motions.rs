@@ -4,15 +4,12 @@
 //! the motions that all of a group may make together are the null space of these conditions. One unknown of the program
 //! stands for each.
 
-use crate::math::dense::null_space;
-use crate::math::dense::pseudo_solve;
+use crate::math::dense::{null_space, pseudo_solve};
 use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::ModelError;
-use crate::model::analysis::AnalysisModel;
-use crate::model::analysis::Preload;
+use crate::model::analysis::{AnalysisModel, Preload};
 use crate::model::loads::Loads;
 use crate::programs::constraints::FacePoints;
 use crate::programs::cuts;

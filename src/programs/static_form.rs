@@ -4,45 +4,28 @@
 //! statically admissible stress field, a lower bound of the exact potential energy. Cones bound the mass-weighted jumps
 //! `Σ_b M_ab (v_B − v_A)_b + ∫ φ_a g₀ n`, conjugate to the traction at face vertex a.
 
-use crate::elements::batch::NONE;
-use crate::elements::batch::YIELD_ROWS;
+use crate::elements::batch::{NONE, YIELD_ROWS};
 use crate::elements::hencky_static;
-use crate::elements::super_element;
-use crate::elements::super_element::PARAMETERS;
-use crate::elements::super_element::SuperElement;
-use crate::elements::super_element::TRACTIONS;
+use crate::elements::super_element::{self, PARAMETERS, SuperElement, TRACTIONS};
 use crate::math::mandel::Isotropic;
-use crate::math::quadrature::TRIANGLE_4;
-use crate::math::quadrature::triangle_mass;
+use crate::math::quadrature::{TRIANGLE_4, triangle_mass};
 use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::ModelError;
-use crate::model::analysis::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::ContactLaw;
-use crate::model::analysis::FacePair;
-use crate::model::loads::Loads;
-use crate::model::loads::face_corners;
+use crate::model::analysis::{AnalysisModel, BoundaryFace, ContactLaw, FacePair};
+use crate::model::loads::{Loads, face_corners};
 use crate::model::opening::bernstein_at;
 use crate::programs::assemble::assemble;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::constraints;
-use crate::programs::constraints::FacePoints;
-use crate::programs::contact_modes::ContactMode;
-use crate::programs::contact_modes::contact_modes;
+use crate::programs::conic::{ConicProgram, Csr};
+use crate::programs::constraints::{self, FacePoints};
+use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
-use crate::programs::kinematic::hold;
-use crate::programs::kinematic::push_rows;
-use crate::programs::rigid_motions;
-use crate::programs::rigid_motions::RigidMotions;
-use crate::programs::rigid_motions::RigidPieces;
-use crate::programs::weld_face;
-use crate::programs::weld_face::Jump;
+use crate::programs::kinematic::{hold, push_rows};
+use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
+use crate::programs::weld_face::{self, Jump};
 use crate::programs::yielding_elements::append;
 use rayon::prelude::*;
 

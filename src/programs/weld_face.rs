@@ -12,12 +12,8 @@
 //! Both are data of the same kind as an element that flows ([`Shape::Flow`]) with [`Rule::Vertices`]: four points to a group, three
 //! of the five components of each used.
 
-use crate::elements::batch::NONE;
-use crate::elements::batch::Rule;
-use crate::elements::batch::Shape;
-use crate::elements::batch::YieldingElement;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
+use crate::elements::batch::{NONE, Rule, Shape, YieldingElement};
+use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::math::quadrature::triangle_mass;
 use crate::math::vec3;
 use crate::model::analysis::FacePair;

@@ -1,14 +1,8 @@
 //! Appends the elements that yield to a program.
 
-use crate::elements::batch::Batch;
-use crate::elements::batch::Placed;
-use crate::elements::batch::Shape;
-use crate::elements::batch::YIELD_ROWS;
-use crate::elements::batch::YieldingElement;
+use crate::elements::batch::{Batch, Placed, Shape, YIELD_ROWS, YieldingElement};
 use crate::math::wide::LANES;
-use crate::programs::conic::Cone;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Elements;
+use crate::programs::conic::{Cone, ConicProgram, Elements};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;

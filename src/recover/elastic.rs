@@ -4,27 +4,18 @@
 //! field that opens every contact; the stress is projected: contact tractions (strictly inside their cones) are first
 //! brought into balance with the loads part by part, then the bodies are solved for exact equilibrium with them.
 
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
+use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
 use crate::math::dense::pseudo_solve;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::conic::SymmetricCsc;
-use crate::programs::conic::cone_margin;
+use crate::model::{AnalysisModel, ModelError};
+use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 use crate::programs::constraints;
 use crate::programs::dofs::DofMap;
-use crate::programs::kinematic::Kinematic;
-use crate::programs::kinematic::hold;
-use crate::programs::static_form::Static;
-use crate::programs::static_form::SuperElements;
+use crate::programs::kinematic::{Kinematic, hold};
+use crate::programs::static_form::{Static, SuperElements};
 use crate::recover::restore_equilibrium::settle;
 use crate::solve::Solution;
-use crate::solve::sparse::LinearError;
-use crate::solve::sparse::Patterns;
-use crate::solve::sparse::SparseCholesky;
+use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 use faer::Mat;
 use rayon::prelude::*;
 

@@ -5,14 +5,12 @@
 //! Rigid motions are the only ones without strain, so that the search has a handful of unknowns; the certificate is that of
 //! an upper bound with every body rigid, and asks nobody how the motion was found.
 
-use crate::certify::certificate::largest;
-use crate::certify::certificate::ratio;
+use crate::certify::certificate::{largest, ratio};
 use crate::certify::faces::weld_faces;
 use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
 use crate::certify::flow::VelocityField;
-use crate::certify::limit_certificate::UpperCertificate;
-use crate::certify::limit_certificate::certify_upper;
+use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
 use crate::certify::welds::jumps;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::space::Tet10Space;
@@ -21,13 +19,9 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use crate::programs::Kinematic;
-use crate::programs::conic::Cone;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::conic::cone_margin;
+use crate::programs::conic::{Cone, ConicProgram, Csr, cone_margin};
 use crate::recover::elastic::RecoverError;
-use crate::solve::SolveOptions;
-use crate::solve::collapse;
+use crate::solve::{SolveOptions, collapse};
 use faer::Mat;
 
 /// A cone whose slack is smaller than this, over the largest slack, is closed.

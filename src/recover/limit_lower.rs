@@ -10,42 +10,24 @@
 //! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every point is inside: `c σ +
 //!    (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead loads σ_d is zero.
 
-use crate::certify::certificate::TOLERANCE;
-use crate::certify::certificate::contact_tractions;
-use crate::certify::certificate::largest;
-use crate::certify::certificate::largest_of_each;
-use crate::certify::faces::contact_faces;
-use crate::certify::faces::roles;
-use crate::certify::faces::weld_faces;
+use crate::certify::certificate::{TOLERANCE, contact_tractions, largest, largest_of_each};
+use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::LowerCertificate;
-use crate::certify::limit_certificate::certify_lower;
-use crate::certify::limit_certificate::utilisation;
+use crate::certify::limit_certificate::{LowerCertificate, certify_lower, utilisation};
 use crate::certify::welds;
-use crate::elements::super_element::PARAMETERS;
-use crate::elements::super_element::PointStress;
-use crate::math::mandel::Mandel;
-use crate::math::mandel::deviator;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::elements::super_element::{PARAMETERS, PointStress};
+use crate::math::mandel::{Mandel, deviator};
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
-use crate::model::loads::Loads;
-use crate::model::loads::face_corners;
-use crate::programs::Static;
-use crate::programs::constraints;
+use crate::model::loads::{Loads, face_corners};
 use crate::programs::kinematic::hold;
 use crate::programs::static_form::SuperElements;
-use crate::recover::elastic::RecoverError;
-use crate::recover::elastic::Within;
-use crate::recover::elastic::add_interface_forces;
-use crate::recover::elastic::balance;
-use crate::recover::elastic::balance_elements;
-use crate::recover::elastic::interface_sets;
-use crate::recover::elastic::interface_work;
-use crate::recover::elastic::into_cone;
-use crate::recover::elastic::stress_field;
-use crate::solve::sparse::Patterns;
-use crate::solve::sparse::SparseCholesky;
+use crate::programs::{Static, constraints};
+use crate::recover::elastic::{
+    RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets, interface_work, into_cone,
+    stress_field,
+};
+use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// How much stiffer bodies are that never yield.
 const RIGID: f64 = 1e8;

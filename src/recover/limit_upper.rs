@@ -10,26 +10,19 @@
 use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
 use crate::certify::flow::VelocityField;
-use crate::certify::limit_certificate::UpperCertificate;
-use crate::certify::limit_certificate::certify_upper;
+use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
 use crate::elements::hencky_kinematic::Flow;
-use crate::elements::split_flow;
-use crate::elements::tet10;
+use crate::elements::{split_flow, tet10};
 use crate::math::Sum;
 use crate::math::mandel::Mandel;
-use crate::model::AnalysisModel;
-use crate::model::ModelError;
 use crate::model::loads::Loads;
+use crate::model::{AnalysisModel, ModelError};
 use crate::programs::Kinematic;
 use crate::programs::assemble::assemble;
 use crate::programs::conic::cone_margin;
 use crate::programs::rigid_motions::nearest_unknowns;
-use crate::recover::elastic::RecoverError;
-use crate::recover::elastic::cone_ranges;
-use crate::recover::elastic::into_cone;
-use crate::recover::elastic::plus_rows;
-use crate::solve::sparse::Patterns;
-use crate::solve::sparse::SparseCholesky;
+use crate::recover::elastic::{RecoverError, cone_ranges, into_cone, plus_rows};
+use crate::solve::sparse::{Patterns, SparseCholesky};
 use rayon::prelude::*;
 
 /// Weight γ of the equations against the stiffness.

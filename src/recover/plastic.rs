@@ -5,25 +5,16 @@
 //! solution for what the solver left, as in the elastic recovery. That changes the stress by the solver's tolerance, for which
 //! the program kept room under the yield surface.
 
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
-use crate::certify::plastic_field::InnerNodes;
-use crate::certify::plastic_field::PlasticField;
-use crate::certify::plastic_field::mean;
-use crate::certify::plastic_field::with_plastic_strain;
+use crate::certify::fields::{DisplacementField, StressField};
+use crate::certify::plastic_field::{InnerNodes, PlasticField, mean, with_plastic_strain};
 use crate::elements::split_tet10::INNER_UNKNOWNS;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::programs::Kinematic;
-use crate::programs::Static;
-use crate::recover::elastic::RecoverError;
-use crate::recover::elastic::balanced_stress;
-use crate::recover::elastic::interface_tractions;
-use crate::recover::elastic::opened;
-use crate::recover::elastic::smallest_margin;
-use crate::recover::elastic::stress_field;
-use crate::solve::Patterns;
-use crate::solve::Solution;
+use crate::programs::{Kinematic, Static};
+use crate::recover::elastic::{
+    RecoverError, balanced_stress, interface_tractions, opened, smallest_margin, stress_field,
+};
+use crate::solve::{Patterns, Solution};
 
 /// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers the energy.
 ///

@@ -1,13 +1,9 @@
 //! Slivers: a stress that has lost its equilibrium to rounding gets it back.
 
 use crate::elements::stress_basis::equilibrium_rows;
-use crate::elements::super_element::PointStress;
-use crate::elements::super_element::SuperElement;
-use crate::elements::super_element::centroid;
-use crate::elements::super_element::gradients;
+use crate::elements::super_element::{PointStress, SuperElement, centroid, gradients};
 use crate::math::mandel;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use faer::Mat;
 use rayon::prelude::*;

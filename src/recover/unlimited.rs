@@ -8,30 +8,19 @@
 //! Without a deviator `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live body force. Tractions are continuous, so that
 //! c is one number in each body and its connected pieces: all that is to be found, by least squares on the faces.
 
-use crate::certify::certificate::TOLERANCE;
-use crate::certify::certificate::certify_stress;
-use crate::certify::certificate::contact_tractions;
-use crate::certify::certificate::largest;
-use crate::certify::certificate::ratio;
-use crate::certify::faces::FaceRole;
-use crate::certify::faces::contact_faces;
-use crate::certify::faces::roles;
-use crate::certify::faces::weld_faces;
+use crate::certify::certificate::{TOLERANCE, certify_stress, contact_tractions, largest, ratio};
+use crate::certify::faces::{FaceRole, contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::LowerCertificate;
-use crate::certify::limit_certificate::certify_lower;
+use crate::certify::limit_certificate::{LowerCertificate, certify_lower};
 use crate::elements::super_element::SuperElement;
 use crate::math::dense::pseudo_solve;
-use crate::math::mandel;
-use crate::math::mandel::deviator;
+use crate::math::mandel::{self, deviator};
 use crate::math::quadrature::TRIANGLE_4;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::loads::Loads;
-use crate::model::loads::face_corners;
+use crate::model::loads::{Loads, face_corners};
 use faer::Mat;
 
 /// What a field that carries the live loads alone proves: with strict residuals the load factor has no limit.

@@ -1,9 +1,6 @@
 //! Numbers for people: meaningful digits, rounded to the safe side where they are bounds.
 
-use crate::result::data::CaseResult;
-use crate::result::data::LoadSize;
-use crate::result::data::Quantity;
-use crate::result::data::Upper;
+use crate::result::data::{CaseResult, LoadSize, Quantity, Upper};
 
 /// Which way a number is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,17 +1,12 @@
 //! The rows of a study of speed against error, as table, CSV and plots.
 
 use super::figures::{Rounding, fixed, percent_up};
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::model::file::AnalysisKind;
-use crate::report::draw::plot::Plot;
-use crate::report::draw::plot::Series;
-use crate::result::data::CaseResult;
-use crate::result::data::HistoryRow;
-use crate::result::data::RESIDUAL_TOLERANCE;
-use crate::result::data::Upper;
+use crate::report::draw::plot::{Plot, Series};
+use crate::result::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;

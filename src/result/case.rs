@@ -1,34 +1,22 @@
 //! From a pass to the entry of its load case in `result.json`.
 
-use crate::analysis::engine::Pass;
-use crate::analysis::engine::ProgramRun;
+use crate::analysis::engine::{Pass, ProgramRun};
 use crate::analysis::memory::peak_memory_mib;
 use crate::certify::certificate::TOLERANCE;
 use crate::certify::faces::contact_faces;
 use crate::certify::plastic_certificate::body_states;
-use crate::certify::welds::Utilisation;
-use crate::certify::welds::demands;
+use crate::certify::welds::{Utilisation, demands};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::model::analysis::Traction;
-use crate::model::analysis::Weld;
+use crate::model::analysis::{Traction, Weld};
 use crate::model::file::AnalysisKind;
 use crate::model::loads::face_corners;
 use crate::report::console::progress::refusal_words;
-use crate::result::data;
-use crate::result::data::CaseResult;
-use crate::result::data::Certificate;
-use crate::result::data::HistoryRow;
-use crate::result::data::LoadSize;
-use crate::result::data::PartYield;
-use crate::result::data::PeakPressure;
-use crate::result::data::Problem;
-use crate::result::data::Quantity;
-use crate::result::data::TraceRow;
-use crate::result::data::Upper;
-use crate::result::data::WeldUse;
-use crate::solve::Iteration;
-use crate::solve::SolveStatus;
+use crate::result::data::{
+    self, CaseResult, Certificate, HistoryRow, LoadSize, PartYield, PeakPressure, Problem, Quantity, TraceRow, Upper,
+    WeldUse,
+};
+use crate::solve::{Iteration, SolveStatus};
 
 pub(crate) fn program_run(run: &ProgramRun) -> data::ProgramRun {
     data::ProgramRun {

@@ -1,14 +1,7 @@
 //! The result of several passes: the largest lower bound and the smallest upper one, each with all that belongs to it.
 
 use crate::certify::bracket::Contradiction;
-use crate::result::data::CaseResult;
-use crate::result::data::Certificate;
-use crate::result::data::PartYield;
-use crate::result::data::PeakPressure;
-use crate::result::data::Problem;
-use crate::result::data::Quantity;
-use crate::result::data::RawBracket;
-use crate::result::data::Upper;
+use crate::result::data::{CaseResult, Certificate, PartYield, PeakPressure, Problem, Quantity, RawBracket, Upper};
 
 /// The passes that give the best bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,18 +5,13 @@
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::analysis::preload::Tightened;
-use crate::checks::Check;
-use crate::checks::JointStiffness;
-use crate::checks::Judgement;
 pub use crate::checks::verdict::Verdict;
+use crate::checks::{Check, JointStiffness, Judgement};
 use crate::diag::Diagnostic;
 use crate::model::file::AnalysisKind;
 use crate::result::demand::Demand;
 use crate::result::forces::StaticForces;
-pub use crate::result::history::HistoryRow;
-pub use crate::result::history::Predicted;
-pub use crate::result::history::ProgramRun;
-pub use crate::result::history::TraceRow;
+pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use crate::result::polygon::CapacityPolygon;
 use serde::{Deserialize, Serialize};
 

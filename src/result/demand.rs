@@ -1,21 +1,11 @@
 //! What a load case demands, and what the joint can carry of it.
 
-use crate::checks::Comparison;
-use crate::checks::HandChecks;
-use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
-use crate::report::figures::Rounding;
-use crate::report::figures::bracket;
-use crate::report::figures::significant;
+use crate::checks::{Comparison, HandChecks, Judgement};
+use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
-use crate::result::data::CaseResult;
-use crate::result::data::Problem;
-use crate::result::data::Quantity;
-use crate::result::data::ResultFile;
-use crate::result::data::Upper;
+use crate::report::markdown::text::{inline, strings, table};
+use crate::result::data::{CaseResult, Problem, Quantity, ResultFile, Upper};
 use crate::spec::loads::Action;
 use serde::{Deserialize, Serialize};
 

@@ -5,19 +5,14 @@ use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
 use crate::certify::fields::StressField;
 use crate::certify::flow::VelocityField;
-use crate::certify::supporting::Axes;
-use crate::certify::supporting::half_plane;
+use crate::certify::supporting::{Axes, half_plane};
 use crate::math::convex::HalfPlane;
 use crate::mesh::naming::symmetry_face;
 use crate::model::AnalysisModel;
-use crate::result::data::CaseResult;
-use crate::result::data::LoadSize;
+use crate::result::data::{CaseResult, LoadSize};
 use crate::result::demand::ActionValue;
-use crate::result::forces::BoltForce;
-use crate::result::forces::ContactForce;
-use crate::result::forces::static_forces;
-use crate::result::polygon::CapacityPolygon;
-use crate::result::polygon::Point;
+use crate::result::forces::{BoltForce, ContactForce, static_forces};
+use crate::result::polygon::{CapacityPolygon, Point};
 
 /// Part of a number by which a claim may differ from what is recomputed.
 const SAME: f64 = 1e-9;

@@ -4,9 +4,7 @@
 //! ends in any other way the part is removed and the target is as it was.
 
 use crate::diag::Diagnostic;
-use crate::result::data::RESULT_FILE;
-use crate::result::data::ResultError;
-use crate::result::data::ResultFile;
+use crate::result::data::{RESULT_FILE, ResultError, ResultFile};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

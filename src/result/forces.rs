@@ -3,17 +3,12 @@
 use crate::assembly::BoltLine;
 use crate::certify::fields::StressField;
 use crate::certify::resultants::contact_resultants;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::file::AnalysisKind;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
+use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::CaseResult;
 use serde::{Deserialize, Serialize};
 

@@ -1,34 +1,17 @@
 //! From a pass of limit analysis to the entry of its load case in `result.json`.
 
 use crate::analysis::engine::ProgramRun;
-use crate::analysis::limit::LimitPass;
-use crate::analysis::limit::NO_LIMIT;
-use crate::analysis::limit::SUBDIVISIONS;
+use crate::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program_run::Program;
 use crate::certify::flow::VelocityField;
-use crate::certify::limit_certificate::dissipation_densities;
-use crate::certify::limit_certificate::utilisation;
-use crate::result::case::estimate_warning;
-use crate::result::case::only_load;
-use crate::result::case::problem;
-use crate::result::case::program_run;
-use crate::result::case::run_warning;
-use crate::result::case::weld_uses;
-use crate::result::data::CaseResult;
-use crate::result::data::Certificate;
-use crate::result::data::HistoryRow;
-use crate::result::data::PartShare;
-use crate::result::data::PeakPressure;
-use crate::result::data::Problem;
-use crate::result::data::Quantity;
-use crate::result::data::RawBracket;
-use crate::result::data::Upper;
+use crate::certify::limit_certificate::{dissipation_densities, utilisation};
+use crate::result::case::{estimate_warning, only_load, problem, program_run, run_warning, weld_uses};
+use crate::result::data::{
+    CaseResult, Certificate, HistoryRow, PartShare, PeakPressure, Problem, Quantity, RawBracket, Upper,
+};
 
-use crate::certify::FactorBracket;
-use crate::certify::LowerFactor;
-use crate::certify::UpperFactor;
-use crate::certify::welds;
+use crate::certify::{FactorBracket, LowerFactor, UpperFactor, welds};
 use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;

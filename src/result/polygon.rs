@@ -4,23 +4,12 @@
 //! of their loads), so the hull of the strict lower points belongs to it. Outer: the mechanism of every direction bounds a half
 //! plane, and what can be carried lies in all of them.
 
-use crate::math::convex::HalfPlane;
-use crate::math::convex::bounded;
-use crate::math::convex::clip;
-use crate::math::convex::hull;
+use crate::math::convex::{HalfPlane, bounded, clip, hull};
 use crate::report::draw::axes::Axes;
-use crate::report::draw::svg::Anchor;
-use crate::report::draw::svg::Drawing;
-use crate::report::draw::svg::LINE;
-use crate::report::draw::svg::Pen;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::heading;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
+use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 use crate::result::data::ResultFile;
 use crate::result::demand::ActionValue;
 use serde::{Deserialize, Serialize};

@@ -1,18 +1,12 @@
 //! The initial stiffness of a joint from its elastic analysis: what it contains, and the class.
 
-use crate::checks::JointStiffness;
-use crate::checks::PureMoment;
 use crate::checks::check::Unit;
 use crate::checks::classification::Frame;
 use crate::checks::end_plate::FrameClass;
-use crate::report::figures::Rounding;
-use crate::report::figures::bracket;
-use crate::report::figures::significant;
+use crate::checks::{JointStiffness, PureMoment};
+use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
+use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::CaseResult;
 
 /// The stiffness of a joint, where the case is one moment whose rotation is bracketed.

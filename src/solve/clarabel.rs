@@ -7,8 +7,7 @@
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
-use crate::programs::conic::Cone;
-use crate::programs::conic::ConicProgram;
+use crate::programs::conic::{Cone, ConicProgram};
 use crate::programs::explicit::Explicit;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -172,8 +171,7 @@ fn by_columns(rows: &[Vec<(usize, f64)>], n: usize) -> CscMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::programs::conic::Csr;
-    use crate::programs::conic::SymmetricCsc;
+    use crate::programs::conic::{Csr, SymmetricCsc};
 
     /// The upper triangle of a dense symmetric matrix.
     fn upper(a: &[&[f64]]) -> SymmetricCsc {

@@ -7,10 +7,7 @@
 
 use super::clarabel;
 use super::status::{SolveOptions, SolveStatus};
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Csr;
-use crate::programs::conic::SymmetricCsc;
-use crate::programs::conic::cone_margin;
+use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 
 /// Smallest projection, as a part of the loads, that counts as a lack of equilibrium.
 const EXCESS: f64 = 1e-6;

@@ -14,8 +14,7 @@ use forecast::available_memory;
 pub use sparse::patterns::Patterns;
 pub use status::{Iteration, Solution, SolveOptions, SolveStatus, Solver};
 
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::cone_margin;
+use crate::programs::conic::{ConicProgram, cone_margin};
 use sparse::{SparseCholesky, solve_refined};
 use std::time::Instant;
 

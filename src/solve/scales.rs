@@ -1,7 +1,6 @@
 //! Scales that make a program's numbers dimensionless before a solver sees them.
 
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::Elements;
+use crate::programs::conic::{ConicProgram, Elements};
 
 /// Scales of a program: `x_i = size·columns_i·x̂_i`, `z = size·rows·ẑ`.
 ///

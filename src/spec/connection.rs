@@ -5,13 +5,7 @@
 
 use super::loads::LoadSpec;
 use super::polygon::PolygonSpec;
-use crate::units;
-use crate::units::Force;
-use crate::units::INVALID_QUANTITY;
-use crate::units::Kind;
-use crate::units::Length;
-use crate::units::Moment;
-use crate::units::Seconds;
+use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment, Seconds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;

@@ -3,9 +3,7 @@
 //! A Pratt parser; every node keeps its byte range so that an error points at its operand. Dimensions are checked while
 //! evaluating: `t + F` is an error, not a number. A result that is not finite is an error too.
 
-use crate::units;
-use crate::units::Dim;
-use crate::units::Quantity;
+use crate::units::{self, Dim, Quantity};
 use serde::{Deserialize, Deserializer, de};
 use std::fmt;
 use std::ops::Range;

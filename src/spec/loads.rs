@@ -1,8 +1,6 @@
 //! Load cases of a connection spec: pressure on a named section, or actions at a member's end.
 
-use crate::units::Force;
-use crate::units::Moment;
-use crate::units::Stress;
+use crate::units::{Force, Moment, Stress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,7 @@
 //! A capacity polygon of a connection spec: two actions at a member's end, run in several directions.
 
 use super::loads::{Action, ActionPoint, LoadSpec};
-use crate::units::Force;
-use crate::units::Moment;
+use crate::units::{Force, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

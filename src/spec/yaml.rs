@@ -9,9 +9,7 @@ mod place;
 
 pub use place::PlaceIndex;
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::diag::did_you_mean;
+use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
 use outline::Outline;
 use serde::Serialize;
 use serde::de::DeserializeOwned;

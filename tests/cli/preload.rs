@@ -3,8 +3,7 @@
 use crate::bench::Bench;
 use crate::common::{Block, beside, renamed, triangles_where};
 use crate::expect;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::msh_write;
+use bracket::mesh::{NamedFaces, msh_write};
 use serde_json::Value;
 
 /// A bolt held at its foot and a sleeve on the ground, both under a rigid head.

@@ -2,9 +2,7 @@
 
 use crate::bench::{Bench, Told, none_wrong, refusal};
 use crate::common::{Block, triangles_where};
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
-use bracket::mesh::msh_write;
+use bracket::mesh::{NamedFaces, TetMesh, msh_write};
 
 const MODEL: &str = "\
 mesh: m.msh

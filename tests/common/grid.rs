@@ -1,9 +1,7 @@
 //! Bodies cut from a structured grid of unequal planes: slices, punches, T-stubs.
 
 use super::Random;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
-use bracket::mesh::tet;
+use bracket::mesh::{NamedFaces, TetMesh, tet};
 
 /// Planes of the grid along x, y, z, ascending; every cell with a body becomes six tets.
 pub struct Grid {

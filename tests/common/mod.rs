@@ -8,8 +8,7 @@ pub mod prism;
 pub mod solved;
 pub mod yielding;
 
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::mesh::{NamedFaces, TetMesh};
 
 /// A structured block of tets (six per cell), interior nodes jittered by `jitter` × cell size.
 pub struct Block {

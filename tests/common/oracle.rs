@@ -1,14 +1,8 @@
 //! Clarabel as the oracle of the condensed method, on one and the same program.
 
 use bracket::programs::conic::ConicProgram;
-use bracket::solve::Iteration;
-use bracket::solve::Patterns;
-use bracket::solve::Solution;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::clarabel;
-use bracket::solve::condensed;
 use bracket::solve::status::Iterations;
+use bracket::solve::{Iteration, Patterns, Solution, SolveOptions, SolveStatus, clarabel, condensed};
 use std::sync::{Arc, Mutex};
 
 /// Iterations an elastic or elastoplastic program may take, hard cases included.

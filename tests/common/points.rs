@@ -9,13 +9,10 @@
 //! displacement. No point is excepted.
 
 use super::Random;
-use bracket::certify::fields::DisplacementField;
-use bracket::certify::fields::StressField;
-use bracket::mesh::tet::EDGES;
-use bracket::mesh::tet::FACES;
+use bracket::certify::fields::{DisplacementField, StressField};
+use bracket::mesh::tet::{EDGES, FACES};
 use bracket::model::AnalysisModel;
-use bracket::model::analysis::BoundaryFace;
-use bracket::model::analysis::Traction;
+use bracket::model::analysis::{BoundaryFace, Traction};
 use std::collections::BTreeMap;
 
 type V3 = [f64; 3];

@@ -1,7 +1,6 @@
 //! A structured mesh of a triangle times layers: triangular prisms and octants of spheres.
 
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::mesh::{NamedFaces, TetMesh};
 
 /// `n` segments along each side of the triangle, `layers` layers.
 pub struct Prism {

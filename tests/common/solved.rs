@@ -2,18 +2,14 @@
 
 use super::{oracle, points};
 use bracket::analysis::engine;
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::diag::Diagnostics;
-use bracket::diag::Place;
+use bracket::analysis::engine::{Pass, PassOptions};
+use bracket::diag::{Diagnostics, Place};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::file::ModelFile;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
 use bracket::programs::conic::ConicProgram;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
+use bracket::programs::{Kinematic, Static};
+use bracket::solve::{SolveOptions, SolveStatus};
 use std::path::Path;
 
 /// A model and its pass.

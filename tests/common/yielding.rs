@@ -4,9 +4,8 @@ use super::{Block, solved};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
 use bracket::programs::conic::ConicProgram;
+use bracket::programs::{Kinematic, Static};
 use bracket::solve::Solution;
 
 /// Steel that yields: E \[MPa\], ν, f_y \[MPa\].

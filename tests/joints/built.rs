@@ -1,23 +1,17 @@
 //! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs run.
 
-use bracket::analysis::engine;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
-use bracket::analysis::limit;
+use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::{engine, limit};
 use bracket::assembly;
 use bracket::assembly::Joint;
 use bracket::catalog::Catalog;
 use bracket::diag::Place;
 use bracket::mesh::TetMesh;
-use bracket::mesh::joint::MeshOptions;
-use bracket::mesh::joint::mesh_joint;
-use bracket::model::file::AnalysisKind;
-use bracket::model::file::ModelFile;
-use bracket::model::from_joint::cases;
-use bracket::model::from_joint::model_file;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
+use bracket::model::file::{AnalysisKind, ModelFile};
+use bracket::model::from_joint::{cases, model_file};
 use bracket::model::resolve::resolve;
-use bracket::spec::ConnectionSpec;
-use bracket::spec::yaml;
+use bracket::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
 /// What a spec describes.

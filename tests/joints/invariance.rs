@@ -15,10 +15,7 @@
 
 use crate::built::{bounds, joint, model};
 use bracket::mesh::TetMesh;
-use bracket::model::file::AnalysisKind;
-use bracket::model::file::Axis;
-use bracket::model::file::ModelFile;
-use bracket::model::file::Motion;
+use bracket::model::file::{AnalysisKind, Axis, ModelFile, Motion};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] = [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];

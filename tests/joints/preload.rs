@@ -3,9 +3,7 @@
 use crate::bench::Bench;
 use crate::built::{joint, model};
 use bracket::analysis::engine;
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
+use bracket::analysis::engine::{Pass, PassOptions, silent};
 use bracket::diag::Place;
 use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;

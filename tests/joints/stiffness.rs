@@ -2,10 +2,8 @@
 
 use crate::built::{joint, model};
 use bracket::analysis::engine;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
-use bracket::checks::JointStiffness;
-use bracket::checks::hand_checks;
+use bracket::analysis::engine::{PassOptions, silent};
+use bracket::checks::{JointStiffness, hand_checks};
 use bracket::diag::Place;
 use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;

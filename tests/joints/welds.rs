@@ -1,14 +1,11 @@
 //! Fillet welds of a template: of finite strength in limit analysis, tied in elastic analysis and where they have no throat.
 
 use crate::built::{joint, model};
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
+use bracket::analysis::engine::{PassOptions, silent};
 use bracket::analysis::limit;
 use bracket::certify::welds::demands;
 use bracket::diag::Place;
-use bracket::model::file::AnalysisKind;
-use bracket::model::file::Law;
-use bracket::model::file::ModelFile;
+use bracket::model::file::{AnalysisKind, Law, ModelFile};
 use bracket::model::resolve::resolve;
 
 /// Two IPE 200 with thick plates, pulled; throats in mm.

@@ -1,15 +1,12 @@
 //! A pass of limit analysis, and what every one must satisfy.
 
 use crate::common::yielding::FY;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
+use bracket::analysis::engine::{PassOptions, silent};
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;
-use bracket::certify::limit_certificate::certify_lower;
-use bracket::certify::limit_certificate::certify_upper;
+use bracket::certify::limit_certificate::{certify_lower, certify_upper};
 use bracket::model::AnalysisModel;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
+use bracket::solve::{SolveOptions, SolveStatus};
 
 pub fn run(model: &AnalysisModel) -> LimitPass {
     limit::run(model, &PassOptions::default(), &silent()).unwrap()

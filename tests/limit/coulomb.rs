@@ -10,10 +10,7 @@ use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::model::file::Friction;
 use bracket::programs::Kinematic;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::condensed;
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 /// The model under Coulomb's law, its load factor to be estimated.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {

@@ -9,15 +9,10 @@ use bracket::certify::limit_certificate::certify_upper;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::recover::free_mechanism::certify_free;
-use bracket::recover::free_mechanism::is_free;
+use bracket::programs::{Kinematic, Static};
+use bracket::recover::free_mechanism::{certify_free, is_free};
 use bracket::recover::unlimited::certify_unlimited;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::condensed;
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 

@@ -9,20 +9,15 @@
 
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
+use bracket::analysis::engine::{PassOptions, silent};
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;
-use bracket::certify::supporting::Axes;
-use bracket::certify::supporting::half_plane;
+use bracket::certify::supporting::{Axes, half_plane};
 use bracket::math::convex::HalfPlane;
 use bracket::model::AnalysisModel;
 use bracket::result::demand::ActionValue;
-use bracket::result::polygon::Axis;
-use bracket::result::polygon::CapacityPolygon;
-use bracket::result::polygon::Point;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
+use bracket::result::polygon::{Axis, CapacityPolygon, Point};
+use bracket::solve::{Patterns, SolveOptions};
 use bracket::spec::polygon::PolygonSpec;
 
 const SIDES: [f64; 3] = [40.0, 10.0, 20.0];

@@ -1,18 +1,12 @@
 //! Random small assemblies: whatever comes, no wrong number.
 
 use crate::certified::run;
-use crate::common::Block;
-use crate::common::solved;
 use crate::common::yielding::{FY, MATERIALS};
+use crate::common::{Block, solved};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::clarabel;
-use bracket::solve::condensed;
+use bracket::programs::{Kinematic, Static};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
 use std::collections::BTreeMap;
 
 struct Random(u64);

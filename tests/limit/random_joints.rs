@@ -3,17 +3,11 @@
 use crate::certified::run;
 use crate::common::yielding::MATERIALS;
 use crate::common::{Block, Random, solved};
-use bracket::certify::sampling::sample_lower;
-use bracket::certify::sampling::sample_upper;
+use bracket::certify::sampling::{sample_lower, sample_upper};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::clarabel;
-use bracket::solve::condensed;
+use bracket::programs::{Kinematic, Static};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
 use std::collections::BTreeMap;
 
 /// `None` where the model is refused: a loose part, or nothing that could give way.

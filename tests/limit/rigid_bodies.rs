@@ -4,13 +4,10 @@ use crate::certified::{factors, sharp_factors};
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, solved, triangles_where};
 use bracket::elements::hencky_kinematic::Flow;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
 use bracket::mesh::topology::FaceTable;
-use bracket::model::AnalysisModel;
-use bracket::model::ModelError;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
+use bracket::mesh::{NamedFaces, TetMesh};
+use bracket::model::{AnalysisModel, ModelError};
+use bracket::programs::{Kinematic, Static};
 
 /// Yield strength in shear over that in tension.
 const K: f64 = 0.577_350_269_189_625_8;

@@ -1,16 +1,12 @@
 //! Load cases on one mesh share orderings and symbolic factors, and every bound and field stays what it is alone, to the last bit.
 
 use crate::common::{Block, solved};
-use bracket::analysis::engine;
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
-use bracket::analysis::limit;
+use bracket::analysis::engine::{Pass, PassOptions, silent};
 use bracket::analysis::limit::LimitPass;
+use bracket::analysis::{engine, limit};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
+use bracket::solve::{Patterns, SolveOptions};
 
 /// Two leaves on each other, clamped at one end.
 fn leaves() -> TetMesh {

@@ -14,22 +14,13 @@ use crate::certified::{run, strict};
 use crate::common::grid::{Grid, even, joined, name};
 use crate::common::solved;
 use crate::common::yielding::FY;
-use bracket::analysis::limit::LimitPass;
-use bracket::analysis::limit::SUBDIVISIONS;
+use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};
 use bracket::assembly::Assembly;
-use bracket::assembly::joint::FaceRule;
-use bracket::assembly::joint::InterfaceRule;
-use bracket::assembly::joint::MidPlane;
-use bracket::assembly::joint::OutlineEdge;
-use bracket::assembly::joint::Part;
-use bracket::assembly::joint::PartMaterial;
-use bracket::assembly::joint::PartRole;
-use bracket::assembly::joint::Solid;
-use bracket::assembly::joint::Surface;
-use bracket::assembly::joint::SymmetryPlane;
+use bracket::assembly::joint::{
+    FaceRule, InterfaceRule, MidPlane, OutlineEdge, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane,
+};
 use bracket::certify::limit_certificate::dissipation_densities;
-use bracket::mesh::joint::MeshOptions;
-use bracket::mesh::joint::mesh_joint;
+use bracket::mesh::joint::{MeshOptions, mesh_joint};
 use bracket::model::AnalysisModel;
 use std::collections::BTreeMap;
 

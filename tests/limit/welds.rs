@@ -5,8 +5,7 @@ use crate::common::yielding::{FY, model};
 use crate::common::{Block, triangles_where};
 use bracket::certify::StressField;
 use bracket::certify::limit_certificate::certify_upper;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::recover::unlimited::certify_unlimited;
 

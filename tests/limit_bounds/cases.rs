@@ -13,8 +13,7 @@
 
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, Random, solved};
-use bracket::elements::super_element::PARAMETERS;
-use bracket::elements::super_element::SuperElement;
+use bracket::elements::super_element::{PARAMETERS, SuperElement};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;

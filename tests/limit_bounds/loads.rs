@@ -9,8 +9,7 @@ use bracket::certify::limit_certificate::certify_upper;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
+use bracket::programs::{Kinematic, Static};
 
 /// Every kind of load, live and dead.
 fn model(seed: u64) -> AnalysisModel {

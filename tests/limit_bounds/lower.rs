@@ -4,20 +4,15 @@ use crate::cases::{self, Case, NOISE, SEEDS};
 use crate::common::yielding::FY;
 use crate::common::{Random, points};
 use bracket::certify::LowerFactor;
-use bracket::certify::fields::DisplacementField;
-use bracket::certify::fields::StressField;
+use bracket::certify::fields::{DisplacementField, StressField};
 use bracket::certify::limit_certificate::certify_lower;
 use bracket::certify::sampling::sample_lower;
 use bracket::elements::space::Tet10Space;
 use bracket::model::analysis::Traction;
 use bracket::programs::Static;
-use bracket::recover::elastic;
-use bracket::recover::limit_lower;
-use bracket::recover::limit_lower::ApproximateStress;
-use bracket::recover::limit_lower::Lower;
-use bracket::recover::limit_lower::LowerError;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
+use bracket::recover::limit_lower::{ApproximateStress, Lower, LowerError};
+use bracket::recover::{elastic, limit_lower};
+use bracket::solve::{Patterns, SolveOptions};
 
 fn dead_field(case: &Case, noise: f64, random: &mut Random) -> Option<StressField> {
     let stress = case.dead?;

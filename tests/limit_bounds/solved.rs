@@ -4,26 +4,17 @@
 use crate::cases;
 use crate::common::Block;
 use crate::common::yielding::{FY, block, model};
-use bracket::certify::FactorBracket;
-use bracket::certify::LowerFactor;
-use bracket::certify::UpperFactor;
-use bracket::certify::fields::DisplacementField;
-use bracket::certify::fields::StressField;
+use bracket::certify::fields::{DisplacementField, StressField};
 use bracket::certify::flow::VelocityField;
+use bracket::certify::{FactorBracket, LowerFactor, UpperFactor};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::elements::hencky_static::parameter_unit;
 use bracket::elements::super_element::PARAMETERS;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::recover::elastic;
-use bracket::recover::limit_lower;
+use bracket::programs::{Kinematic, Static};
 use bracket::recover::limit_lower::ApproximateStress;
-use bracket::recover::limit_upper;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::condensed;
+use bracket::recover::{elastic, limit_lower, limit_upper};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 /// The stress parameters of every element, in MPa, from the program's own.
 fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<[f64; PARAMETERS]> {

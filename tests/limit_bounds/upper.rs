@@ -3,19 +3,16 @@
 use crate::cases::{self, Case, NOISE, SEEDS};
 use crate::common::{Random, points};
 use bracket::certify::UpperFactor;
-use bracket::certify::fields::DisplacementField;
-use bracket::certify::fields::StressField;
+use bracket::certify::fields::{DisplacementField, StressField};
 use bracket::certify::flow::VelocityField;
 use bracket::certify::limit_certificate::certify_upper;
 use bracket::certify::sampling::sample_upper;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::elements::space::Tet10Space;
-use bracket::elements::split_flow;
-use bracket::elements::split_tet10;
+use bracket::elements::{split_flow, split_tet10};
 use bracket::mesh::tet::EDGES;
 use bracket::recover::limit_upper;
-use bracket::recover::limit_upper::Upper;
-use bracket::recover::limit_upper::UpperError;
+use bracket::recover::limit_upper::{Upper, UpperError};
 use bracket::solve::Patterns;
 
 fn project(case: &Case, flow: Flow, noise: f64, random: &mut Random) -> Result<Upper, UpperError> {

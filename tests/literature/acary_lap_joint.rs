@@ -20,11 +20,9 @@
 //! out above. Tolerances: 1e-3 of the friction force (what the fixed point is asked for), 1e-4 of the contraction (two solves at a
 //! relative gap of 1e-9 between which slips change by a third), bounds strict.
 
-use crate::common::points;
 use crate::common::solved::{Solved, solve_to};
-use crate::common::{Block, beside, renamed, triangles_where};
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use crate::common::{Block, beside, points, renamed, triangles_where};
+use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::solve::SolveOptions;
 
 const MU: f64 = 0.3;

@@ -19,8 +19,7 @@
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, graded, mapped};
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::solve::SolveOptions;
 
 const F: f64 = 1e4;

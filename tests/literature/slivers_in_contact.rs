@@ -16,8 +16,7 @@
 use crate::common::solved::{resolve, solve};
 use crate::common::{Block, Random};
 use bracket::analysis::engine;
-use bracket::analysis::engine::PassError;
-use bracket::analysis::engine::PassOptions;
+use bracket::analysis::engine::{PassError, PassOptions};
 use bracket::mesh::TetMesh;
 use bracket::mesh::quality::smallest_dihedral;
 use bracket::model::ModelError;

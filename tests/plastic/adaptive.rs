@@ -4,20 +4,13 @@
 use crate::certified::{plastic_model, run, strict, strict_pass};
 use crate::common::Block;
 use crate::common::yielding::{self, FY};
-use bracket::analysis::engine;
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
-use bracket::analysis::limit;
+use bracket::analysis::engine::{Pass, PassOptions, silent};
+use bracket::analysis::{engine, limit};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::model::file::AnalysisKind;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::condensed;
+use bracket::programs::{Kinematic, Static};
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 fn elastic(model: &AnalysisModel) -> Pass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };

@@ -2,9 +2,7 @@
 
 use crate::common::yielding::model;
 use crate::common::{Random, points};
-use bracket::analysis::engine::Pass;
-use bracket::analysis::engine::PassOptions;
-use bracket::analysis::engine::silent;
+use bracket::analysis::engine::{Pass, PassOptions, silent};
 use bracket::analysis::hencky;
 use bracket::certify::PlasticField;
 use bracket::certify::fields::StressField;

@@ -18,8 +18,7 @@ use crate::common::solved::{resolve_as, solve_to};
 use crate::common::{Block, beside, triangles_where};
 use bracket::analysis::engine::Pass;
 use bracket::certify::slip::distance_from_coulomb;
-use bracket::mesh::NamedFaces;
-use bracket::mesh::TetMesh;
+use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::solve::SolveOptions;
 

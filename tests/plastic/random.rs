@@ -5,9 +5,7 @@ use crate::common::yielding::FY;
 use crate::common::{Block, Random};
 use bracket::model::AnalysisModel;
 use bracket::programs::Static;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::clarabel;
+use bracket::solve::{SolveOptions, SolveStatus, clarabel};
 use std::collections::BTreeMap;
 
 /// Two blocks one upon the other, tied or in contact, clamped at the foot and held at two sides, loaded at the top by a share of

@@ -1,12 +1,8 @@
 //! Result folders: whole, or not there.
 
-use bracket::diag::Diagnostic;
-use bracket::diag::Fault;
-use bracket::result::data::RESULT_FILE;
-use bracket::result::data::ResultFile;
-use bracket::result::data::Verdict;
-use bracket::result::folder::FolderError;
-use bracket::result::folder::ResultFolder;
+use bracket::diag::{Diagnostic, Fault};
+use bracket::result::data::{RESULT_FILE, ResultFile, Verdict};
+use bracket::result::folder::{FolderError, ResultFolder};
 use std::fs;
 use std::path::Path;
 

@@ -2,33 +2,14 @@
 //!
 //! After a wanted change: `BRACKET_UPDATE_GOLDEN=1 cargo test --test report golden`, then read the difference.
 
-use bracket::checks::Check;
-use bracket::checks::Judgement;
-use bracket::checks::Status;
-use bracket::checks::Topic;
-use bracket::checks::Unit;
-use bracket::checks::Worked;
+use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::model::file::AnalysisKind;
-use bracket::report::markdown::page::CatalogueRow;
-use bracket::report::markdown::page::ModelTraits;
-use bracket::report::markdown::page::PictureRef;
-use bracket::report::markdown::page::ReportData;
-use bracket::report::markdown::page::ResolvedValue;
-use bracket::report::markdown::page::Table;
+use bracket::report::markdown::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
 use bracket::report::markdown::text::report_markdown;
-use bracket::result::data::CaseResult;
-use bracket::result::data::Certificate;
-use bracket::result::data::HistoryRow;
-use bracket::result::data::LoadSize;
-use bracket::result::data::PeakPressure;
-use bracket::result::data::Problem;
-use bracket::result::data::ProgramRun;
-use bracket::result::data::Quantity;
-use bracket::result::data::RawBracket;
-use bracket::result::data::ResultFile;
-use bracket::result::data::Tool;
-use bracket::result::data::Upper;
-use bracket::result::data::Verdict;
+use bracket::result::data::{
+    CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile,
+    Tool, Upper, Verdict,
+};
 use std::path::Path;
 
 fn compare(name: &str, text: &str) {

@@ -4,10 +4,7 @@
 
 use bracket::mesh::TetMesh;
 use bracket::report::draw::Picture;
-use bracket::report::draw::raster::Deformed;
-use bracket::report::draw::raster::Field;
-use bracket::report::draw::raster::PictureOptions;
-use bracket::report::draw::raster::draw;
+use bracket::report::draw::raster::{Deformed, Field, PictureOptions, draw};
 use bracket::report::draw::surface::Surface;
 
 /// A box of `n` cells along each axis, five tets a cell, as body `body`.

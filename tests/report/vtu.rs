@@ -1,9 +1,7 @@
 //! Our `.vtu` files against an independent reader, meshio.
 
 use bracket::mesh::tet::EDGES;
-use bracket::result::fields::vtu::QUADRATIC_TETRA;
-use bracket::result::fields::vtu::TETRA;
-use bracket::result::fields::vtu::VtuGrid;
+use bracket::result::fields::vtu::{QUADRATIC_TETRA, TETRA, VtuGrid};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

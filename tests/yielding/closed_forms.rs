@@ -18,10 +18,7 @@ use crate::duality::optimal;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::programs::Static;
-use bracket::solve::Patterns;
-use bracket::solve::SolveOptions;
-use bracket::solve::SolveStatus;
-use bracket::solve::condensed;
+use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 2] = [1, 7];
 

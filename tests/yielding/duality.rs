@@ -5,13 +5,9 @@ use crate::common::{Block, oracle};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::elements::hencky_static::parameter_unit;
 use bracket::model::AnalysisModel;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
-use bracket::programs::conic::ConicProgram;
-use bracket::programs::conic::cone_margin;
-use bracket::solve::Solution;
-use bracket::solve::SolveOptions;
-use bracket::solve::solve;
+use bracket::programs::conic::{ConicProgram, cone_margin};
+use bracket::programs::{Kinematic, Static};
+use bracket::solve::{Solution, SolveOptions, solve};
 
 /// The program of a model and its solution by the condensed method, after all that holds for every optimal one; Clarabel
 /// finds the same objective.

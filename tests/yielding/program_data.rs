@@ -4,10 +4,9 @@ use crate::common::Block;
 use crate::common::yielding::{FORMS, Form, block, model};
 use bracket::elements::batch::NONE;
 use bracket::elements::hencky_kinematic::Flow;
-use bracket::programs::Kinematic;
-use bracket::programs::Static;
 use bracket::programs::conic::SymmetricCsc;
 use bracket::programs::explicit::Explicit;
+use bracket::programs::{Kinematic, Static};
 use faer::Mat;
 
 /// Every element has its own unknowns and yield points, none twice and none missed, and what is written out is a sound

@@ -1,10 +1,8 @@
 //! Forces and moments at member ends: statics, symmetry, and what is refused.
 
 use crate::assembly::Joint;
-use crate::assembly::joint::Action;
-use crate::assembly::joint::FaceLoad;
-use crate::assembly::tests::joint;
-use crate::assembly::tests::ok;
+use crate::assembly::joint::{Action, FaceLoad};
+use crate::assembly::tests::{joint, ok};
 use crate::math::vec3;
 
 /// A joint of IPE300 on HEB200 with 15 mm plates: column face at x = 100, beam ends at x = 115 + 400.

@@ -5,9 +5,7 @@ use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{beam, stiffness};
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number;
+use crate::checks::check::{Unit, Worked, number};
 use crate::checks::error::CheckError;
 
 /// Part of the tension resistance of a row's bolts above which the rows below may not be plastic, 6.2.7.2(9).

@@ -2,9 +2,7 @@
 
 use super::column_web::{epsilon, shear_area};
 use super::joint::Section;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// Depth of a beam above which its web may take no more than a fifth of the compression \[mm\], 6.2.6.7(1).
 const DEEP: f64 = 600.0;

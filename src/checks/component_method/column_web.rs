@@ -1,8 +1,6 @@
 //! The column web in tension, compression and shear: EN 1993-1-8:2005 6.2.6.1 to 6.2.6.3.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
 const SHEAR_SLENDERNESS: f64 = 69.0;

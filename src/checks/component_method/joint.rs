@@ -1,9 +1,7 @@
 //! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain data.
 
 use crate::catalog::IProfile;
-use crate::checks::error::CheckError;
-use crate::checks::error::not_negative;
-use crate::checks::error::positive;
+use crate::checks::error::{CheckError, not_negative, positive};
 use serde::{Deserialize, Serialize};
 
 /// A rolled I or H section \[mm, mm², mm³, mm⁴\].

@@ -6,8 +6,7 @@ use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Worked, number as n};
 use crate::checks::error::CheckError;
 use std::f64::consts::SQRT_2;
 

@@ -3,9 +3,7 @@
 use super::column_web;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 use crate::checks::error::CheckError;
 
 /// ψ of Table 6.8 for welded joints and bolted end plates.

@@ -1,8 +1,6 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// How a T-stub fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

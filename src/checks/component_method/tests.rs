@@ -1,24 +1,15 @@
 //! Each formula of the component method by itself, named after its clause or table, and inputs that must be refused.
 
 use super::column_web::{self, CompressedWeb, ShearPanel};
-use super::effective_lengths as lengths;
 use super::joint::EndPlateJoint;
 use super::reference_cases::{beam, one_sided};
 use super::stiffness::{self, Joins};
 use super::t_stub::{Mode, Prying, TStub, prying};
-use super::{Equilibrium, assess, beam as beam_checks};
+use super::{Equilibrium, assess, beam as beam_checks, effective_lengths as lengths};
 use crate::checks::CheckError;
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::classification::Frame;
-use crate::checks::classification::StiffnessClass;
-use crate::checks::classification::StrengthClass;
-use crate::checks::classification::stiffness_limits;
-use crate::checks::classification::strength_class;
-use crate::checks::ductility::Clamped;
-use crate::checks::ductility::panel_in_shear;
-use crate::checks::ductility::plastic_distribution;
-use crate::checks::ductility::rotation_capacity;
+use crate::checks::check::{Check, Status};
+use crate::checks::classification::{Frame, StiffnessClass, StrengthClass, stiffness_limits, strength_class};
+use crate::checks::ductility::{Clamped, panel_in_shear, plastic_distribution, rotation_capacity};
 use std::f64::consts::PI;
 
 fn near(got: f64, want: f64) {

@@ -1,8 +1,7 @@
 //! One member end under one load case, as the checks see it that need the row forces of the component method.
 
 use super::{Sense, class_checks, n, stiffener_checks, weld_checks};
-use crate::assembly::EndPlate;
-use crate::assembly::PlaneActions;
+use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::assembly::RowForce;

@@ -4,10 +4,7 @@
 use super::case::Case;
 use super::{EndPlate, Topic, Unit, Worked, n};
 use crate::checks::check::Check;
-use crate::checks::classification::Frame;
-use crate::checks::classification::STIFF_COLUMNS;
-use crate::checks::classification::stiffness_limits;
-use crate::checks::classification::strength_class;
+use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, strength_class};
 use crate::checks::component_method::stiffness::at_moment;
 
 /// Columns that meet at a joint within the height of a column; templates have columns that go on above and below.

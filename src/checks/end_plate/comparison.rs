@@ -1,14 +1,9 @@
 //! The component method beside the bracket of a limit analysis.
 
-use crate::assembly::EndPlate;
-use crate::assembly::PlaneActions;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::assembly::{EndPlate, PlaneActions};
+use crate::checks::check::{Unit, Worked, number as n};
 use crate::checks::component_method::Assessment;
-use crate::checks::component_method::equilibrium::Carried;
-use crate::checks::component_method::equilibrium::Equilibrium;
-use crate::checks::component_method::equilibrium::SMALL_AXIAL;
+use crate::checks::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
 use serde::{Deserialize, Serialize};
 
 /// Resistance of a joint by the component method, for the sense of bending of a load case.

@@ -1,9 +1,8 @@
 //! M–N diagrams of an end plate, for the report: not needed for any check, and dearer than all of them.
 
 use super::{EndPlate, joint, loaded, senses};
-use crate::checks::component_method::Equilibrium;
-use crate::checks::component_method::assess;
 use crate::checks::component_method::equilibrium::SMALL_AXIAL;
+use crate::checks::component_method::{Equilibrium, assess};
 
 /// Points of a border.
 const POINTS: usize = 72;

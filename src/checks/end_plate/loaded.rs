@@ -9,25 +9,20 @@
 use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
-    Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, bearing,
-    bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, tension_resistance, welded,
+    Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, beam_checks,
+    bearing, bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, slip_checks,
+    tension_resistance, weld_checks, welded,
 };
-use super::{beam_checks, slip_checks, weld_checks};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
-use crate::checks::component_method::Assessment;
-use crate::checks::component_method::Equilibrium;
-use crate::checks::component_method::Summed;
 use crate::checks::component_method::assembly::RowForce;
 use crate::checks::component_method::beam::plastic_shear;
-use crate::checks::component_method::equilibrium::Carried;
-use crate::checks::component_method::equilibrium::RowPull;
+use crate::checks::component_method::equilibrium::{Carried, RowPull};
 use crate::checks::component_method::joint::Section;
+use crate::checks::component_method::{Assessment, Equilibrium, Summed};
 use crate::checks::eurocode::bolts::ShearPlane;
-use crate::checks::eurocode::interaction;
-use crate::checks::eurocode::interaction::Forces;
-use crate::checks::eurocode::welds::least_size;
-use crate::checks::eurocode::welds::simplified;
+use crate::checks::eurocode::interaction::{self, Forces};
+use crate::checks::eurocode::welds::{least_size, simplified};
 
 /// Part of the interaction formula of Table 3.4 that divides the tension.
 const TENSION_PART: f64 = 1.4;

@@ -2,8 +2,7 @@
 
 use super::HandChecks;
 use super::tests::{checks, find, joint, loaded};
-use crate::checks::check::Check;
-use crate::checks::check::Status;
+use crate::checks::check::{Check, Status};
 
 /// IPE300 on HEB200, S235, M20 8.8; welds of 6 and 4 mm.
 fn welded(loads: &str) -> HandChecks {

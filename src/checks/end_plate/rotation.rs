@@ -2,9 +2,7 @@
 
 use super::{Assessment, EndPlate};
 use crate::assembly::PlaneActions;
-use crate::checks::classification::Frame;
-use crate::checks::classification::StiffnessClass;
-use crate::checks::classification::stiffness_limits;
+use crate::checks::classification::{Frame, StiffnessClass, stiffness_limits};
 use serde::{Deserialize, Serialize};
 
 /// Actions below this part of the moment (forces by the depth of the beam) are rounding.

@@ -4,9 +4,7 @@ use super::{EndPlate, Status, Topic, Unit, Worked, n};
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::eurocode::bearing::Hole;
-use crate::checks::eurocode::slip::SlipHole;
-use crate::checks::eurocode::slip::preload;
-use crate::checks::eurocode::slip::slip_resistance;
+use crate::checks::eurocode::slip::{SlipHole, preload, slip_resistance};
 use crate::spec::connection::BoltCategory;
 use crate::spec::loads::LimitState;
 

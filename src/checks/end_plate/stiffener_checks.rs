@@ -5,14 +5,10 @@
 use super::case::{Case, value};
 use super::{ColumnSide, EndPlate, Status, Topic, Unit, Worked, assess, doubler_fault, joint, loaded, n};
 use crate::checks::check::Check;
-use crate::checks::component_method::Assessment;
-use crate::checks::component_method::Summed;
 use crate::checks::component_method::assembly::Group;
 use crate::checks::component_method::column_web::compressed_thickness;
-use crate::checks::eurocode::welds::WeldedSteel;
-use crate::checks::eurocode::welds::full_strength_throat;
-use crate::checks::eurocode::welds::least_size;
-use crate::checks::eurocode::welds::simplified;
+use crate::checks::component_method::{Assessment, Summed};
+use crate::checks::eurocode::welds::{WeldedSteel, full_strength_throat, least_size, simplified};
 use std::f64::consts::SQRT_2;
 
 /// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and 6.11.

@@ -3,14 +3,9 @@
 use super::{HandChecks, hand_checks};
 use crate::assembly::build;
 use crate::catalog::Catalog;
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::check::Topic;
-use crate::checks::check::Unit;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::spec::ConnectionSpec;
-use crate::spec::yaml;
+use crate::checks::check::{Check, Status, Topic, Unit};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
 const PAPER: &str = include_str!("../../../examples/paper_joint/joint.yaml");

@@ -1,9 +1,9 @@
 //! Tying resistance of the plate, information for structural integrity.
 
 use super::{
-    EndPlate, Sense, Topic, Unit, Worked, assess, joint, mean_diameter, n, punching_resistance, tension_resistance,
+    EndPlate, Sense, Topic, Unit, Worked, assess, bearing_parts, from_top, joint, mean_diameter, n,
+    punching_resistance, tension_resistance,
 };
-use super::{bearing_parts, from_top};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::assembly::RowForce;

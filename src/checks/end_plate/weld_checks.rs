@@ -4,10 +4,7 @@ use super::case::{Case, value};
 use super::{EndPlate, Sense, Status, Topic, Unit, Worked, n, welded};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
-use crate::checks::eurocode::welds::across_and_along;
-use crate::checks::eurocode::welds::directional;
-use crate::checks::eurocode::welds::full_strength_throat;
-use crate::checks::eurocode::welds::transverse;
+use crate::checks::eurocode::welds::{across_and_along, directional, full_strength_throat, transverse};
 use std::f64::consts::SQRT_2;
 
 /// A stretch of the beam web's welds and the rows that pull at it.

@@ -1,8 +1,6 @@
 //! Bearing of plates against bolts, and groups of fasteners: EN 1993-1-8:2005 Table 3.4 and 3.7.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// Position of a bolt in the direction of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,7 @@
 //! The length of a bolt from what it clamps.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::check::Topic;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
 
 /// Stocked lengths of hexagon bolts \[mm\].
 ///

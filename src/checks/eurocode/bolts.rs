@@ -1,11 +1,8 @@
 //! Tension and shear of single bolts: EN 1993-1-8:2005 Table 3.4, 3.6.1 and 3.8.
 
 use crate::assembly::inputs::K2;
-use crate::catalog::BoltGrade;
-use crate::catalog::BoltSize;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::catalog::{BoltGrade, BoltSize};
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// k2 of Table 3.4 for countersunk bolts.
 const K2_COUNTERSUNK: f64 = 0.63;

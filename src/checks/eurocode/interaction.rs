@@ -1,8 +1,6 @@
 //! Shear and tension together: EN 1993-1-8:2005 Table 3.4.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// Forces of one bolt and what it can carry of each \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,7 @@
 //! Punching of a bolt head or nut through a plate: EN 1993-1-8:2005 Table 3.4.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Unit, Worked, number as n};
 use std::f64::consts::PI;
 
 /// Mean diameter d_m of the head or the nut, whichever is smaller \[mm\]: mean of the distances across flats and corners.

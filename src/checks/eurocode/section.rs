@@ -1,11 +1,7 @@
 //! Cross-section of a rolled I or H beam: EN 1993-1-1:2005 6.2. The axial force is positive in tension.
 
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
-use crate::checks::component_method::column_web::epsilon;
-use crate::checks::component_method::column_web::shear_area;
-use crate::checks::component_method::column_web::shear_buckling;
+use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::component_method::column_web::{epsilon, shear_area, shear_buckling};
 use crate::checks::component_method::joint::Section;
 use crate::checks::error::CheckError;
 

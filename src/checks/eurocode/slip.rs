@@ -1,10 +1,7 @@
 //! Preload and slip: EN 1993-1-8:2005 3.6.1(2) and 3.9.
 
-use crate::catalog::BoltGrade;
-use crate::catalog::BoltSize;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::catalog::{BoltGrade, BoltSize};
+use crate::checks::check::{Unit, Worked, number as n};
 
 /// Holes of a slip-resistant connection, Table 3.6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

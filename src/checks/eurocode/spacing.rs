@@ -1,9 +1,6 @@
 //! Spacing, end and edge distances: EN 1993-1-8:2005 Table 3.3; room for tools and washers.
 
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::check::Topic;
-use crate::checks::check::number as n;
+use crate::checks::check::{Check, Status, Topic, number as n};
 
 const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
 /// What has no clause: what a socket wrench needs.

@@ -4,11 +4,9 @@ use super::bearing::{Across, Along, Bearing, Fastener, Hole, group_resistance};
 use super::bolts::{ShearPlane, long_joint_factor, packing_factor, shear_resistance, tension_resistance};
 use super::slip::{SlipHole, design_preload, preload, slip_resistance};
 use super::spacing::{Pattern, pattern_checks, slot_check, washer_check, wrench_check};
-use super::welds::{ThroatStress, WeldedSteel};
-use super::{bolt_length, interaction, punching, welds};
-use crate::catalog::BoltGrade;
-use crate::catalog::BoltSize;
-use crate::catalog::Catalog;
+use super::welds::{self, ThroatStress, WeldedSteel};
+use super::{bolt_length, interaction, punching};
+use crate::catalog::{BoltGrade, BoltSize, Catalog};
 use crate::checks::check::Status;
 
 fn bolt(size: &str, grade: &str) -> (BoltSize, BoltGrade) {

@@ -1,11 +1,6 @@
 //! Fillet welds: EN 1993-1-8:2005 4.5.3, 4.5.1, 4.5.2, 4.11.
 
-use crate::checks::check::Check;
-use crate::checks::check::Status;
-use crate::checks::check::Topic;
-use crate::checks::check::Unit;
-use crate::checks::check::Worked;
-use crate::checks::check::number as n;
+use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;

@@ -3,9 +3,7 @@
 use super::*;
 use crate::assembly::joint::Surface;
 use crate::diag::Diagnostic;
-use crate::geometry::fixtures::lap_joint;
-use crate::geometry::fixtures::move_part;
-use crate::geometry::fixtures::paper_joint;
+use crate::geometry::fixtures::{lap_joint, move_part, paper_joint};
 
 fn meshed(assembly: &Assembly, change: impl FnOnce(&mut MeshOptions)) -> JointMesh {
     let dir = tempfile::tempdir().expect("temporary folder");

@@ -1,8 +1,6 @@
 use super::*;
 use crate::diag::Diagnostic;
-use crate::mesh::fixtures::cubes;
-use crate::mesh::fixtures::explode;
-use crate::mesh::fixtures::name;
+use crate::mesh::fixtures::{cubes, explode, name};
 
 fn row() -> TetMesh {
     let mut mesh = cubes(&[([0, 0, 0], "A"), ([1, 0, 0], "B"), ([2, 0, 0], "C")]);

@@ -1,13 +1,10 @@
 //! From what stands in the file to a mesh that holds together.
 
 use super::{Raw, RawCell};
-use crate::mesh::NamedFaces;
-use crate::mesh::TetMesh;
-use crate::mesh::error::MeshError;
-use crate::mesh::error::MshPlace;
+use crate::mesh::error::{MeshError, MshPlace};
 use crate::mesh::tet::signed_volume;
-use crate::mesh::topology::FaceTable;
-use crate::mesh::topology::sorted;
+use crate::mesh::topology::{FaceTable, sorted};
+use crate::mesh::{NamedFaces, TetMesh};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 

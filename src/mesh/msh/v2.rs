@@ -2,8 +2,7 @@
 
 use super::lines::Lines;
 use super::{Kind, Raw, RawCell, checked_kind, physical_names};
-use crate::mesh::error::MeshError;
-use crate::mesh::error::MshPlace;
+use crate::mesh::error::{MeshError, MshPlace};
 
 pub(super) fn read(lines: &mut Lines<'_>) -> Result<Raw, MeshError> {
     let mut raw = Raw::default();

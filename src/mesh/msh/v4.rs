@@ -2,8 +2,7 @@
 
 use super::lines::Lines;
 use super::{Kind, Raw, RawCell, checked_kind, physical_names};
-use crate::mesh::error::MeshError;
-use crate::mesh::error::MshPlace;
+use crate::mesh::error::{MeshError, MshPlace};
 use std::collections::BTreeMap;
 
 /// Physical tags of each entity, by dimension and tag.

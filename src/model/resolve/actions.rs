@@ -3,11 +3,8 @@
 use super::Faults;
 use super::interfaces::Claims;
 use super::names::Scene;
-use crate::model::analysis::BodyLoad;
-use crate::model::analysis::SurfaceLoad;
-use crate::model::analysis::Traction;
-use crate::model::file::LoadEntry;
-use crate::model::file::ModelFile;
+use crate::model::analysis::{BodyLoad, SurfaceLoad, Traction};
+use crate::model::file::{LoadEntry, ModelFile};
 
 /// Reads `loads` and `dead`.
 pub(super) fn loads(

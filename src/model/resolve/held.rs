@@ -4,13 +4,8 @@ use super::Faults;
 use super::interfaces::{Claims, check_gap, contact_law};
 use super::names::Scene;
 use crate::mesh::topology::face_nodes;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::GroundContact;
-use crate::model::analysis::RigidFace;
-use crate::model::analysis::Support;
-use crate::model::file::Axis;
-use crate::model::file::Law;
-use crate::model::file::ModelFile;
+use crate::model::analysis::{BoundaryFace, GroundContact, RigidFace, Support};
+use crate::model::file::{Axis, Law, ModelFile};
 use std::collections::BTreeMap;
 
 const AXES: [&str; 3] = ["x", "y", "z"];

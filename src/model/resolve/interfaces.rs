@@ -2,19 +2,10 @@
 
 use super::Faults;
 use super::names::Scene;
-use crate::mesh::split::OpenPair;
-use crate::mesh::split::TetFace;
+use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::ContactLaw;
-use crate::model::analysis::FacePair;
-use crate::model::analysis::Interface;
-use crate::model::analysis::Weld;
-use crate::model::file::Friction;
-use crate::model::file::Gap;
-use crate::model::file::InterfaceEntry;
-use crate::model::file::Law;
-use crate::model::file::ModelFile;
+use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
+use crate::model::file::{Friction, Gap, InterfaceEntry, Law, ModelFile};
 use std::collections::BTreeMap;
 
 /// The law of an interface whose sides have nodes of their own.

@@ -3,11 +3,7 @@
 use super::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
-use crate::model::file::AnalysisKind;
-use crate::model::file::Friction;
-use crate::model::file::Law;
-use crate::model::file::LoadEntry;
-use crate::model::file::ModelFile;
+use crate::model::file::{AnalysisKind, Friction, Law, LoadEntry, ModelFile};
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
 pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) {

@@ -4,8 +4,7 @@ use super::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;
-use crate::model::file::AnalysisKind;
-use crate::model::file::ModelFile;
+use crate::model::file::{AnalysisKind, ModelFile};
 
 /// Materials in the order of their names, and the material of each body.
 pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) -> (Vec<Material>, Vec<u32>) {

@@ -5,20 +5,11 @@
 //! faces, contacts, welds. A contact counts as holding in its normal direction, with friction and welds in every one. The rows
 //! between the same two unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::math::vec3::V3;
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::norm;
-use crate::math::vec3::sub;
-use crate::math::vec3::unit;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
-use crate::model::analysis::AnalysisModel;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::FreeMode;
-use crate::model::analysis::Traction;
+use crate::model::analysis::{AnalysisModel, BoundaryFace, FreeMode, Traction};
 use std::collections::BTreeMap;
 
 /// Singular values below this times the largest count as zero. Coordinates written with seven digits make planes that

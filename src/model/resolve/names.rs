@@ -3,11 +3,9 @@
 use super::Faults;
 use super::interfaces::Claims;
 use crate::diag::did_you_mean;
-use crate::mesh::NamedFaces;
-use crate::mesh::TetMesh;
 use crate::mesh::split::TetFace;
-use crate::mesh::topology::FaceRow;
-use crate::mesh::topology::FaceTable;
+use crate::mesh::topology::{FaceRow, FaceTable};
+use crate::mesh::{NamedFaces, TetMesh};
 use crate::model::analysis::BoundaryFace;
 
 /// The mesh before splitting, bodies sharing nodes, and its faces.

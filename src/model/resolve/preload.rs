@@ -3,20 +3,12 @@
 use super::Faults;
 use super::interfaces::Claims;
 use super::names::Scene;
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
-use crate::math::vec3;
-use crate::math::vec3::V3;
-use crate::mesh::split::OpenPair;
-use crate::mesh::split::SplitMesh;
-use crate::mesh::split::TetFace;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::vec3::{self, V3};
+use crate::mesh::split::{OpenPair, SplitMesh, TetFace};
 use crate::mesh::topology::face_nodes;
-use crate::model::analysis::BoundaryFace;
-use crate::model::analysis::FacePair;
-use crate::model::analysis::Preload;
-use crate::model::file::AnalysisKind;
-use crate::model::file::ModelFile;
-use crate::model::file::PreloadEntry;
+use crate::model::analysis::{BoundaryFace, FacePair, Preload};
+use crate::model::file::{AnalysisKind, ModelFile, PreloadEntry};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A cut is transverse where the normals of its faces have at least this component along the axis.

@@ -1,12 +1,8 @@
 use super::*;
-use crate::mesh::fixtures::cubes;
-use crate::mesh::fixtures::explode;
-use crate::mesh::fixtures::msh_text;
-use crate::mesh::fixtures::name;
+use crate::mesh::fixtures::{cubes, explode, msh_text, name};
 use crate::mesh::tet::signed_volume;
 use crate::model::analysis::Traction;
-use crate::model::file::Friction;
-use crate::model::file::Gap;
+use crate::model::file::{Friction, Gap};
 
 mod loose;
 mod wrong;

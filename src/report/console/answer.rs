@@ -1,10 +1,7 @@
 //! The answer of a load case in a sentence, as the terminal shows it.
 
-use crate::report::figures;
-use crate::report::figures::Rounding;
-use crate::result::data::CaseResult;
-use crate::result::data::Quantity;
-use crate::result::data::Upper;
+use crate::report::figures::{self, Rounding};
+use crate::result::data::{CaseResult, Quantity, Upper};
 
 /// The answer in a sentence, in the user's units, its warnings below.
 pub fn answer(c: &CaseResult) -> String {

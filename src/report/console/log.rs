@@ -1,8 +1,7 @@
 //! What a run says while it works: lines on standard error, bars where a terminal shows them, and `log.txt`.
 
 use crate::analysis::program_run::Program;
-use crate::report::console::pace::Pace;
-use crate::report::console::pace::about;
+use crate::report::console::pace::{Pace, about};
 use crate::solve::Iteration;
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::collections::BTreeMap;

@@ -1,7 +1,6 @@
 //! Data on standard output; talk goes to standard error.
 
-use crate::diag::Diagnostic;
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostic, Diagnostics};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 

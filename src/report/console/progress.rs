@@ -1,19 +1,12 @@
 //! The events of a pass as lines and bars.
 
-use crate::analysis::engine::Event;
-use crate::analysis::engine::Refusal;
-use crate::analysis::memory::Limit;
-use crate::analysis::memory::Room;
+use crate::analysis::engine::{Event, Refusal};
+use crate::analysis::memory::{Limit, Room};
 use crate::analysis::program_run::Program;
 use crate::report::console::log::Log;
-use crate::report::console::pace::Pace;
-use crate::report::console::pace::about;
-use crate::report::figures::Rounding;
-use crate::report::figures::fixed;
-use crate::report::figures::percent_up;
-use crate::report::figures::significant;
-use crate::solve::Forecast;
-use crate::solve::Iteration;
+use crate::report::console::pace::{Pace, about};
+use crate::report::figures::{Rounding, fixed, percent_up, significant};
+use crate::solve::{Forecast, Iteration};
 
 /// Bytes in GiB with three digits, rounded to the safe side.
 fn gib(bytes: u64, rounding: Rounding) -> String {

@@ -1,11 +1,7 @@
 //! A frame with two axes through zero, ticks and names: what plots of forces and moments stand in.
 
-use crate::report::draw::svg::Anchor;
-use crate::report::draw::svg::Drawing;
-use crate::report::draw::svg::LINE;
-use crate::report::draw::svg::Pen;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::report::figures::{Rounding, significant};
 
 /// Side of the frame and what is left of it for numbers \[pixels\].
 const SIDE: f64 = 420.0;

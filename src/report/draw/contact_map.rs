@@ -5,12 +5,8 @@ use crate::certify::faces::contact_faces;
 use crate::certify::fields::StressField;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
-use crate::report::draw::svg::Anchor;
-use crate::report::draw::svg::Drawing;
-use crate::report::draw::svg::LINE;
-use crate::report::draw::svg::Pen;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
+use crate::report::figures::{Rounding, significant};
 use crate::result::forces::ContactForce;
 
 /// Largest sides of the map \[pixels\].

@@ -2,14 +2,9 @@
 //!
 //! They show what the hand checks see (`assembly::EndPlate`), so that a wrong value of a spec meets the eye.
 
-use crate::assembly::EndPlate;
-use crate::assembly::PlaneActions;
-use crate::checks::check::Unit;
-use crate::checks::check::number as n;
-use crate::report::draw::svg::Anchor;
-use crate::report::draw::svg::Drawing;
-use crate::report::draw::svg::LINE;
-use crate::report::draw::svg::Pen;
+use crate::assembly::{EndPlate, PlaneActions};
+use crate::checks::check::{Unit, number as n};
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
 /// Height of the joint on the page \[pixels\].
 const HEIGHT: f64 = 380.0;
@@ -305,8 +300,7 @@ mod tests {
     use crate::assembly::build;
     use crate::catalog::Catalog;
     use crate::report::draw::svg::overlaps;
-    use crate::spec::ConnectionSpec;
-    use crate::spec::yaml;
+    use crate::spec::{ConnectionSpec, yaml};
     use std::path::Path;
 
     fn end_plate(text: &str) -> EndPlate {

@@ -2,10 +2,7 @@
 
 use crate::checks::MomentAxial;
 use crate::report::draw::axes::Axes;
-use crate::report::draw::svg::Anchor;
-use crate::report::draw::svg::Drawing;
-use crate::report::draw::svg::LINE;
-use crate::report::draw::svg::Pen;
+use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
 /// The diagram as SVG text; axial force to the right (tension positive), moment upwards (tension at the top positive).
 pub fn drawing(diagram: &MomentAxial) -> String {

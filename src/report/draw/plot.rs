@@ -1,8 +1,6 @@
 //! A plot with two logarithmic axes, as a picture and as SVG text, both from the same strokes.
 
-use crate::report::draw::canvas::Canvas;
-use crate::report::draw::canvas::Picture;
-use crate::report::draw::canvas::Rgb;
+use crate::report::draw::canvas::{Canvas, Picture, Rgb};
 use crate::report::draw::lettering::text_width;
 use std::fmt::Write;
 

@@ -3,18 +3,11 @@
 //! Orthographic view, flat shading, 2 × 2 supersampling. Lines of the mesh and of the shape are drawn where a pixel of
 //! a triangle lies near one of its edges: what is hidden stays hidden without any depth offset.
 
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::unit;
+use crate::math::vec3::{cross, dot, unit};
 use crate::mesh::TetMesh;
-use crate::report::draw::canvas::Canvas;
-use crate::report::draw::canvas::Picture;
-use crate::report::draw::canvas::Rgb;
-use crate::report::draw::canvas::SAMPLES;
+use crate::report::draw::canvas::{Canvas, Picture, Rgb, SAMPLES};
 use crate::report::draw::lettering::text_width;
-use crate::report::draw::surface::EdgeKind;
-use crate::report::draw::surface::Surface;
-use crate::report::draw::surface::unit_normal;
+use crate::report::draw::surface::{EdgeKind, Surface, unit_normal};
 
 /// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the facets of a bolt's
 /// twelve-sided shank and those of a fillet in three facets, below the 60° of its head.

@@ -1,9 +1,6 @@
 //! The outer surface of a mesh, as the pictures need it: triangles by body, mirrored copies, feature edges.
 
-use crate::math::vec3::cross;
-use crate::math::vec3::dot;
-use crate::math::vec3::sub;
-use crate::math::vec3::unit;
+use crate::math::vec3::{cross, dot, sub, unit};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
 

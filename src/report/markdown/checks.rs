@@ -1,16 +1,9 @@
 //! The hand checks on the page: one table a topic, with the numbers of every formula.
 
-use crate::checks::Check;
-use crate::checks::Status;
-use crate::checks::Topic;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::checks::{Check, Status, Topic};
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::heading;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
+use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 
 /// Under the verdict: what failed, and what the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {

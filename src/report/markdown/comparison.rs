@@ -2,10 +2,8 @@
 
 use crate::checks::Comparison;
 use crate::checks::check::Unit;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
+use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::text::{inline, paragraph};
 use crate::result::data::CaseResult;
 
 /// What von Mises adds to the bending strength of a plate that cannot contract along its hinge: 2/√3.

@@ -1,20 +1,10 @@
 //! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
 
 use crate::analysis::coulomb::FixedPointRun;
-use crate::report::figures::Rounding;
-use crate::report::figures::bracket;
-use crate::report::figures::percent_up;
-use crate::report::figures::significant;
+use crate::report::figures::{Rounding, bracket, percent_up, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::is_strict;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
-use crate::result::data::CaseResult;
-use crate::result::data::Problem;
-use crate::result::data::Quantity;
-use crate::result::data::Upper;
+use crate::report::markdown::text::{inline, is_strict, paragraph, strings, table};
+use crate::result::data::{CaseResult, Problem, Quantity, Upper};
 
 /// The load factor that a fixed point finds under Coulomb's law.
 pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {

@@ -1,16 +1,10 @@
 //! What a report says of an elastic, perfectly plastic analysis beyond its bracket: how much has yielded, how far the load moves
 //! at least, where yield conditions were needed.
 
-use crate::report::figures::Rounding;
-use crate::report::figures::fixed;
-use crate::report::figures::significant;
+use crate::report::figures::{Rounding, fixed, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
-use crate::result::data::CaseResult;
-use crate::result::data::ProgramRun;
+use crate::report::markdown::text::{inline, paragraph, strings, table};
+use crate::result::data::{CaseResult, ProgramRun};
 
 /// How far the load moves at least.
 pub(crate) fn displacement(page: &mut String, case: &CaseResult) {

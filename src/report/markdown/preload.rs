@@ -2,8 +2,7 @@
 
 use crate::analysis::preload::Tightened;
 use crate::model::AnalysisModel;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::text::inline;
 use crate::result::forces::ON_PLANE;
 

@@ -1,19 +1,12 @@
 //! The table a checker reads first: every check with a demand, what governs in bold.
 
-use crate::checks::Check;
-use crate::checks::Status;
-use crate::checks::Topic;
-use crate::checks::Unit;
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
-use crate::report::figures::Rounding;
-use crate::report::figures::significant;
+use crate::checks::{Check, Status, Topic, Unit};
+use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
-use crate::result::data::Quantity;
-use crate::result::data::ResultFile;
+use crate::report::markdown::text::{paragraph, strings, table};
+use crate::result::data::{Quantity, ResultFile};
 
 /// A row, and the utilisation by which it may govern; `None`: it decides nothing.
 struct Row {
@@ -108,8 +101,7 @@ fn row(c: &Check) -> Row {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::Unit;
-    use crate::checks::Worked;
+    use crate::checks::{Unit, Worked};
 
     /// The largest utilisation of a check that decides is bold; the component method is not, however much it is used.
     #[test]

@@ -1,39 +1,19 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
 use crate::analysis::coulomb::FixedPointRun;
-use crate::checks::Status;
-use crate::checks::Topic;
+use crate::checks::{Status, Topic};
 use crate::model::file::AnalysisKind;
-use crate::report::figures::Rounding;
-use crate::report::figures::bracket;
-use crate::report::figures::percent_up;
-use crate::report::figures::residual;
-use crate::report::figures::significant;
-use crate::report::markdown::checks;
-use crate::report::markdown::comparison;
-use crate::report::markdown::input;
-use crate::report::markdown::limit::collapse;
-use crate::report::markdown::limit::estimate_words;
-use crate::report::markdown::limit::mechanism;
-use crate::report::markdown::page::ReportData;
-use crate::report::markdown::page::Table;
-use crate::report::markdown::plastic::displacement;
-use crate::report::markdown::plastic::yielding;
+use crate::report::figures::{Rounding, bracket, percent_up, residual, significant};
+use crate::report::markdown::limit::{collapse, estimate_words, mechanism};
+use crate::report::markdown::page::{ReportData, Table};
+use crate::report::markdown::plastic::{displacement, yielding};
 use crate::report::markdown::preload::preload_words;
-use crate::report::markdown::summary;
-use crate::report::markdown::verdict;
-use crate::result::data::CaseResult;
-use crate::result::data::HistoryRow;
-use crate::result::data::Problem;
-use crate::result::data::ProgramRun;
-use crate::result::data::Quantity;
-use crate::result::data::RESIDUAL_TOLERANCE;
-use crate::result::data::RawBracket;
-use crate::result::data::Upper;
+use crate::report::markdown::{checks, comparison, input, summary, verdict};
+use crate::result::data::{
+    CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper,
+};
 use crate::result::demand::demands;
-use crate::result::forces;
-use crate::result::polygon;
-use crate::result::stiffness;
+use crate::result::{forces, polygon, stiffness};
 
 /// The text of `report.md`, the same for the same data.
 pub fn report_markdown(data: &ReportData) -> String {

@@ -3,10 +3,7 @@
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::inline;
-use crate::report::markdown::text::paragraph;
-use crate::report::markdown::text::strings;
-use crate::report::markdown::text::table;
+use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::ResultFile;
 
 /// The verdict, and what it stands on.

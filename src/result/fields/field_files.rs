@@ -1,24 +1,15 @@
 //! The two fields as `.vtu` files: written for ParaView, read back exactly for `bracket verify`.
 
-use crate::certify::faces::ContactFace;
-use crate::certify::faces::contact_faces;
-use crate::certify::fields::DisplacementField;
-use crate::certify::fields::StressField;
+use crate::certify::faces::{ContactFace, contact_faces};
+use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::VelocityField;
-use crate::elements::space::FACE_EDGES;
-use crate::elements::space::Tet10Space;
+use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::super_element::SuperElement;
-use crate::math::mandel;
-use crate::math::mandel::Mandel;
+use crate::math::mandel::{self, Mandel};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;
-use crate::result::fields::vtu::Array;
-use crate::result::fields::vtu::QUADRATIC_TETRA;
-use crate::result::fields::vtu::QUADRATIC_TRIANGLE;
-use crate::result::fields::vtu::TETRA;
-use crate::result::fields::vtu::VtuError;
-use crate::result::fields::vtu::VtuGrid;
+use crate::result::fields::vtu::{Array, QUADRATIC_TETRA, QUADRATIC_TRIANGLE, TETRA, VtuError, VtuGrid};
 
 /// Name of the displacement array \[mm\].
 pub(crate) const DISPLACEMENT: &str = "displacement";

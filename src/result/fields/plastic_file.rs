@@ -4,25 +4,14 @@
 //! itself. The plastic strain jumps between cells: each has its five deviatoric components at its four vertices.
 
 use crate::certify::fields::DisplacementField;
-use crate::certify::plastic_field::Deviator;
-use crate::certify::plastic_field::PlasticField;
-use crate::certify::plastic_field::PlasticTet;
-use crate::certify::plastic_field::VertexFlow;
-use crate::certify::plastic_field::length;
+use crate::certify::plastic_field::{Deviator, PlasticField, PlasticTet, VertexFlow, length};
 use crate::elements::space::Tet10Space;
-use crate::elements::split_tet10::NODES;
-use crate::elements::split_tet10::OUTER;
-use crate::elements::split_tet10::subtet_nodes;
+use crate::elements::split_tet10::{NODES, OUTER, subtet_nodes};
 use crate::elements::super_element::centroid;
-use crate::math::vec3;
-use crate::math::vec3::V3;
+use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
-use crate::result::fields::field_files::DISPLACEMENT;
-use crate::result::fields::field_files::FieldFileError;
-use crate::result::fields::field_files::array;
-use crate::result::fields::field_files::check_points;
-use crate::result::fields::vtu::QUADRATIC_TETRA;
-use crate::result::fields::vtu::VtuGrid;
+use crate::result::fields::field_files::{DISPLACEMENT, FieldFileError, array, check_points};
+use crate::result::fields::vtu::{QUADRATIC_TETRA, VtuGrid};
 
 /// Name of the array of plastic strain: at each vertex the components in the basis [`crate::math::mandel::DEVIATORIC`].
 const PLASTIC: &str = "plastic_strain_deviators";

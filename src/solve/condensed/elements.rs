@@ -6,16 +6,10 @@
 //! to zero, and a pressure is held by no point at all.
 
 use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
-use crate::elements::batch::Batch;
-use crate::elements::batch::NONE;
-use crate::elements::batch::Shape;
-use crate::elements::batch::YIELD_ROWS;
-use crate::math::wide::LANES;
-use crate::math::wide::Lane;
-use crate::programs::conic::ConicProgram;
-use crate::programs::conic::SymmetricCsc;
-use crate::solve::sparse::LinearError;
-use crate::solve::sparse::Locator;
+use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
+use crate::math::wide::{LANES, Lane};
+use crate::programs::conic::{ConicProgram, SymmetricCsc};
+use crate::solve::sparse::{LinearError, Locator};
 use rayon::prelude::*;
 use std::sync::Arc;
 

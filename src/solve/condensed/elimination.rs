@@ -3,19 +3,9 @@
 //! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is `H = F + Σ B_jᵀ V_j B_j + ρ`; what is left is `T H⁻¹ Tᵀ`.
 
 use super::panel;
-use crate::elements::batch::Batch;
-use crate::elements::batch::Rule;
-use crate::elements::batch::Shape;
-use crate::elements::batch::VERTEX_VALUES;
-use crate::elements::batch::YIELD_ROWS;
-use crate::math::lanes::Place;
-use crate::math::lanes::kernel;
-use crate::math::lanes::solve_packed;
-use crate::math::wide::LANES;
-use crate::math::wide::Lane;
-use crate::math::wide::parts;
-use crate::math::wide::registers;
-use crate::math::wide::registers_mut;
+use crate::elements::batch::{Batch, Rule, Shape, VERTEX_VALUES, YIELD_ROWS};
+use crate::math::lanes::{Place, kernel, solve_packed};
+use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 use pulp::Simd;
 
 /// Values of one yield point's scaling: 1/η, then the six of w. The vector block of `W⁻²` is `η⁻² (I + 2 w₁w₁ᵀ)`.
@@ -437,8 +427,7 @@ kernel! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elements::batch::Placed;
-    use crate::elements::batch::YieldingElement;
+    use crate::elements::batch::{Placed, YieldingElement};
 
     /// An element with any numbers, its flexibility and inner stiffness definite.
     fn element(shape: Shape, k: usize) -> YieldingElement {

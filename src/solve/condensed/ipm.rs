@@ -14,9 +14,7 @@ use super::problem::{Problem, largest};
 use super::system::{CondensedSystem, Solved};
 use super::targets::Targets;
 use crate::solve::condensed::static_condensation::Side;
-use crate::solve::status::Iteration;
-use crate::solve::status::SolveOptions;
-use crate::solve::status::SolveStatus;
+use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// Part of the way to the surface of the cone that a step may go.

@@ -89,9 +89,7 @@ impl Prepared {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::programs::conic::Cone;
-    use crate::programs::conic::Csr;
-    use crate::programs::conic::SymmetricCsc;
+    use crate::programs::conic::{Cone, Csr, SymmetricCsc};
     use crate::solve::SolveStatus;
 
     /// `min ½ p x² + q x` in each unknown, with the given rows.

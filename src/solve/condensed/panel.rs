@@ -1,12 +1,7 @@
 //! Dense operations on panels of eight elements at once: entry by entry, the eight side by side.
 
-use crate::math::lanes::Place;
-use crate::math::lanes::kernel;
-use crate::math::wide::Lane;
-use crate::math::wide::dispatch;
-use crate::math::wide::parts;
-use crate::math::wide::registers;
-use crate::math::wide::registers_mut;
+use crate::math::lanes::{Place, kernel};
+use crate::math::wide::{Lane, dispatch, parts, registers, registers_mut};
 use pulp::{Simd, WithSimd};
 
 /// Part of a diagonal entry that its pivot is raised by: what rounding may have taken from it.

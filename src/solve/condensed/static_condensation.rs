@@ -4,16 +4,10 @@
 //! while its data are at hand: scaling of the yield points, elimination of the parameters and the inner displacements; on
 //! the way back the multipliers and what is left of its rows.
 
-use crate::elements::batch::Batch;
-use crate::elements::batch::NONE;
-use crate::elements::batch::YIELD_ROWS;
-use crate::math::wide::LANES;
-use crate::math::wide::Lane;
-use crate::solve::condensed::elements::ElementSystem;
-use crate::solve::condensed::elements::ROUND;
-use crate::solve::condensed::elimination::inner_panel;
-use crate::solve::condensed::elimination::inverse_square;
-use crate::solve::condensed::elimination::solve_own;
+use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
+use crate::math::wide::{LANES, Lane};
+use crate::solve::condensed::elements::{ElementSystem, ROUND};
+use crate::solve::condensed::elimination::{inner_panel, inverse_square, solve_own};
 use crate::solve::condensed::panel;
 use rayon::prelude::*;
 use std::ops::Range;

@@ -11,9 +11,7 @@ use crate::elements::batch::YIELD_ROWS;
 use crate::programs::conic::ConicProgram;
 use crate::solve::condensed::static_condensation::Side;
 use crate::solve::forecast::Forecast;
-use crate::solve::sparse::LinearError;
-use crate::solve::sparse::Patterns;
-use crate::solve::sparse::SparseCholesky;
+use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 
 /// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness. With 1e-8 (of the median)
 /// forces of joints with contact are lost in rounding and iterations do not end; 1e-6 to 1e-4 need the same number of iterations.

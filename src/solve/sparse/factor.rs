@@ -4,9 +4,8 @@
 //! one block of work space per thread are all the memory. Where the work is cut depends on sizes alone: the factor
 //! is the same, byte for byte, on any number of threads.
 
-use super::blocks;
-use super::dense;
 use super::symbolic::{Symbolic, Update};
+use super::{blocks, dense};
 use faer::{MatMut, MatRef};
 use rayon::prelude::*;
 use std::sync::Mutex;
