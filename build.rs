@@ -5,14 +5,17 @@ use std::path::Path;
 
 fn main() -> std::io::Result<()> {
     println!("cargo:rerun-if-changed=templates");
-    let folder = Path::new(&std::env::var("CARGO_MANIFEST_DIR").map_err(std::io::Error::other)?).join("templates");
-    let mut files: Vec<_> = std::fs::read_dir(folder)?.map(|e| Ok(e?.path())).collect::<std::io::Result<_>>()?;
+    let folder = Path::new(&std::env::var("CARGO_MANIFEST_DIR").map_err(std::io::Error::other)?)
+        .join("templates");
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder)?.map(|e| Ok(e?.path())).collect::<std::io::Result<_>>()?;
     files.retain(|f| f.extension().is_some_and(|e| e == "yaml"));
     files.sort();
     let mut list = String::from("&[\n");
     for file in &files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        writeln!(list, "    ({:?}, include_str!({:?})),", name, file).map_err(std::io::Error::other)?;
+        writeln!(list, "    ({:?}, include_str!({:?})),", name, file)
+            .map_err(std::io::Error::other)?;
     }
     list.push_str("]\n");
     let out = std::env::var("OUT_DIR").map_err(std::io::Error::other)?;

@@ -12,8 +12,13 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-const EXAMPLES: [&str; 5] =
-    ["one_sided_unstiffened", "one_sided_stiffened", "double_sided", "splice_flush", "splice_extended"];
+const EXAMPLES: [&str; 5] = [
+    "one_sided_unstiffened",
+    "one_sided_stiffened",
+    "double_sided",
+    "splice_flush",
+    "splice_extended",
+];
 
 /// Seconds a call takes: the least mean of five batches of a fifth of a second.
 fn seconds(mut call: impl FnMut()) -> f64 {
@@ -39,8 +44,12 @@ fn main() {
         let path = format!("{}/examples/{name}/joint.yaml", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(&path).expect("the example is there");
         let build = |text: &str| {
-            let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
-            assembly::build(&spec, Path::new(""), &catalog).expect("a joint").end_plate.expect("with hand checks")
+            let spec =
+                yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
+            assembly::build(&spec, Path::new(""), &catalog)
+                .expect("a joint")
+                .end_plate
+                .expect("with hand checks")
         };
         let judged = |e: &assembly::EndPlate| {
             let mut checks = hand_checks(black_box(e));

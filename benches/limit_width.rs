@@ -21,7 +21,9 @@ use bracket::analysis::engine::{Event, PassOptions, Progress};
 use bracket::analysis::limit;
 use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};
 use bracket::assembly::Assembly;
-use bracket::assembly::joint::{FaceRule, MidPlane, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane};
+use bracket::assembly::assembly::{
+    FaceRule, MidPlane, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane,
+};
 use bracket::certify::flow::pieces;
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::elements::space::Tet10Space;
@@ -31,11 +33,12 @@ use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;
 use bracket::mesh::TetMesh;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::model::file::{AnalysisKind, Bounds};
+use bracket::model::file::Bounds;
 use bracket::model::resolve::resolve;
 use bracket::model::{AnalysisModel, from_joint};
 use bracket::programs::Static;
 use bracket::solve::SolveOptions;
+use bracket::spec::analysis::AnalysisKind;
 use common::grid::{Grid, even, joined, name};
 use common::solved;
 use std::collections::BTreeMap;
@@ -92,13 +95,17 @@ fn main() {
                 o.sizes.push((part.into(), size.parse().expect("mm")));
             }
             "--stretch" => {
-                let v: Vec<f64> = args.next().unwrap().split(',').map(|s| s.parse().unwrap()).collect();
+                let v: Vec<f64> =
+                    args.next().unwrap().split(',').map(|s| s.parse().unwrap()).collect();
                 o.stretch.push(Stretch { from: v[0], to: v[1], factor: v[2] });
             }
             word => words.push(word.to_string()),
         }
     }
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the pool is built once");
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global()
+        .expect("the pool is built once");
     faer::set_global_parallelism(faer::Par::Seq);
     let mut model = match words[0].as_str() {
         "cantilever" => cantilever(&o),
@@ -125,7 +132,8 @@ fn main() {
         }
     });
     let solve = SolveOptions { interrupt: Some(enough), ..SolveOptions::default() };
-    let pass = limit::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress).expect("the pass runs");
+    let pass = limit::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress)
+        .expect("the pass runs");
     println!("{} tets, {:.1} s", model.mesh.tets.len(), start.elapsed().as_secs_f64());
     for (program, r) in pass.runs() {
         let trouble = r.trouble.clone().unwrap_or_default();
@@ -137,7 +145,11 @@ fn main() {
             r.solve_seconds
         );
     }
-    println!("  lower {:?} upper {:?}", pass.lower.as_ref().map(|b| b.value()), pass.upper.as_ref().map(|b| b.value()));
+    println!(
+        "  lower {:?} upper {:?}",
+        pass.lower.as_ref().map(|b| b.value()),
+        pass.upper.as_ref().map(|b| b.value())
+    );
     table(&model, &pass, o.bins);
 }
 
@@ -166,7 +178,13 @@ fn weak(model: &AnalysisModel, width: f64) {
     }
     println!("  yield points {all:.4}\n  body            x from   tets   of the factor %");
     for ((body, bin), r) in rows {
-        println!("  {:12} {:9.0} {:6.0} {:15.1}", model.mesh.bodies[body as usize], bin as f64 * width, r[0], r[1]);
+        println!(
+            "  {:12} {:9.0} {:6.0} {:15.1}",
+            model.mesh.bodies[body as usize],
+            bin as f64 * width,
+            r[0],
+            r[1]
+        );
     }
     let mut tets: Vec<(usize, f64)> = shares.iter().map(|s| s / all * 100.0).enumerate().collect();
     tets.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -181,7 +199,10 @@ fn weak(model: &AnalysisModel, width: f64) {
 }
 
 fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
-    let (Some(velocity), Some(stress), Some(b)) = (&pass.velocity, &pass.stress, &pass.bracket) else { return };
+    let (Some(velocity), Some(stress), Some(b)) = (&pass.velocity, &pass.stress, &pass.bracket)
+    else {
+        return;
+    };
     let space = Tet10Space::new(&model.mesh);
     let power = b.upper().certificate().live_power;
     let mut rows: BTreeMap<(u32, i64), [f64; 3]> = BTreeMap::new();
@@ -193,13 +214,17 @@ fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
             let strains = tet10::vertex_strains(&p.corners, &p.velocities);
             for i in 0..4 {
                 for j in 0..4 {
-                    work += p.volume * tetrahedron_mass(i, j) * mandel::dot(&stress.points[e][k][i], &strains[j]);
+                    work += p.volume
+                        * tetrahedron_mass(i, j)
+                        * mandel::dot(&stress.points[e][k][i], &strains[j]);
                 }
             }
         }
         let x = centroid(&model.mesh.corners(e))[0];
         let row = rows.entry((model.mesh.tet_body[e], (x / width).floor() as i64)).or_default();
-        for (i, value) in [1.0, d * volume / power, (d * volume - work) / power].into_iter().enumerate() {
+        for (i, value) in
+            [1.0, d * volume / power, (d * volume - work) / power].into_iter().enumerate()
+        {
             row[i] += value;
             all[i] += value;
         }
@@ -215,7 +240,10 @@ fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
         let name = &model.mesh.bodies[body as usize];
         let at = bin as f64 * width;
         let parts = [r[1] / all[1] * 100.0, r[2] / all[2] * 100.0, r[2] / r[1]];
-        println!("  {name:12} {at:9.0} {:6.0} {:15.1} {:9.1} {:12.3}", r[0], parts[0], parts[1], parts[2]);
+        println!(
+            "  {name:12} {at:9.0} {:6.0} {:15.1} {:9.1} {:12.3}",
+            r[0], parts[0], parts[1], parts[2]
+        );
     }
 }
 
@@ -252,8 +280,12 @@ fn shorten_solid(s: &[Stretch], solid: &mut Solid) {
                 *length = (shorten(s, end) - origin[0]).abs();
             }
         }
-        Solid::Cylinder { base, .. } => assert_eq!(shorten(s, base[0]), base[0], "bolts lie outside stretched spans"),
-        Solid::Union(list) | Solid::Difference(list) => list.iter_mut().for_each(|x| shorten_solid(s, x)),
+        Solid::Cylinder { base, .. } => {
+            assert_eq!(shorten(s, base[0]), base[0], "bolts lie outside stretched spans")
+        }
+        Solid::Union(list) | Solid::Difference(list) => {
+            list.iter_mut().for_each(|x| shorten_solid(s, x))
+        }
     }
 }
 
@@ -298,7 +330,9 @@ fn more_planes(p: &mut Part) {
         start[m.axis] = m.at;
         let line = bracket::geometry::line::Line { start, direction };
         let inside = line.through(&solid);
-        let Some(s) = inside.iter().find(|s| s[0] < 0.0 && s[1] > 0.0) else { panic!("{}: {m:?} {inside:?}", p.name) };
+        let Some(s) = inside.iter().find(|s| s[0] < 0.0 && s[1] > 0.0) else {
+            panic!("{}: {m:?} {inside:?}", p.name)
+        };
         let half = s[1].min(-s[0]);
         if half > 20.0 {
             continue;
@@ -316,7 +350,8 @@ fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
     options.sizes.factor = o.factor.unwrap_or(1.0);
     options.sizes.span_growth = o.growth.unwrap_or(options.sizes.span_growth);
     options.sizes.across_footprint = o.foot.unwrap_or(options.sizes.across_footprint);
-    let mut m = mesh_joint(&changed(assembly, o), &options, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"));
+    let mut m = mesh_joint(&changed(assembly, o), &options, &mut |_| {})
+        .unwrap_or_else(|e| panic!("{e:#?}"));
     m.mesh.nodes.iter_mut().for_each(|x| x[0] = lengthen(&o.stretch, x[0]));
     m
 }
@@ -326,21 +361,31 @@ fn joint(path: &Path, o: &Options) -> AnalysisModel {
     let assembly = &input.joint.assembly;
     let meshed = meshed(assembly, o);
     let case = &from_joint::cases(assembly)[0];
-    let file =
-        from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", case, AnalysisKind::Limit);
+    let file = from_joint::model_file(
+        assembly,
+        &meshed.mesh,
+        &meshed.symmetry_used,
+        "mesh.msh",
+        case,
+        AnalysisKind::Limit,
+    );
     resolve(&file, meshed.mesh, &|path| input.spec.index.place(path)).expect("the model is sound")
 }
 
 const SPAN: f64 = 900.0;
-const CANTILEVER: &str = "bodies: {BEAM: s}\nsupports:\n- {face: CLAMP, fix: [x, z]}\n- {face: SYM_Y0, fix: [y]}\n";
+const CANTILEVER: &str =
+    "bodies: {BEAM: s}\nsupports:\n- {face: CLAMP, fix: [x, z]}\n- {face: SYM_Y0, fix: [y]}\n";
 
 /// The factor is the moment at the clamp over `f_y (b t_f (h − t_f) + t_w (h − 2 t_f)²/4)`.
 fn loaded(mesh: TetMesh) -> AnalysisModel {
     let plastic = 235.0 * (170.0 * 12.7 * 347.3 + 8.0 * 334.6 * 334.6 / 4.0);
     let materials = common::yielding::MATERIALS;
-    let load =
-        format!("rigid:\n- {{face: END, components: [z], free: [uz], force: [0, 0, {:?}]}}\n", -0.5 * plastic / SPAN);
-    solved::resolve(&format!("{materials}{CANTILEVER}{load}"), mesh).unwrap_or_else(|e| panic!("{e:?}"))
+    let load = format!(
+        "rigid:\n- {{face: END, components: [z], free: [uz], force: [0, 0, {:?}]}}\n",
+        -0.5 * plastic / SPAN
+    );
+    solved::resolve(&format!("{materials}{CANTILEVER}{load}"), mesh)
+        .unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 fn cantilever(o: &Options) -> AnalysisModel {
@@ -350,8 +395,14 @@ fn cantilever(o: &Options) -> AnalysisModel {
         boxed([0.0, -85.0, 167.3], [SPAN, 85.0, 180.0]),
         boxed([0.0, -85.0, -180.0], [SPAN, 85.0, -167.3]),
     ];
-    let mid = |axis, at: f64, z: [f64; 2]| MidPlane { axis, at, min: [0.0, -85.0, z[0]], max: [SPAN, 85.0, z[1]] };
-    let mid_planes = vec![mid(2, -173.65, [0.0; 2]), mid(2, 173.65, [0.0; 2]), mid(1, 0.0, [-167.3, 167.3])];
+    let mid = |axis, at: f64, z: [f64; 2]| MidPlane {
+        axis,
+        at,
+        min: [0.0, -85.0, z[0]],
+        max: [SPAN, 85.0, z[1]],
+    };
+    let mid_planes =
+        vec![mid(2, -173.65, [0.0; 2]), mid(2, 173.65, [0.0; 2]), mid(1, 0.0, [-167.3, 167.3])];
     let part = Part {
         name: "BEAM".into(),
         label: "beam".into(),
@@ -371,7 +422,10 @@ fn cantilever(o: &Options) -> AnalysisModel {
     let assembly = Assembly {
         name: "cantilever".into(),
         parts: vec![part],
-        materials: BTreeMap::from([("s".into(), PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) })]),
+        materials: BTreeMap::from([(
+            "s".into(),
+            PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) },
+        )]),
         interfaces: vec![],
         faces: vec![face("CLAMP", 0.0), face("END", SPAN)],
         supports: vec![],
@@ -387,7 +441,11 @@ fn cantilever(o: &Options) -> AnalysisModel {
 fn grid(nx: usize, ny: usize, nz: usize, layers: usize) -> AnalysisModel {
     let x = even(0.0, SPAN, nx);
     let y = joined(&[even(0.0, 4.0, layers.div_ceil(2)), even(4.0, 85.0, ny)]);
-    let z = joined(&[even(-180.0, -167.3, layers), even(-167.3, 167.3, nz), even(167.3, 180.0, layers)]);
+    let z = joined(&[
+        even(-180.0, -167.3, layers),
+        even(-167.3, 167.3, nz),
+        even(167.3, 180.0, layers),
+    ]);
     let flat = |axis: usize, c: f64| axis == 2 && (c.abs() - 173.65).abs() < 1e-9;
     let mut mesh = Grid::new([x, y, z]).jittered(0.1, 1).mesh(
         &["BEAM"],

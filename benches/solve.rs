@@ -6,13 +6,13 @@
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::model::{AnalysisModel, from_joint};
 use bracket::programs::conic::ConicProgram;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve;
 use bracket::solve::{SolveOptions, Solver};
+use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 use std::time::Instant;
 
@@ -51,13 +51,21 @@ fn main() {
             model => models.push(model.to_string()),
         }
     }
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the pool is built once");
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global()
+        .expect("the pool is built once");
     faer::set_global_parallelism(faer::Par::Seq);
-    println!("dense Cholesky rate {:.1} GFLOP/s, {threads} threads", solve::forecast::dense_rate() / 1e9);
+    println!(
+        "dense Cholesky rate {:.1} GFLOP/s, {threads} threads",
+        solve::forecast::dense_rate() / 1e9
+    );
     for path in &models {
         let model = match size_factor {
             Some(factor) => model_of_spec(Path::new(path), factor),
-            None => bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable"),
+            None => {
+                bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable")
+            }
         };
         println!("{path}: {} macro tets", model.mesh.tets.len());
         options.programs.iter().for_each(|p| run(&model, path, p, &options));
@@ -77,7 +85,14 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
     std::fs::remove_dir_all(&folder).expect("the folder is ours");
     let case = &from_joint::cases(assembly)[0];
     let kind = AnalysisKind::Elastic;
-    let file = from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", case, kind);
+    let file = from_joint::model_file(
+        assembly,
+        &meshed.mesh,
+        &meshed.symmetry_used,
+        "mesh.msh",
+        case,
+        kind,
+    );
     let place = |path: &str| input.spec.index.place(path);
     resolve(&file, meshed.mesh, &place).expect("the model is sound")
 }
@@ -86,13 +101,19 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let start = Instant::now();
     let built = match (name, options.limit) {
         ("kinematic", false) => Kinematic::new(model).map(|k| (k.program, k.map.block)),
-        ("kinematic", true) => Kinematic::limit(model, Flow::Split).map(|k| (k.program, k.map.block)),
+        ("kinematic", true) => {
+            Kinematic::limit(model, Flow::Split).map(|k| (k.program, k.map.block))
+        }
         (_, false) => Static::new(model).map(|s| (s.program, s.map.block)),
         (_, true) => Static::limit(model).map(|s| (s.program, s.map.block)),
     };
     let (program, block): (ConicProgram, Vec<u32>) = built.expect("the model is sound");
     let assembly = start.elapsed().as_secs_f64();
-    println!("{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s", program.p.n, program.cones.len());
+    println!(
+        "{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s",
+        program.p.n,
+        program.cones.len()
+    );
     measure(name, &program, &block, options);
     println!("  peak memory {} MiB", bracket::analysis::memory::peak_memory_mib().unwrap_or(0));
 }
@@ -100,7 +121,8 @@ fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
 fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options) {
     let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
     if options.limit {
-        settings = if name == "kinematic" { settings.for_mechanism() } else { settings.for_resistance() };
+        settings =
+            if name == "kinematic" { settings.for_mechanism() } else { settings.for_resistance() };
     }
     if options.trace {
         settings.progress = Some(std::sync::Arc::new(|i: &solve::Iteration| {

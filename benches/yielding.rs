@@ -21,7 +21,9 @@ fn main() {
     let numbers: Vec<f64> = words.iter().filter_map(|w| w.parse().ok()).collect();
     let factor = numbers.get(1).copied().unwrap_or(1.0);
     let solver = if any(&["condensed", "factor"]) { Solver::Condensed } else { Solver::Clarabel };
-    println!("case form tets shared own cones build_s | status iterations solve_s objective yielding");
+    println!(
+        "case form tets shared own cones build_s | status iterations solve_s objective yielding"
+    );
     for case in ["block", "plate"].into_iter().filter(|c| has(c) || !any(&["block", "plate"])) {
         let cells = numbers.first().map(|n| *n as usize);
         let model = match case {
@@ -41,7 +43,11 @@ fn main() {
             let built = form.build(&model);
             let build = start.elapsed().as_secs_f64();
             let shared = built.block.len();
-            print!("{case} {name} {} {shared} {} ", model.mesh.tets.len(), built.program.unknowns() - shared);
+            print!(
+                "{case} {name} {} {shared} {} ",
+                model.mesh.tets.len(),
+                built.program.unknowns() - shared
+            );
             print!("{} {build:.2} | ", built.program.cones.len());
             if has("build") {
                 println!("not solved");
@@ -52,7 +58,10 @@ fn main() {
             let unit = prepared.yardstick();
             if let (Some(u), Some(f)) = (&unit, prepared.forecast()) {
                 let (entries, flops) = (f.factor_entries as f64 / 1e6, f.factor_flops / 1e9);
-                print!("{entries:.1} M entries, {flops:.1} GFLOP, factor {:.3} solve {:.3} | ", u.factor, u.solve);
+                print!(
+                    "{entries:.1} M entries, {flops:.1} GFLOP, factor {:.3} solve {:.3} | ",
+                    u.factor, u.solve
+                );
             }
             if has("factor") {
                 println!("not solved");
@@ -63,7 +72,11 @@ fn main() {
             let seconds = start.elapsed().as_secs_f64();
             let objective = built.program.objective(&s.x, &s.z);
             let yielding = built.flowing(&model, &s);
-            print!("{} {} {seconds:.2} {objective:.9e} {yielding:.3}", s.status.words(), s.iterations);
+            print!(
+                "{} {} {seconds:.2} {objective:.9e} {yielding:.3}",
+                s.status.words(),
+                s.iterations
+            );
             if let Some(u) = unit {
                 let y = seconds / (f64::from(s.iterations) * (u.factor + 2.0 * u.solve));
                 print!(" | Y {y:.2}");

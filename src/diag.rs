@@ -65,7 +65,13 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A fault of the input (exit code 2).
     pub fn input(code: &'static str, message: impl Into<String>) -> Self {
-        Self { code, fault: Fault::Input, message: message.into(), place: Place::default(), help: None }
+        Self {
+            code,
+            fault: Fault::Input,
+            message: message.into(),
+            place: Place::default(),
+            help: None,
+        }
     }
 
     /// A fault of the machine or its set-up (exit code 4).

@@ -22,7 +22,11 @@ pub fn text(faults: &Diagnostics, colour: bool) -> String {
 /// The faults for programs: one JSON object a line, `{"code", "fault", "message", "place": {"file", "line", "column",
 /// "path"}, "help"}`, absent keys left out.
 pub fn json(faults: &Diagnostics) -> String {
-    faults.0.iter().map(|d| serde_json::to_string(d).expect("plain strings and numbers serialise") + "\n").collect()
+    faults
+        .0
+        .iter()
+        .map(|d| serde_json::to_string(d).expect("plain strings and numbers serialise") + "\n")
+        .collect()
 }
 
 fn one(fault: &Diagnostic, colour: bool) -> String {
@@ -125,7 +129,9 @@ fn word(line: &str, column: Option<usize>) -> (usize, usize) {
         None => 0,
         // a quoted word ends at its quote
         Some(q @ ('"' | '\'')) => ends.find(|(_, c)| *c == q).map_or(rest.len(), |(i, _)| i + 1),
-        Some(_) => ends.find(|(_, c)| c.is_whitespace() || ",:[]{}#".contains(*c)).map_or(rest.len(), |(i, _)| i),
+        Some(_) => ends
+            .find(|(_, c)| c.is_whitespace() || ",:[]{}#".contains(*c))
+            .map_or(rest.len(), |(i, _)| i),
     };
     (start, start + length)
 }
@@ -155,7 +161,11 @@ mod tests {
         assert!(lines[1].ends_with("joint.yaml:2:10"), "{shown}");
         let source = lines.iter().position(|l| l.contains("größe: M17")).expect("shows the line");
         let column = |s: &str, what: &str| s[..s.find(what).expect(what)].chars().count();
-        assert_eq!(column(lines[source], "M17"), column(lines[source + 1], "^^^ bolts.größe"), "{shown}");
+        assert_eq!(
+            column(lines[source], "M17"),
+            column(lines[source + 1], "^^^ bolts.größe"),
+            "{shown}"
+        );
         assert!(shown.contains("help: sizes: M16, M18, M20"), "{shown}");
         assert!(shown.contains("bolts:"), "{shown}");
     }
@@ -193,7 +203,8 @@ mod tests {
             Diagnostic::environment("c/d", "second").help("do"),
         ]);
         let out = json(&faults);
-        let lines: Vec<serde_json::Value> = out.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+        let lines: Vec<serde_json::Value> =
+            out.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
         assert_eq!(lines.len(), 2);
         assert_eq!(lines[0]["place"]["column"], 2);
         assert_eq!(lines[0]["fault"], "input");

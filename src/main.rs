@@ -17,7 +17,8 @@ fn main() -> ExitCode {
                 // https://no-color.org: any non-empty value switches colour off
                 Format::Text => diag_render::text(
                     &faults,
-                    stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()),
+                    stderr.is_terminal()
+                        && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()),
                 ),
             };
             // with standard error closed there is no one left to tell; the exit code still says it

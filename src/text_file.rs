@@ -6,10 +6,14 @@
 use crate::diag::Diagnostic;
 use std::path::Path;
 
-const HELP: &str = "save the file as UTF-8: most editors offer it under `Save as` or `Save with encoding`";
+const HELP: &str =
+    "save the file as UTF-8: most editors offer it under `Save as` or `Save with encoding`";
 
 /// Reads a text file; `unread` makes the message for a file that the system does not give.
-pub fn read(path: &Path, unread: impl FnOnce(std::io::Error) -> Diagnostic) -> Result<String, Box<Diagnostic>> {
+pub fn read(
+    path: &Path,
+    unread: impl FnOnce(std::io::Error) -> Diagnostic,
+) -> Result<String, Box<Diagnostic>> {
     let bytes = std::fs::read(path).map_err(|e| Box::new(unread(e)))?;
     decode(bytes).map_err(|fault| {
         let d = Diagnostic::input("file/encoding", fault.problem).file(path).help(HELP);
@@ -30,7 +34,10 @@ struct NotText {
 
 fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
     if bytes.starts_with(&[0xff, 0xfe, 0, 0]) || bytes.starts_with(&[0, 0, 0xfe, 0xff]) {
-        return Err(NotText { problem: "the file is UTF-32 text, which is not read".into(), at: None });
+        return Err(NotText {
+            problem: "the file is UTF-32 text, which is not read".into(),
+            at: None,
+        });
     }
     match bytes.as_slice() {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
@@ -47,8 +54,15 @@ fn utf8(bytes: Vec<u8>, skipped: usize) -> Result<String, NotText> {
         let bytes = e.as_bytes();
         let byte = bytes[i];
         // what older programs on Windows and Linux mean by the byte
-        let latin = if byte >= 0xa0 { format!("; in Latin-1 it is `{}`", char::from(byte)) } else { String::new() };
-        let problem = format!("byte {} of the file is 0x{byte:02X}, which is not UTF-8 text{latin}", skipped + i + 1);
+        let latin = if byte >= 0xa0 {
+            format!("; in Latin-1 it is `{}`", char::from(byte))
+        } else {
+            String::new()
+        };
+        let problem = format!(
+            "byte {} of the file is 0x{byte:02X}, which is not UTF-8 text{latin}",
+            skipped + i + 1
+        );
         NotText { problem, at: Some(place(&bytes[..i])) }
     })?;
     match text.find('\0') {
@@ -81,7 +95,10 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
             Ok('\0') => return Err(cut(&text, "the file has a zero among its UTF-16 text".into())),
             Ok(c) => text.push(c),
             Err(e) => {
-                let problem = format!("0x{:04X} is half of a character in this UTF-16 text", e.unpaired_surrogate());
+                let problem = format!(
+                    "0x{:04X} is half of a character in this UTF-16 text",
+                    e.unpaired_surrogate()
+                );
                 return Err(cut(&text, problem));
             }
         }
@@ -90,7 +107,10 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
         0 => Ok(text),
         _ => Err(cut(
             &text,
-            format!("the file is UTF-16 text of {} bytes, an odd number: its end is missing", bytes.len() + 2),
+            format!(
+                "the file is UTF-16 text of {} bytes, an odd number: its end is missing",
+                bytes.len() + 2
+            ),
         )),
     }
 }
@@ -124,7 +144,10 @@ mod tests {
         let refused = |bytes: Vec<u8>| decode(bytes).expect_err("no text");
         let f = refused(latin.clone());
         assert_eq!(f.at, Some((1, 10)));
-        assert_eq!(f.problem, "byte 10 of the file is 0xF6, which is not UTF-8 text; in Latin-1 it is `ö`");
+        assert_eq!(
+            f.problem,
+            "byte 10 of the file is 0xF6, which is not UTF-8 text; in Latin-1 it is `ö`"
+        );
         let f = refused([b"\xef\xbb\xbfa: 1\n", latin.as_slice()].concat());
         assert_eq!((f.at, f.problem.starts_with("byte 18 ")), (Some((2, 10)), true), "{f:?}");
         // Windows-1252: a dash that Latin-1 does not have
@@ -133,10 +156,16 @@ mod tests {
         // cut within a character
         assert_eq!(refused(TEXT.as_bytes()[..10].to_vec()).at, Some((1, 10)));
         let bare = marked(&[], "ab", u16::to_le_bytes);
-        assert!(refused(bare).problem.contains("byte 2 of the file is zero: it is UTF-16 text without"));
+        assert!(
+            refused(bare).problem.contains("byte 2 of the file is zero: it is UTF-16 text without")
+        );
         assert!(refused(b"\xff\xfe\0\0a\0\0\0".to_vec()).problem.contains("UTF-32"));
         assert!(refused(b"\xff\xfea\0b".to_vec()).problem.contains("5 bytes, an odd number"));
-        assert!(refused(b"\xff\xfea\0\0\xd8b\0".to_vec()).problem.contains("0xD800 is half of a character"));
+        assert!(
+            refused(b"\xff\xfea\0\0\xd8b\0".to_vec())
+                .problem
+                .contains("0xD800 is half of a character")
+        );
         assert!(refused(b"\xff\xfea\0\0\0".to_vec()).problem.contains("a zero among"));
         assert!(refused(b"PK\x03\x04\x00\x00".to_vec()).problem.contains("or no text"));
     }

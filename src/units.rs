@@ -203,7 +203,9 @@ pub enum UnitError {
         kind: Kind,
     },
     /// A fraction of anything but inches.
-    #[error("`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other units write decimals")]
+    #[error(
+        "`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other units write decimals"
+    )]
     Fraction {
         /// What was written.
         text: String,
@@ -240,8 +242,8 @@ fn split(text: &str) -> Option<(f64, &str)> {
     let bytes = text.as_bytes();
     let mut end = 0;
     for (i, &b) in bytes.iter().enumerate() {
-        let exponent =
-            matches!(b, b'e' | b'E') && bytes.get(i + 1).is_some_and(|c| c.is_ascii_digit() || b"+-".contains(c));
+        let exponent = matches!(b, b'e' | b'E')
+            && bytes.get(i + 1).is_some_and(|c| c.is_ascii_digit() || b"+-".contains(c));
         let sign = matches!(b, b'+' | b'-') && (i == 0 || matches!(bytes[i - 1], b'e' | b'E'));
         if !(b.is_ascii_digit() || b == b'.' || exponent || sign) {
             break;
@@ -280,7 +282,8 @@ pub fn with_point(text: &str) -> Option<String> {
     let digits = whole.trim_start_matches(['+', '-']);
     let decimals: String = rest.chars().take_while(char::is_ascii_digit).collect();
     let unit = &rest[decimals.len()..];
-    let a_number = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) && !decimals.is_empty();
+    let a_number =
+        !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) && !decimals.is_empty();
     let clear = decimals.len() != 3 && !unit.contains([',', '.']);
     (a_number && clear).then(|| format!("{whole}.{decimals}{unit}"))
 }
@@ -306,12 +309,15 @@ pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
             _ => Err(UnitError::Fraction { text: text.to_owned() }),
         };
     }
-    let (number, suffix) = split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned(), kind })?;
+    let (number, suffix) =
+        split(text).ok_or_else(|| UnitError::NotANumber { text: text.to_owned(), kind })?;
     if suffix.is_empty() {
         return bare(number, kind);
     }
     match unit(suffix) {
-        Some((factor, Dim::LENGTH)) if factor == INCH && kind == Kind::Length => finite(inches(number), kind),
+        Some((factor, Dim::LENGTH)) if factor == INCH && kind == Kind::Length => {
+            finite(inches(number), kind)
+        }
         Some((factor, dim)) if dim == kind.dim() => finite(number * factor, kind),
         _ if suffix.starts_with(',') => Err(UnitError::Comma { text: text.to_owned(), kind }),
         _ => Err(UnitError::WrongUnit { text: text.to_owned(), suffix: suffix.to_owned(), kind }),
@@ -334,7 +340,11 @@ pub fn bare(number: f64, kind: Kind) -> Result<f64, UnitError> {
 }
 
 fn finite(value: f64, kind: Kind) -> Result<f64, UnitError> {
-    if value.is_finite() { Ok(value) } else { Err(UnitError::NotFinite { number: value.to_string(), kind }) }
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(UnitError::NotFinite { number: value.to_string(), kind })
+    }
 }
 
 struct QuantityVisitor(Kind);
@@ -362,7 +372,9 @@ impl de::Visitor<'_> for QuantityVisitor {
 /// A value with the larger unit that people write, where that reads back as the same number, else with the internal one.
 fn shown(value: f64, unit: &str, large: Option<(f64, &str)>) -> String {
     match large {
-        Some((factor, large)) if value.abs() >= 0.1 * factor && (value / factor) * factor == value => {
+        Some((factor, large))
+            if value.abs() >= 0.1 * factor && (value / factor) * factor == value =>
+        {
             format!("{} {large}", value / factor)
         }
         _ => format!("{value} {unit}"),
@@ -451,7 +463,8 @@ pub struct Seconds(
 impl Seconds {
     /// Reads `20 min`, `90 s`, `1.5 h`.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let fault = || format!("`{text}` is not a time: write a positive number and a unit (s, min, h)");
+        let fault =
+            || format!("`{text}` is not a time: write a positive number and a unit (s, min, h)");
         let (number, suffix) = split(text).ok_or_else(fault)?;
         let factor = match suffix {
             "s" => 1.0,

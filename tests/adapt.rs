@@ -28,7 +28,11 @@ fn adaptive(name: &str, yaml: &str, mesh: TetMesh, growth: f64, most: usize) -> 
     loop {
         let s = solve(yaml, mesh.clone());
         let (tets, gap) = (mesh.tets.len() as f64, gap(name, &s));
-        println!("{name}: {tets} tets, gap {:.3} %, expected {:.3} %", 100.0 * gap, 100.0 * expected.unwrap_or(0.0));
+        println!(
+            "{name}: {tets} tets, gap {:.3} %, expected {:.3} %",
+            100.0 * gap,
+            100.0 * expected.unwrap_or(0.0)
+        );
         steps.push(Step { tets, gap, expected });
         if growth * tets > most as f64 {
             return steps;
@@ -41,7 +45,10 @@ fn adaptive(name: &str, yaml: &str, mesh: TetMesh, growth: f64, most: usize) -> 
         println!("{name}: {singular} tets beside singular edges, {} tets expected", design.tets);
         expected = Some(gap * design.gap);
         mesh = bisect::refine(&mesh, &design.wanted).mesh;
-        assert!((mesh.tets.len() as f64 / design.tets - 1.0).abs() < 1e-12, "bisection makes what it says");
+        assert!(
+            (mesh.tets.len() as f64 / design.tets - 1.0).abs() < 1e-12,
+            "bisection makes what it says"
+        );
     }
 }
 
@@ -67,9 +74,11 @@ fn slope(steps: &[Step], count: usize) -> f64 {
 /// An L-shaped block, plane strain, 270° at (1, 1): `[0, 2]² × [0, t]` without `[1, 2]²`. Rollers at x = 0 and at the upper
 /// arm's end, a normal traction at the end of the lower arm: the re-entrant edge alone is singular.
 fn l_shape(n: usize) -> (&'static str, TetMesh) {
-    let mut mesh = Block::new([2 * n, 2 * n, n / 2], [2.0, 2.0, 0.5]).mesh(&["L"], |_| 0, |_, _| true);
+    let mut mesh =
+        Block::new([2 * n, 2 * n, n / 2], [2.0, 2.0, 0.5]).mesh(&["L"], |_| 0, |_, _| true);
     let inside = |t: &[u32; 4]| {
-        let c: [f64; 2] = std::array::from_fn(|d| t.iter().map(|i| 0.25 * mesh.nodes[*i as usize][d]).sum());
+        let c: [f64; 2] =
+            std::array::from_fn(|d| t.iter().map(|i| 0.25 * mesh.nodes[*i as usize][d]).sum());
         c[0] < 1.0 || c[1] < 1.0
     };
     let tets: Vec<[u32; 4]> = mesh.tets.iter().filter(|t| inside(t)).copied().collect();
@@ -104,7 +113,8 @@ fn re_entrant_edge() {
     assert!((u + 0.36).abs() <= 0.06, "uniform {u}");
     assert!(a <= -0.95, "adaptive {a}");
     // what is expected of a pass comes, within 30 % in the middle of all
-    let mut errors: Vec<f64> = steps.iter().filter_map(|s| Some((s.gap / s.expected? - 1.0).abs())).collect();
+    let mut errors: Vec<f64> =
+        steps.iter().filter_map(|s| Some((s.gap / s.expected? - 1.0).abs())).collect();
     errors.sort_by(f64::total_cmp);
     assert!(errors[errors.len() / 2] < 0.3, "{errors:?}");
 }

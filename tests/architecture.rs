@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 /// The stages in the order of the data flow; a stage uses itself and earlier ones.
 const STAGES: [&str; 13] = [
-    "spec", "catalog", "assembly", "geometry", "mesh", "model", "solve", "bounds", "adapt", "checks", "report",
-    "batch", "cli",
+    "spec", "catalog", "assembly", "geometry", "mesh", "model", "solve", "bounds", "adapt",
+    "checks", "report", "batch", "cli",
 ];
 
 /// Below everything: any stage may use them, they use only each other.
@@ -36,7 +36,8 @@ fn root() -> PathBuf {
 
 /// Every file below `dir`, as path relative to the root with `/`, in order.
 fn files(dir: &Path, found: &mut Vec<String>) {
-    let mut entries: Vec<_> = fs::read_dir(dir).expect("folder").map(|e| e.expect("entry").path()).collect();
+    let mut entries: Vec<_> =
+        fs::read_dir(dir).expect("folder").map(|e| e.expect("entry").path()).collect();
     entries.sort();
     for path in entries {
         let name = path.file_name().and_then(|n| n.to_str()).expect("UTF-8 name");
@@ -46,7 +47,13 @@ fn files(dir: &Path, found: &mut Vec<String>) {
             }
         } else {
             let relative = path.strip_prefix(root()).expect("below the root");
-            found.push(relative.components().map(|c| c.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/"));
+            found.push(
+                relative
+                    .components()
+                    .map(|c| c.as_os_str().to_string_lossy())
+                    .collect::<Vec<_>>()
+                    .join("/"),
+            );
         }
     }
 }
@@ -56,7 +63,10 @@ fn sources() -> Vec<(String, String)> {
     files(&root().join("src"), &mut found);
     found.retain(|f| f.ends_with(".rs"));
     assert!(found.len() > 10, "the sources are found");
-    found.into_iter().map(|f| (f.clone(), fs::read_to_string(root().join(&f)).expect("UTF-8 source"))).collect()
+    found
+        .into_iter()
+        .map(|f| (f.clone(), fs::read_to_string(root().join(&f)).expect("UTF-8 source")))
+        .collect()
 }
 
 /// The text without comments and without unit tests, which may look at later stages.
@@ -132,7 +142,8 @@ fn backward(stage: &str, path: &str) -> Option<String> {
 fn dependencies_point_one_way() {
     let mut faults = Vec::new();
     for (file, text) in sources() {
-        let stage = file.trim_start_matches("src/").split(['/', '.']).next().unwrap_or_default().to_owned();
+        let stage =
+            file.trim_start_matches("src/").split(['/', '.']).next().unwrap_or_default().to_owned();
         if stage == "lib" || stage == "main" {
             continue;
         }
@@ -151,7 +162,9 @@ fn files_stay_short() {
         .map(|(file, text)| (file, text.lines().count()))
         .filter(|(_, lines)| *lines > LONGEST)
         .map(|(file, lines)| {
-            format!("{file}: {lines} lines, at most {LONGEST} (one noun a file; or argue it in ARGUED)")
+            format!(
+                "{file}: {lines} lines, at most {LONGEST} (one noun a file; or argue it in ARGUED)"
+            )
         })
         .collect();
     assert!(long.is_empty(), "{}", long.join("\n"));
@@ -178,7 +191,9 @@ fn names_crate(code: &str, name: &str) -> bool {
         let inner = before.ends_with(word) || before.ends_with("::") && !before.ends_with(" ::");
         let line = before.rsplit('\n').next().unwrap_or_default().trim_start();
         let used = line.starts_with("use ") || line.starts_with("extern crate ");
-        !inner && !after.starts_with(word) && (after.starts_with("::") || used && after.starts_with([';', ' ']))
+        !inner
+            && !after.starts_with(word)
+            && (after.starts_with("::") || used && after.starts_with([';', ' ']))
     })
 }
 
@@ -186,14 +201,17 @@ fn names_crate(code: &str, name: &str) -> bool {
 fn machine_path(line: &str) -> Option<String> {
     ["home", "root", "tmp", "work", "Users"].iter().map(|d| format!("/{d}/")).find(|p| {
         line.match_indices(p.as_str()).any(|(at, _)| {
-            !line[..at].ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | '/' | '}' | '*'))
+            !line[..at].ends_with(|c: char| {
+                c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | '/' | '}' | '*')
+            })
         })
     })
 }
 
 /// The files under version control; without git, every file of the folder.
 fn tracked() -> Vec<String> {
-    let git = std::process::Command::new("git").arg("-C").arg(root()).args(["ls-files", "-z"]).output();
+    let git =
+        std::process::Command::new("git").arg("-C").arg(root()).args(["ls-files", "-z"]).output();
     let mut found = match git {
         Ok(out) if out.status.success() && !out.stdout.is_empty() => {
             out.stdout.split(|b| *b == 0).map(|f| String::from_utf8_lossy(f).into_owned()).collect()
@@ -226,7 +244,9 @@ fn no_machine_paths_in_text() {
 fn the_map_names_every_module() {
     let map = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let library = fs::read_to_string(root().join("src/lib.rs")).expect("src/lib.rs");
-    for module in library.lines().filter_map(|l| l.strip_prefix("pub mod ")).map(|m| m.trim_end_matches(';')) {
+    for module in
+        library.lines().filter_map(|l| l.strip_prefix("pub mod ")).map(|m| m.trim_end_matches(';'))
+    {
         let known = STAGES.contains(&module) || FOUNDATION.contains(&module);
         assert!(known, "src/lib.rs has `{module}`, which this test does not know");
         let shown = [format!("{module}/"), format!("{module}.rs")].iter().any(|m| map.contains(m));
@@ -238,7 +258,10 @@ fn the_map_names_every_module() {
 #[test]
 fn the_checks_can_fail() {
     let text = "use crate::diag::X;\nuse crate::{mesh::{tet, msh}, model::analysis::A};\nlet a = crate::cli::run();\n// crate::batch\n#[cfg(test)]\nuse crate::report::B;";
-    assert_eq!(used(&code(text)), ["diag::X", "mesh::tet", "mesh::msh", "model::analysis", "cli::run"]);
+    assert_eq!(
+        used(&code(text)),
+        ["diag::X", "mesh::tet", "mesh::msh", "model::analysis", "cli::run"]
+    );
     assert!(backward("mesh", "cli::run").is_some());
     assert!(backward("mesh", "model::analysis").is_some());
     assert!(backward("model", "mesh::tet").is_none());
@@ -251,12 +274,19 @@ fn the_checks_can_fail() {
     assert!(backward("diag", "units::Mm").is_none());
     assert!(backward("helpers", "diag").is_none() && backward("helpers", "mesh").is_some());
     assert!(names_crate("let v = serde_yaml::from_str(t);", "serde_yaml"));
-    assert!(names_crate("use clarabel;", "clarabel") && names_crate("use clarabel::solver;", "clarabel"));
-    assert!(!names_crate("pub mod clarabel;", "clarabel") && !names_crate("super::clarabel::solve()", "clarabel"));
+    assert!(
+        names_crate("use clarabel;", "clarabel")
+            && names_crate("use clarabel::solver;", "clarabel")
+    );
+    assert!(
+        !names_crate("pub mod clarabel;", "clarabel")
+            && !names_crate("super::clarabel::solve()", "clarabel")
+    );
     for bad in ["/ho@me/me/x", "see /wo@rk/a", "\"/t@mp/a\"", "(/ro@ot/b)", "/Us@ers/x"] {
         assert!(machine_path(&bad.replace('@', "")).is_some(), "{bad}");
     }
-    for good in ["target/tmp/a", "https://x.org/home/a", "../work/b", "$root/.venv", "a / root / b"] {
+    for good in ["target/tmp/a", "https://x.org/home/a", "../work/b", "$root/.venv", "a / root / b"]
+    {
         assert!(machine_path(good).is_none(), "{good}");
     }
 }

@@ -63,8 +63,11 @@ pub fn opening() -> String {
 pub fn mesh_of(cells: [usize; 3], height: f64) -> String {
     let block = Block::new(cells, [20.0, 20.0, height]).jittered(3);
     let joint = height / 2.0;
-    let mesh =
-        block.mesh(&["BASE", "BLOCK"], |x| usize::from(x[2] > joint), |axis, x| axis == 2 && (x - joint).abs() < 1e-9);
+    let mesh = block.mesh(
+        &["BASE", "BLOCK"],
+        |x| usize::from(x[2] > joint),
+        |axis, x| axis == 2 && (x - joint).abs() < 1e-9,
+    );
     msh_write::text(&mesh)
 }
 

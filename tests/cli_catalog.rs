@@ -3,7 +3,11 @@
 use std::process::{Command, Output};
 
 fn bracket(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_bracket")).arg("catalog").args(args).output().expect("bracket starts")
+    Command::new(env!("CARGO_BIN_EXE_bracket"))
+        .arg("catalog")
+        .args(args)
+        .output()
+        .expect("bracket starts")
 }
 
 fn stdout(args: &[&str]) -> String {
@@ -35,7 +39,8 @@ fn kinds_have_rows() {
         let line = text.lines().find(|l| l.split_whitespace().next() == Some(kind)).expect(kind);
         assert_eq!(line.split_whitespace().nth(1), Some(rows.to_string().as_str()));
         assert_eq!(stdout(&["list", kind]).lines().count(), rows + 1);
-        let json: serde_json::Value = serde_json::from_str(&stdout(&["list", kind, "--format", "json"])).expect("JSON");
+        let json: serde_json::Value =
+            serde_json::from_str(&stdout(&["list", kind, "--format", "json"])).expect("JSON");
         assert_eq!(json.as_array().map(Vec::len), Some(rows));
     }
 }
@@ -53,15 +58,20 @@ fn a_series_is_listed_alone() {
 fn a_row_is_shown_with_unit_and_source() {
     for spelling in [&["show", "HE200B"][..], &["show", "HE 200 B"], &["show", "HE", "200", "B"]] {
         let text = stdout(spelling);
-        for line in
-            ["name: HEB200", "h: 200 mm", "area: 78.08 cm2", "i_y: 5696 cm4", "source: catalogs/profiles_i.csv line 49"]
-        {
+        for line in [
+            "name: HEB200",
+            "h: 200 mm",
+            "area: 78.08 cm2",
+            "i_y: 5696 cm4",
+            "source: catalogs/profiles_i.csv line 49",
+        ] {
             assert!(text.lines().any(|l| l.trim() == line), "{line} in\n{text}");
         }
         assert!(text.contains("EN 10365:2017"));
     }
     assert!(stdout(&["show", "M18"]).lines().any(|l| l.trim() == "area: 254.5 mm2"));
-    let json: serde_json::Value = serde_json::from_str(&stdout(&["show", "S355", "--format", "json"])).expect("JSON");
+    let json: serde_json::Value =
+        serde_json::from_str(&stdout(&["show", "S355", "--format", "json"])).expect("JSON");
     assert_eq!(json[0]["row"]["bands"][1]["fy"], 335.0);
     assert!(json[0]["provenance"]["read_from"].is_string());
 }
@@ -77,11 +87,20 @@ fn a_folder_of_ones_own_is_added() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let path = dir.path().to_str().expect("UTF-8 path");
     assert!(refused(&["list", "friction", "--dir", path]).contains("no .csv file"));
-    std::fs::write(dir.path().join("own.csv"), "class,slip_factor_mu,surface_treatment\nE,0.15,painted\n")
-        .expect("write");
+    std::fs::write(
+        dir.path().join("own.csv"),
+        "class,slip_factor_mu,surface_treatment\nE,0.15,painted\n",
+    )
+    .expect("write");
     assert!(stdout(&["list", "friction", "--dir", path]).contains("painted"));
     assert!(stdout(&["show", "E", "--dir", path]).contains("mu: 0.15"));
-    std::fs::write(dir.path().join("own.csv"), "class,slip_factor_mu,surface_treatment\nC,0.15,painted\n")
-        .expect("write");
-    assert!(refused(&["list", "friction", "--dir", path]).contains("catalogs/friction_classes.csv line 4"));
+    std::fs::write(
+        dir.path().join("own.csv"),
+        "class,slip_factor_mu,surface_treatment\nC,0.15,painted\n",
+    )
+    .expect("write");
+    assert!(
+        refused(&["list", "friction", "--dir", path])
+            .contains("catalogs/friction_classes.csv line 4")
+    );
 }

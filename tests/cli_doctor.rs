@@ -18,11 +18,16 @@ fn a_mesher_that_answers_is_found() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let mesher = dir.path().join("gmsh");
     std::fs::write(&mesher, "#!/bin/sh\necho 4.15.2\n").expect("write");
-    std::fs::set_permissions(&mesher, std::fs::Permissions::from_mode(0o755)).expect("make executable");
+    std::fs::set_permissions(&mesher, std::fs::Permissions::from_mode(0o755))
+        .expect("make executable");
     let out = doctor(mesher.to_str().expect("UTF-8 path"));
     let json: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");
     let finding = &json["findings"][0];
-    assert_eq!((&finding["item"], &finding["status"]), (&"mesher".into(), &"ok".into()), "{json:#}");
+    assert_eq!(
+        (&finding["item"], &finding["status"]),
+        (&"mesher".into(), &"ok".into()),
+        "{json:#}"
+    );
     assert!(finding["found"].as_str().is_some_and(|f| f.contains("4.15.2")));
     assert_eq!(out.status.code(), Some(if json["ok"] == true { 0 } else { 4 }));
 }
@@ -35,6 +40,9 @@ fn a_missing_mesher_is_exit_code_4_with_a_cure() {
     assert_eq!(json["ok"], false);
     let finding = &json["findings"][0];
     assert_eq!(finding["status"], "missing");
-    assert!(finding["found"].as_str().is_some_and(|f| f.contains("no-such-program-anywhere")), "{json:#}");
+    assert!(
+        finding["found"].as_str().is_some_and(|f| f.contains("no-such-program-anywhere")),
+        "{json:#}"
+    );
     assert!(finding["cure"].as_str().is_some_and(|c| c.contains("BRACKET_GMSH")));
 }

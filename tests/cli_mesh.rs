@@ -59,7 +59,11 @@ fn a_mesh_with_a_flat_tet_is_made_again() {
     let table: serde_json::Value = serde_json::from_str(&table).expect("JSON");
     let bodies = table["quality"].as_array().expect("one entry a body");
     let worst = bodies.iter().filter_map(|b| b["worst_dihedral"].as_f64()).fold(90.0, f64::min);
-    assert!(bodies.len() == 5 && (0.5..70.6).contains(&worst), "{worst} degrees of {} bodies", bodies.len());
+    assert!(
+        bodies.len() == 5 && (0.5..70.6).contains(&worst),
+        "{worst} degrees of {} bodies",
+        bodies.len()
+    );
 }
 
 /// Runs with input or a mesher that must fail; returns the message and checks that nothing is left.
@@ -82,7 +86,8 @@ fn missing_mesher_is_exit_4() {
 #[cfg(unix)]
 fn killed_mesher_is_exit_4_and_leaves_nothing() {
     let script = tempfile::NamedTempFile::new().expect("temporary file");
-    std::fs::write(script.path(), "[ \"$1\" = --version ] && echo 4.15.2 && exit 0\nkill -9 $$\n").expect("written");
+    std::fs::write(script.path(), "[ \"$1\" = --version ] && echo 4.15.2 && exit 0\nkill -9 $$\n")
+        .expect("written");
     let mesher = serde_json::json!(["sh", script.path()]).to_string();
     assert!(refused(LAP, &mesher, 4).contains("mesher/killed"));
 }

@@ -87,9 +87,19 @@ fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
             fy: n.of(&strength),
             flange_throat,
             web_throat,
-            shear: if n.chance(0.3) { n.between(0.0, 0.55) * beam.h * beam.tw * 235.0 } else { 0.0 },
+            shear: if n.chance(0.3) {
+                n.between(0.0, 0.55) * beam.h * beam.tw * 235.0
+            } else {
+                0.0
+            },
         },
-        plate: Plate { thickness: plate_thickness, width, bottom: -bottom, top, fy: n.of(&strength[..3]) },
+        plate: Plate {
+            thickness: plate_thickness,
+            width,
+            bottom: -bottom,
+            top,
+            fy: n.of(&strength[..3]),
+        },
         bolts: Bolts {
             gauge,
             rows,
@@ -137,32 +147,60 @@ impl Compared {
         let difference = (mine - other).abs() / mine.abs().max(other.abs()).max(1e3);
         self.count += 1;
         self.worst = self.worst.max(difference);
-        assert!(difference <= 0.01, "{what}: {mine}, independently {other}, of {}", serde_json::json!(joint));
+        assert!(
+            difference <= 0.01,
+            "{what}: {mine}, independently {other}, of {}",
+            serde_json::json!(joint)
+        );
     }
 }
 
-fn compare(joint: &EndPlateJoint, sense: &str, mine: &Assessment, other: &Value, seen: &mut Compared) {
+fn compare(
+    joint: &EndPlateJoint,
+    sense: &str,
+    mine: &Assessment,
+    other: &Value,
+    seen: &mut Compared,
+) {
     let sign = if sense == "bottom" { -1.0 } else { 1.0 };
-    let rows = other["rows"].as_array().unwrap_or_else(|| panic!("{sense}: {other} of {}", serde_json::json!(joint)));
+    let rows = other["rows"]
+        .as_array()
+        .unwrap_or_else(|| panic!("{sense}: {other} of {}", serde_json::json!(joint)));
     assert_eq!(rows.len(), mine.rows.len(), "{sense} of {}", serde_json::json!(joint));
     for (r, row) in mine.rows.iter().zip(rows) {
-        assert!((sign * r.z - row["z"].as_f64().unwrap_or(f64::NAN)).abs() < 1e-9, "{sense}: rows in another order");
+        assert!(
+            (sign * r.z - row["z"].as_f64().unwrap_or(f64::NAN)).abs() < 1e-9,
+            "{sense}: rows in another order"
+        );
         for c in &r.alone {
             let what = format!("{sense}, row at {}, {}", r.z, c.name);
             seen.near(&what, joint, c.worked.value, &row[c.name.replace(' ', "_").as_str()]);
         }
-        seen.near(&format!("{sense}, row at {}, after groups", r.z), joint, r.grouped, &row["grouped"]);
+        seen.near(
+            &format!("{sense}, row at {}, after groups", r.z),
+            joint,
+            r.grouped,
+            &row["grouped"],
+        );
         seen.near(&format!("{sense}, row at {}", r.z), joint, r.force, &row["force"]);
     }
-    for (of, key) in [(Summed::ColumnWeb, "compression"), (Summed::BeamFlange, "beam_flange"), (Summed::Panel, "panel")]
-    {
+    for (of, key) in [
+        (Summed::ColumnWeb, "compression"),
+        (Summed::BeamFlange, "beam_flange"),
+        (Summed::Panel, "panel"),
+    ] {
         match mine.limit(of) {
             Some(limit) => seen.near(&format!("{sense}, {key}"), joint, limit.value, &other[key]),
             None => assert!(other[key].is_null(), "{sense}, {key}: {}", other[key]),
         }
     }
     seen.near(&format!("{sense}, M_j,Rd"), joint, mine.moment.value, &other["moment"]);
-    seen.near(&format!("{sense}, S_j,ini"), joint, mine.stiffness.initial.value, &other["stiffness"]);
+    seen.near(
+        &format!("{sense}, S_j,ini"),
+        joint,
+        mine.stiffness.initial.value,
+        &other["stiffness"],
+    );
 }
 
 /// Every component, row force, M_j,Rd, S_j,ini and N_j,Rd of 500 random joints, both senses of bending, within 1 %.
@@ -170,7 +208,8 @@ fn compare(joint: &EndPlateJoint, sense: &str, mine: &Assessment, other: &Value,
 fn random_joints_agree_with_the_second_implementation() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
     let series = ["IPE", "HEA", "HEB", "HEM", "UB", "UC", "W"];
-    let fits = |p: &&IProfile| series.contains(&p.series.as_str()) && (180.0..=760.0).contains(&p.h);
+    let fits =
+        |p: &&IProfile| series.contains(&p.series.as_str()) && (180.0..=760.0).contains(&p.h);
     let profiles: Vec<&IProfile> = catalog.profiles().iter().filter(fits).collect();
     assert!(profiles.len() > 200, "{}", profiles.len());
     let mut n = Numbers(20);
@@ -184,7 +223,11 @@ fn random_joints_agree_with_the_second_implementation() {
                     senses += 1;
                     compare(joint, sense, &mine, &other[sense], &mut seen);
                 }
-                Err(why) => assert!(other[sense].get("error").is_some(), "{why}, but {} of {joint:?}", other[sense]),
+                Err(why) => assert!(
+                    other[sense].get("error").is_some(),
+                    "{why}, but {} of {joint:?}",
+                    other[sense]
+                ),
             }
         }
         if other["n_tension"].is_null() {
@@ -195,7 +238,10 @@ fn random_joints_agree_with_the_second_implementation() {
         seen.near("N_j,Rd in tension", joint, e.tension, &other["n_tension"]);
         seen.near("N_j,Rd in compression", joint, e.compression, &other["n_compression"]);
     }
-    println!("{} numbers of {senses} senses, {axial} N_j,Rd; largest difference {:.1e}", seen.count, seen.worst);
+    println!(
+        "{} numbers of {senses} senses, {axial} N_j,Rd; largest difference {:.1e}",
+        seen.count, seen.worst
+    );
     assert!(senses >= 600 && axial >= 250, "{senses} senses, {axial} N_j,Rd were covered");
 }
 

@@ -22,7 +22,8 @@ const ON_GROUND: &str = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {BLOCK: s
     supports: [{face: Z0, law: contact, mu: 0.3, friction: associated}]\nloads: [{face: Z1, traction: [2, 0, -40]}]\n";
 
 fn on_ground() -> AnalysisModel {
-    let mesh = Block::new([3, 2, 3], [30.0, 20.0, 30.0]).jittered(5).mesh(&["BLOCK"], |_| 0, |_, _| false);
+    let mesh =
+        Block::new([3, 2, 3], [30.0, 20.0, 30.0]).jittered(5).mesh(&["BLOCK"], |_| 0, |_, _| false);
     resolve(ON_GROUND, mesh).expect("a sound model")
 }
 
@@ -33,7 +34,9 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
     let progress: Progress = Arc::new(move |program, event| {
         let word = match event {
             Event::Assembly => "assembly".into(),
-            Event::Forecast { unknowns, forecast } => format!("forecast {unknowns} {}", forecast.is_some()),
+            Event::Forecast { unknowns, forecast } => {
+                format!("forecast {unknowns} {}", forecast.is_some())
+            }
             Event::Waits { needed, room } => format!("waits {needed} {}", room.bytes),
             Event::Refused(r) => format!("refused {} {}", r.needed, r.room.bytes),
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
@@ -90,12 +93,19 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
     assert!(!words.iter().any(|w| w.contains("waits") || w.contains("refused")), "{words:?}");
     for program in ["kinematic", "static"] {
         let run = if program == "kinematic" { both(&free)[0] } else { both(&free)[1] };
-        let order = ["assembly", &format!("forecast {} true", run.dofs), "solve true", "certify", "ended optimal"];
+        let order = [
+            "assembly",
+            &format!("forecast {} true", run.dofs),
+            "solve true",
+            "certify",
+            "ended optimal",
+        ];
         assert!(order.map(|w| at(&words, &format!("{program} {w}"))).is_sorted(), "{words:?}");
     }
     let [k, s] = both(&free).map(|r| r.forecast.expect("condensed").bytes);
     assert!(0 < k && k < s, "{k} {s}");
-    let values = |p: &Pass| [p.lower.as_ref().map(|b| b.value()), p.upper.as_ref().map(|b| b.value())];
+    let values =
+        |p: &Pass| [p.lower.as_ref().map(|b| b.value()), p.upper.as_ref().map(|b| b.value())];
 
     // exactly both; one byte less; exactly the larger one
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k + s]);
@@ -104,7 +114,8 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
     for room in [k + s - 1, s] {
         let (pass, words) = in_rooms(&model, Limit::Machine, &[room]);
         let waits = at(&words, &format!("static waits {} {room}", k + s));
-        let order = ["kinematic solve true", "kinematic ended optimal", "static solve true"].map(|w| at(&words, w));
+        let order = ["kinematic solve true", "kinematic ended optimal", "static solve true"]
+            .map(|w| at(&words, w));
         assert!(waits < order[0] && order.is_sorted(), "{words:?}");
         // in turn or side by side, the answer is the same to the last digit
         assert_eq!(values(&pass), values(&free));
@@ -114,18 +125,26 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
         let (pass, words) = in_rooms(&model, Limit::Asked(1 << 30), &[room]);
         assert_eq!(bounds(&pass), [true, false]);
         assert_eq!(pass.upper.as_ref().map(|b| b.value()), free.upper.as_ref().map(|b| b.value()));
-        assert!(at(&words, &format!("static refused {s} {room}")) < at(&words, "kinematic solve true"), "{words:?}");
+        assert!(
+            at(&words, &format!("static refused {s} {room}")) < at(&words, "kinematic solve true"),
+            "{words:?}"
+        );
         let [_, refused] = both(&pass);
         assert_eq!((refused.status, refused.iterations), (SolveStatus::TooLarge, 0));
         let refusal = refused.refusal.expect("why");
-        assert_eq!((refusal.needed, refusal.room.bytes, refusal.room.limit), (s, room, Limit::Asked(1 << 30)));
+        assert_eq!(
+            (refusal.needed, refusal.room.bytes, refusal.room.limit),
+            (s, room, Limit::Asked(1 << 30))
+        );
     }
     let warnings = |pass: &Pass| case_result("A", &model, pass, None).warnings;
     let (pass, _) = in_rooms(&model, Limit::Machine, &[k]);
     let told = warnings(&pass);
     assert!(
         told.len() == 1
-            && told[0].starts_with("the static program was not started, so there is no lower bound: it needs")
+            && told[0].starts_with(
+                "the static program was not started, so there is no lower bound: it needs"
+            )
     );
     // neither fits: the caller says so, no event does
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k - 1]);
@@ -143,7 +162,10 @@ fn the_one_that_waits_looks_again() {
     let (pass, words) = in_rooms(&model, Limit::Machine, &[s, s - 1]);
     assert_eq!(bounds(&pass), [true, false]);
     assert_eq!(both(&pass)[1].status, SolveStatus::TooLarge);
-    assert!(at(&words, "kinematic ended optimal") < at(&words, &format!("static refused {s} {}", s - 1)));
+    assert!(
+        at(&words, "kinematic ended optimal")
+            < at(&words, &format!("static refused {s} {}", s - 1))
+    );
     let (pass, _) = in_rooms(&model, Limit::Asked(1 << 30), &[s, k]);
     assert_eq!(bounds(&pass), [true, true]);
 }
@@ -155,7 +177,12 @@ fn one_program_alone_needs_its_own_room_only() {
     let [k, s] = both(&free).map(|r| r.forecast.expect("condensed").bytes);
     model.bounds = bracket::model::file::Bounds::Kinematic;
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k]);
-    assert!(pass.statics.is_none() && pass.upper.is_some() && !words.iter().any(|w| w.contains("waits")), "{words:?}");
+    assert!(
+        pass.statics.is_none()
+            && pass.upper.is_some()
+            && !words.iter().any(|w| w.contains("waits")),
+        "{words:?}"
+    );
     let (pass, _) = in_rooms(&model, Limit::Machine, &[k - 1]);
     assert_eq!(pass.kinematic.map(|r| r.status), Some(SolveStatus::TooLarge));
     model.bounds = bracket::model::file::Bounds::Static;
@@ -188,14 +215,21 @@ fn every_iteration_is_kept_and_told() {
                 counted[usize::from(program == Program::Static)].fetch_add(1, Ordering::Relaxed);
             }
         });
-        let pass = engine::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress).expect("sound");
+        let pass = engine::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress)
+            .expect("sound");
         for (run, told) in both(&pass).into_iter().zip(count.iter()) {
             let trace = &run.trace;
             assert_eq!(trace.len(), told.load(Ordering::Relaxed));
             assert!(trace.len() > run.iterations as usize && run.iterations > 3, "{trace:?}");
             assert_eq!(trace[0].number, 0);
-            assert!(trace.windows(2).all(|w| w[0].number < w[1].number && w[0].seconds <= w[1].seconds), "{trace:?}");
-            assert!(trace.last().is_some_and(|i| i.gap < 1e-7 && i.seconds <= run.solve_seconds), "{trace:?}");
+            assert!(
+                trace.windows(2).all(|w| w[0].number < w[1].number && w[0].seconds <= w[1].seconds),
+                "{trace:?}"
+            );
+            assert!(
+                trace.last().is_some_and(|i| i.gap < 1e-7 && i.seconds <= run.solve_seconds),
+                "{trace:?}"
+            );
             assert!(trace[1..].iter().all(|i| i.step > 0.0 && i.step <= 1.0), "{trace:?}");
         }
     }
@@ -241,23 +275,34 @@ fn an_interrupt_ends_at_the_next_iteration_and_leaves_what_is_certified() {
     assert!(pass.upper.as_ref().is_some_and(|b| b.is_strict()));
     assert_eq!((both(&pass)[1].status, both(&pass)[1].iterations), (SolveStatus::Interrupted, 3));
     let entry = case_result("A", &model, &pass, None);
-    assert_eq!(entry.warnings, ["the static program was interrupted after 3 iterations: no lower bound"]);
+    assert_eq!(
+        entry.warnings,
+        ["the static program was interrupted after 3 iterations: no lower bound"]
+    );
     assert!(entry.upper.is_some() && entry.lower.is_none() && entry.load_displacement.is_none());
 
     // while the first field is certified: it is, the other program does not begin
-    let pass = interrupted_at(&model, Solver::Condensed, |p, e| p == Program::Kinematic && matches!(e, Event::Certify));
+    let pass = interrupted_at(&model, Solver::Condensed, |p, e| {
+        p == Program::Kinematic && matches!(e, Event::Certify)
+    });
     assert_eq!(bounds(&pass), [true, false]);
 
     // before anything is ordered
     let pass = interrupted_at(&model, Solver::Condensed, |_, e| matches!(e, Event::Assembly));
     assert_eq!(bounds(&pass), [false, false]);
-    assert!(both(&pass).iter().all(|r| r.status == SolveStatus::Interrupted && r.forecast.is_none()));
+    assert!(
+        both(&pass).iter().all(|r| r.status == SolveStatus::Interrupted && r.forecast.is_none())
+    );
 }
 
 #[test]
 fn the_general_solver_is_interrupted_too() {
     let model = on_ground();
-    let pass = interrupted_at(&model, Solver::Clarabel, |_, e| matches!(e, Event::Iteration(i) if i.number == 2));
+    let pass = interrupted_at(
+        &model,
+        Solver::Clarabel,
+        |_, e| matches!(e, Event::Iteration(i) if i.number == 2),
+    );
     assert_eq!(bounds(&pass), [false, false]);
     assert!(both(&pass).iter().any(|r| r.status == SolveStatus::Interrupted && r.iterations >= 2));
 }
@@ -334,11 +379,17 @@ fn what_is_no_certificate_names_no_contact() {
     let conflict = |z: &[f64]| diagnosis::conflict(&model, &kinematic.program, &contacts, z);
     let rows = kinematic.program.h.len();
     // the first row of each cone of three
-    let pressed = |size: f64| (0..rows).map(|r| if r % 3 == 0 { size } else { 0.0 }).collect::<Vec<f64>>();
+    let pressed =
+        |size: f64| (0..rows).map(|r| if r % 3 == 0 { size } else { 0.0 }).collect::<Vec<f64>>();
     assert!(contacts.contains(&0) && contacts.contains(&1) && rows == 3 * contacts.len());
-    for z in
-        [vec![0.0; rows], pressed(1.0), pressed(-1.0), vec![1.0; rows], pressed(f64::NAN), pressed(1.0)[1..].to_vec()]
-    {
+    for z in [
+        vec![0.0; rows],
+        pressed(1.0),
+        pressed(-1.0),
+        vec![1.0; rows],
+        pressed(f64::NAN),
+        pressed(1.0)[1..].to_vec(),
+    ] {
         assert_eq!(conflict(&z), None);
     }
 }
@@ -359,5 +410,8 @@ fn only_the_contacts_in_conflict_are_named() {
         .replace("loads: []", "loads: [{face: OTHER_Z1, traction: [0, 0, -1]}]");
     let solved = solve_to(&yaml, beside(mesh, other), &SolveOptions::default());
     let conflict = solved.pass.kinematic.and_then(|r| r.conflict).unwrap_or_default();
-    assert!(conflict.contains("`X0`") && conflict.contains("`X1`") && !conflict.contains("OTHER"), "{conflict}");
+    assert!(
+        conflict.contains("`X0`") && conflict.contains("`X1`") && !conflict.contains("OTHER"),
+        "{conflict}"
+    );
 }

@@ -15,7 +15,8 @@ use std::path::Path;
 /// The hand checks of a spec; `None` where the template refuses it.
 fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     let path = Path::new("joint.yaml");
-    let spec = yaml::parse::<ConnectionSpec>(text, path).unwrap_or_else(|e| panic!("{e:?}: {text}"));
+    let spec =
+        yaml::parse::<ConnectionSpec>(text, path).unwrap_or_else(|e| panic!("{e:?}: {text}"));
     assembly::build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
 }
 
@@ -48,11 +49,20 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
     };
     let hand = of(142.0);
     let (j, all) = verdict(&hand, Verdict::Ok);
-    assert_eq!([j.verdict, j.by_code, j.by_analysis], [Verdict::NotOk, Verdict::NotOk, Verdict::Ok]);
-    let web = all.iter().find(|c| c.title == "column web in compression, with its buckling").expect("the check");
+    assert_eq!(
+        [j.verdict, j.by_code, j.by_analysis],
+        [Verdict::NotOk, Verdict::NotOk, Verdict::Ok]
+    );
+    let web = all
+        .iter()
+        .find(|c| c.title == "column web in compression, with its buckling")
+        .expect("the check");
     assert!(web.resistance.is_some_and(|r| (r / 406e3 - 1.0).abs() < 0.002), "{web:?}");
     assert!(web.formula.contains("ρ = 0.645"), "{web:?}");
-    let share = all.iter().find(|c| c.title == "moment and axial force of the joint").and_then(|c| c.utilisation);
+    let share = all
+        .iter()
+        .find(|c| c.title == "moment and axial force of the joint")
+        .and_then(|c| c.utilisation);
     assert!(share.is_some_and(|u| (u - 1.05).abs() < 0.01), "{share:?}");
     assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
     // by code alone the same; with the web strong enough for the load it is the analysis that is asked
@@ -71,8 +81,12 @@ fn an_overload_is_refused_without_an_analysis() {
     for analysis in [Verdict::None, Verdict::Undecided] {
         let (j, all) = verdict(&hand, analysis);
         assert_eq!((j.verdict, j.by_code), (Verdict::NotOk, Verdict::NotOk));
-        let bolt = all.iter().find(|c| c.title.starts_with("tension of a bolt")).expect("the check");
-        assert!(bolt.status == Status::Failed && bolt.demand.is_some_and(|f| f > 112e3), "{bolt:?}");
+        let bolt =
+            all.iter().find(|c| c.title.starts_with("tension of a bolt")).expect("the check");
+        assert!(
+            bolt.status == Status::Failed && bolt.demand.is_some_and(|f| f > 112e3),
+            "{bolt:?}"
+        );
     }
 }
 
@@ -93,7 +107,9 @@ fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
         assert_eq!(j.verdict, Verdict::Undecided, "{}", j.reason);
         let panel = all.iter().find(|c| c.status == Status::Undecided).expect("the panel");
         assert!(panel.formula.contains("69 ε") && panel.clause.contains("6.2.6.1(1)"), "{panel:?}");
-        for title in ["shear of all bolts", "column web panel in shear", "moment and axial force", "bearing"] {
+        for title in
+            ["shear of all bolts", "column web panel in shear", "moment and axial force", "bearing"]
+        {
             assert!(all.iter().any(|c| c.case.is_some() && c.title.starts_with(title)), "{title}");
         }
     }
@@ -101,7 +117,11 @@ fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
 }
 
 /// A spec of a one-sided joint without its loads, or of a splice.
-fn random_spec(n: &mut Numbers, columns: &[&IProfile], beams: &[&IProfile]) -> (String, IProfile, f64) {
+fn random_spec(
+    n: &mut Numbers,
+    columns: &[&IProfile],
+    beams: &[&IProfile],
+) -> (String, IProfile, f64) {
     let (column, beam) = (n.of(columns), n.of(beams));
     let (size, d) = n.of(&[("M16", 16.0), ("M20", 20.0), ("M24", 24.0)]);
     let steels = [("S235", 235.0), ("S275", 275.0), ("S355", 355.0)];
@@ -136,7 +156,10 @@ fn random_spec(n: &mut Numbers, columns: &[&IProfile], beams: &[&IProfile]) -> (
 }
 
 fn rank(v: Verdict) -> usize {
-    [Verdict::None, Verdict::Ok, Verdict::Undecided, Verdict::NotOk].iter().position(|o| *o == v).unwrap_or(9)
+    [Verdict::None, Verdict::Ok, Verdict::Undecided, Verdict::NotOk]
+        .iter()
+        .position(|o| *o == v)
+        .unwrap_or(9)
 }
 
 /// Demands of 0.5 to 3 times M_j,Rd beside axial and shear forces on 200 joints: OK only where every binding check holds, and a
@@ -148,7 +171,8 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
         let fits = |p: &&IProfile| series.contains(&p.series.as_str()) && heights.contains(&p.h);
         catalog.profiles().iter().filter(fits).collect()
     };
-    let (columns, beams) = (of(&["HEA", "HEB", "HEM", "UC"], 150.0..420.0), of(&["IPE", "UB"], 230.0..560.0));
+    let (columns, beams) =
+        (of(&["HEA", "HEB", "HEM", "UC"], 150.0..420.0), of(&["IPE", "UB"], 230.0..560.0));
     let mut n = Numbers(7);
     let (mut joints, mut seen) = (0, [0usize; 4]);
     for _ in 0..4000 {
@@ -156,7 +180,11 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
             break;
         }
         let (spec, beam, fy) = random_spec(&mut n, &columns, &beams);
-        let ends = if spec.contains("splice") { ("beam_right", "bolt_plane") } else { ("beam_right", "column_face") };
+        let ends = if spec.contains("splice") {
+            ("beam_right", "bolt_plane")
+        } else {
+            ("beam_right", "column_face")
+        };
         let with = |m: f64, axial: f64, v: f64| {
             let load = format!(
                 "loads: [{{name: A, end: {}, at: {}, My: {m} N mm, N: {axial} N, Vz: {v} N}}]\n",
@@ -171,12 +199,17 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
         let shear = n.between(-0.6, 0.1) * beam.h * beam.tw * fy / 3f64.sqrt();
         let (mut before, mut used_before) = (0, 0.0);
         for factor in [0.25, 0.5, 0.7, 0.9, 1.0, 1.1, 1.5, 2.0, 3.0] {
-            let hand = with(factor * resistance, factor * axial, factor * shear).expect("the same joint");
+            let hand =
+                with(factor * resistance, factor * axial, factor * shear).expect("the same joint");
             let (j, all) = verdict(&hand, Verdict::None);
-            let binding = || all.iter().filter(|c| !matches!(c.status, Status::Information | Status::Warning));
+            let binding = || {
+                all.iter().filter(|c| !matches!(c.status, Status::Information | Status::Warning))
+            };
             let place = || format!("{factor} × {resistance} N mm, {axial} N, {shear} N on {spec}");
             if j.verdict == Verdict::Ok {
-                let over = binding().find(|c| c.status != Status::Ok || c.utilisation.is_some_and(|u| u > 1.0 + 1e-9));
+                let over = binding().find(|c| {
+                    c.status != Status::Ok || c.utilisation.is_some_and(|u| u > 1.0 + 1e-9)
+                });
                 assert!(over.is_none(), "{over:?}: {}", place());
                 assert!(factor <= 1.0 + 1e-9, "{}", place());
             }
@@ -213,8 +246,9 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     let open = |hand: &HandChecks, words: &str| {
         let (j, all) = verdict(hand, Verdict::Ok);
         assert_eq!(j.verdict, Verdict::Undecided, "{words}: {}", j.reason);
-        let told =
-            all.iter().any(|c| c.status == Status::Undecided && (c.title.contains(words) || c.formula.contains(words)));
+        let told = all.iter().any(|c| {
+            c.status == Status::Undecided && (c.title.contains(words) || c.formula.contains(words))
+        });
         assert!(told, "{words}");
     };
     let small = "My: 20 kN m";
@@ -222,12 +256,17 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
         open(&one_sided("", "", ROWS, actions).expect("a joint"), "leave");
     }
     // Table 6.6 covers one row outside the flange
-    open(&one_sided("", "", "[-90, 90, 190, 260]", small).expect("a joint"), "outside the tension flange");
+    open(
+        &one_sided("", "", "[-90, 90, 190, 260]", small).expect("a joint"),
+        "outside the tension flange",
+    );
     // what presses the column beside the moment
     let pressed = "My: 20 kN m}, {name: A, section: column_top, pressure: 50 MPa";
     open(&one_sided("", "", ROWS, pressed).expect("a joint"), "members.column.N_Ed");
     assert_eq!(
-        verdict(&one_sided("", ", N_Ed: -390 kN", ROWS, pressed).expect("a joint"), Verdict::Ok).0.verdict,
+        verdict(&one_sided("", ", N_Ed: -390 kN", ROWS, pressed).expect("a joint"), Verdict::Ok)
+            .0
+            .verdict,
         Verdict::Ok
     );
     // a steel without β_w has no fillet welds by the code
@@ -253,10 +292,16 @@ fn a_small_axial_force_is_held_against_a_weak_joint() {
     // 5 % of 11 600 mm² · 355 MPa are 206 kN; four M12 4.6 carry 4 · 24.3 kN
     let (j, all) = of(200.0, 0.0);
     assert_eq!(j.verdict, Verdict::NotOk);
-    let of_title =
-        |title: &str| all.iter().find(|c| c.case.is_some() && c.title.starts_with(title)).and_then(|c| c.utilisation);
+    let of_title = |title: &str| {
+        all.iter()
+            .find(|c| c.case.is_some() && c.title.starts_with(title))
+            .and_then(|c| c.utilisation)
+    };
     let bolt = 0.9 * 400.0 * 84.3 / 1.25;
-    assert!(of_title("moment and axial force").is_some_and(|u| u >= 200e3 / (4.0 * bolt) - 1e-9), "{all:#?}");
+    assert!(
+        of_title("moment and axial force").is_some_and(|u| u >= 200e3 / (4.0 * bolt) - 1e-9),
+        "{all:#?}"
+    );
     assert!(of_title("tension of a bolt").is_some_and(|u| u > 1.0));
     assert_eq!(of(30.0, 1.0).0.verdict, Verdict::Ok);
 }
@@ -308,10 +353,17 @@ fn a_slender_beam_web_is_held_against_its_shear_buckling() {
              grade: \"10.9\", rows: [-300, -200, 200, 300]}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, Vz: -{v} kN}}]\n"
         );
         let hand = checks(&text, &builtin()).expect("a joint");
-        hand.checks.iter().find(|c| c.title.starts_with("shear buckling")).expect("the check").clone()
+        hand.checks
+            .iter()
+            .find(|c| c.title.starts_with("shear buckling"))
+            .expect("the check")
+            .clone()
     };
     let c = of(1700.0);
-    assert!(c.resistance.is_some_and(|r| (r / 1722e3 - 1.0).abs() < 0.005) && c.status == Status::Ok, "{c:?}");
+    assert!(
+        c.resistance.is_some_and(|r| (r / 1722e3 - 1.0).abs() < 0.005) && c.status == Status::Ok,
+        "{c:?}"
+    );
     assert_eq!(of(1750.0).status, Status::Failed);
 }
 
@@ -327,25 +379,36 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
         let parsed = yaml::parse::<ConnectionSpec>(&text, Path::new("joint.yaml")).expect("a spec");
         assembly::build(&parsed, Path::new(""), &builtin())
     };
-    let (four, two) = (spec("outer_gauge: 220", 110.0).expect("a joint"), spec("", 110.0).expect("a joint"));
+    let (four, two) =
+        (spec("outer_gauge: 220", 110.0).expect("a joint"), spec("", 110.0).expect("a joint"));
     let bolts = |j: &assembly::Joint| {
-        j.assembly.parts.iter().filter(|p| p.name.contains("BOLT") || p.name.contains("OUTER")).count()
+        j.assembly
+            .parts
+            .iter()
+            .filter(|p| p.name.contains("BOLT") || p.name.contains("OUTER"))
+            .count()
     };
     assert_eq!((bolts(&four), bolts(&two)), (8, 4));
     let (four, two) = (four.end_plate.expect("checks"), two.end_plate.expect("checks"));
     assert_eq!((four.bolt_count(), four.columns()), (8, vec![-110.0, -55.0, 55.0, 110.0]));
     let (four, two) = (hand_checks(&four), hand_checks(&two));
-    assert!(four.checks.iter().any(|c| c.title == "four bolts in a row" && c.formula.contains("inner two")));
+    assert!(
+        four.checks
+            .iter()
+            .any(|c| c.title == "four bolts in a row" && c.formula.contains("inner two"))
+    );
     assert_eq!(four.comparisons[0].resistance, two.comparisons[0].resistance);
     // e2 = (290 − 220)/2 = 35 mm of the outer bolts, p2 = 55 mm to the inner ones
     let length = |h: &HandChecks, symbol: &str| {
-        let of = |c: &&Check| c.subject == "end plate" && c.formula.starts_with(&format!("{symbol} = "));
+        let of =
+            |c: &&Check| c.subject == "end plate" && c.formula.starts_with(&format!("{symbol} = "));
         h.checks.iter().find(of).and_then(|c| c.resistance)
     };
     assert_eq!((length(&four, "e2"), length(&four, "p2")), (Some(35.0), Some(55.0)));
-    for (outer, words) in
-        [("outer_gauge: 150", "too near to the inner ones"), ("outer_gauge: 280", "leave the end plate")]
-    {
+    for (outer, words) in [
+        ("outer_gauge: 150", "too near to the inner ones"),
+        ("outer_gauge: 280", "leave the end plate"),
+    ] {
         let fault = spec(outer, 110.0).expect_err("refused");
         assert!(fault.0.iter().any(|d| d.message.contains(words)), "{fault:?}");
     }

@@ -7,7 +7,7 @@
 
 use crate::analysis::engine::{Both, Pass, PassError, PassOptions, Progress, both};
 use crate::analysis::fixed_point::FixedPoint;
-use crate::analysis::program_run::{Another, Problem, Program};
+use crate::analysis::program_run::{Another, DiscreteProgram, Program};
 use crate::certify::bracket::UpperBound;
 use crate::certify::certificate::certify_displacement;
 use crate::certify::fields::DisplacementField;
@@ -96,7 +96,11 @@ impl Slips {
     }
 
     /// Of a program of limit analysis; it starts after the problem with associated friction, which has these velocities.
-    pub(crate) fn after(model: &AnalysisModel, kinematic: &Kinematic, velocities: Option<&[V3]>) -> Self {
+    pub(crate) fn after(
+        model: &AnalysisModel,
+        kinematic: &Kinematic,
+        velocities: Option<&[V3]>,
+    ) -> Self {
         let mut fixed_point = FixedPoint::new(kinematic.points.len());
         if let Some(u) = velocities {
             let all = vec![true; kinematic.points.len()];
@@ -131,18 +135,25 @@ impl Slips {
     }
 
     /// What to solve after this solution; `None`: it was the last.
-    pub(crate) fn another(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution) -> Option<Another> {
+    pub(crate) fn another(
+        &self,
+        model: &AnalysisModel,
+        of: &Kinematic,
+        solution: &Solution,
+    ) -> Option<Another> {
         let u = of.nodal(&solution.x);
         let image = slips(model, of, &u);
         let force: Vec<f64> = self.rows.iter().map(|r| solution.z[*r]).collect();
         let largest = force.iter().fold(0.0, |m: f64, f| m.max(*f));
         let pressed: Vec<bool> = force.iter().map(|f| *f > PRESSED * largest).collect();
-        let shift = image.iter().zip(&pressed).filter(|(_, p)| **p).fold(0.0, |m: f64, (s, _)| m.max(*s));
+        let shift =
+            image.iter().zip(&pressed).filter(|(_, p)| **p).fold(0.0, |m: f64, (s, _)| m.max(*s));
         let moved = u.iter().fold(0.0, |m: f64, u| m.max(vec3::norm(*u)));
         let mut state = self.state();
         let missing = load_factor(of, solution).map(|factor| {
             let points = force.iter().zip(image.iter().zip(state.fixed_point.point()));
-            Sum::of(points.map(|(f, (g, s))| f * (g - s).abs())) / factor.abs().max(f64::MIN_POSITIVE)
+            Sum::of(points.map(|(f, (g, s))| f * (g - s).abs()))
+                / factor.abs().max(f64::MIN_POSITIVE)
         });
         let change = state.fixed_point.image(&image, &pressed);
         // the first that was measured
@@ -172,7 +183,13 @@ impl Slips {
     }
 
     /// `∫ μ r_N ‖g_T‖` of a solution with the velocities u, the power of friction without dilation.
-    pub(crate) fn friction(&self, model: &AnalysisModel, of: &Kinematic, solution: &Solution, u: &[V3]) -> f64 {
+    pub(crate) fn friction(
+        &self,
+        model: &AnalysisModel,
+        of: &Kinematic,
+        solution: &Solution,
+        u: &[V3],
+    ) -> f64 {
         Sum::of(self.rows.iter().zip(slips(model, of, u)).map(|(r, slip)| solution.z[*r] * slip))
     }
 
@@ -183,10 +200,17 @@ impl Slips {
     }
 
     /// Where it has come to; an error where that is no fixed point.
-    pub(crate) fn found(&self, model: &AnalysisModel, of: &Kinematic) -> Result<Slid, RecoverError> {
+    pub(crate) fn found(
+        &self,
+        model: &AnalysisModel,
+        of: &Kinematic,
+    ) -> Result<Slid, RecoverError> {
         let state = self.state();
         if !state.converged {
-            return Err(RecoverError::NotConverged { solves: state.run.solves, change: state.run.change });
+            return Err(RecoverError::NotConverged {
+                solves: state.run.solves,
+                change: state.run.change,
+            });
         }
         let values = state.fixed_point.point().to_vec();
         Ok(Slid { shift: of.cone_shift(model, &values), values, run: state.run.clone() })
@@ -195,7 +219,9 @@ impl Slips {
 
 /// `μ‖g_T‖` of nodal values at the contact points with Coulomb's law, zero at the others.
 fn slips(model: &AnalysisModel, of: &Kinematic, u: &[V3]) -> Vec<f64> {
-    let slip = |p: &ControlPoint| if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(u) } else { 0.0 };
+    let slip = |p: &ControlPoint| {
+        if model.contact_law(p.contact).is_coulomb() { p.mu * p.slip(u) } else { 0.0 }
+    };
     of.points.iter().map(slip).collect()
 }
 
@@ -217,7 +243,7 @@ struct Sliding {
     slips: Slips,
 }
 
-impl<'a> Problem<'a> for Sliding {
+impl<'a> DiscreteProgram<'a> for Sliding {
     type Answer = (DisplacementField, UpperBound, Slid);
     const PROGRAM: Program = Program::Kinematic;
 
@@ -240,7 +266,7 @@ impl<'a> Problem<'a> for Sliding {
     }
 
     fn contact_modes(&self, model: &AnalysisModel) -> Vec<Vec<f64>> {
-        Problem::contact_modes(&self.program, model)
+        DiscreteProgram::contact_modes(&self.program, model)
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
@@ -262,19 +288,32 @@ impl<'a> Problem<'a> for Sliding {
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError> {
         let slid = self.slips.found(model, &self.program)?;
-        let field = elastic::displacement_at(model, &self.program, &self.slips.offsets(), solution, patterns)?;
-        let bound = UpperBound::new(certify_displacement(&slid.shifted(model), &field), model.symmetry);
+        let field = elastic::displacement_at(
+            model,
+            &self.program,
+            &self.slips.offsets(),
+            solution,
+            patterns,
+        )?;
+        let bound =
+            UpperBound::new(certify_displacement(&slid.shifted(model), &field), model.symmetry);
         Ok((field, bound, slid))
     }
 }
 
 /// Runs the fixed point on the kinematic program, then the static program of the problem it ends with.
-pub(crate) fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+pub(crate) fn run(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<Pass, PassError> {
     let start = Instant::now();
     let mut pass = Pass::default();
     let alone = AnalysisModel { bounds: Bounds::Kinematic, ..model.clone() };
-    let (kinematic, _): Both<<Sliding as Problem>::Answer, <Static as Problem>::Answer> =
-        both::<Sliding, Static>(&alone, options, progress)?;
+    let (kinematic, _): Both<
+        <Sliding as DiscreteProgram>::Answer,
+        <Static as DiscreteProgram>::Answer,
+    > = both::<Sliding, Static>(&alone, options, progress)?;
     let Some(kinematic) = kinematic else { return Ok(pass) };
     pass.kinematic = Some(kinematic.run);
     let Some((field, bound, slid)) = kinematic.answer else { return Ok(pass) };
@@ -284,7 +323,8 @@ pub(crate) fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progr
     let shifted = AnalysisModel { bounds: Bounds::Static, shift: slid.shift, ..alone };
     if model.bounds != Bounds::Kinematic {
         let mut options = options.clone();
-        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+        options.solve.time_limit =
+            (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
         let (_, statics) = both::<Kinematic, Static>(&shifted, &options, progress)?;
         pass.add_static(statics);
     }

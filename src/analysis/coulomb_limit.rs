@@ -14,7 +14,7 @@
 use crate::analysis::coulomb::{FixedPointRun, Slips, load_factor};
 use crate::analysis::engine::{Both, Event, PassError, PassOptions, Progress, both_of};
 use crate::analysis::limit::{SUBDIVISIONS, velocity};
-use crate::analysis::program_run::{Another, Problem, Program};
+use crate::analysis::program_run::{Another, DiscreteProgram, Program};
 use crate::certify::fields::DisplacementField;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::certify_upper;
@@ -59,7 +59,7 @@ impl Sliding {
     }
 }
 
-impl<'a> Problem<'a> for Sliding {
+impl<'a> DiscreteProgram<'a> for Sliding {
     /// The load factor by the finer quadrature and the program's own, the steps that led there, and whether they have come to a fixed
     /// point.
     type Answer = ([f64; 2], FixedPointRun, bool);
@@ -91,7 +91,12 @@ impl<'a> Problem<'a> for Sliding {
         self.slips.another(model, &self.program, solution)
     }
 
-    fn recover(&self, model: &AnalysisModel, solution: &Solution, _: &Patterns) -> Result<Self::Answer, RecoverError> {
+    fn recover(
+        &self,
+        model: &AnalysisModel,
+        solution: &Solution,
+        _: &Patterns,
+    ) -> Result<Self::Answer, RecoverError> {
         let u = self.program.nodal(&solution.x);
         let friction = self.slips.friction(model, &self.program, solution, &u);
         let power = certify_upper(model, &velocity(DisplacementField { u }), SUBDIVISIONS);
@@ -120,7 +125,7 @@ pub(crate) fn estimate(
     let model = &AnalysisModel { bounds: Bounds::Kinematic, ..model.clone() };
     let build = || Sliding::new(model, associated.map(|v| &v.nodes.u[..]));
     let none: Option<fn() -> Result<Static<'static>, ModelError>> = None;
-    let (kinematic, _): Both<<Sliding as Problem>::Answer, _> =
+    let (kinematic, _): Both<<Sliding as DiscreteProgram>::Answer, _> =
         both_of::<Sliding, Static>(model, options, progress, Some(build), none)?;
     let Some(done) = kinematic else { return Ok(CoulombEstimate::default()) };
     let iterations = done.run.iterations;
@@ -129,11 +134,20 @@ pub(crate) fn estimate(
             SolveStatus::TooLarge => "its problems do not fit into the memory".to_owned(),
             status => format!("one of its problems ended with status `{}`", status.words()),
         };
-        return Ok(CoulombEstimate { trouble: Some(words), iterations, ..CoulombEstimate::default() });
+        return Ok(CoulombEstimate {
+            trouble: Some(words),
+            iterations,
+            ..CoulombEstimate::default()
+        });
     };
     if !converged {
         let words = format!("it was not reached in {} problems", run.solves);
-        return Ok(CoulombEstimate { run, iterations, trouble: Some(words), ..CoulombEstimate::default() });
+        return Ok(CoulombEstimate {
+            run,
+            iterations,
+            trouble: Some(words),
+            ..CoulombEstimate::default()
+        });
     }
     Ok(CoulombEstimate { factor: Some(factor), raw: Some(raw), run, iterations, trouble: None })
 }

@@ -18,7 +18,8 @@ pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3
         let m = &mut mean[p as usize];
         *m = (vec3::add(m.0, u), m.1 + 1.0);
     }
-    let mean: Vec<V3> = mean.into_iter().map(|(s, n)| if n > 0.0 { vec3::scale(1.0 / n, s) } else { s }).collect();
+    let mean: Vec<V3> =
+        mean.into_iter().map(|(s, n)| if n > 0.0 { vec3::scale(1.0 / n, s) } else { s }).collect();
     let largest = mean.iter().map(|m| vec3::norm(*m)).fold(0.0, f64::max);
     let moving: Vec<String> = mean
         .iter()
@@ -26,10 +27,18 @@ pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3
         .filter(|(m, _)| vec3::norm(**m) > NAMED * largest)
         .map(|(m, name)| {
             let d = (0..3).max_by(|&a, &b| m[a].abs().total_cmp(&m[b].abs())).unwrap_or(0);
-            format!("part {name} moves along {}{}", if m[d] < 0.0 { "−" } else { "+" }, ["x", "y", "z"][d])
+            format!(
+                "part {name} moves along {}{}",
+                if m[d] < 0.0 { "−" } else { "+" },
+                ["x", "y", "z"][d]
+            )
         })
         .collect();
-    if moving.is_empty() { "the parts turn without moving their centres".into() } else { moving.join(", ") }
+    if moving.is_empty() {
+        "the parts turn without moving their centres".into()
+    } else {
+        moving.join(", ")
+    }
 }
 
 /// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in words; `flow`: what each body
@@ -39,12 +48,16 @@ pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
     let mut bodies: Vec<(f64, &String)> =
         flow.iter().map(|f| f / total).zip(&model.mesh.bodies).filter(|b| b.0 > NAMED).collect();
     bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let named: Vec<String> =
-        bodies.iter().map(|(share, name)| format!("`{name}` ({:.0} % of the dissipation)", 100.0 * share)).collect();
+    let named: Vec<String> = bodies
+        .iter()
+        .map(|(share, name)| format!("`{name}` ({:.0} % of the dissipation)", 100.0 * share))
+        .collect();
     match &named[..] {
         [] => None,
         [one] => Some(format!("body {one} yields without end")),
-        [first @ .., last] => Some(format!("bodies {} and {last} yield without end", first.join(", "))),
+        [first @ .., last] => {
+            Some(format!("bodies {} and {last} yield without end", first.join(", ")))
+        }
     }
 }
 
@@ -54,12 +67,21 @@ fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     if let Some(i) = model.interfaces.get(contact) {
         let sides = i.faces.first().map_or(String::new(), |f| {
             let (a, b) = (part(f.a.tet), part(f.b.tet));
-            if a == b { format!(" (part {a} against itself)") } else { format!(" (part {a} against part {b})") }
+            if a == b {
+                format!(" (part {a} against itself)")
+            } else {
+                format!(" (part {a} against part {b})")
+            }
         });
         return format!("`{}`{sides}", i.name);
     }
-    let Some(g) = model.ground.get(contact - model.interfaces.len()) else { return format!("contact {}", contact + 1) };
-    let side = g.faces.first().map_or(String::new(), |f| format!(" (part {} against the ground)", part(f.tet)));
+    let Some(g) = model.ground.get(contact - model.interfaces.len()) else {
+        return format!("contact {}", contact + 1);
+    };
+    let side = g
+        .faces
+        .first()
+        .map_or(String::new(), |f| format!(" (part {} against the ground)", part(f.tet)));
     format!("`{}`{side}", g.name)
 }
 
@@ -67,7 +89,12 @@ fn contact_name(model: &AnalysisModel, contact: usize) -> String {
 /// `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x that is not huge. `None` when z is no such certificate.
 ///
 /// `contacts`: the contact each cone belongs to.
-pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize], z: &[f64]) -> Option<String> {
+pub fn conflict(
+    model: &AnalysisModel,
+    program: &ConicProgram,
+    contacts: &[usize],
+    z: &[f64],
+) -> Option<String> {
     if z.len() != program.h.len() || z.iter().any(|z| !z.is_finite()) {
         return None;
     }
@@ -84,7 +111,9 @@ pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize
     // the share of each contact: the normal components of its multipliers, which z ∈ K makes the largest ones
     let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];
     let mut worst = f64::INFINITY;
-    for ((start, cone), &contact) in program.cone_starts().into_iter().zip(&program.cones).zip(contacts) {
+    for ((start, cone), &contact) in
+        program.cone_starts().into_iter().zip(&program.cones).zip(contacts)
+    {
         worst = worst.min(cone_margin(&z[start..start + cone.dim()]));
         *share.get_mut(contact)? += z[start].max(0.0);
     }
@@ -92,13 +121,15 @@ pub fn conflict(model: &AnalysisModel, program: &ConicProgram, contacts: &[usize
         return None;
     }
     let most = largest(&share);
-    let names: Vec<String> =
-        (0..share.len()).filter(|&c| share[c] > NAMED * most).map(|c| contact_name(model, c)).collect();
+    let names: Vec<String> = (0..share.len())
+        .filter(|&c| share[c] > NAMED * most)
+        .map(|c| contact_name(model, c))
+        .collect();
     match &names[..] {
         [] => None,
-        [one] => {
-            Some(format!("the solver found no displacement on this mesh that satisfies the contact {one} everywhere"))
-        }
+        [one] => Some(format!(
+            "the solver found no displacement on this mesh that satisfies the contact {one} everywhere"
+        )),
         [first @ .., last] => Some(format!(
             "the solver found no displacement on this mesh that satisfies the contacts {} and {last} together",
             first.join(", ")

@@ -3,7 +3,7 @@
 use crate::analysis::coulomb::{self, FixedPointRun};
 use crate::analysis::memory::{Limit, Room, RoomSource, plan, room};
 use crate::analysis::preload::{self, Tightened};
-use crate::analysis::program_run::{Problem, Program};
+use crate::analysis::program_run::{DiscreteProgram, Program};
 use crate::certify::PlasticField;
 use crate::certify::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
 use crate::certify::error::{Contributions, contributions, plastic_contributions};
@@ -14,7 +14,9 @@ use crate::model::{AnalysisModel, ModelError};
 use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
 use crate::solve::status::Iterations;
-use crate::solve::{self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse, pages};
+use crate::solve::{
+    self, Forecast, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse, pages,
+};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -251,7 +253,11 @@ struct Turns {
 ///
 /// With Coulomb friction the kinematic program is solved a few times first, and both bounds are of the problem with shifted
 /// contact cones that this ends with.
-pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+pub fn run(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<Pass, PassError> {
     if model.preload.iter().any(|p| p.closure.is_none() && !p.faces.is_empty()) {
         return preload::tighten_and_run(model, options, progress);
     }
@@ -276,7 +282,7 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
 pub(crate) type Both<K, S> = (Option<Done<K>>, Option<Done<S>>);
 
 /// Assembles, orders, solves and certifies both programs, as far as the memory allows.
-pub(crate) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
+pub(crate) fn both<'a, K: DiscreteProgram<'a>, S: DiscreteProgram<'a>>(
     model: &'a AnalysisModel,
     options: &'a PassOptions,
     progress: &'a Progress,
@@ -287,7 +293,7 @@ pub(crate) fn both<'a, K: Problem<'a>, S: Problem<'a>>(
 }
 
 /// The same with programs assembled as told; `None`: not asked for.
-pub(crate) fn both_of<'a, K: Problem<'a>, S: Problem<'a>>(
+pub(crate) fn both_of<'a, K: DiscreteProgram<'a>, S: DiscreteProgram<'a>>(
     model: &'a AnalysisModel,
     options: &'a PassOptions,
     progress: &'a Progress,
@@ -333,7 +339,8 @@ impl Pass {
 
     /// Joins the two bounds, and checks that the contributions to the gap add up to it.
     pub(crate) fn join(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
-        self.preload = preload::tightened(model, self.lower.as_ref().map(|l| &l.certificate().tensions[..]));
+        self.preload =
+            preload::tightened(model, self.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&self.lower, &self.upper) {
             self.bracket = Some(Bracket::new(l.clone(), u.clone())?);
         }
@@ -347,7 +354,11 @@ impl Pass {
                 let copies = f64::from(model.symmetry);
                 // with preload both energies may vanish
                 let strain = b.lower().certificate().strain_energy.unwrap_or(0.0);
-                check_identity([b.lower().value() / copies, b.upper().value() / copies], strain, c.total())?;
+                check_identity(
+                    [b.lower().value() / copies, b.upper().value() / copies],
+                    strain,
+                    c.total(),
+                )?;
             }
             self.contributions = Some(c);
         }
@@ -374,7 +385,10 @@ impl<'a> Context<'a> {
         (self.progress)(program, event);
     }
 
-    fn assemble<P: Problem<'a>>(&self, build: impl FnOnce() -> Result<P, ModelError>) -> Result<Built<P>, PassError> {
+    fn assemble<P: DiscreteProgram<'a>>(
+        &self,
+        build: impl FnOnce() -> Result<P, ModelError>,
+    ) -> Result<Built<P>, PassError> {
         let start = Instant::now();
         self.tell(P::PROGRAM, Event::Assembly);
         let problem = build()?;
@@ -387,7 +401,7 @@ impl<'a> Context<'a> {
     }
 
     /// Orders a program and forecasts its cost.
-    fn prepare<'p, P: Problem<'a>>(&self, built: &'p Built<P>) -> Job<'p, P> {
+    fn prepare<'p, P: DiscreteProgram<'a>>(&self, built: &'p Built<P>) -> Job<'p, P> {
         let start = Instant::now();
         let problem = &built.problem;
         let (from, program): (&[f64], _) = match &built.moved {
@@ -396,7 +410,8 @@ impl<'a> Context<'a> {
         };
         let map = problem.map();
         let options = &self.options.solve;
-        let prepared = (!options.interrupted()).then(|| solve::prepare(program, &map.block, options));
+        let prepared =
+            (!options.interrupted()).then(|| solve::prepare(program, &map.block, options));
         let forecast = prepared.as_ref().and_then(Prepared::forecast);
         let run = ProgramRun {
             status: SolveStatus::Interrupted,
@@ -427,7 +442,10 @@ impl<'a> Context<'a> {
         }
         for (program, run) in runs {
             let Some(run) = run else { continue };
-            self.tell(program, Event::Forecast { unknowns: run.dofs, forecast: run.forecast.as_ref() });
+            self.tell(
+                program,
+                Event::Forecast { unknowns: run.dofs, forecast: run.forecast.as_ref() },
+            );
         }
         let Some(room) = (self.options.room)() else { return turns };
         let needs = runs.map(|(_, run)| run.and_then(|r| r.forecast).map_or(0, |f| f.bytes));
@@ -448,13 +466,20 @@ impl<'a> Context<'a> {
             let waits = if second == 0 { &mut turns.kinematic } else { &mut turns.statics };
             *waits = Ticket::StartIf(needs[second]);
             turns.first = Some(runs[first].0);
-            self.tell(runs[second].0, Event::Waits { needed: needs[0].saturating_add(needs[1]), room });
+            self.tell(
+                runs[second].0,
+                Event::Waits { needed: needs[0].saturating_add(needs[1]), room },
+            );
         }
         turns
     }
 
     /// Solves a program and certifies its field, as far as its ticket and the user let it.
-    fn finish<P: Problem<'a>>(&self, job: Job<'_, P>, ticket: Ticket) -> Result<Done<P::Answer>, PassError> {
+    fn finish<P: DiscreteProgram<'a>>(
+        &self,
+        job: Job<'_, P>,
+        ticket: Ticket,
+    ) -> Result<Done<P::Answer>, PassError> {
         let Job { problem, from, prepared, mut run } = job;
         let refusal = match ticket {
             Ticket::Start => None,
@@ -485,7 +510,7 @@ impl<'a> Context<'a> {
     }
 
     /// Solves a program, telling and keeping its iterations.
-    fn solve<P: Problem<'a>>(
+    fn solve<P: DiscreteProgram<'a>>(
         &self,
         problem: &P,
         from: &[f64],
@@ -504,7 +529,8 @@ impl<'a> Context<'a> {
         });
         let given = &self.options.solve;
         let left = (given.time_limit - self.start.elapsed().as_secs_f64()).max(0.0);
-        let mut options = SolveOptions { progress: Some(tell), time_limit: left, ..problem.accuracy(given) };
+        let mut options =
+            SolveOptions { progress: Some(tell), time_limit: left, ..problem.accuracy(given) };
         let mut solution = moved_by(from, prepared.solve_first(&options));
         run.iterations = solution.iterations;
         let rows = if from.is_empty() { Vec::new() } else { problem.program().g.mul(from) };
@@ -537,7 +563,7 @@ impl<'a> Context<'a> {
     }
 
     /// Field and bound of an optimal solution; of any other, its certificate in words. Only optimal ones give a bound.
-    fn judge<P: Problem<'a>>(
+    fn judge<P: DiscreteProgram<'a>>(
         &self,
         problem: &P,
         solution: &Solution,
@@ -565,7 +591,11 @@ impl<'a> Context<'a> {
 }
 
 /// Σ contributions = gap, to 1e-8 of the bounds (lower, upper) or of what else measures them.
-pub(crate) fn check_identity([lower, upper]: [f64; 2], beside: f64, sum: f64) -> Result<(), PassError> {
+pub(crate) fn check_identity(
+    [lower, upper]: [f64; 2],
+    beside: f64,
+    sum: f64,
+) -> Result<(), PassError> {
     let gap = upper - lower;
     if (gap - sum).abs() > 1e-8 * lower.abs().max(upper.abs()).max(beside).max(sum) {
         return Err(PassError::Identity { gap, sum });

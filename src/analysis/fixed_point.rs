@@ -81,8 +81,10 @@ impl FixedPoint {
         let mut next: Vec<f64> = point.iter().zip(change).map(|(s, f)| s + f).collect();
         if self.accelerated {
             let pairs: Vec<_> = self.past.iter().zip(self.past.iter().skip(1)).collect();
-            let differences: Vec<Vec<f64>> =
-                pairs.iter().map(|(a, b)| b.1.iter().zip(&a.1).map(|(b, a)| b - a).collect()).collect();
+            let differences: Vec<Vec<f64>> = pairs
+                .iter()
+                .map(|(a, b)| b.1.iter().zip(&a.1).map(|(b, a)| b - a).collect())
+                .collect();
             for (k, weight) in least_squares(&differences, change, counts) {
                 let (a, b) = pairs[k];
                 for i in 0..next.len() {
@@ -103,7 +105,9 @@ fn counted<'a>(v: &'a [f64], counts: &'a [bool]) -> impl Iterator<Item = f64> + 
 /// Weights of the columns nearest to `target`, newest column first; dependent columns are left out.
 fn least_squares(columns: &[Vec<f64>], target: &[f64], counts: &[bool]) -> Vec<(usize, f64)> {
     let dot = |a: &[f64], b: &[f64]| {
-        crate::math::Sum::of(a.iter().zip(b).zip(counts).filter(|(_, c)| **c).map(|((x, y), _)| x * y))
+        crate::math::Sum::of(
+            a.iter().zip(b).zip(counts).filter(|(_, c)| **c).map(|((x, y), _)| x * y),
+        )
     };
     // Gram–Schmidt: orthonormal columns with what they are made of
     let mut basis: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
@@ -154,7 +158,10 @@ mod tests {
     fn one_unknown_contracts_as_it_must() {
         let slow = run(|s| vec![1.0 + 0.3 * s[0]], 1, 1e-9);
         assert!((slow.contraction().expect("two steps") - 0.3).abs() < 1e-6, "{slow:?}");
-        assert!((slow.point()[0] - 1.0 / 0.7).abs() < 2e-9 && slow.changes().len() > 10, "{slow:?}");
+        assert!(
+            (slow.point()[0] - 1.0 / 0.7).abs() < 2e-9 && slow.changes().len() > 10,
+            "{slow:?}"
+        );
         let fast = run(|s| vec![1.0 + 0.9 * s[0]], 1, 1e-9);
         assert!((fast.point()[0] - 10.0).abs() < 1e-7 && fast.changes().len() <= 4, "{fast:?}");
     }
@@ -163,7 +170,8 @@ mod tests {
     #[test]
     fn slow_modes_need_few_steps() {
         let map = |s: &[f64]| {
-            let first: Vec<f64> = [0.95, 0.8, 0.6].iter().zip(s).map(|(c, s)| 0.2 + c * s - 1e-3 * s * s).collect();
+            let first: Vec<f64> =
+                [0.95, 0.8, 0.6].iter().zip(s).map(|(c, s)| 0.2 + c * s - 1e-3 * s * s).collect();
             let wanders = 1.0 + 2.0 * s[3];
             vec![first[0], first[1], first[2], wanders.min(1e6)]
         };

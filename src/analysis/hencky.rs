@@ -10,8 +10,10 @@
 
 use crate::analysis::coulomb::{Slid, Slips};
 use crate::analysis::diagnosis;
-use crate::analysis::engine::{Both, Event, Pass, PassError, PassOptions, ProgramRun, Progress, both_of};
-use crate::analysis::program_run::{Another, Problem, Program};
+use crate::analysis::engine::{
+    Both, Event, Pass, PassError, PassOptions, ProgramRun, Progress, both_of,
+};
+use crate::analysis::program_run::{Another, DiscreteProgram, Program};
 use crate::certify::bracket::{LowerBound, UpperBound};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::limit_certificate::hidden_utilisation;
@@ -58,7 +60,7 @@ const ROOM: [f64; 2] = [2e-7, 1e-3];
 const WORTH: f64 = 1e-6;
 
 /// The kinematic program.
-struct Flowing {
+struct HenckyKinematic {
     kinematic: Kinematic,
     rough: bool,
     /// Under Coulomb's law.
@@ -73,7 +75,7 @@ struct Moved {
 }
 
 /// The static program.
-struct Resisting<'a> {
+struct HenckyStatic<'a> {
     statics: Static<'a>,
     rough: bool,
 }
@@ -159,7 +161,8 @@ impl<A> Side<A> {
     fn without_field(&mut self, status: SolveStatus) {
         use SolveStatus::{Interrupted, TimeLimit, TooLarge};
         // little accuracy may have been the reason
-        self.done = !std::mem::take(&mut self.rough) || matches!(status, Interrupted | TimeLimit | TooLarge);
+        self.done = !std::mem::take(&mut self.rough)
+            || matches!(status, Interrupted | TimeLimit | TooLarge);
     }
 }
 
@@ -167,7 +170,11 @@ type Motion = Side<(Moved, UpperBound)>;
 type Stress = Side<(StressField, LowerBound)>;
 
 /// Runs both programs; under Coulomb's law one after the other, the static one with the shift of the kinematic one.
-pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Pass, PassError> {
+pub fn run(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<Pass, PassError> {
     let start = Instant::now();
     let slides = model.has_coulomb_friction();
     let mut kinematic = Side::new(model, slides || model.bounds != Bounds::Static);
@@ -196,10 +203,12 @@ fn solve(
 ) -> Result<(), PassError> {
     while !(kinematic.done && statics.done) {
         let mut options = options.clone();
-        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
-        for (program, tets, done) in
-            [(Program::Kinematic, kinematic.count(), kinematic.done), (Program::Static, statics.count(), statics.done)]
-        {
+        options.solve.time_limit =
+            (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+        for (program, tets, done) in [
+            (Program::Kinematic, kinematic.count(), kinematic.done),
+            (Program::Static, statics.count(), statics.done),
+        ] {
             if tets > 0 && !done {
                 progress(program, Event::Yielding { tets });
             }
@@ -210,9 +219,11 @@ fn solve(
             progress,
             (!kinematic.done).then_some(|| {
                 let slid = kinematic.answer.as_ref().and_then(|(moved, _)| moved.slid.as_ref());
-                Flowing::new(model, &kinematic.yields, kinematic.rough, slid)
+                HenckyKinematic::new(model, &kinematic.yields, kinematic.rough, slid)
             }),
-            (!statics.done).then_some(|| Resisting::new(model, &statics.yields, statics.room, statics.rough)),
+            (!statics.done).then_some(|| {
+                HenckyStatic::new(model, &statics.yields, statics.room, statics.rough)
+            }),
         )?;
         if let Some(k) = k {
             after_motion(model, kinematic, k.run, k.answer);
@@ -225,7 +236,12 @@ fn solve(
 }
 
 /// Takes a kinematic solve in.
-fn after_motion(model: &AnalysisModel, side: &mut Motion, run: ProgramRun, found: Option<Found<Moved, UpperBound>>) {
+fn after_motion(
+    model: &AnalysisModel,
+    side: &mut Motion,
+    run: ProgramRun,
+    found: Option<Found<Moved, UpperBound>>,
+) {
     let Some(found) = found else {
         side.without_field(run.status);
         // a bound that stands needs no better one
@@ -266,7 +282,8 @@ fn after_stress(
         return;
     };
     let over = bound.certificate().yields.unwrap_or(0.0);
-    let outside = side.yields.iter().zip(&found.used).any(|(y, u)| !y && *u > 1.0 - 2.0 * side.room);
+    let outside =
+        side.yields.iter().zip(&found.used).any(|(y, u)| !y && *u > 1.0 - 2.0 * side.room);
     if over <= 0.0 {
         side.answer = Some((field, bound));
         side.done = true;
@@ -330,7 +347,11 @@ fn accuracy(rough: bool, yielding: Option<usize>, asked: &SolveOptions) -> Solve
         Some(0) => [0.0; 2],
         _ => [GAP, RESIDUAL],
     };
-    SolveOptions { gap: asked.gap.max(gap), residual: asked.residual.max(residual), ..asked.clone() }
+    SolveOptions {
+        gap: asked.gap.max(gap),
+        residual: asked.residual.max(residual),
+        ..asked.clone()
+    }
 }
 
 /// Tets that have unknowns of their own; those of weld faces come behind.
@@ -338,9 +359,14 @@ fn with_own(own: &[usize], tets: usize) -> usize {
     own.windows(2).take(tets).filter(|o| o[1] > o[0]).count()
 }
 
-impl Flowing {
+impl HenckyKinematic {
     /// `slid`: what the solve before has left under Coulomb's law.
-    fn new(model: &AnalysisModel, flows: &[bool], rough: bool, slid: Option<&Slid>) -> Result<Self, ModelError> {
+    fn new(
+        model: &AnalysisModel,
+        flows: &[bool],
+        rough: bool,
+        slid: Option<&Slid>,
+    ) -> Result<Self, ModelError> {
         let flow: Vec<Option<Flow>> = flows.iter().map(|f| f.then_some(Flow::Split)).collect();
         let mut kinematic = Kinematic::with_plasticity_in(model, &flow)?;
         let slips = model.has_coulomb_friction().then(|| Slips::new(&kinematic, slid));
@@ -353,7 +379,7 @@ impl Flowing {
     }
 }
 
-impl<'a> Problem<'a> for Flowing {
+impl<'a> DiscreteProgram<'a> for HenckyKinematic {
     type Answer = Found<Moved, UpperBound>;
     const PROGRAM: Program = Program::Kinematic;
 
@@ -402,7 +428,8 @@ impl<'a> Problem<'a> for Flowing {
         let bound = UpperBound::new(certify_plastic_motion(model, &field), model.symmetry);
         let own = &self.kinematic.own;
         let outside = |e: usize| own.get(e..e + 2).is_none_or(|o| o[1] == o[0]);
-        let beyond = dissipation(model, &field, outside) / bound.certificate().energy.abs().max(f64::MIN_POSITIVE);
+        let beyond = dissipation(model, &field, outside)
+            / bound.certificate().energy.abs().max(f64::MIN_POSITIVE);
         let used = trial_utilisations(model, &field);
         Ok(Found { certified: Some((Moved { field, slid }, bound)), used, beyond, room: 0.0 })
     }
@@ -414,14 +441,20 @@ impl<'a> Problem<'a> for Flowing {
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
-        Problem::motion(&self.kinematic, model, x)
+        DiscreteProgram::motion(&self.kinematic, model, x)
     }
 
     fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
         let k = &self.kinematic;
         let points = |e: usize| if k.split[e] { 16 } else { 4 };
         let rest = solution.z.get(k.program.g.nrows()..).unwrap_or_default();
-        collapse(model, &k.own, points, rest, diagnosis::mechanism(model, self.motion(model, &solution.x)))
+        collapse(
+            model,
+            &k.own,
+            points,
+            rest,
+            diagnosis::mechanism(model, self.motion(model, &solution.x)),
+        )
     }
 
     fn yielding(&self) -> Option<usize> {
@@ -429,19 +462,24 @@ impl<'a> Problem<'a> for Flowing {
     }
 
     fn contacts(&self) -> Vec<usize> {
-        Problem::contacts(&self.kinematic)
+        DiscreteProgram::contacts(&self.kinematic)
     }
 }
 
-impl<'a> Resisting<'a> {
-    fn new(model: &'a AnalysisModel, yields: &[bool], room: f64, rough: bool) -> Result<Self, ModelError> {
+impl<'a> HenckyStatic<'a> {
+    fn new(
+        model: &'a AnalysisModel,
+        yields: &[bool],
+        room: f64,
+        rough: bool,
+    ) -> Result<Self, ModelError> {
         let statics = Static::with_plasticity_in(model, yields, room)?;
         let rough = rough && !statics.program.cones.is_empty();
         Ok(Self { statics, rough })
     }
 }
 
-impl<'a> Problem<'a> for Resisting<'a> {
+impl<'a> DiscreteProgram<'a> for HenckyStatic<'a> {
     type Answer = Found<StressField, LowerBound>;
     const PROGRAM: Program = Program::Static;
 
@@ -484,7 +522,7 @@ impl<'a> Problem<'a> for Resisting<'a> {
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
-        Problem::motion(&self.statics, model, x)
+        DiscreteProgram::motion(&self.statics, model, x)
     }
 
     fn mechanism(&self, model: &AnalysisModel, solution: &Solution) -> String {
@@ -499,6 +537,6 @@ impl<'a> Problem<'a> for Resisting<'a> {
     }
 
     fn contacts(&self) -> Vec<usize> {
-        Problem::contacts(&self.statics)
+        DiscreteProgram::contacts(&self.statics)
     }
 }

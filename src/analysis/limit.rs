@@ -2,8 +2,10 @@
 
 use crate::analysis::coulomb_limit::{self, CoulombEstimate};
 use crate::analysis::diagnosis;
-use crate::analysis::engine::{Both, Event, PassError, PassOptions, ProgramRun, Progress, both, check_identity, runs};
-use crate::analysis::program_run::{Problem, Program};
+use crate::analysis::engine::{
+    Both, Event, PassError, PassOptions, ProgramRun, Progress, both, check_identity, runs,
+};
+use crate::analysis::program_run::{DiscreteProgram, Program};
 use crate::certify::error::{Contributions, LimitPair, limit_contributions};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::VelocityField;
@@ -78,14 +80,14 @@ pub struct LimitPass {
     pub contributions: Option<Contributions>,
     /// What each tet's yield conditions hold the lower bound that answers down by: shares of the load factor, the dissipation of
     /// the static program's own multipliers. Where they are is no mechanism of the kinematic program.
-    pub held: Option<Vec<f64>>,
+    pub yield_multiplier_share: Option<Vec<f64>>,
 }
 
 /// What the static program leaves: an admissible field, its load factor, and what holds it down.
 struct Carried {
     stress: StressField,
     bound: LowerFactor,
-    held: Vec<f64>,
+    yield_multiplier_share: Vec<f64>,
 }
 
 impl LimitPass {
@@ -109,7 +111,13 @@ impl LimitPass {
         let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
         let Some((stress, lower)) = self.carried(smooth.is_some()) else { return Ok(()) };
         let (low, up) = (lower.certificate().factor, upper.certificate());
-        let pair = LimitPair { velocity, live_power: up.live_power, subdivisions: SUBDIVISIONS, stress, factor: low };
+        let pair = LimitPair {
+            velocity,
+            live_power: up.live_power,
+            subdivisions: SUBDIVISIONS,
+            stress,
+            factor: low,
+        };
         let c = limit_contributions(smooth.as_ref().unwrap_or(model), &pair);
         if lower.is_strict() && upper.is_strict() {
             check_identity([low, up.factor], 0.0, c.total())?;
@@ -122,8 +130,13 @@ impl LimitPass {
     fn inside_bounds(&self, found: CoulombEstimate) -> CoulombEstimate {
         let Some(factor) = found.factor else { return found };
         // only a bound with its certificate corrects an estimate
-        let low = self.frictionless.as_ref().filter(|l| l.is_strict()).map_or(f64::NEG_INFINITY, LowerFactor::value);
-        let up = self.upper.as_ref().filter(|u| u.is_strict()).map_or(f64::INFINITY, UpperFactor::value);
+        let low = self
+            .frictionless
+            .as_ref()
+            .filter(|l| l.is_strict())
+            .map_or(f64::NEG_INFINITY, LowerFactor::value);
+        let up =
+            self.upper.as_ref().filter(|u| u.is_strict()).map_or(f64::INFINITY, UpperFactor::value);
         let drawn = factor.max(low).min(up);
         if (factor - drawn).abs() > OPEN * drawn.abs() {
             let trouble = format!("it ended at {factor:.4}, beyond the bound {drawn:.4}");
@@ -144,21 +157,21 @@ impl LimitPass {
             return Ok(None);
         }
         progress(Program::Static, Event::Frictionless);
-        let (_, statics): Both<<Collapse as Problem>::Answer, _> =
+        let (_, statics): Both<<Collapse as DiscreteProgram>::Answer, _> =
             both::<Collapse, Resistance>(smooth, options, progress)?;
-        let mut held = None;
+        let mut yield_multiplier_share = None;
         if let Some(s) = statics {
             self.frictionless_run = Some(s.run);
             if let Some(carried) = s.answer {
                 self.frictionless_stress = Some(carried.stress);
                 self.frictionless = Some(carried.bound);
-                held = Some(carried.held);
+                yield_multiplier_share = Some(carried.yield_multiplier_share);
             }
         }
         if let (Some(l), Some(u)) = (&self.frictionless, &self.upper) {
             self.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
         }
-        Ok(held)
+        Ok(yield_multiplier_share)
     }
 }
 
@@ -181,13 +194,21 @@ fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPas
         RecoverError::Model(e) => Err(PassError::from(e)),
         _ => Ok(None),
     };
-    if let Some(unlimited) = unlimited::find(model, dead).or_else(|e| proved(e).map(|_: Option<()>| None))? {
+    if let Some(unlimited) =
+        unlimited::find(model, dead).or_else(|e| proved(e).map(|_: Option<()>| None))?
+    {
         return Ok(Some(LimitPass { unlimited: Some(unlimited), ..LimitPass::default() }));
     }
-    let Some(free) = free_mechanism::find(model).or_else(|e| proved(e).map(|_: Option<()>| None))? else {
+    let Some(free) =
+        free_mechanism::find(model).or_else(|e| proved(e).map(|_: Option<()>| None))?
+    else {
         return Ok(None);
     };
-    let mut pass = LimitPass { moves: Some(moves(model, &free.field)), free: Some(free), ..LimitPass::default() };
+    let mut pass = LimitPass {
+        moves: Some(moves(model, &free.field)),
+        free: Some(free),
+        ..LimitPass::default()
+    };
     let rest = || StressField::none(model.mesh.tets.len());
     let stress = if model.has_dead_loads() { dead().unwrap_or(None) } else { Some(rest()) };
     if let Some(stress) = stress {
@@ -195,7 +216,8 @@ fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPas
         if lower.is_strict() {
             // without any stress friction makes no difference
             if model.has_friction() && !model.has_dead_loads() {
-                (pass.frictionless, pass.frictionless_stress) = (Some(lower.clone()), Some(stress.clone()));
+                (pass.frictionless, pass.frictionless_stress) =
+                    (Some(lower.clone()), Some(stress.clone()));
             }
             (pass.lower, pass.stress) = (Some(lower), Some(stress));
         }
@@ -205,7 +227,11 @@ fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPas
 
 /// Runs both programs of limit analysis, and the static one without friction where there is friction; none where a
 /// load factor without limit or of zero can be proved without them.
-pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<LimitPass, PassError> {
+pub fn run(
+    model: &AnalysisModel,
+    options: &PassOptions,
+    progress: &Progress,
+) -> Result<LimitPass, PassError> {
     let start = Instant::now();
     if let Some(pass) = extreme(model, &options.solve.patterns)? {
         return Ok(pass);
@@ -219,13 +245,14 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
             pass.upper = Some(bound);
         }
     }
-    let wants_frictionless = model.has_friction() && statics.as_ref().is_some_and(|s| s.run.refusal.is_none());
+    let wants_frictionless =
+        model.has_friction() && statics.as_ref().is_some_and(|s| s.run.refusal.is_none());
     if let Some(s) = statics {
         pass.statics = Some(s.run);
         if let Some(carried) = s.answer {
             pass.stress = Some(carried.stress);
             pass.lower = Some(carried.bound);
-            pass.held = Some(carried.held);
+            pass.yield_multiplier_share = Some(carried.yield_multiplier_share);
         }
     }
     if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
@@ -233,16 +260,17 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
     }
     let rest = || {
         let mut options = options.clone();
-        options.solve.time_limit = (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
+        options.solve.time_limit =
+            (options.solve.time_limit - start.elapsed().as_secs_f64()).max(0.0);
         options
     };
     if wants_frictionless && !options.solve.interrupted() {
         match resolve::without_friction(model) {
             Ok(smooth) => {
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
-                let held = pass.add_frictionless(&smooth, &rest(), progress)?;
-                if model.has_coulomb() && held.is_some() {
-                    pass.held = held;
+                let yield_multiplier_share = pass.add_frictionless(&smooth, &rest(), progress)?;
+                if model.has_coulomb() && yield_multiplier_share.is_some() {
+                    pass.yield_multiplier_share = yield_multiplier_share;
                 }
             }
             Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
@@ -250,7 +278,11 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
     }
     // there is nothing to estimate where the problem with associated friction has no answer
     let failed = pass.kinematic.is_some() && pass.velocity.is_none();
-    if model.coulomb_estimate && model.has_coulomb_friction() && !failed && !options.solve.interrupted() {
+    if model.coulomb_estimate
+        && model.has_coulomb_friction()
+        && !failed
+        && !options.solve.interrupted()
+    {
         let found = coulomb_limit::estimate(model, pass.velocity.as_ref(), &rest(), progress)?;
         pass.coulomb_estimate = Some(pass.inside_bounds(found));
     }
@@ -258,7 +290,7 @@ pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) ->
     Ok(pass)
 }
 
-impl<'a> Problem<'a> for Collapse {
+impl<'a> DiscreteProgram<'a> for Collapse {
     type Answer = (VelocityField, UpperFactor);
     const PROGRAM: Program = Program::Kinematic;
 
@@ -290,10 +322,11 @@ impl<'a> Problem<'a> for Collapse {
         patterns: &Patterns,
     ) -> Result<Self::Answer, RecoverError> {
         let field = velocity(DisplacementField { u: self.0.nodal(&solution.x) });
-        let upper = limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
-            UpperError::Recover(e) => e,
-            e => RecoverError::Factor(e.to_string()),
-        })?;
+        let upper =
+            limit_upper::project(model, &field, SUBDIVISIONS, patterns).map_err(|e| match e {
+                UpperError::Recover(e) => e,
+                e => RecoverError::Factor(e.to_string()),
+            })?;
         Ok((upper.field, UpperFactor::new(upper.certificate)))
     }
 
@@ -310,7 +343,7 @@ impl<'a> Problem<'a> for Collapse {
     }
 }
 
-impl<'a> Problem<'a> for Resistance<'a> {
+impl<'a> DiscreteProgram<'a> for Resistance<'a> {
     type Answer = Carried;
     const PROGRAM: Program = Program::Static;
 
@@ -345,11 +378,17 @@ impl<'a> Problem<'a> for Resistance<'a> {
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
         let welds = statics.weld_tractions(&solution.x);
         let factor = solution.x.last().copied().unwrap_or(0.0);
-        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor };
+        let approximate =
+            ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor };
         let dead = dead_stress(model, patterns).transpose()?;
-        let lower = limit_lower::project(model, &approximate, dead.as_ref(), patterns).map_err(in_words)?;
-        let held = statics.yield_shares(&solution.z);
-        Ok(Carried { stress: lower.field, bound: LowerFactor::new(lower.certificate), held })
+        let lower =
+            limit_lower::project(model, &approximate, dead.as_ref(), patterns).map_err(in_words)?;
+        let yield_multiplier_share = statics.yield_shares(&solution.z);
+        Ok(Carried {
+            stress: lower.field,
+            bound: LowerFactor::new(lower.certificate),
+            yield_multiplier_share,
+        })
     }
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
@@ -366,7 +405,8 @@ impl<'a> Problem<'a> for Resistance<'a> {
 }
 
 /// What an infeasible program of limit analysis says.
-pub const NO_LIMIT: &str = "no mechanism works against the live loads: the load factor has no limit";
+pub const NO_LIMIT: &str =
+    "no mechanism works against the live loads: the load factor has no limit";
 
 fn in_words(e: LowerError) -> RecoverError {
     match e {
@@ -376,7 +416,10 @@ fn in_words(e: LowerError) -> RecoverError {
 }
 
 /// A stress field of the dead loads alone, from the elastic, perfectly plastic program under them; `None` without any.
-fn dead_stress(model: &AnalysisModel, patterns: &Patterns) -> Option<Result<StressField, RecoverError>> {
+fn dead_stress(
+    model: &AnalysisModel,
+    patterns: &Patterns,
+) -> Option<Result<StressField, RecoverError>> {
     model.has_dead_loads().then(|| {
         let dead = model.without_live_loads();
         let statics = Static::with_plasticity(&dead)?;
@@ -384,12 +427,19 @@ fn dead_stress(model: &AnalysisModel, patterns: &Patterns) -> Option<Result<Stre
         let solution = solve::solve(&statics.program, &statics.map.block, &options);
         if solution.status != SolveStatus::Optimal {
             let status = solution.status.words();
-            return Err(RecoverError::Factor(format!("the dead loads alone have no certified equilibrium ({status})")));
+            return Err(RecoverError::Factor(format!(
+                "the dead loads alone have no certified equilibrium ({status})"
+            )));
         }
         let parameters = statics.parameters(&solution.x)?;
         let contact = statics.spread_contact(&solution.z[..statics.program.g.nrows()]);
         let welds = statics.weld_tractions(&solution.x);
-        let approximate = ApproximateStress { parameters: &parameters, contact: &contact, welds: &welds, factor: 0.0 };
+        let approximate = ApproximateStress {
+            parameters: &parameters,
+            contact: &contact,
+            welds: &welds,
+            factor: 0.0,
+        };
         limit_lower::dead_field(model, &approximate, patterns).map_err(in_words)
     })
 }

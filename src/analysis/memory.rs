@@ -39,11 +39,15 @@ pub fn room(asked: Option<u64>) -> Option<Room> {
 
 fn room_of(available: Option<u64>, asked: Option<u64>, resident: u64) -> Option<Room> {
     let part = |bytes: u64| (RESERVE * bytes as f64) as u64;
-    let machine =
-        available.map(|a| Room { bytes: a.saturating_sub(part(a).max(LEAST_RESERVE)), limit: Limit::Machine });
+    let machine = available.map(|a| Room {
+        bytes: a.saturating_sub(part(a).max(LEAST_RESERVE)),
+        limit: Limit::Machine,
+    });
     // breaking a wish kills nobody: the part that forecasts leave out is reserve enough
-    let asked =
-        asked.map(|l| Room { bytes: l.saturating_sub(part(l)).saturating_sub(resident), limit: Limit::Asked(l) });
+    let asked = asked.map(|l| Room {
+        bytes: l.saturating_sub(part(l)).saturating_sub(resident),
+        limit: Limit::Asked(l),
+    });
     match (machine, asked) {
         (Some(m), Some(a)) => Some(if a.bytes < m.bytes { a } else { m }),
         (m, a) => m.or(a),
@@ -62,14 +66,19 @@ pub struct Plan {
 /// Plans programs that need so much memory each \[bytes\] for a room \[bytes\]; what fits alone starts.
 pub fn plan(needs: &[u64], room: u64) -> Plan {
     let starts: Vec<bool> = needs.iter().map(|n| *n <= room).collect();
-    let sum = needs.iter().zip(&starts).filter(|(_, s)| **s).fold(0u64, |sum, (n, _)| sum.saturating_add(*n));
+    let sum = needs
+        .iter()
+        .zip(&starts)
+        .filter(|(_, s)| **s)
+        .fold(0u64, |sum, (n, _)| sum.saturating_add(*n));
     Plan { starts, together: sum <= room }
 }
 
 /// A line of `/proc/self/status` \[bytes\]; `None` where the system has no such file.
 fn own(key: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let kib: u64 = status.lines().find(|l| l.starts_with(key))?.split_whitespace().nth(1)?.parse().ok()?;
+    let kib: u64 =
+        status.lines().find(|l| l.starts_with(key))?.split_whitespace().nth(1)?.parse().ok()?;
     Some(kib * 1024)
 }
 
@@ -105,7 +114,10 @@ mod tests {
         assert_eq!(of(3, 4, 3), Plan { starts: vec![true, false], together: true });
         assert_eq!(of(4, 3, 3), Plan { starts: vec![false, true], together: true });
         assert_eq!(of(3, 4, 2), Plan { starts: vec![false, false], together: true });
-        assert_eq!(plan(&[u64::MAX, u64::MAX], u64::MAX), Plan { starts: vec![true, true], together: true });
+        assert_eq!(
+            plan(&[u64::MAX, u64::MAX], u64::MAX),
+            Plan { starts: vec![true, true], together: true }
+        );
         assert_eq!(plan(&[], 0), Plan { starts: vec![], together: true });
     }
 
@@ -118,7 +130,10 @@ mod tests {
         assert_eq!(room_of(Some(100 << 20), None, 0), machine(0));
         // what the process holds already counts against the user's limit, not against what the machine has left
         assert_eq!(room_of(Some(100 * GIB), Some(20 * GIB), 4 * GIB), asked(15 * GIB, 20 * GIB));
-        assert_eq!(room_of(Some(10 * GIB), Some(20 * GIB), 4 * GIB), machine((9.5 * GIB as f64) as u64));
+        assert_eq!(
+            room_of(Some(10 * GIB), Some(20 * GIB), 4 * GIB),
+            machine((9.5 * GIB as f64) as u64)
+        );
         assert_eq!(room_of(Some(100 * GIB), Some(GIB), 4 * GIB), asked(0, GIB));
         assert_eq!(room_of(None, Some(20 * GIB), 0), asked(19 * GIB, 20 * GIB));
         assert_eq!(room_of(None, None, 5), None);

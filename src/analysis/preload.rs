@@ -4,8 +4,10 @@
 //! the tractions in the static one. The two closures enclose the exact one where nothing else is loaded; their mean is
 //! taken. Step 2: the same closure on both sides, all loads: both bounds are strict for the structure with that closure.
 
-use crate::analysis::engine::{Both, Done, Event, Pass, PassError, PassOptions, Progress, both, run};
-use crate::analysis::program_run::{Problem, Program};
+use crate::analysis::engine::{
+    Both, Done, Event, Pass, PassError, PassOptions, Progress, both, run,
+};
+use crate::analysis::program_run::{DiscreteProgram, Program};
 use crate::math::vec3::V3;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::dofs::DofMap;
@@ -37,7 +39,7 @@ pub struct Tightened {
 /// A program whose cuts close under their preload.
 struct Tightening<P>(P);
 
-impl<'a, P: Problem<'a>> Problem<'a> for Tightening<P> {
+impl<'a, P: DiscreteProgram<'a>> DiscreteProgram<'a> for Tightening<P> {
     type Answer = Vec<f64>;
     const PROGRAM: Program = P::PROGRAM;
 
@@ -59,7 +61,12 @@ impl<'a, P: Problem<'a>> Problem<'a> for Tightening<P> {
     }
 
     /// The closures of the cuts: chosen by this solve, not bounded by it.
-    fn recover(&self, _: &AnalysisModel, solution: &Solution, _: &Patterns) -> Result<Vec<f64>, RecoverError> {
+    fn recover(
+        &self,
+        _: &AnalysisModel,
+        solution: &Solution,
+        _: &Patterns,
+    ) -> Result<Vec<f64>, RecoverError> {
         Ok(solution.x[self.map().n - self.map().closures..].to_vec())
     }
 

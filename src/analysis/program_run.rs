@@ -50,7 +50,7 @@ pub(crate) struct Another {
 }
 
 /// What a pass asks of a program.
-pub(crate) trait Problem<'a>: Sized + Send + Sync {
+pub(crate) trait DiscreteProgram<'a>: Sized + Send + Sync {
     /// The field its solution stands for, and the bound that follows.
     type Answer: Send;
     /// Which it is.
@@ -101,7 +101,7 @@ pub(crate) trait Problem<'a>: Sized + Send + Sync {
     }
 }
 
-impl<'a> Problem<'a> for Kinematic {
+impl<'a> DiscreteProgram<'a> for Kinematic {
     type Answer = (DisplacementField, UpperBound);
     const PROGRAM: Program = Program::Kinematic;
 
@@ -138,7 +138,12 @@ impl<'a> Problem<'a> for Kinematic {
 
     fn motion(&self, model: &AnalysisModel, x: &[f64]) -> Vec<(u32, V3)> {
         let u = self.map.expand(x);
-        model.node_parts().into_iter().enumerate().map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]])).collect()
+        model
+            .node_parts()
+            .into_iter()
+            .enumerate()
+            .map(|(n, p)| (p, [u[3 * n], u[3 * n + 1], u[3 * n + 2]]))
+            .collect()
     }
 
     fn contacts(&self) -> Vec<usize> {
@@ -146,7 +151,7 @@ impl<'a> Problem<'a> for Kinematic {
     }
 }
 
-impl<'a> Problem<'a> for Static<'a> {
+impl<'a> DiscreteProgram<'a> for Static<'a> {
     type Answer = (StressField, LowerBound);
     const PROGRAM: Program = Program::Static;
 

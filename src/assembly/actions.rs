@@ -1,8 +1,8 @@
 //! Forces and moments at member ends: from the member's own axes to a force and a moment in global axes, and to the bolt plane.
 
-use super::build::{entry_fault, identifier, rectangle, within};
+use super::assembly::{Action as Acting, FaceLoad, FaceRule};
 use super::error::AssemblyError;
-use super::joint::{Action as Acting, FaceLoad, FaceRule};
+use super::joint::{entry_fault, identifier, rectangle, within};
 use super::scope::Scope;
 use super::template::{EndEntry, SHIPPED, Template};
 use crate::diag::did_you_mean;
@@ -18,7 +18,10 @@ pub(super) struct End<'a> {
 }
 
 /// All member ends of a joint.
-pub(super) fn ends<'a>(template: &'a Template, scope: &Scope) -> Result<Vec<End<'a>>, AssemblyError> {
+pub(super) fn ends<'a>(
+    template: &'a Template,
+    scope: &Scope,
+) -> Result<Vec<End<'a>>, AssemblyError> {
     let mut out = Vec::new();
     for entry in &template.ends {
         let at = entry.name.as_str();
@@ -35,16 +38,27 @@ pub(super) fn is_at_an_end(load: &LoadSpec) -> bool {
 }
 
 /// Faults of a load at a member end that need no numbers of the joint.
-pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &mut Vec<AssemblyError>) {
+pub(super) fn check(
+    loads: &[LoadSpec],
+    i: usize,
+    template: &Template,
+    faults: &mut Vec<AssemblyError>,
+) {
     let load = &loads[i];
     let mut value = |key: &str, problem: String, help: &str| {
         let path = if key.is_empty() { load.path(i) } else { format!("{}.{key}", load.path(i)) };
         faults.push(AssemblyError::Value { path, problem, help: help.into() });
     };
     if template.ends.is_empty() {
-        let problem = format!("template `{}` has no member ends that forces and moments could act on", template.name);
-        let with: Vec<String> =
-            SHIPPED.iter().filter(|(_, t)| t.contains("\nends:")).map(|(n, _)| format!("`{n}`")).collect();
+        let problem = format!(
+            "template `{}` has no member ends that forces and moments could act on",
+            template.name
+        );
+        let with: Vec<String> = SHIPPED
+            .iter()
+            .filter(|(_, t)| t.contains("\nends:"))
+            .map(|(n, _)| format!("`{n}`"))
+            .collect();
         let help = format!(
             "load a section by `pressure` or `traction`, or take a template with member ends: {}",
             with.join(", ")
@@ -53,7 +67,9 @@ pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &
         return;
     }
     if load.section.is_some() || load.pressure.is_some() || load.traction.is_some() {
-        let problem = "the load mixes a section under traction with forces and moments at a member end".to_owned();
+        let problem =
+            "the load mixes a section under traction with forces and moments at a member end"
+                .to_owned();
         value("", problem, "write two loads with the same `name`: they act together");
     }
     if load.end.is_none() {
@@ -61,8 +77,7 @@ pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &
         value("", "the forces and moments do not say which member end they act on".into(), help);
     }
     if load.at.is_none() {
-        let help =
-            "add `at: node`, `at: column_face` or `at: bolt_plane`: the lever arm of the shear force hangs on it";
+        let help = "add `at: node`, `at: column_face` or `at: bolt_plane`: the lever arm of the shear force hangs on it";
         value("", "the load does not say where its forces and moments act".into(), help);
     }
     if load.actions().is_empty() {
@@ -90,7 +105,8 @@ pub(super) fn check(loads: &[LoadSpec], i: usize, template: &Template, faults: &
             );
         }
     }
-    let twice = loads[..i].iter().any(|o| o.name == load.name && o.end.is_some() && o.end == load.end);
+    let twice =
+        loads[..i].iter().any(|o| o.name == load.name && o.end.is_some() && o.end == load.end);
     if let (true, Some(end)) = (twice, &load.end) {
         value(
             "end",
@@ -113,19 +129,30 @@ pub(super) fn on_end(
     let (Some(name), Some(point)) = (&load.end, load.at) else { return Ok(Vec::new()) };
     let Some(end) = ends.iter().find(|e| e.name == *name) else {
         let known: Vec<&str> = ends.iter().map(|e| e.name.as_str()).collect();
-        let only = template.ends.iter().find(|e| e.names().contains(name)).and_then(|e| e.when.as_ref());
+        let only =
+            template.ends.iter().find(|e| e.names().contains(name)).and_then(|e| e.when.as_ref());
         let hint = match only {
-            Some(when) => format!(": template `{}` has it only where `{}`", template.name, when.text()),
+            Some(when) => {
+                format!(": template `{}` has it only where `{}`", template.name, when.text())
+            }
             None => did_you_mean(name, known.iter().copied()),
         };
         let problem = format!("the joint has no member end `{name}`{hint}");
-        return Err(AssemblyError::Unknown { path: format!("{}.end", load.path(i)), problem, known: known.join(", ") });
+        return Err(AssemblyError::Unknown {
+            path: format!("{}.end", load.path(i)),
+            problem,
+            known: known.join(", "),
+        });
     };
     let at = end.entry.name.as_str();
     let Some(position) = end.entry.points.get(&point) else {
         let known: Vec<&str> = end.entry.points.keys().map(|p: &ActionPoint| p.word()).collect();
         let problem = format!("the member end `{name}` has no point `{}`", point.word());
-        return Err(AssemblyError::Unknown { path: format!("{}.at", load.path(i)), problem, known: known.join(", ") });
+        return Err(AssemblyError::Unknown {
+            path: format!("{}.at", load.path(i)),
+            problem,
+            known: known.join(", "),
+        });
     };
     let position = within(at, end.scope.point(position))?;
     let axes = member_axes(at, end)?;
@@ -220,7 +247,10 @@ pub(super) fn on_planes(
     for end in ends.iter().filter(|e| wanted.contains(&e.name)) {
         let at = end.entry.name.as_str();
         let Some(plane) = end.entry.points.get(&ActionPoint::BoltPlane) else {
-            return entry_fault(at, "`hand_checks.ends` names it, but it has no point `bolt_plane`");
+            return entry_fault(
+                at,
+                "`hand_checks.ends` names it, but it has no point `bolt_plane`",
+            );
         };
         let plane = within(at, end.scope.point(plane))?;
         let axes = member_axes(at, end)?;

@@ -19,7 +19,11 @@ const CASES: &[Case] = &[
         new: "profile: HEB2O0",
         code: "catalog/unknown-name",
         path: "members.column.profile",
-        words: &["`HEB2O0` is not in the catalogue", "did you mean `HEB200`?", "bracket catalog list"],
+        words: &[
+            "`HEB2O0` is not in the catalogue",
+            "did you mean `HEB200`?",
+            "bracket catalog list",
+        ],
     },
     Case {
         old: "profile: IPE360, steel: S235",
@@ -75,7 +79,10 @@ const CASES: &[Case] = &[
         new: "grade: \"8.8\", preload: 98.7,",
         code: "spec/range",
         path: "bolts.preload",
-        words: &["`bolts.preload` is 98.7 f_ub A_s", "0.8 f_ub A_s, at which the thread of M18 8.8 yields"],
+        words: &[
+            "`bolts.preload` is 98.7 f_ub A_s",
+            "0.8 f_ub A_s, at which the thread of M18 8.8 yields",
+        ],
     },
     Case {
         old: "grade: \"8.8\",",
@@ -138,7 +145,11 @@ const CASES: &[Case] = &[
         new: "rows: [-125, -115, 110]",
         code: "spec/rule",
         path: "bolts.rows[1]",
-        words: &["the bolt rows at -125 mm and -115 mm overlap: 10 mm apart", "28 mm", "44 mm apart"],
+        words: &[
+            "the bolt rows at -125 mm and -115 mm overlap: 10 mm apart",
+            "28 mm",
+            "44 mm apart",
+        ],
     },
     Case {
         old: "rows: [-215, -125, 110]",
@@ -187,14 +198,20 @@ const CASES: &[Case] = &[
         new: "beam_lenght: 1000",
         code: "spec/unknown-name",
         path: "parameters.beam_lenght",
-        words: &["no parameter `beam_lenght`, did you mean `beam_length`?", "known here: hole_clearance"],
+        words: &[
+            "no parameter `beam_lenght`, did you mean `beam_length`?",
+            "known here: hole_clearance",
+        ],
     },
     Case {
         old: "support_distance: 900",
         new: "support_distance: 995",
         code: "spec/rule",
         path: "parameters.support_distance",
-        words: &["the support ends 1002.5 mm from the end plate, beyond the beam", "at most 992.5 mm"],
+        words: &[
+            "the support ends 1002.5 mm from the end plate, beyond the beam",
+            "at most 992.5 mm",
+        ],
     },
     Case {
         old: "section: column_top",
@@ -257,7 +274,11 @@ const CASES: &[Case] = &[
         new: "kind: [elastic, elastik]",
         code: "yaml/unknown-value",
         path: "analysis.kind[1]",
-        words: &["`elastik` is not a value known", "did you mean `elastic`?", "elastoplastic, limit"],
+        words: &[
+            "`elastik` is not a value known",
+            "did you mean `elastic`?",
+            "elastoplastic, limit",
+        ],
     },
     Case {
         old: "hole_clearance: 0}",
@@ -292,9 +313,15 @@ fn every_bad_spec_is_told_what_where_and_how_to_cure_it() {
         // the line shown must be the changed one, or, where something is missing, any line of the file
         let line = PAPER[..PAPER.find(case.old).expect("old")].matches('\n').count() + 1;
         let at_line = d.place.line.is_some_and(|l| l == line || case.code == "spec/missing");
-        let right = d.code == case.code && d.place.path.as_deref() == Some(case.path) && lacks.is_empty() && at_line;
+        let right = d.code == case.code
+            && d.place.path.as_deref() == Some(case.path)
+            && lacks.is_empty()
+            && at_line;
         if !(right && d.fault == Fault::Input && d.help.is_some()) {
-            wrong.push(format!("`{}` -> `{}` (line {line}): lacks {lacks:?}\n{d:#?}", case.old, case.new));
+            wrong.push(format!(
+                "`{}` -> `{}` (line {line}): lacks {lacks:?}\n{d:#?}",
+                case.old, case.new
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
@@ -302,8 +329,9 @@ fn every_bad_spec_is_told_what_where_and_how_to_cure_it() {
 
 #[test]
 fn all_faults_are_told_at_once() {
-    let text =
-        with("profile: HEB200", "profile: HEB999").replace("size: M18", "size: M999").replace("mu: 0.3", "mu: 9");
+    let text = with("profile: HEB200", "profile: HEB999")
+        .replace("size: M18", "size: M999")
+        .replace("mu: 0.3", "mu: 9");
     let faults = joint(&text).map(drop).expect_err("three faults");
     let paths: Vec<&str> = faults.0.iter().filter_map(|d| d.place.path.as_deref()).collect();
     assert_eq!(paths, ["members.column.profile", "bolts.size", "friction.mu"]);
@@ -312,11 +340,15 @@ fn all_faults_are_told_at_once() {
 #[test]
 fn a_faulty_template_of_the_user_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (_, shipped) = super::template::SHIPPED.iter().find(|(n, _)| *n == "double_sided_end_plate").expect("shipped");
+    let (_, shipped) = super::template::SHIPPED
+        .iter()
+        .find(|(n, _)| *n == "double_sided_end_plate")
+        .expect("shipped");
     let spec = with("template: double_sided_end_plate", "template: mine.yaml");
     let build = |template: &str| {
         std::fs::write(folder.path().join("mine.yaml"), template).expect("writable");
-        let parsed = crate::spec::yaml::parse(&spec, std::path::Path::new("joint.yaml")).expect("the spec is sound");
+        let parsed = crate::spec::yaml::parse(&spec, std::path::Path::new("joint.yaml"))
+            .expect("the spec is sound");
         let catalog = crate::catalog::Catalog::builtin().expect("sound");
         let joint = super::build(&parsed, folder.path(), &catalog);
         joint.map(drop)
@@ -347,7 +379,11 @@ fn a_faulty_template_of_the_user_is_named() {
     ] {
         let d = fault(old, new);
         let line = shipped[..shipped.find(old).expect("it is there")].matches('\n').count() + 1;
-        assert_eq!(d.place.file.as_deref().and_then(|f| f.file_name()), Some("mine.yaml".as_ref()), "{new}: {d:#?}");
+        assert_eq!(
+            d.place.file.as_deref().and_then(|f| f.file_name()),
+            Some("mine.yaml".as_ref()),
+            "{new}: {d:#?}"
+        );
         assert_eq!(d.place.line, Some(line), "{new}: {d:#?}");
     }
 }

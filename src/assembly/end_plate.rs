@@ -6,7 +6,8 @@ use super::inputs::Inputs;
 use super::scope::Scope;
 use super::template::Template;
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
-use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec, PryingRule};
+use crate::spec::code::PryingRule;
+use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use schemars::JsonSchema;
@@ -228,7 +229,8 @@ fn longitudinal(
     let (axial, moment) = (m.n_ed.map_or(0.0, |n| n.0), m.m_ed.map_or(0.0, |m| m.0));
     let root = 0.5 * section.h - section.tf - section.r;
     // cm² and cm⁴ of the tables
-    let stress = (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
+    let stress =
+        (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
     if stress <= steel.fy {
         return Ok(Some(stress));
     }
@@ -265,15 +267,23 @@ impl EndPlate {
 fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)> {
     let loads = || spec.loads.iter().filter(|l| !l.of_polygon);
     let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
-    let given =
-        entry.column.as_ref().and_then(|c| spec.members.get(c)).is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
+    let given = entry
+        .column
+        .as_ref()
+        .and_then(|c| spec.members.get(c))
+        .is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
     let why = |l: &LoadSpec| match (&l.end, &l.section) {
         (Some(end), _) if !entry.ends.contains(end) => Some(format!(
             "`{end}` is none of the ends that `hand_checks` of the template name: what acts there is not checked"
         )),
         (None, Some(section)) if demanded(&l.name) && !given => {
-            let cure = entry.column.as_ref().map_or(String::new(), |c| format!("; give members.{c}.N_Ed and M_Ed"));
-            Some(format!("what acts on `{section}` beside the member ends is not in the checks{cure}"))
+            let cure = entry
+                .column
+                .as_ref()
+                .map_or(String::new(), |c| format!("; give members.{c}.N_Ed and M_Ed"));
+            Some(format!(
+                "what acts on `{section}` beside the member ends is not in the checks{cure}"
+            ))
         }
         _ => None,
     };
@@ -289,7 +299,10 @@ pub fn end_plate(
     actions: Vec<PlaneActions>,
 ) -> Result<Option<EndPlate>, AssemblyError> {
     let Some(entry) = &template.hand_checks else { return Ok(None) };
-    let wrong = |key: &str, problem: String| AssemblyError::TemplateEntry { at: format!("hand_checks.{key}"), problem };
+    let wrong = |key: &str, problem: String| AssemblyError::TemplateEntry {
+        at: format!("hand_checks.{key}"),
+        problem,
+    };
     let named = |key: &str, result: Result<f64, ExprError>| {
         result.map_err(|cause| AssemblyError::Template { at: format!("hand_checks.{key}"), cause })
     };
@@ -298,7 +311,11 @@ pub fn end_plate(
         let value = named(key, scope.length(e))?;
         match least {
             Some(least) if value < least => {
-                let limit = if least == f64::MIN_POSITIVE { "above 0".into() } else { format!("at least {least} mm") };
+                let limit = if least == f64::MIN_POSITIVE {
+                    "above 0".into()
+                } else {
+                    format!("at least {least} mm")
+                };
                 Err(wrong(key, format!("{value} mm; it must be {limit}")))
             }
             _ => Ok(value),
@@ -318,7 +335,10 @@ pub fn end_plate(
     let or_none = |key, e: &Option<Expr>| e.as_ref().map_or(Ok(0.0), |e| length(key, e, some));
     let (bottom, top) = (length("bottom", &entry.bottom, None)?, length("top", &entry.top, None)?);
     if bottom >= top {
-        return Err(wrong("top", format!("the upper edge {top} mm is not above the lower edge {bottom} mm")));
+        return Err(wrong(
+            "top",
+            format!("the upper edge {top} mm is not above the lower edge {bottom} mm"),
+        ));
     }
     let role = |r: &String| std::slice::from_ref(r).to_vec();
     let end_of_column = |key, e| or_none(key, e).map(|end| (end > 0.0).then_some(end));
@@ -328,7 +348,10 @@ pub fn end_plate(
         Some(column) => {
             let section = profile("column", column)?;
             let Some(beta) = &entry.beta else {
-                return Err(wrong("beta", "it is missing; a template with a `column` gives it".into()));
+                return Err(wrong(
+                    "beta",
+                    "it is missing; a template with a `column` gives it".into(),
+                ));
             };
             let beta = named("beta", scope.number(beta))?;
             if !(0.0..=2.0).contains(&beta) {
@@ -337,7 +360,8 @@ pub fn end_plate(
             let steel = inputs.strength(spec, &role(column), section.tf)?;
             let forces = spec.members.get(column);
             Some(ColumnSide {
-                longitudinal: forces.map_or(Ok(None), |m| longitudinal(column, m, &section, &steel))?,
+                longitudinal: forces
+                    .map_or(Ok(None), |m| longitudinal(column, m, &section, &steel))?,
                 shear: forces.and_then(|m| m.v_ed).map_or(0.0, |v| v.0),
                 steel,
                 stiffener_throat: or_none("stiffener_throat", &entry.stiffener_throat)?,

@@ -115,18 +115,30 @@ impl From<AssemblyError> for Diagnostic {
             AssemblyError::Missing { path, .. } => {
                 let key = path.rsplit('.').next().unwrap_or(&path).to_owned();
                 Diagnostic::input("spec/missing", message)
-                    .help(format!("add `{key}: …` there; `bracket new` writes a starter with every parameter"))
+                    .help(format!(
+                        "add `{key}: …` there; `bracket new` writes a starter with every parameter"
+                    ))
                     .path(path)
             }
             AssemblyError::Unknown { path, known, .. } => {
-                Diagnostic::input("spec/unknown-name", message).path(path).help(format!("known here: {known}"))
+                Diagnostic::input("spec/unknown-name", message)
+                    .path(path)
+                    .help(format!("known here: {known}"))
             }
-            AssemblyError::Value { path, help, .. } => Diagnostic::input("spec/value", message).path(path).help(help),
-            AssemblyError::OutOfRange { path, range, .. } => Diagnostic::input("spec/range", message)
-                .path(path)
-                .help(format!("choose a value in the range: {range}")),
-            AssemblyError::Catalog { path, cause } => Diagnostic { message, ..Diagnostic::from(*cause) }.path(path),
-            AssemblyError::Rule { path, help, .. } => Diagnostic::input("spec/rule", message).path(path).help(help),
+            AssemblyError::Value { path, help, .. } => {
+                Diagnostic::input("spec/value", message).path(path).help(help)
+            }
+            AssemblyError::OutOfRange { path, range, .. } => {
+                Diagnostic::input("spec/range", message)
+                    .path(path)
+                    .help(format!("choose a value in the range: {range}"))
+            }
+            AssemblyError::Catalog { path, cause } => {
+                Diagnostic { message, ..Diagnostic::from(*cause) }.path(path)
+            }
+            AssemblyError::Rule { path, help, .. } => {
+                Diagnostic::input("spec/rule", message).path(path).help(help)
+            }
             AssemblyError::Template { .. } | AssemblyError::TemplateEntry { .. } => {
                 Diagnostic::input("template/wrong", message)
                     .path("template")

@@ -3,7 +3,7 @@
 use super::error::AssemblyError;
 use super::scope::Resolved;
 use crate::catalog::{Catalog, NationalAnnex};
-use crate::spec::connection::Code;
+use crate::spec::code::Code;
 
 /// What a partial factor may be.
 const RANGE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
@@ -33,11 +33,14 @@ impl PartialFactors {
     /// Reads the factors; what is wrong goes to `faults`, with 1 in its place.
     pub fn read(code: &Code, catalog: &Catalog, faults: &mut Vec<AssemblyError>) -> Self {
         let annex = code.annex.as_ref().and_then(|name| {
-            let unlisted = |e| AssemblyError::Catalog { path: "code.annex".into(), cause: Box::new(e) };
+            let unlisted =
+                |e| AssemblyError::Catalog { path: "code.annex".into(), cause: Box::new(e) };
             catalog.annex(name).map_err(|e| faults.push(unlisted(e))).ok()
         });
         let (mut resolved, mut low) = (Vec::new(), Vec::new());
-        let mut factor = |name: &str, given: Option<f64>, of_annex: fn(&NationalAnnex) -> Option<f64>| {
+        let mut factor = |name: &str,
+                          given: Option<f64>,
+                          of_annex: fn(&NationalAnnex) -> Option<f64>| {
             let path = format!("code.{name}");
             let recommended = catalog.partial_factor(name).map_err(|e| {
                 faults.push(AssemblyError::Catalog { path: path.clone(), cause: Box::new(e) });
@@ -47,7 +50,12 @@ impl PartialFactors {
             let value = given.or(set).unwrap_or(recommended.value);
             if !RANGE.contains(&value) {
                 let (path, name, value) = (path.clone(), path.clone(), value.to_string());
-                faults.push(AssemblyError::OutOfRange { path, name, value, range: "0.5 to 3".into() });
+                faults.push(AssemblyError::OutOfRange {
+                    path,
+                    name,
+                    value,
+                    range: "0.5 to 3".into(),
+                });
             }
             if value < recommended.value {
                 low.push(format!(
@@ -58,7 +66,9 @@ impl PartialFactors {
             let origin = match (given, set, annex) {
                 (Some(_), _, Some(a)) => format!("given, in place of annex {}", a.annex),
                 (Some(_), _, None) => "given".into(),
-                (None, Some(_), Some(a)) => format!("annex {} ({}; {})", a.annex, a.standard, a.basis),
+                (None, Some(_), Some(a)) => {
+                    format!("annex {} ({}; {})", a.annex, a.standard, a.basis)
+                }
                 (None, None, Some(a)) if a.basis != "recommended" => {
                     format!(
                         "recommended ({}); the row of annex {} leaves it out: check the annex",
@@ -113,16 +123,19 @@ mod tests {
         assert_eq!(six(&e), [1.0, 1.0, 1.25, 1.25, 1.1, 1.1]);
         let e = ok(&with_code("{annex: Germany, gamma_M2: 1.3}")).end_plate.expect("hand checks");
         assert_eq!(six(&e), [1.0, 1.1, 1.3, 1.25, 1.1, 1.1]);
-        let all =
-            "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: 1.05, gamma_M7: 1.06}";
-        assert_eq!(six(&ok(&with_code(all)).end_plate.expect("hand checks")), [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]);
+        let all = "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: 1.05, gamma_M7: 1.06}";
+        assert_eq!(
+            six(&ok(&with_code(all)).end_plate.expect("hand checks")),
+            [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]
+        );
     }
 
     /// A factor below the recommended one is told; one that an annex raises is not.
     #[test]
     fn a_factor_below_the_recommended_one_is_a_warning() {
         let notes = |code: &str| ok(&with_code(code)).notes;
-        let words = "gamma_M2 = 1.1 is below the recommended 1.25: resistances are larger than by EN 1993";
+        let words =
+            "gamma_M2 = 1.1 is below the recommended 1.25: resistances are larger than by EN 1993";
         assert_eq!(notes("{gamma_M2: 1.1}"), [words]);
         assert!(notes("{}").is_empty() && notes("{annex: DE, gamma_M0: 1.0}").is_empty());
     }
@@ -131,13 +144,19 @@ mod tests {
     fn every_factor_tells_where_it_comes_from() {
         let plain = origins("{}");
         assert_eq!(plain.len(), 6);
-        assert!(plain.iter().all(|(_, _, o)| o.starts_with("recommended (EN 1993-1-")), "{plain:#?}");
+        assert!(
+            plain.iter().all(|(_, _, o)| o.starts_with("recommended (EN 1993-1-")),
+            "{plain:#?}"
+        );
         assert_eq!(plain, origins("{annex: recommended}"));
         let norway = origins("{annex: NO, gamma_M1: 1}");
         let told: Vec<&str> = norway.iter().map(|(_, _, o)| o.as_str()).collect();
         assert!(told[0].starts_with("annex NO (NS-EN 1993-1-1/NA; unverified"), "{told:#?}");
         assert_eq!(told[1], "given, in place of annex NO");
-        assert!(told[3].ends_with("the row of annex NO leaves it out: check the annex"), "{told:#?}");
+        assert!(
+            told[3].ends_with("the row of annex NO leaves it out: check the annex"),
+            "{told:#?}"
+        );
     }
 
     #[test]

@@ -1,18 +1,19 @@
 //! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
 
+use super::assembly::PartMaterial;
 use super::end_plate::Strength;
 use super::error::AssemblyError;
 use super::factors::PartialFactors;
-use super::joint::PartMaterial;
 use super::scope::{Given, Resolved, Scope, path_of};
 use super::template::{Parameter, ParameterKind, Template};
 use super::{actions, categories};
-use crate::catalog::{self, BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
+use crate::catalog::{BoltGrade, BoltSize, Catalog, CatalogError, IProfile, Steel};
 use crate::diag::did_you_mean;
-use crate::spec::connection::{
-    AnalysisKind, ConnectionSpec, FrictionLaw, FySource, MeshSize, ParameterValue, PreloadSpec,
-};
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::analysis::MeshSize;
+use crate::spec::connection::{ConnectionSpec, ParameterValue, PreloadSpec};
 use crate::spec::expr::Value;
+use crate::spec::friction::FrictionLaw;
 use crate::units::{self, Length};
 use std::collections::BTreeMap;
 
@@ -31,7 +32,7 @@ pub struct Inputs<'a> {
     pub bolt: Option<(&'a BoltSize, &'a BoltGrade)>,
     /// What the spec says about parameters.
     pub given: BTreeMap<String, Given>,
-    /// Friction coefficient.
+    /// FrictionLaw coefficient.
     pub mu: f64,
     /// Preload of a bolt \[N\], if the bolts are preloaded.
     pub preload: Option<f64>,
@@ -49,7 +50,11 @@ fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
 
 impl<'a> Inputs<'a> {
     /// Reads a spec; reports every fault it can find at once.
-    pub fn read(spec: &ConnectionSpec, template: &Template, catalog: &'a Catalog) -> Result<Self, Vec<AssemblyError>> {
+    pub fn read(
+        spec: &ConnectionSpec,
+        template: &Template,
+        catalog: &'a Catalog,
+    ) -> Result<Self, Vec<AssemblyError>> {
         let mut faults = Vec::new();
         let mut profiles = Vec::new();
         let mut steels = BTreeMap::new();
@@ -79,12 +84,19 @@ impl<'a> Inputs<'a> {
             }
         }
         let bolt = spec.bolts.as_ref().and_then(|b| {
-            let size = catalog.bolt(&b.size).map_err(|e| faults.push(unlisted("bolts.size".into(), e))).ok();
-            let grade = catalog.bolt_grade(&b.grade).map_err(|e| faults.push(unlisted("bolts.grade".into(), e))).ok();
+            let size = catalog
+                .bolt(&b.size)
+                .map_err(|e| faults.push(unlisted("bolts.size".into(), e)))
+                .ok();
+            let grade = catalog
+                .bolt_grade(&b.grade)
+                .map_err(|e| faults.push(unlisted("bolts.grade".into(), e)))
+                .ok();
             size.zip(grade)
         });
-        let preload =
-            bolt.and_then(|(size, grade)| preload(spec, size, grade).map_err(|e| faults.push(e)).ok().flatten());
+        let preload = bolt.and_then(|(size, grade)| {
+            preload(spec, size, grade).map_err(|e| faults.push(e)).ok().flatten()
+        });
         let factors = PartialFactors::read(&spec.code, catalog, &mut faults);
         let mu = match (spec.friction.mu, &spec.friction.class) {
             (None, Some(c)) => catalog.friction_class(c).map(|f| f.mu).unwrap_or_else(|e| {
@@ -99,10 +111,18 @@ impl<'a> Inputs<'a> {
                 faults.push(AssemblyError::Missing { path, about: role.about.clone() });
             }
         }
-        for role in spec.members.keys().filter(|r| !template.members.iter().any(|m| m.role == **r)) {
+        for role in spec.members.keys().filter(|r| !template.members.iter().any(|m| m.role == **r))
+        {
             let roles = || template.members.iter().map(|m| m.role.as_str());
             let path = format!("members.{role}");
-            faults.push(unknown(template, path, "member", role, did_you_mean(role, roles()), list(roles())));
+            faults.push(unknown(
+                template,
+                path,
+                "member",
+                role,
+                did_you_mean(role, roles()),
+                list(roles()),
+            ));
         }
         if spec.bolts.is_none() && !template.bolts.is_empty() {
             faults.push(AssemblyError::Missing {
@@ -115,13 +135,18 @@ impl<'a> Inputs<'a> {
         loads(spec, template, &mut faults);
         categories::check(spec, &mut faults);
         let given = given(spec, template, &mut faults);
-        if faults.is_empty() { Ok(Self { profiles, steels, bolt, given, mu, preload, factors }) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(Self { profiles, steels, bolt, given, mu, preload, factors })
+        } else {
+            Err(faults)
+        }
     }
 
     /// The names that stand before any parameter: `role.h`, `bolt.d` and so on.
     pub fn scope(&self) -> Scope {
         let mut scope = Scope::default();
-        let mut set = |owner: &str, key: &str, v: f64| scope.set(format!("{owner}.{key}"), Value::length(v));
+        let mut set =
+            |owner: &str, key: &str, v: f64| scope.set(format!("{owner}.{key}"), Value::length(v));
         for (role, p) in &self.profiles {
             for (key, v) in [("h", p.h), ("b", p.b), ("tw", p.tw), ("tf", p.tf), ("r", p.r)] {
                 set(role, key, v);
@@ -159,9 +184,10 @@ impl<'a> Inputs<'a> {
     ) -> Result<String, AssemblyError> {
         let (path, steel) = self.steel(from)?;
         let fy = steel
-            .fy_by(strength_table(spec), thickness)
+            .fy_by(spec.code.fy_source, thickness)
             .map_err(|cause| AssemblyError::Catalog { path: path.clone(), cause: cause.into() })?;
-        let material = PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.factors.gamma_m0) };
+        let material =
+            PartMaterial { e: steel.e, nu: steel.nu, fy: Some(fy / self.factors.gamma_m0) };
         Ok(insert(materials, &steel.grade, thickness, material))
     }
 
@@ -174,10 +200,18 @@ impl<'a> Inputs<'a> {
     }
 
     /// Nominal strengths of the first steel that the spec gives, at a thickness \[mm\].
-    pub fn strength(&self, spec: &ConnectionSpec, from: &[String], thickness: f64) -> Result<Strength, AssemblyError> {
+    pub fn strength(
+        &self,
+        spec: &ConnectionSpec,
+        from: &[String],
+        thickness: f64,
+    ) -> Result<Strength, AssemblyError> {
         let (path, steel) = self.steel(from)?;
-        let table = strength_table(spec);
-        let fault = |cause: CatalogError| AssemblyError::Catalog { path: path.clone(), cause: cause.into() };
+        let table = spec.code.fy_source;
+        let fault = |cause: CatalogError| AssemblyError::Catalog {
+            path: path.clone(),
+            cause: cause.into(),
+        };
         Ok(Strength {
             grade: steel.grade.clone(),
             fy: steel.fy_by(table, thickness).map_err(fault)?,
@@ -192,7 +226,11 @@ impl<'a> Inputs<'a> {
     pub fn notes(&self) -> Vec<String> {
         let foreign = |standard: &str| standard.starts_with("ASTM");
         let mut grades: Vec<String> = Vec::new();
-        let steels = self.steels.values().filter(|(_, s)| foreign(&s.standard)).map(|(_, s)| s.grade.clone());
+        let steels = self
+            .steels
+            .values()
+            .filter(|(_, s)| foreign(&s.standard))
+            .map(|(_, s)| s.grade.clone());
         let bolts = self.bolt.iter().filter(|(_, g)| g.standard.as_deref().is_some_and(foreign));
         for name in steels.chain(bolts.map(|(_, g)| format!("bolts {}", g.grade))) {
             if !grades.contains(&name) {
@@ -234,7 +272,8 @@ impl<'a> Inputs<'a> {
             given: spec.friction.mu.is_some() || spec.friction.class.is_some(),
             default: Some("0".into()),
             range: Some("0 to 2".into()),
-            about: "friction coefficient of all contact surfaces; 0 where the spec gives none".into(),
+            about: "friction coefficient of all contact surfaces; 0 where the spec gives none"
+                .into(),
             origin: None,
         }
     }
@@ -258,8 +297,11 @@ impl<'a> Inputs<'a> {
 
     /// Catalogue entries used: role and name.
     pub fn catalogue(&self) -> Vec<(String, String)> {
-        let mut out: Vec<(String, String)> =
-            self.profiles.iter().map(|(r, p)| (format!("members.{r}.profile"), p.name.clone())).collect();
+        let mut out: Vec<(String, String)> = self
+            .profiles
+            .iter()
+            .map(|(r, p)| (format!("members.{r}.profile"), p.name.clone()))
+            .collect();
         out.extend(self.steels.values().map(|(path, s)| (path.clone(), s.grade.clone())));
         if let Some((b, g)) = self.bolt {
             out.push(("bolts.size".into(), b.size.clone()));
@@ -276,7 +318,11 @@ fn thread_yields(size: &BoltSize, grade: &BoltGrade) -> f64 {
 
 /// The preload a spec asks for \[N\], if any: above zero, below what the thread yields at, of a grade made for it (EN 1993-1-8:2005
 /// 3.1.2).
-fn preload(spec: &ConnectionSpec, size: &BoltSize, grade: &BoltGrade) -> Result<Option<f64>, AssemblyError> {
+fn preload(
+    spec: &ConnectionSpec,
+    size: &BoltSize,
+    grade: &BoltGrade,
+) -> Result<Option<f64>, AssemblyError> {
     let path = || "bolts.preload".to_owned();
     let strength = grade.fub * size.stress_area;
     let (force, said) = match spec.bolts.as_ref().and_then(|b| b.preload) {
@@ -287,7 +333,10 @@ fn preload(spec: &ConnectionSpec, size: &BoltSize, grade: &BoltGrade) -> Result<
     if !grade.preloadable {
         return Err(AssemblyError::Value {
             path: path(),
-            problem: format!("bolts of grade {} are not made to be preloaded (EN 1993-1-8:2005 3.1.2)", grade.grade),
+            problem: format!(
+                "bolts of grade {} are not made to be preloaded (EN 1993-1-8:2005 3.1.2)",
+                grade.grade
+            ),
             help: "use grade 8.8 or 10.9, or leave the preload out".into(),
         });
     }
@@ -309,26 +358,33 @@ fn preload(spec: &ConnectionSpec, size: &BoltSize, grade: &BoltGrade) -> Result<
     })
 }
 
-/// Which table the spec takes strengths from.
-fn strength_table(spec: &ConnectionSpec) -> catalog::FySource {
-    match spec.code.fy_source {
-        FySource::Table31 => catalog::FySource::Table31,
-        FySource::ProductStandard => catalog::FySource::ProductStandard,
-    }
-}
-
 /// Inserts under the plain name, or with the thickness when that name has other constants already.
-fn insert(materials: &mut BTreeMap<String, PartMaterial>, name: &str, thickness: f64, m: PartMaterial) -> String {
-    let word: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+fn insert(
+    materials: &mut BTreeMap<String, PartMaterial>,
+    name: &str,
+    thickness: f64,
+    m: PartMaterial,
+) -> String {
+    let word: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     let key = match materials.get(&word) {
-        Some(other) if *other != m => format!("{word}_t{}", thickness.to_string().replace('.', "_")),
+        Some(other) if *other != m => {
+            format!("{word}_t{}", thickness.to_string().replace('.', "_"))
+        }
         _ => word,
     };
     materials.insert(key.clone(), m);
     key
 }
 
-fn unknown(t: &Template, path: String, noun: &'static str, name: &str, hint: String, known: String) -> AssemblyError {
+fn unknown(
+    t: &Template,
+    path: String,
+    noun: &'static str,
+    name: &str,
+    hint: String,
+    known: String,
+) -> AssemblyError {
     let problem = format!("template `{}` has no {noun} `{name}`{hint}", t.name);
     AssemblyError::Unknown { path, problem, known }
 }
@@ -337,11 +393,14 @@ fn unknown(t: &Template, path: String, noun: &'static str, name: &str, hint: Str
 fn column_forces(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     let column = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
     for (role, m) in spec.members.iter().filter(|(role, _)| Some(*role) != column) {
-        let given = [("N_Ed", m.n_ed.is_some()), ("M_Ed", m.m_ed.is_some()), ("V_Ed", m.v_ed.is_some())];
+        let given =
+            [("N_Ed", m.n_ed.is_some()), ("M_Ed", m.m_ed.is_some()), ("V_Ed", m.v_ed.is_some())];
         for (key, _) in given.into_iter().filter(|g| g.1) {
             faults.push(AssemblyError::Value {
                 path: format!("members.{role}.{key}"),
-                problem: format!("`{key}` is a force of the column beside the joint; `{role}` is none"),
+                problem: format!(
+                    "`{key}` is a force of the column beside the joint; `{role}` is none"
+                ),
                 help: "forces at the end of a beam stand under `loads`".into(),
             });
         }
@@ -369,7 +428,12 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     range("analysis.max_passes", f64::from(a.max_passes), a.max_passes >= 1, "at least 1");
     range("analysis.max_macro_tets", a.max_macro_tets as f64, a.max_macro_tets >= 1, "at least 1");
     let n = a.mesh.segments;
-    range("analysis.mesh.segments", f64::from(n), (12..=48).contains(&n) && n.is_multiple_of(2), "even, 12 to 48");
+    range(
+        "analysis.mesh.segments",
+        f64::from(n),
+        (12..=48).contains(&n) && n.is_multiple_of(2),
+        "even, 12 to 48",
+    );
     if let MeshSize::Fixed(Length(h)) = a.mesh.size {
         range("analysis.mesh.size", h, (0.5..=1000.0).contains(&h), "0.5 mm to 1000 mm, or `auto`");
     }
@@ -436,7 +500,8 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
                 continue;
             }
             Some(s) => {
-                if spec.loads[..i].iter().any(|o| o.section.as_ref() == Some(s) && o.name == l.name) {
+                if spec.loads[..i].iter().any(|o| o.section.as_ref() == Some(s) && o.name == l.name)
+                {
                     value(
                         format!("load case `{}` already loads `{s}`", l.name),
                         "give it another name, or add the values",
@@ -456,7 +521,11 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
 }
 
 /// What the spec says about the template's parameters, by name.
-fn given(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) -> BTreeMap<String, Given> {
+fn given(
+    spec: &ConnectionSpec,
+    template: &Template,
+    faults: &mut Vec<AssemblyError>,
+) -> BTreeMap<String, Given> {
     let one = |l: Length| Given::One(Value::length(l.0));
     let many = |l: &[Length]| Given::Many(l.iter().map(|x| x.0).collect());
     let mut out = BTreeMap::new();
@@ -475,22 +544,45 @@ fn given(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
             Some(p) => match parameter(p, value) {
                 Ok(v) => drop(out.insert(name.clone(), v)),
                 Err((problem, help)) => {
-                    faults.push(AssemblyError::Value { path: format!("parameters.{name}"), problem, help });
+                    faults.push(AssemblyError::Value {
+                        path: format!("parameters.{name}"),
+                        problem,
+                        help,
+                    });
                 }
             },
             None => {
-                let names = || template.parameters.iter().map(|p| p.name.as_str()).filter(|n| !n.contains('.'));
+                let names = || {
+                    template.parameters.iter().map(|p| p.name.as_str()).filter(|n| !n.contains('.'))
+                };
                 let path = format!("parameters.{name}");
-                faults.push(unknown(template, path, "parameter", name, did_you_mean(name, names()), list(names())));
+                faults.push(unknown(
+                    template,
+                    path,
+                    "parameter",
+                    name,
+                    did_you_mean(name, names()),
+                    list(names()),
+                ));
             }
         }
     }
     for name in out.keys().filter(|n| find(n).is_none()) {
         let names = || template.parameters.iter().map(|p| p.name.as_str());
-        faults.push(unknown(template, path_of(name), "parameter", name, did_you_mean(name, names()), list(names())));
+        faults.push(unknown(
+            template,
+            path_of(name),
+            "parameter",
+            name,
+            did_you_mean(name, names()),
+            list(names()),
+        ));
     }
     for (name, value) in &out {
-        let (Some(Parameter { count: Some(n), .. }), Given::Many(list)) = (find(name), value) else { continue };
+        let (Some(Parameter { count: Some(n), .. }), Given::Many(list)) = (find(name), value)
+        else {
+            continue;
+        };
         if list.len() != *n {
             let problem = format!("{} values are given, {n} are wanted", list.len());
             let help = find(name).map_or_else(String::new, |p| p.about.clone());
@@ -521,11 +613,17 @@ fn parameter(p: &Parameter, value: &ParameterValue) -> Result<Given, (String, St
         r.map(|v| Given::One(Value::length(v))).map_err(|e| (e.to_string(), wanted.to_owned()))
     };
     match (p.kind, value) {
-        (ParameterKind::Length, ParameterValue::Number(x)) => quantity(units::bare(*x, units::Kind::Length)),
-        (ParameterKind::Length, ParameterValue::Text(t)) => quantity(units::parse(t, units::Kind::Length)),
+        (ParameterKind::Length, ParameterValue::Number(x)) => {
+            quantity(units::bare(*x, units::Kind::Length))
+        }
+        (ParameterKind::Length, ParameterValue::Text(t)) => {
+            quantity(units::parse(t, units::Kind::Length))
+        }
         (ParameterKind::Number, ParameterValue::Number(x)) => Ok(Given::One(Value::number(*x))),
         (ParameterKind::Flag, ParameterValue::Flag(f)) => Ok(Given::One(Value::Truth(*f))),
-        (ParameterKind::Lengths, ParameterValue::List(l)) => Ok(Given::Many(l.iter().map(|x| x.0).collect())),
+        (ParameterKind::Lengths, ParameterValue::List(l)) => {
+            Ok(Given::Many(l.iter().map(|x| x.0).collect()))
+        }
         _ => Err((format!("the value does not fit: {}", p.about), wanted.to_owned())),
     }
 }
@@ -534,7 +632,9 @@ fn parameter(p: &Parameter, value: &ParameterValue) -> Result<Given, (String, St
 pub fn rules(template: &Template, scope: &Scope) -> Result<(), Vec<AssemblyError>> {
     let mut faults = Vec::new();
     for check in &template.checks {
-        let at = |cause| vec![AssemblyError::Template { at: format!("checks: {}", check.that.text()), cause }];
+        let at = |cause| {
+            vec![AssemblyError::Template { at: format!("checks: {}", check.that.text()), cause }]
+        };
         for s in scope.turns(&check.each, check.when.as_ref()).map_err(at)? {
             if !s.truth(&check.that).map_err(at)? {
                 faults.push(AssemblyError::Rule {

@@ -36,7 +36,9 @@ impl Origin {
         };
         let d = Diagnostic::from(error);
         match (self, entry) {
-            (Origin::File { index, .. }, Some(Some(path))) => Diagnostic { place: index.place(&path), ..d },
+            (Origin::File { index, .. }, Some(Some(path))) => {
+                Diagnostic { place: index.place(&path), ..d }
+            }
             (Origin::File { file, .. }, Some(None)) => {
                 let place = Place { file: Some(file.clone()), ..Place::default() };
                 Diagnostic { place, ..d }
@@ -54,13 +56,20 @@ impl Template {
             return Some(at.to_owned());
         }
         if let Some(text) = at.strip_prefix("checks: ") {
-            return self.checks.iter().position(|c| c.that.text() == text).map(|i| format!("checks[{i}]"));
+            return self
+                .checks
+                .iter()
+                .position(|c| c.that.text() == text)
+                .map(|i| format!("checks[{i}]"));
         }
         fn texts<T>(list: &[T], name: impl Fn(&T) -> &String) -> Vec<&str> {
             list.iter().map(|entry| name(entry).as_str()).collect()
         }
         // an entry of a list of lengths stands under the list's name
-        let base = at.rsplit_once('.').filter(|(_, n)| n.parse::<usize>().is_ok()).map_or(at, |(base, _)| base);
+        let base = at
+            .rsplit_once('.')
+            .filter(|(_, n)| n.parse::<usize>().is_ok())
+            .map_or(at, |(base, _)| base);
         let lists = [
             ("parameters", texts(&self.parameters, |e| &e.name)),
             ("define", texts(&self.define, |e| &e.name)),
@@ -72,8 +81,14 @@ impl Template {
             ("ends", texts(&self.ends, |e| &e.name)),
             ("supports", texts(&self.supports, |e| &e.name)),
         ];
-        let exactly = lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| *n == base)?)));
-        let filled = || lists.iter().find_map(|(list, names)| Some((list, names.iter().position(|n| fills(n, at))?)));
+        let exactly = lists
+            .iter()
+            .find_map(|(list, names)| Some((list, names.iter().position(|n| *n == base)?)));
+        let filled = || {
+            lists
+                .iter()
+                .find_map(|(list, names)| Some((list, names.iter().position(|n| fills(n, at))?)))
+        };
         exactly.or_else(filled).map(|(list, i)| format!("{list}[{i}]"))
     }
 }
@@ -83,7 +98,11 @@ fn fills(pattern: &str, name: &str) -> bool {
     match pattern.split_once('{').and_then(|(head, rest)| Some((head, rest.split_once('}')?.1))) {
         None => pattern == name,
         Some((head, tail)) => name.strip_prefix(head).is_some_and(|rest| {
-            rest.char_indices().skip(1).map(|(i, _)| i).chain([rest.len()]).any(|i| i > 0 && fills(tail, &rest[i..]))
+            rest.char_indices()
+                .skip(1)
+                .map(|(i, _)| i)
+                .chain([rest.len()])
+                .any(|i| i > 0 && fills(tail, &rest[i..]))
         }),
     }
 }

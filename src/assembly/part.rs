@@ -1,6 +1,6 @@
 //! Solids of parts: rolled sections, boxes, bolts with holes, and their convex pieces.
 
-use super::joint::{MidPlane, OutlineEdge, Solid};
+use super::assembly::{MidPlane, OutlineEdge, Solid};
 use crate::catalog::{BoltSize, IProfile};
 
 /// Wedges that stand for a root fillet in clash checks; the chord errs by 0.2 % of the radius.
@@ -55,7 +55,14 @@ impl Placed<'_> {
         let (u, v) = self.frame();
         let mut origin = self.centre;
         origin[self.along] = self.span[0];
-        Solid::Prism { origin, u: unit(u), v: unit(v), start, edges, length: self.span[1] - self.span[0] }
+        Solid::Prism {
+            origin,
+            u: unit(u),
+            v: unit(v),
+            start,
+            edges,
+            length: self.span[1] - self.span[0],
+        }
     }
 
     /// The exact section with root fillets, extruded.
@@ -120,7 +127,8 @@ impl Placed<'_> {
             };
             for i in 0..if r > 0.0 { FILLET_WEDGES } else { 0 } {
                 // the arc runs from the web to the flange; the sense of the triangle follows the quadrant
-                let (from, to) = if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
+                let (from, to) =
+                    if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
                 let start = self.turn(corner);
                 let edges = [from, to, corner].map(|q| OutlineEdge::Line { to: self.turn(q) });
                 out.push(self.prism(start, edges.to_vec()));
@@ -205,21 +213,42 @@ impl Hole {
 
 /// Head, shank and nut of a bolt.
 pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
-    let head = hexagon(hole.base, hole.axis, -hole.toward, corner, size.head_width, size.head_height);
-    let nut = hexagon(hole.point(hole.length), hole.axis, hole.toward, corner, size.nut_width, size.nut_height);
+    let head =
+        hexagon(hole.base, hole.axis, -hole.toward, corner, size.head_width, size.head_height);
+    let nut = hexagon(
+        hole.point(hole.length),
+        hole.axis,
+        hole.toward,
+        corner,
+        size.nut_width,
+        size.nut_height,
+    );
     [hole.cylinder(), head, nut]
 }
 
 /// A hexagon prism that stands on `base` towards `sign` times the axis, two corners on axis `corner`.
-fn hexagon(base: [f64; 3], axis: usize, sign: f64, corner: usize, across_flats: f64, height: f64) -> Solid {
+fn hexagon(
+    base: [f64; 3],
+    axis: usize,
+    sign: f64,
+    corner: usize,
+    across_flats: f64,
+    height: f64,
+) -> Solid {
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut origin = base;
     if sign < 0.0 {
         origin[axis] -= height;
     }
     let (long, half) = (across_flats / 3f64.sqrt(), across_flats / 2.0);
-    let corners =
-        [[long, 0.0], [long / 2.0, half], [-long / 2.0, half], [-long, 0.0], [-long / 2.0, -half], [long / 2.0, -half]];
+    let corners = [
+        [long, 0.0],
+        [long / 2.0, half],
+        [-long / 2.0, half],
+        [-long, 0.0],
+        [-long / 2.0, -half],
+        [long / 2.0, -half],
+    ];
     let turn = |[p, q]: [f64; 2]| if corner == u { [p, q] } else { [-q, p] };
     let start = turn(corners[0]);
     let edges = (1..=6).map(|i| OutlineEdge::Line { to: turn(corners[i % 6]) }).collect();
@@ -233,7 +262,9 @@ pub fn perforated(x: [[f64; 2]; 3], holes: &[Hole]) -> Vec<Solid> {
         let across = [(h.axis + 1) % 3, (h.axis + 2) % 3];
         a.min(b) <= x[h.axis][0] + 1e-6
             && a.max(b) >= x[h.axis][1] - 1e-6
-            && across.iter().all(|&k| h.base[k] + h.spared() > x[k][0] && h.base[k] - h.spared() < x[k][1])
+            && across
+                .iter()
+                .all(|&k| h.base[k] + h.spared() > x[k][0] && h.base[k] - h.spared() < x[k][1])
     };
     let holes: Vec<&Hole> = holes.iter().filter(inside).collect();
     let Some(first) = holes.first() else { return vec![cuboid(x[0], x[1], x[2])] };
@@ -241,7 +272,11 @@ pub fn perforated(x: [[f64; 2]; 3], holes: &[Hole]) -> Vec<Solid> {
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let clip = |t: f64, k: usize| t.clamp(x[k][0], x[k][1]);
     let mut cuts: Vec<f64> = x[v].to_vec();
-    cuts.extend(holes.iter().flat_map(|h| [clip(h.base[v] - h.spared(), v), clip(h.base[v] + h.spared(), v)]));
+    cuts.extend(
+        holes
+            .iter()
+            .flat_map(|h| [clip(h.base[v] - h.spared(), v), clip(h.base[v] + h.spared(), v)]),
+    );
     cuts.sort_by(f64::total_cmp);
     let mut out = Vec::new();
     let mut push = |iu: [f64; 2], iv: [f64; 2]| {

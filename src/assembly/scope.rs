@@ -78,9 +78,15 @@ impl Scope {
             return Ok(*v);
         }
         if self.lists.contains_key(name) {
-            return Err(format!("`{name}` is a list: write `{name}.1` for its first entry, or loop over it"));
+            return Err(format!(
+                "`{name}` is a list: write `{name}.1` for its first entry, or loop over it"
+            ));
         }
-        let known = self.values.keys().map(String::as_str).chain(self.turns.iter().map(|t| t.name.as_str()));
+        let known = self
+            .values
+            .keys()
+            .map(String::as_str)
+            .chain(self.turns.iter().map(|t| t.name.as_str()));
         Err(format!("unknown name `{name}`{}", did_you_mean(name, known)))
     }
 
@@ -130,7 +136,11 @@ impl Scope {
 
     /// Fills `{expr}`, `{#loop}` (label) and `{@loop}` (index from 0) into a text.
     pub fn text(&self, pattern: &str) -> Result<String, ExprError> {
-        let fault = |message: String| ExprError { message, text: pattern.to_owned(), span: 0..pattern.len() };
+        let fault = |message: String| ExprError {
+            message,
+            text: pattern.to_owned(),
+            span: 0..pattern.len(),
+        };
         let mut out = String::new();
         let mut rest = pattern;
         while let Some(open) = rest.find('{') {
@@ -141,7 +151,8 @@ impl Scope {
             match inner.strip_prefix(['#', '@']) {
                 Some(name) => {
                     let turn = self.turns.iter().rev().find(|t| t.name == name);
-                    let turn = turn.ok_or_else(|| fault(format!("`{name}` is no loop variable here")))?;
+                    let turn =
+                        turn.ok_or_else(|| fault(format!("`{name}` is no loop variable here")))?;
                     if inner.starts_with('#') {
                         out.push_str(&turn.label);
                     } else {
@@ -163,7 +174,8 @@ impl Scope {
             let mut next = Vec::new();
             for scope in scopes {
                 for (index, value) in scope.loop_values(l)?.into_iter().enumerate() {
-                    let label = l.labels.get(index).cloned().unwrap_or_else(|| (index + 1).to_string());
+                    let label =
+                        l.labels.get(index).cloned().unwrap_or_else(|| (index + 1).to_string());
                     let mut s = scope.clone();
                     s.turns.push(Turn { name: l.each.clone(), value, label, index });
                     next.push(s);
@@ -186,9 +198,12 @@ impl Scope {
     }
 
     fn loop_values(&self, l: &Loop) -> Result<Vec<Value>, ExprError> {
-        let fault = |message: String| ExprError { message, text: l.each.clone(), span: 0..l.each.len() };
+        let fault =
+            |message: String| ExprError { message, text: l.each.clone(), span: 0..l.each.len() };
         match &l.list {
-            Some(_) if !l.values.is_empty() => Err(fault("a loop has `values` or `list`, not both".into())),
+            Some(_) if !l.values.is_empty() => {
+                Err(fault("a loop has `values` or `list`, not both".into()))
+            }
             Some(list) => self.entries(list).map_err(fault),
             None => l.values.iter().map(|e| e.eval(&mut |n| self.get(n))).collect(),
         }
@@ -203,7 +218,11 @@ impl Scope {
         given: &BTreeMap<String, Given>,
     ) -> Result<Vec<Resolved>, Vec<AssemblyError>> {
         let mut faults = Vec::new();
-        for p in template.parameters.iter().filter(|p| p.default.is_none() && !given.contains_key(&p.name)) {
+        for p in template
+            .parameters
+            .iter()
+            .filter(|p| p.default.is_none() && !given.contains_key(&p.name))
+        {
             faults.push(AssemblyError::Missing { path: path_of(&p.name), about: p.about.clone() });
         }
         if !faults.is_empty() {
@@ -245,7 +264,13 @@ impl Scope {
         for p in &template.parameters {
             let range = match self.limits(p) {
                 Ok((min, max, words)) => {
-                    self.check_range(p, min, max, words.as_deref().unwrap_or_default(), &mut faults);
+                    self.check_range(
+                        p,
+                        min,
+                        max,
+                        words.as_deref().unwrap_or_default(),
+                        &mut faults,
+                    );
                     words
                 }
                 Err(cause) => {
@@ -257,7 +282,8 @@ impl Scope {
             let value = match self.lists.get(&p.name) {
                 None => show(&p.name),
                 Some(n) => {
-                    let each: Vec<String> = (1..=*n).map(|i| show(&format!("{}.{i}", p.name))).collect();
+                    let each: Vec<String> =
+                        (1..=*n).map(|i| show(&format!("{}.{i}", p.name))).collect();
                     format!("[{}]", each.join(", "))
                 }
             };
@@ -300,7 +326,11 @@ impl Scope {
             let mut ring = stack[i..].to_vec();
             ring.push(name.to_owned());
             let message = format!("these values need each other: {}", ring.join(" -> "));
-            return Err(ExprError { message, text: expr.text().to_owned(), span: 0..expr.text().len() });
+            return Err(ExprError {
+                message,
+                text: expr.text().to_owned(),
+                span: 0..expr.text().len(),
+            });
         }
         stack.push(name.to_owned());
         for n in expr.names() {
@@ -318,7 +348,8 @@ impl Scope {
     /// Smallest and largest value of a parameter, and both in words.
     fn limits(&self, p: &Parameter) -> Result<Limits, ExprError> {
         let dim = dim_of(p).unwrap_or(Dim::NONE);
-        let limit = |e: &Option<Expr>| e.as_ref().map(|e| e.eval_as(dim, &mut |n| self.get(n))).transpose();
+        let limit =
+            |e: &Option<Expr>| e.as_ref().map(|e| e.eval_as(dim, &mut |n| self.get(n))).transpose();
         let (min, max) = (limit(&p.min)?, limit(&p.max)?);
         let words = match (min, max) {
             (Some(a), Some(b)) => Some(format!("{} to {}", show(a, dim), show(b, dim))),
@@ -348,7 +379,9 @@ impl Scope {
         let path = path_of(&p.name);
         match self.lists.get(&p.name) {
             None => check(p.name.clone(), path),
-            Some(n) => (0..*n).for_each(|i| check(format!("{}.{}", p.name, i + 1), format!("{path}[{i}]"))),
+            Some(n) => {
+                (0..*n).for_each(|i| check(format!("{}.{}", p.name, i + 1), format!("{path}[{i}]")))
+            }
         }
     }
 }

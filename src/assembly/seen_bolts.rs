@@ -1,9 +1,9 @@
 //! The bolts that are meshed against the bolts that the hand checks see: a verdict by code about half of the bolts is none.
 
 use super::actions::Frame;
+use super::assembly::{Part, PartRole};
 use super::end_plate::EndPlate;
 use super::error::AssemblyError;
-use super::joint::{Part, PartRole};
 use crate::math::vec3::V3;
 
 /// Distance up to which two bolts are at one place \[mm\].
@@ -41,7 +41,8 @@ pub(super) fn check(
     };
     let bolted: Vec<(&str, Vec<&Meshed<'_>>)> =
         plates().map(|p| (p.name.as_str(), of(p))).filter(|(_, bolts)| !bolts.is_empty()).collect();
-    let lost: Vec<&Meshed<'_>> = bolts.iter().filter(|b| !bolted.iter().any(|(p, _)| b.through.contains(p))).collect();
+    let lost: Vec<&Meshed<'_>> =
+        bolts.iter().filter(|b| !bolted.iter().any(|(p, _)| b.through.contains(p))).collect();
     if !lost.is_empty() {
         let problem = format!(
             "{} of the {} bolts pass no part of role `plate`: {}; `hand_checks` does not see them",
@@ -55,7 +56,8 @@ pub(super) fn check(
         );
     }
     for (plate, bolts) in &bolted {
-        let faults: Vec<String> = frames.iter().filter_map(|f| mismatch(f, bolts, &listed)).collect();
+        let faults: Vec<String> =
+            frames.iter().filter_map(|f| mismatch(f, bolts, &listed)).collect();
         if faults.len() < frames.len() {
             continue;
         }
@@ -86,12 +88,14 @@ fn mismatch(frame: &Frame, bolts: &[&Meshed<'_>], listed: &[[f64; 2]]) -> Option
     let place = |b: &Meshed<'_>| [across, frame.depth].map(|k| b.position[k] - frame.origin[k]);
     let same = |a: &[f64; 2], b: &[f64; 2]| (0..2).all(|k| (a[k] - b[k]).abs() < SAME_PLACE);
     let told = |p: &[f64; 2]| format!("y = {} mm, z = {} mm", rounded(p[0]), rounded(p[1]));
-    let turned: Vec<String> = bolts.iter().filter(|b| b.axis != frame.along).map(|b| b.name.to_owned()).collect();
+    let turned: Vec<String> =
+        bolts.iter().filter(|b| b.axis != frame.along).map(|b| b.name.to_owned()).collect();
     if !turned.is_empty() {
         return Some(format!("{} do not run along the beam", names(turned.into_iter())));
     }
     let unseen = bolts.iter().filter(|b| !listed.iter().any(|l| same(l, &place(b))));
-    let unseen: Vec<String> = unseen.map(|b| format!("{} at {}", b.name, told(&place(b)))).collect();
+    let unseen: Vec<String> =
+        unseen.map(|b| format!("{} at {}", b.name, told(&place(b)))).collect();
     if !unseen.is_empty() {
         return Some(format!(
             "not seen {} {}",
@@ -128,7 +132,11 @@ mod tests {
     use std::path::Path;
 
     fn shipped() -> &'static str {
-        SHIPPED.iter().find(|(n, _)| *n == "double_sided_end_plate").map(|(_, t)| *t).expect("shipped")
+        SHIPPED
+            .iter()
+            .find(|(n, _)| *n == "double_sided_end_plate")
+            .map(|(_, t)| *t)
+            .expect("shipped")
     }
 
     /// The paper's joint from a template of the user's: the shipped one with some texts replaced.
@@ -156,8 +164,10 @@ mod tests {
     fn bolts_that_the_hand_checks_do_not_see_are_refused_in_the_template() {
         build(&[]).unwrap_or_else(|e| panic!("{e:#?}"));
         let head = "head: [side * beam_start, col * bolts.gauge / 2, row]";
-        let four =
-            COLUMNS.replace("labels: [P, M], values: [1, -1]", "labels: [P, M, Q, N], values: [1, -1, 1.5, -1.5]");
+        let four = COLUMNS.replace(
+            "labels: [P, M], values: [1, -1]",
+            "labels: [P, M, Q, N], values: [1, -1, 1.5, -1.5]",
+        );
         let one = COLUMNS.replace("labels: [P, M], values: [1, -1]", "labels: [P], values: [1]");
         type Case<'a> = (&'a str, Vec<(&'a str, &'a str)>, &'a str);
         let cases: Vec<Case<'_>> = vec![
@@ -194,16 +204,21 @@ mod tests {
         for (what, changes, words) in &cases {
             let d = build(changes).expect_err(what).0.remove(0);
             assert_eq!(d.code, "template/hand-checks", "{what}: {d:#?}");
-            assert!(d.message.contains(words) && d.message.contains("hand_checks.rows"), "{what}: {d:#?}");
             assert!(
-                d.place.file.as_ref().is_some_and(|f| f.ends_with("mine.yaml")) && d.place.line.is_some(),
+                d.message.contains(words) && d.message.contains("hand_checks.rows"),
+                "{what}: {d:#?}"
+            );
+            assert!(
+                d.place.file.as_ref().is_some_and(|f| f.ends_with("mine.yaml"))
+                    && d.place.line.is_some(),
                 "{d:#?}"
             );
             assert!(d.help.as_ref().is_some_and(|h| h.contains("hand_checks")), "{what}: {d:#?}");
         }
         // without the hand checks the same geometry is what the user wants
         let (before, _) = shipped().split_once("\nhand_checks:").expect("there");
-        let rest = shipped().strip_prefix(before).and_then(|r| r.split_once("\n\n")).expect("an entry").0;
+        let rest =
+            shipped().strip_prefix(before).and_then(|r| r.split_once("\n\n")).expect("an entry").0;
         build(&[(COLUMNS, &four), (rest, "\n")]).unwrap_or_else(|e| panic!("{e:#?}"));
     }
 }

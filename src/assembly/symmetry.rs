@@ -3,7 +3,10 @@
 //! Solids are compared as sets of rounded points, so that it does not matter in which order or sense a template draws
 //! them.
 
-use super::joint::{Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane, WeldRule};
+use super::assembly::{
+    Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane, WeldRule,
+};
+use crate::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
 /// Coordinates that agree to this are the same \[mm\].
@@ -35,7 +38,9 @@ enum Signature {
 
 fn corners(min: [f64; 3], max: [f64; 3], mirror: Option<usize>) -> Vec<Point> {
     let mut out: Vec<Point> = (0..8)
-        .map(|i: usize| round([0, 1, 2].map(|k| if i >> k & 1 == 0 { min[k] } else { max[k] }), mirror))
+        .map(|i: usize| {
+            round([0, 1, 2].map(|k| if i >> k & 1 == 0 { min[k] } else { max[k] }), mirror)
+        })
         .collect();
     out.sort_unstable();
     out
@@ -64,7 +69,8 @@ fn signature(solid: &Solid, mirror: Option<usize>) -> Signature {
             let at = |q: [f64; 2], h: f64| {
                 round([0, 1, 2].map(|k| origin[k] + q[0] * u[k] + q[1] * v[k] + h * n[k]), mirror)
             };
-            let (mut points, mut centres) = (vec![at(*start, 0.0), at(*start, *length)], Vec::new());
+            let (mut points, mut centres) =
+                (vec![at(*start, 0.0), at(*start, *length)], Vec::new());
             for e in edges {
                 let (OutlineEdge::Line { to } | OutlineEdge::Arc { to, .. }) = e;
                 points.extend([at(*to, 0.0), at(*to, *length)]);
@@ -80,7 +86,9 @@ fn signature(solid: &Solid, mirror: Option<usize>) -> Signature {
         }
         Solid::Union(list) => Signature::Union(each(list)),
         Solid::Difference(list) => match list.split_first() {
-            Some((first, rest)) => Signature::Difference(Box::new(signature(first, mirror)), each(rest)),
+            Some((first, rest)) => {
+                Signature::Difference(Box::new(signature(first, mirror)), each(rest))
+            }
             None => Signature::Union(Vec::new()),
         },
     }
@@ -105,8 +113,9 @@ fn action(a: &Action, mirror: Option<usize>) -> Vec<Point> {
     match *a {
         Action::Traction(t) => vec![round(t, mirror)],
         Action::Resultant { at, force, moment } => {
-            let turned =
-                mirror.map_or(moment, |axis| std::array::from_fn(|k| if k == axis { moment[k] } else { -moment[k] }));
+            let turned = mirror.map_or(moment, |axis| {
+                std::array::from_fn(|k| if k == axis { moment[k] } else { -moment[k] })
+            });
             vec![round(at, mirror), round(force, mirror), round(turned, None)]
         }
     }
@@ -117,7 +126,9 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let shapes: BTreeMap<&str, (Signature, &str, i64)> = a
         .parts
         .iter()
-        .map(|p| (p.name.as_str(), (signature(&p.solid, mirror), p.material.as_str(), scalar(p.size))))
+        .map(|p| {
+            (p.name.as_str(), (signature(&p.solid, mirror), p.material.as_str(), scalar(p.size)))
+        })
         .collect();
     let shape = |name: &str| shapes.get(name).map(|(s, m, h)| (s.clone(), m.to_string(), *h));
     let mut parts: Vec<_> = a.parts.iter().map(|p| shape(&p.name)).collect();
@@ -127,16 +138,30 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
         .iter()
         .map(|i| {
             let at = i.surface.as_ref().map(|(_, s)| surface(s, mirror));
-            (shape(&i.between[0]), shape(&i.between[1]), at, scalar(i.mu), i.associated, scalar(i.gap))
+            (
+                shape(&i.between[0]),
+                shape(&i.between[1]),
+                at,
+                scalar(i.mu),
+                i.friction == FrictionLaw::Associated,
+                scalar(i.gap),
+            )
         })
         .collect();
     interfaces.sort();
-    let face =
-        |name: &str| a.faces.iter().find(|f| f.name == name).map(|f| (shape(&f.part), surface(&f.surface, mirror)));
+    let face = |name: &str| {
+        a.faces
+            .iter()
+            .find(|f| f.name == name)
+            .map(|f| (shape(&f.part), surface(&f.surface, mirror)))
+    };
     let mut supports: Vec<_> = a.supports.iter().map(|s| (face(&s.face), s.fix)).collect();
     supports.sort();
-    let mut loads: Vec<_> =
-        a.loads.iter().map(|l| (face(&l.face), l.case.clone(), action(&l.action, mirror), l.dead)).collect();
+    let mut loads: Vec<_> = a
+        .loads
+        .iter()
+        .map(|l| (face(&l.face), l.case.clone(), action(&l.action, mirror), l.dead))
+        .collect();
     loads.sort();
     let cut = |p: &BoltPreload| (shape(&p.part), surface(&p.surface, mirror), scalar(p.force));
     let mut preloads: Vec<_> = a.preloads.iter().map(cut).collect();
@@ -153,5 +178,8 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
 /// The planes `x[axis] = 0` about which the joint, its supports and all its loads are symmetric.
 pub fn planes(a: &Assembly) -> Vec<SymmetryPlane> {
     let whole = portrait(a, None);
-    (0..3).filter(|&axis| portrait(a, Some(axis)) == whole).map(|axis| SymmetryPlane { axis }).collect()
+    (0..3)
+        .filter(|&axis| portrait(a, Some(axis)) == whole)
+        .map(|axis| SymmetryPlane { axis })
+        .collect()
 }

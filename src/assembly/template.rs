@@ -491,7 +491,9 @@ impl EndEntry {
     /// The names it may give, whatever its `when` says.
     pub fn names(&self) -> Vec<String> {
         self.each.iter().fold(vec![self.name.clone()], |names, l| {
-            let fill = |label: &String| names.iter().map(|n| n.replace(&format!("{{#{}}}", l.each), label)).collect();
+            let fill = |label: &String| {
+                names.iter().map(|n| n.replace(&format!("{{#{}}}", l.each), label)).collect()
+            };
             l.labels.iter().flat_map(|label| -> Vec<String> { fill(label) }).collect()
         })
     }
@@ -552,16 +554,20 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
     if is_path(name) {
         let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };
         let text = text_file::read(&file, |e| {
-            Diagnostic::input("template/unreadable", format!("template `{}` cannot be read: {e}", file.display()))
-                .path("template")
-                .help("the path is relative to the spec; `bracket templates` lists the shipped ones")
+            Diagnostic::input(
+                "template/unreadable",
+                format!("template `{}` cannot be read: {e}", file.display()),
+            )
+            .path("template")
+            .help("the path is relative to the spec; `bracket templates` lists the shipped ones")
         })?;
         let Parsed { value, index } = yaml::parse::<Template>(&text, &file)?;
         return Ok((value, Origin::File { file, index }));
     }
     let Some((shipped, text)) = SHIPPED.iter().find(|(n, _)| *n == name) else {
         let hint = did_you_mean(name, SHIPPED.iter().map(|(n, _)| *n));
-        let d = Diagnostic::input("template/unknown", format!("there is no template `{name}`{hint}"));
+        let d =
+            Diagnostic::input("template/unknown", format!("there is no template `{name}`{hint}"));
         return Err(d
             .path("template")
             .help("`bracket templates` lists the shipped ones; a path to your own .yaml file works too")

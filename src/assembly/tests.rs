@@ -1,9 +1,10 @@
 //! The paper's joint from its spec, and the symmetry of its variants.
 
-use super::joint::{Action, OutlineEdge, Part, PartRole, Solid, Surface};
+use super::assembly::{Action, OutlineEdge, Part, PartRole, Solid, Surface};
 use super::{Joint, build};
 use crate::catalog::Catalog;
 use crate::diag::Diagnostics;
+use crate::spec::friction::FrictionLaw;
 use crate::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
@@ -44,23 +45,31 @@ fn extent(s: &Solid) -> ([f64; 3], [f64; 3]) {
             });
             for q in ends.chain([*start]) {
                 for h in [0.0, *length] {
-                    points.push([0, 1, 2].map(|k| origin[k] + q[0] * u[k] + q[1] * v[k] + h * n[k]));
+                    points
+                        .push([0, 1, 2].map(|k| origin[k] + q[0] * u[k] + q[1] * v[k] + h * n[k]));
                 }
             }
         }
         Solid::Cylinder { base, axis, length, .. } => {
             points.extend([*base, [0, 1, 2].map(|k| base[k] + length * axis[k])]);
         }
-        Solid::Union(list) => points.extend(list.iter().flat_map(|s| <[[f64; 3]; 2]>::from(extent(s)))),
+        Solid::Union(list) => {
+            points.extend(list.iter().flat_map(|s| <[[f64; 3]; 2]>::from(extent(s))))
+        }
         Solid::Difference(list) => return extent(&list[0]),
     }
-    let fold = |f: fn(f64, f64) -> f64| points.iter().skip(1).fold(points[0], |a, b| [0, 1, 2].map(|k| f(a[k], b[k])));
+    let fold = |f: fn(f64, f64) -> f64| {
+        points.iter().skip(1).fold(points[0], |a, b| [0, 1, 2].map(|k| f(a[k], b[k])))
+    };
     (fold(f64::min), fold(f64::max))
 }
 
 fn close(got: ([f64; 3], [f64; 3]), want: ([f64; 3], [f64; 3])) {
     for k in 0..3 {
-        assert!((got.0[k] - want.0[k]).abs() < 1e-4 && (got.1[k] - want.1[k]).abs() < 1e-4, "{got:?} is not {want:?}");
+        assert!(
+            (got.0[k] - want.0[k]).abs() < 1e-4 && (got.1[k] - want.1[k]).abs() < 1e-4,
+            "{got:?} is not {want:?}"
+        );
     }
 }
 
@@ -72,10 +81,22 @@ fn paper_joint_has_the_extents_of_the_reference_mesh() {
     close(extent(&part(&j, "PLATE_R").solid), ([100.0, -90.0, -250.0], [115.0, 90.0, 200.0]));
     close(extent(&part(&j, "PLATE_L").solid), ([-115.0, -90.0, -250.0], [-100.0, 90.0, 200.0]));
     close(extent(&part(&j, "BEAM_R").solid), ([115.0, -85.0, -180.0], [1115.0, 85.0, 180.0]));
-    close(extent(&part(&j, "BOLT_R1P").solid), ([69.2, 34.41154273, -228.5], [126.5, 65.58845727, -201.5]));
-    close(extent(&part(&j, "BOLT_R2P").solid), ([69.2, 34.41154273, -138.5], [126.5, 65.58845727, -111.5]));
-    close(extent(&part(&j, "BOLT_R3P").solid), ([69.2, 34.41154273, 96.5], [126.5, 65.58845727, 123.5]));
-    close(extent(&part(&j, "BOLT_L3M").solid), ([-126.5, -65.58845727, 96.5], [-69.2, -34.41154273, 123.5]));
+    close(
+        extent(&part(&j, "BOLT_R1P").solid),
+        ([69.2, 34.41154273, -228.5], [126.5, 65.58845727, -201.5]),
+    );
+    close(
+        extent(&part(&j, "BOLT_R2P").solid),
+        ([69.2, 34.41154273, -138.5], [126.5, 65.58845727, -111.5]),
+    );
+    close(
+        extent(&part(&j, "BOLT_R3P").solid),
+        ([69.2, 34.41154273, 96.5], [126.5, 65.58845727, 123.5]),
+    );
+    close(
+        extent(&part(&j, "BOLT_L3M").solid),
+        ([-126.5, -65.58845727, 96.5], [-69.2, -34.41154273, 123.5]),
+    );
     // column stiffener level with the beam's upper flange, support stiffener of the beam: between the flanges,
     // flush with their edges
     let Solid::Difference(list) = &part(&j, "COLUMN").solid else { panic!("the column has holes") };
@@ -91,20 +112,35 @@ fn paper_joint_has_the_extents_of_the_reference_mesh() {
 fn paper_joint_is_complete() {
     let a = ok(PAPER).assembly;
     let names: Vec<&str> = a.parts.iter().map(|p| p.name.as_str()).collect();
-    assert_eq!(names[..7], ["COLUMN", "PLATE_R", "PLATE_L", "BEAM_R", "BEAM_L", "BOLT_R1P", "BOLT_R1M"]);
+    assert_eq!(
+        names[..7],
+        ["COLUMN", "PLATE_R", "PLATE_L", "BEAM_R", "BEAM_L", "BOLT_R1P", "BOLT_R1M"]
+    );
     assert_eq!(a.parts.iter().filter(|p| p.role == PartRole::Bolt).count(), 12);
     assert_eq!(a.parts.len(), 17);
     // two plates, and per bolt nut, shank in plate, shank in column; the glued head is no interface
     assert_eq!(a.interfaces.len(), 2 + 12 * 3);
-    assert!(a.interfaces.iter().all(|i| i.mu == 0.3 && i.associated && i.gap == 0.0));
+    assert!(
+        a.interfaces
+            .iter()
+            .all(|i| i.mu == 0.3 && i.friction == FrictionLaw::Associated && i.gap == 0.0)
+    );
     let support = a.faces.iter().find(|f| f.name == "SUPPORT_R").expect("the right support");
-    let Surface::Plane { axis, at, min, max } = support.surface else { panic!("a support is a plane") };
+    let Surface::Plane { axis, at, min, max } = support.surface else {
+        panic!("a support is a plane")
+    };
     assert_eq!((axis, at, support.imprint), (2, -180.0, true));
     assert_eq!((min, max), ([1007.5, -85.0, -180.0], [1022.5, 85.0, -180.0]));
     assert!(a.supports.iter().all(|s| s.fix == [true; 3]) && a.supports.len() == 2);
     assert_eq!(a.loads.len(), 1);
-    assert_eq!((a.loads[0].face.as_str(), a.loads[0].action), ("COLUMN_TOP", Action::Traction([0.0, 0.0, -45.0])));
-    assert_eq!(a.materials["S235"], super::joint::PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) });
+    assert_eq!(
+        (a.loads[0].face.as_str(), a.loads[0].action),
+        ("COLUMN_TOP", Action::Traction([0.0, 0.0, -45.0]))
+    );
+    assert_eq!(
+        a.materials["S235"],
+        super::assembly::PartMaterial { e: 210_000.0, nu: 0.3, fy: Some(235.0) }
+    );
 }
 
 #[test]
@@ -119,13 +155,18 @@ fn bolt_material_carries_the_design_tension_resistance() {
 #[test]
 fn every_thin_piece_has_its_middle_plane_unless_switched_off() {
     let j = ok(PAPER);
-    let column: Vec<(usize, f64)> = part(&j, "COLUMN").mid_planes.iter().map(|m| (m.axis, m.at)).collect();
+    let column: Vec<(usize, f64)> =
+        part(&j, "COLUMN").mid_planes.iter().map(|m| (m.axis, m.at)).collect();
     let near = |got: &[(usize, f64)], want: &[(usize, f64)]| {
         assert_eq!(got.len(), want.len(), "{got:?}");
-        assert!(got.iter().zip(want).all(|(g, w)| g.0 == w.0 && (g.1 - w.1).abs() < 1e-9), "{got:?} {want:?}");
+        assert!(
+            got.iter().zip(want).all(|(g, w)| g.0 == w.0 && (g.1 - w.1).abs() < 1e-9),
+            "{got:?} {want:?}"
+        );
     };
     near(&column, &[(0, 92.5), (0, -92.5), (1, 0.0), (2, 173.65), (2, -173.65)]);
-    let beam: Vec<(usize, f64)> = part(&j, "BEAM_R").mid_planes.iter().map(|m| (m.axis, m.at)).collect();
+    let beam: Vec<(usize, f64)> =
+        part(&j, "BEAM_R").mid_planes.iter().map(|m| (m.axis, m.at)).collect();
     near(&beam, &[(2, 173.65), (2, -173.65), (1, 0.0), (0, 1015.0)]);
     let plate = &part(&j, "PLATE_R").mid_planes;
     near(&[(plate[0].axis, plate[0].at)], &[(0, 107.5)]);
@@ -140,21 +181,23 @@ fn loads_decide_which_planes_of_symmetry_are_left() {
     assert_eq!(axes(PAPER), [0, 1]);
     assert_eq!(axes(&with("pressure: 45 MPa", "traction: [1 MPa, 0 MPa, 0 MPa]")), [1]);
     assert_eq!(axes(&with("pressure: 45 MPa", "traction: [0 MPa, 1 MPa, 0 MPa]")), [0]);
-    assert_eq!(axes(&with("pressure: 45 MPa", "traction: [1 MPa, 1 MPa, 0 MPa]")), [] as [usize; 0]);
+    assert_eq!(
+        axes(&with("pressure: 45 MPa", "traction: [1 MPa, 1 MPa, 0 MPa]")),
+        [] as [usize; 0]
+    );
     assert_eq!(axes(&both("{name: SIDE, section: beam_right_end, pressure: 1 MPa}")), [1]);
-    let pair =
-        "{name: S, section: beam_right_end, pressure: 1 MPa}, {name: S, section: beam_left_end, pressure: 1 MPa}";
+    let pair = "{name: S, section: beam_right_end, pressure: 1 MPa}, {name: S, section: beam_left_end, pressure: 1 MPa}";
     assert_eq!(axes(&both(pair)), [0, 1]);
     // the same two pressures in two load cases: neither case is symmetric
-    let cases =
-        "{name: A, section: beam_right_end, pressure: 1 MPa}, {name: B, section: beam_left_end, pressure: 1 MPa}";
+    let cases = "{name: A, section: beam_right_end, pressure: 1 MPa}, {name: B, section: beam_left_end, pressure: 1 MPa}";
     assert_eq!(axes(&both(cases)), [1]);
 }
 
 #[test]
 fn geometry_decides_too() {
     // rows, plate and supports symmetric about the beam axis: only load and supports forbid the plane z = 0
-    let j = ok(&with("rows: [-215, -125, 110]}", "rows: [-110, 110]}").replace("z: [-250, 200]", "z: [-220, 220]"));
+    let j = ok(&with("rows: [-215, -125, 110]}", "rows: [-110, 110]}")
+        .replace("z: [-250, 200]", "z: [-220, 220]"));
     assert_eq!(j.assembly.symmetry.len(), 2);
     let mut a = j.assembly;
     a.supports.clear();
@@ -171,7 +214,9 @@ fn geometry_decides_too() {
 fn hole_clearance_is_an_initial_gap_and_keeps_the_geometry() {
     let j = ok(&with("hole_clearance: 0}", "hole_clearance: 2 mm, head_contact: true}"));
     let gaps = |word: &str| -> Vec<f64> {
-        let named = |i: &&super::joint::InterfaceRule| i.surface.as_ref().is_some_and(|(n, _)| n.starts_with(word));
+        let named = |i: &&super::assembly::InterfaceRule| {
+            i.surface.as_ref().is_some_and(|(n, _)| n.starts_with(word))
+        };
         j.assembly.interfaces.iter().filter(named).map(|i| i.gap).collect()
     };
     assert_eq!(gaps("SHANK_"), [1.0; 24]);
@@ -192,7 +237,9 @@ loads: [{name: TOP, section: column_top, pressure: 45 N/mm2}]
 ";
     let (mut a, b) = (ok(short).assembly, ok(PAPER).assembly);
     a.name = b.name.clone();
-    let gauge = |text: &str| ok(text).resolved.into_iter().find(|r| r.name == "bolts.gauge").map(|r| r.value);
+    let gauge = |text: &str| {
+        ok(text).resolved.into_iter().find(|r| r.name == "bolts.gauge").map(|r| r.value)
+    };
     assert_eq!(gauge(short).as_deref(), Some("100 mm"));
     assert_eq!(a, b);
 }
@@ -205,7 +252,9 @@ fn volume(s: &Solid) -> f64 {
             let mut last = *start;
             let mut twice = 0.0;
             for e in edges {
-                let OutlineEdge::Line { to } = e else { panic!("convex pieces have straight edges") };
+                let OutlineEdge::Line { to } = e else {
+                    panic!("convex pieces have straight edges")
+                };
                 twice += last[0] * to[1] - last[1] * to[0];
                 last = *to;
             }
@@ -227,7 +276,8 @@ fn convex_pieces_cover_the_part_and_spare_the_holes() {
     let column = part(&j, "COLUMN");
     assert!(column.convex.iter().all(|s| volume(s) > 0.0), "a piece is inside out");
     let sum: f64 = column.convex.iter().map(volume).sum();
-    let section = 7808.0 * 700.0 + 2.0 * 170.0 * 191.0 * 12.7 - 12.0 * std::f64::consts::PI * 81.0 * 15.0;
+    let section =
+        7808.0 * 700.0 + 2.0 * 170.0 * 191.0 * 12.7 - 12.0 * std::f64::consts::PI * 81.0 * 15.0;
     // stiffener boxes run through web and fillets: counted twice there
     let twice = 2.0 * 12.7 * 170.0 * 9.0;
     assert!((sum - section - twice).abs() < 0.01 * section, "{sum} {section}");
@@ -294,10 +344,16 @@ loads: [{name: PULL, section: end, traction: [100 MPa, 0 MPa, 0 MPa]}]
     assert_eq!(j.assembly.interfaces.len(), 1 + 2 + 2);
     close(extent(&part(&j, "UPPER").solid), ([-40.0, -40.0, 0.0], [200.0, 40.0, 12.0]));
     let (min, max) = extent(&part(&j, "BOLT").solid);
-    assert!((min[2] - (-12.0 - 18.0)).abs() < 1e-9 && (max[2] - (12.0 + 12.5)).abs() < 1e-9, "{min:?} {max:?}");
-    for (wrong, told) in [("outward: 2", "`outward` is 2, not 1 or -1"), ("outward: 0", "`outward` is 0, not 1 or -1")]
-    {
-        std::fs::write(folder.path().join("lap.yaml"), template.replace("outward: 1", wrong)).expect("writable");
+    assert!(
+        (min[2] - (-12.0 - 18.0)).abs() < 1e-9 && (max[2] - (12.0 + 12.5)).abs() < 1e-9,
+        "{min:?} {max:?}"
+    );
+    for (wrong, told) in [
+        ("outward: 2", "`outward` is 2, not 1 or -1"),
+        ("outward: 0", "`outward` is 0, not 1 or -1"),
+    ] {
+        std::fs::write(folder.path().join("lap.yaml"), template.replace("outward: 1", wrong))
+            .expect("writable");
         let e = build(&spec, folder.path(), &catalog).expect_err(wrong);
         assert!(format!("{e:?}").contains(told), "{e:?}");
     }
@@ -309,6 +365,8 @@ fn grades_of_astm_are_noted_once() {
     let text = PAPER.replace("S235", "A992").replace("\"8.8\"", "A325");
     let notes = ok(&text).notes;
     assert_eq!(notes.len(), 1, "{notes:#?}");
-    assert!(notes[0].starts_with("grades of ASTM standards (A992, bolts A325): the checks are those of EN 1993-1-8"));
+    assert!(notes[0].starts_with(
+        "grades of ASTM standards (A992, bolts A325): the checks are those of EN 1993-1-8"
+    ));
     assert!(notes[0].contains("AISC 360 are not in this edition"));
 }

@@ -154,10 +154,15 @@ impl BoltSize {
         for row in table.rows() {
             let size = row.text("size")?;
             let base = plain(&size).ok_or_else(|| {
-                row.fault("size", format!("`{size}` has no row in the table of plain bolts (thread, holes)"))
+                row.fault(
+                    "size",
+                    format!("`{size}` has no row in the table of plain bolts (thread, holes)"),
+                )
             })?;
             if row.positive("d_mm")? != base.d {
-                return Err(row.fault("d_mm", format!("differs from {} mm of the plain {size}", base.d)));
+                return Err(
+                    row.fault("d_mm", format!("differs from {} mm of the plain {size}", base.d))
+                );
             }
             let bolt = Self {
                 system: row.text("system")?,
@@ -199,7 +204,11 @@ impl Entry for BoltSize {
     const KIND: &'static str = "bolts";
     const SIZED: bool = true;
     fn name(&self) -> String {
-        if self.system == PLAIN_SYSTEM { self.size.clone() } else { format!("{} {}", self.system, self.size) }
+        if self.system == PLAIN_SYSTEM {
+            self.size.clone()
+        } else {
+            format!("{} {}", self.system, self.size)
+        }
     }
     fn source(&self) -> &Source {
         &self.source
@@ -261,7 +270,9 @@ impl BoltGrade {
                 source: row.source(),
             };
             if grade.fub < grade.fyb {
-                return Err(row.fault("fub_MPa", format!("{} is below fyb = {}", grade.fub, grade.fyb)));
+                return Err(
+                    row.fault("fub_MPa", format!("{} is below fyb = {}", grade.fub, grade.fyb))
+                );
             }
             grades.push(grade);
         }

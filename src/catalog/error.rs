@@ -107,7 +107,9 @@ pub enum CatalogError {
         path: PathBuf,
     },
     /// A thickness outside the bands of the grade.
-    #[error("{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ {limit} mm)")]
+    #[error(
+        "{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ {limit} mm)"
+    )]
     Thickness {
         /// `fy` or `fu`.
         quantity: &'static str,

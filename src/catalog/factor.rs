@@ -21,8 +21,11 @@ pub struct FrictionClass {
 }
 
 impl FrictionClass {
-    pub(super) const COLUMNS: Columns =
-        Columns { kind: "friction classes", needed: &["class", "slip_factor_mu", "surface_treatment"], optional: &[] };
+    pub(super) const COLUMNS: Columns = Columns {
+        kind: "friction classes",
+        needed: &["class", "slip_factor_mu", "surface_treatment"],
+        optional: &[],
+    };
 
     /// Reads a table.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
@@ -168,7 +171,8 @@ impl NationalAnnex {
             .map(|row| {
                 let factor = |column: &str| match row.positive_or_empty(column)? {
                     Some(g) if !(0.5..=3.0).contains(&g) => {
-                        Err(row.fault(column, format!("{g}; a partial factor lies between 0.5 and 3")))
+                        Err(row
+                            .fault(column, format!("{g}; a partial factor lies between 0.5 and 3")))
                     }
                     g => Ok(g),
                 };

@@ -79,7 +79,10 @@ impl Catalog {
     /// The catalogue shipped with the program (the tables of `catalogs/`).
     pub fn builtin() -> Result<Self, CatalogError> {
         let mut catalog = Self::default();
-        let tables = BUILTIN.iter().map(|(file, text)| RawTable::parse(file, text)).collect::<Result<Vec<_>, _>>()?;
+        let tables = BUILTIN
+            .iter()
+            .map(|(file, text)| RawTable::parse(file, text))
+            .collect::<Result<Vec<_>, _>>()?;
         catalog.add_tables(tables)?;
         for (file, _) in BUILTIN {
             catalog.provenance.insert(file.to_owned(), builtin_provenance(file));
@@ -126,7 +129,8 @@ impl Catalog {
         let mut next = self.clone();
         let known = next.profiles().len();
         next.add_tables(tables)?;
-        let warnings: Vec<_> = next.profiles()[known..].iter().filter_map(property_warning).collect();
+        let warnings: Vec<_> =
+            next.profiles()[known..].iter().filter_map(property_warning).collect();
         next.warnings.extend(warnings);
         *self = next;
         Ok(())
@@ -135,13 +139,15 @@ impl Catalog {
     fn add_tables(&mut self, tables: Vec<RawTable>) -> Result<(), CatalogError> {
         let mut sorted = Vec::new();
         for table in tables {
-            let kind = kind(&table).ok_or_else(|| CatalogError::UnknownTable { file: table.file().to_owned() })?;
+            let kind = kind(&table)
+                .ok_or_else(|| CatalogError::UnknownTable { file: table.file().to_owned() })?;
             sorted.push((kind, table));
         }
         sorted.sort_by_key(|(kind, _)| *kind);
         for (kind, table) in &sorted {
             if let Some(text) = &table.provenance {
-                let entry = Provenance { standard: None, read_from: text.clone(), cross_check: None };
+                let entry =
+                    Provenance { standard: None, read_from: text.clone(), cross_check: None };
                 self.provenance.insert(table.file().to_owned(), entry);
             }
             match kind {

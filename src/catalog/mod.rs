@@ -22,7 +22,7 @@ pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
 pub use error::CatalogError;
 pub use factor::{FrictionClass, NationalAnnex, PartialFactor};
 pub use profile::{IProfile, PROPERTY_TOLERANCE};
-pub use steel::{Band, FySource, Steel};
+pub use steel::{Band, Steel};
 pub use table::Source;
 
 use crate::diag::Diagnostic;
@@ -80,13 +80,19 @@ impl Catalog {
             return Ok(steel);
         }
         let key = Steel::key(name);
-        let same: Vec<&Steel> = self.steels.rows().iter().filter(|s| Steel::key(&s.grade) == key).collect();
+        let same: Vec<&Steel> =
+            self.steels.rows().iter().filter(|s| Steel::key(&s.grade) == key).collect();
         match same[..] {
             [one] => Ok(one),
             [] => {
                 let grades = self.steels.rows().iter().map(|s| s.grade.as_str());
                 let hint = crate::diag::did_you_mean(&key, grades);
-                Err(CatalogError::Unknown { noun: Steel::NOUN, kind: Steel::KIND, name: name.to_owned(), hint })
+                Err(CatalogError::Unknown {
+                    noun: Steel::NOUN,
+                    kind: Steel::KIND,
+                    name: name.to_owned(),
+                    hint,
+                })
             }
             _ => Err(CatalogError::Ambiguous {
                 name: name.to_owned(),
@@ -107,7 +113,8 @@ impl Catalog {
 
     /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the code without one.
     pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
-        let country = || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
+        let country =
+            || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
         self.annexes.find(name).or_else(country).ok_or_else(|| self.annexes.unknown(name))
     }
 

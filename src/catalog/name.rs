@@ -3,7 +3,9 @@
 /// One form for all spellings of a name: upper case, without blanks, hyphens and underscores, `×` and `*` as `X`.
 pub fn normalise(name: &str) -> String {
     name.chars()
-        .filter(|c| !c.is_whitespace() && !matches!(c, '-' | '_' | '\u{2010}' | '\u{2011}' | '\u{2013}'))
+        .filter(|c| {
+            !c.is_whitespace() && !matches!(c, '-' | '_' | '\u{2010}' | '\u{2011}' | '\u{2013}')
+        })
         .map(|c| if matches!(c, '×' | '*') { 'X' } else { c })
         .flat_map(char::to_uppercase)
         .collect()
@@ -14,8 +16,14 @@ pub fn normalise(name: &str) -> String {
 pub fn profile_key(name: &str) -> String {
     let flat = normalise(name);
     let head: String = flat.chars().take_while(char::is_ascii_alphabetic).collect();
-    let tail: String =
-        flat.chars().rev().take_while(char::is_ascii_alphabetic).collect::<Vec<_>>().iter().rev().collect();
+    let tail: String = flat
+        .chars()
+        .rev()
+        .take_while(char::is_ascii_alphabetic)
+        .collect::<Vec<_>>()
+        .iter()
+        .rev()
+        .collect();
     if head.len() == flat.len() {
         return flat;
     }
@@ -56,8 +64,9 @@ pub fn steel_key(name: &str) -> String {
         return astm_key(&flat);
     }
     let flat = flat.split('+').next().unwrap_or_default();
-    let Some(start) =
-        flat.rfind('S').filter(|s| flat[s + 1..].chars().take(3).filter(char::is_ascii_digit).count() == 3)
+    let Some(start) = flat
+        .rfind('S')
+        .filter(|s| flat[s + 1..].chars().take(3).filter(char::is_ascii_digit).count() == 3)
     else {
         return flat.to_owned();
     };
@@ -79,7 +88,8 @@ pub fn steel_key(name: &str) -> String {
 fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
     let first = key.find(|c: char| c.is_ascii_digit())?;
     let end = key.rfind(|c: char| c.is_ascii_digit())? + 1;
-    let numbers = key[first..end].split('X').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
+    let numbers =
+        key[first..end].split('X').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
     Some((&key[..first], numbers, &key[end..]))
 }
 
@@ -94,14 +104,19 @@ pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) ->
             near.push((numbers, name));
         }
     }
-    let off = |n: &[f64]| -> Vec<f64> { n.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).collect() };
+    let off =
+        |n: &[f64]| -> Vec<f64> { n.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).collect() };
     // the first number counts most: depth before width before mass
     near.sort_by(|(a, _), (b, _)| off(a).partial_cmp(&off(b)).unwrap_or(std::cmp::Ordering::Equal));
-    let side = |smaller: bool| near.iter().find(|(n, _)| if smaller { n[0] < wanted[0] } else { n[0] > wanted[0] });
+    let side = |smaller: bool| {
+        near.iter().find(|(n, _)| if smaller { n[0] < wanted[0] } else { n[0] > wanted[0] })
+    };
     let chosen: Vec<&str> = match (wanted.len(), side(true), side(false)) {
         (1, Some(below), Some(above)) if near[0].0.len() == 1 => {
             let mut pair = [below, above];
-            pair.sort_by(|a, b| off(&a.0).partial_cmp(&off(&b.0)).unwrap_or(std::cmp::Ordering::Equal));
+            pair.sort_by(|a, b| {
+                off(&a.0).partial_cmp(&off(&b.0)).unwrap_or(std::cmp::Ordering::Equal)
+            });
             pair.iter().map(|(_, name)| name.as_str()).collect()
         }
         (1, ..) if near.first().is_some_and(|(n, _)| n.len() == 1) => {
@@ -133,7 +148,13 @@ mod tests {
             (&["ipe360", "IPE 360", "Ipe-360"], "IPE360"),
             (&["IPE A 200", "IPE200A", "IPEA200"], "IPEA200"),
             (
-                &["UB 533x210x92", "533x210x92UB", "533 × 210 × 92 UB", "UKB533x210x92", "533*210*92 UKB"],
+                &[
+                    "UB 533x210x92",
+                    "533x210x92UB",
+                    "533 × 210 × 92 UB",
+                    "UKB533x210x92",
+                    "533*210*92 UKB",
+                ],
                 "UB533X210X92",
             ),
             (&["W14X90", "w14x90", "W 14 x 90"], "W14X90"),

@@ -110,7 +110,10 @@ impl IProfile {
 
     /// Relative differences (outline − tabulated)/tabulated of area and strong-axis second moment.
     pub fn mismatch(&self) -> [f64; 2] {
-        [self.outline_area() / (100.0 * self.area) - 1.0, self.outline_i_y() / (1.0e4 * self.i_y) - 1.0]
+        [
+            self.outline_area() / (100.0 * self.area) - 1.0,
+            self.outline_i_y() / (1.0e4 * self.i_y) - 1.0,
+        ]
     }
 
     /// Reads all rows of a table.
@@ -119,14 +122,20 @@ impl IProfile {
         if !table.has("r_mm") && !table.has("r_area_mm") {
             let file = table.rows().next().map_or_else(String::new, |r| r.source().file);
             let hint = " (nor `r_area_mm`)".to_owned();
-            return Err(CatalogError::MissingColumn { file, kind: Self::COLUMNS.kind, column: "r_mm", hint });
+            return Err(CatalogError::MissingColumn {
+                file,
+                kind: Self::COLUMNS.kind,
+                column: "r_mm",
+                hint,
+            });
         }
         table.rows().map(|row| Self::from_row(table, &row)).collect()
     }
 
     fn from_row(table: &RawTable, row: &Row<'_>) -> Result<Self, CatalogError> {
         let radius = if table.has("r_area_mm") { "r_area_mm" } else { "r_mm" };
-        let optional = |column| if table.has(column) { row.positive_or_empty(column) } else { Ok(None) };
+        let optional =
+            |column| if table.has(column) { row.positive_or_empty(column) } else { Ok(None) };
         let profile = Self {
             name: row.text("name")?,
             series: row.text("series")?,
@@ -151,14 +160,19 @@ impl IProfile {
                 None | Some("tabulated") => false,
                 Some("computed") => true,
                 Some(other) => {
-                    return Err(row.fault("props", format!("`{other}` is neither `tabulated` nor `computed`")));
+                    return Err(row.fault(
+                        "props",
+                        format!("`{other}` is neither `tabulated` nor `computed`"),
+                    ));
                 }
             },
             source: row.source(),
         };
         if profile.h <= 2.0 * (profile.tf + profile.r) {
             let least = 2.0 * (profile.tf + profile.r);
-            return Err(row.fault("h_mm", format!("{} must exceed 2 (tf + r) = {least}", profile.h)));
+            return Err(
+                row.fault("h_mm", format!("{} must exceed 2 (tf + r) = {least}", profile.h))
+            );
         }
         if profile.b <= profile.tw + 2.0 * profile.r {
             let least = profile.tw + 2.0 * profile.r;

@@ -3,19 +3,8 @@
 use super::error::CatalogError;
 use super::name::steel_key;
 use super::table::{Columns, Entry, RawTable, Source};
-use serde::{Deserialize, Serialize};
-
-/// Which table gives f_y and f_u.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FySource {
-    /// EN 1993-1-1:2005 Table 3.1: two bands, t ≤ 40 mm and 40 < t ≤ 80 mm.
-    #[default]
-    #[serde(rename = "table_3_1")]
-    Table31,
-    /// The bands of the product standard (EN 10025): the strength steps down at 16 mm already.
-    ProductStandard,
-}
+use crate::spec::code::FySource;
+use serde::Serialize;
 
 /// Nominal strength of one range of thickness, `over < t ≤ up_to`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -80,7 +69,15 @@ impl Steel {
 
     pub(super) const BAND_COLUMNS: Columns = Columns {
         kind: "product-standard bands",
-        needed: &["standard", "grade", "t_over_mm", "t_up_to_mm", "ReH_min_MPa", "Rm_min_MPa", "basis"],
+        needed: &[
+            "standard",
+            "grade",
+            "t_over_mm",
+            "t_up_to_mm",
+            "ReH_min_MPa",
+            "Rm_min_MPa",
+            "basis",
+        ],
         optional: &[],
     };
 
@@ -104,17 +101,21 @@ impl Steel {
         self.band("fu", source, thickness).map(|b| b.fu)
     }
 
-    fn band(&self, quantity: &'static str, source: FySource, thickness: f64) -> Result<Band, CatalogError> {
+    fn band(
+        &self,
+        quantity: &'static str,
+        source: FySource,
+        thickness: f64,
+    ) -> Result<Band, CatalogError> {
         let (bands, table) = match source {
             FySource::Table31 => (&self.bands, "EN 1993-1-1 Table 3.1"),
             FySource::ProductStandard => (&self.product_bands, "the product standard"),
         };
-        let limit = bands.last().ok_or_else(|| CatalogError::NoProductBands { grade: self.name() })?.up_to;
-        bands
-            .iter()
-            .find(|b| b.over < thickness && thickness <= b.up_to)
-            .copied()
-            .ok_or_else(|| CatalogError::Thickness { quantity, grade: self.name(), table, thickness, limit })
+        let limit =
+            bands.last().ok_or_else(|| CatalogError::NoProductBands { grade: self.name() })?.up_to;
+        bands.iter().find(|b| b.over < thickness && thickness <= b.up_to).copied().ok_or_else(
+            || CatalogError::Thickness { quantity, grade: self.name(), table, thickness, limit },
+        )
     }
 
     /// Reads a table of grades.
@@ -128,19 +129,32 @@ impl Steel {
                 fy: row.positive("fy_t_le_40_MPa")?,
                 fu: row.positive("fu_t_le_40_MPa")?,
             }];
-            let thick = (row.positive_or_empty("fy_t_40_to_80_MPa")?, row.positive_or_empty("fu_t_40_to_80_MPa")?);
+            let thick = (
+                row.positive_or_empty("fy_t_40_to_80_MPa")?,
+                row.positive_or_empty("fu_t_40_to_80_MPa")?,
+            );
             match thick {
                 (Some(fy), Some(fu)) => bands.push(Band { over: 40.0, up_to: 80.0, fy, fu }),
                 (None, None) => {}
-                (None, _) => return Err(row.fault("fy_t_40_to_80_MPa", "the cell is empty while fu is given")),
-                (_, None) => return Err(row.fault("fu_t_40_to_80_MPa", "the cell is empty while fy is given")),
+                (None, _) => {
+                    return Err(
+                        row.fault("fy_t_40_to_80_MPa", "the cell is empty while fu is given")
+                    );
+                }
+                (_, None) => {
+                    return Err(
+                        row.fault("fu_t_40_to_80_MPa", "the cell is empty while fy is given")
+                    );
+                }
             }
             let nu = row.positive("nu")?;
             if nu >= 0.5 {
                 return Err(row.fault("nu", format!("{nu} must be below 0.5")));
             }
             if let Some(b) = bands.iter().find(|b| b.fu < b.fy) {
-                return Err(row.fault("fu_t_le_40_MPa", format!("fu = {} is below fy = {}", b.fu, b.fy)));
+                return Err(
+                    row.fault("fu_t_le_40_MPa", format!("fu = {} is below fy = {}", b.fu, b.fy))
+                );
             }
             steels.push(Self {
                 standard: row.text("standard")?,
@@ -173,10 +187,15 @@ impl Steel {
                 fu: row.positive("Rm_min_MPa")?,
             };
             if band.up_to <= band.over {
-                return Err(row.fault("t_up_to_mm", format!("{} must exceed t_over = {}", band.up_to, band.over)));
+                return Err(row.fault(
+                    "t_up_to_mm",
+                    format!("{} must exceed t_over = {}", band.up_to, band.over),
+                ));
             }
             match add(&name, band, row.text("basis")?) {
-                None => return Err(row.fault("grade", format!("`{name}` is in no table of steels"))),
+                None => {
+                    return Err(row.fault("grade", format!("`{name}` is in no table of steels")));
+                }
                 Some(Err(problem)) => return Err(row.fault("t_over_mm", problem)),
                 Some(Ok(())) => {}
             }
@@ -188,7 +207,10 @@ impl Steel {
     pub(super) fn push_band(&mut self, band: Band, basis: String) -> Result<(), String> {
         let end = self.product_bands.last().map_or(0.0, |b| b.up_to);
         if band.over != end {
-            return Err(format!("{} does not continue the band before, which ends at {end} mm", band.over));
+            return Err(format!(
+                "{} does not continue the band before, which ends at {end} mm",
+                band.over
+            ));
         }
         self.product_bands.push(band);
         self.product_basis = Some(basis);

@@ -54,8 +54,10 @@ pub(super) struct Row<'a> {
 impl RawTable {
     /// Splits the text of `file` into cells. Lines that start with `#` are comments.
     pub fn parse(file: &str, text: &str) -> Result<Self, CatalogError> {
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
         let fault = |error: csv::Error| {
             let line = error.position().map_or(1, |p| p.line() as usize);
             let message = match error.kind() {
@@ -66,15 +68,18 @@ impl RawTable {
             };
             CatalogError::Csv { at: Source { file: file.to_owned(), line }, message }
         };
-        let headers: Vec<String> = reader.headers().map_err(fault)?.iter().map(str::to_owned).collect();
+        let headers: Vec<String> =
+            reader.headers().map_err(fault)?.iter().map(str::to_owned).collect();
         let mut rows = Vec::new();
         for record in reader.records() {
             let record = record.map_err(fault)?;
             let line = record.position().map_or(0, |p| p.line() as usize);
             rows.push((line, record.iter().map(str::to_owned).collect()));
         }
-        let provenance =
-            text.lines().find_map(|l| l.strip_prefix('#')?.trim().strip_prefix("source:")).map(|s| s.trim().to_owned());
+        let provenance = text
+            .lines()
+            .find_map(|l| l.strip_prefix('#')?.trim().strip_prefix("source:"))
+            .map(|s| s.trim().to_owned());
         Ok(Self { file: file.to_owned(), headers, rows, provenance })
     }
 
@@ -96,20 +101,32 @@ impl RawTable {
         for (i, h) in self.headers.iter().enumerate() {
             if self.headers[..i].contains(h) {
                 let at = Source { file: file(), line: 1 };
-                return Err(CatalogError::Cell { at, column: h.clone(), problem: "the header is there twice".into() });
+                return Err(CatalogError::Cell {
+                    at,
+                    column: h.clone(),
+                    problem: "the header is there twice".into(),
+                });
             }
         }
         for &column in columns.needed {
             if !self.has(column) {
-                let strangers = self.headers.iter().map(String::as_str).filter(|h| !known().any(|k| k == *h));
-                let hint = did_you_mean(column, strangers).replace("did you mean", "is it").replace('?', "");
+                let strangers =
+                    self.headers.iter().map(String::as_str).filter(|h| !known().any(|k| k == *h));
+                let hint = did_you_mean(column, strangers)
+                    .replace("did you mean", "is it")
+                    .replace('?', "");
                 return Err(CatalogError::MissingColumn { file: file(), kind, column, hint });
             }
         }
         for h in &self.headers {
             if !known().any(|k| k == h) && h != "note" && h != "source" {
                 let hint = did_you_mean(h, known());
-                return Err(CatalogError::UnknownColumn { file: file(), kind, column: h.clone(), hint });
+                return Err(CatalogError::UnknownColumn {
+                    file: file(),
+                    kind,
+                    column: h.clone(),
+                    hint,
+                });
             }
         }
         Ok(())
@@ -163,7 +180,10 @@ impl Row<'_> {
         match text.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             Ok(_) => Err(self.fault(column, format!("`{text}` is not a finite number"))),
-            Err(_) => Err(self.fault(column, format!("`{text}` is not a number (decimal point, no unit)"))),
+            Err(_) => {
+                Err(self
+                    .fault(column, format!("`{text}` is not a number (decimal point, no unit)")))
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::diag::Fault;
+use crate::spec::code::FySource;
 use std::path::Path;
 
 fn builtin() -> Catalog {
@@ -22,7 +23,8 @@ fn fault(tables: &[(&str, &str)]) -> Diagnostic {
 }
 
 const HEAD: &str = "name,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,Iz_cm4,Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\n";
-const GOOD: &str = "MY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
+const GOOD: &str =
+    "MY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
 
 fn profile_with(cell: &str, value: &str) -> String {
     let column = HEAD.trim_end().split(',').position(|h| h == cell).expect("column");
@@ -53,7 +55,8 @@ fn outline_i_y_equals_numerical_integration() {
         for k in 0..n {
             let z = (f64::from(k) + 0.5) * clear / f64::from(n);
             let inside = (p.r - (clear - z)).max(0.0);
-            let width = p.tw + 2.0 * if inside > 0.0 { p.r - (p.r * p.r - inside * inside).sqrt() } else { 0.0 };
+            let width = p.tw
+                + 2.0 * if inside > 0.0 { p.r - (p.r * p.r - inside * inside).sqrt() } else { 0.0 };
             area += width * clear / f64::from(n);
             i_y += width * z * z * clear / f64::from(n);
         }
@@ -70,7 +73,12 @@ fn european_sections_reproduce_their_tables() {
     assert_eq!(european.len(), 294);
     for p in european {
         for (quantity, difference) in ["A", "I_y"].iter().zip(p.mismatch()) {
-            assert!(difference.abs() <= PROPERTY_TOLERANCE, "{} {quantity} {:+.3} %", p.name, 100.0 * difference);
+            assert!(
+                difference.abs() <= PROPERTY_TOLERANCE,
+                "{} {quantity} {:+.3} %",
+                p.name,
+                100.0 * difference
+            );
         }
     }
 }
@@ -84,12 +92,17 @@ fn w_shapes_reproduce_their_tables_with_known_exceptions() {
     let catalog = builtin();
     let w: Vec<_> = catalog.profiles().iter().filter(|p| p.series == "W").collect();
     assert_eq!(w.len(), 289);
-    let over = |i: usize| w.iter().filter(|p| p.mismatch()[i].abs() > PROPERTY_TOLERANCE).collect::<Vec<_>>();
+    let over = |i: usize| {
+        w.iter().filter(|p| p.mismatch()[i].abs() > PROPERTY_TOLERANCE).collect::<Vec<_>>()
+    };
     let [area, i_y] = [over(0), over(1)];
     assert_eq!(area.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["W18X234"]);
     assert!(area[0].r == 0.0 && area[0].mismatch()[0] < 0.0052);
     assert_eq!(i_y.len(), 54);
-    let worst = i_y.iter().max_by(|a, b| a.mismatch()[1].abs().total_cmp(&b.mismatch()[1].abs())).expect("not empty");
+    let worst = i_y
+        .iter()
+        .max_by(|a, b| a.mismatch()[1].abs().total_cmp(&b.mismatch()[1].abs()))
+        .expect("not empty");
     assert_eq!(worst.name, "W12X53");
     assert!(worst.mismatch()[1].abs() < 0.0099);
 }
@@ -138,7 +151,10 @@ fn unknown_names_come_with_a_proposal() {
         (catalog.profile("HEB1500").err(), "the nearest is `HEB1000`"),
         (catalog.profile("HEV200").err(), "did you mean `HE"),
         (catalog.profile("HEB2O0").err(), "did you mean `HEB200`?"),
-        (catalog.profile("533x210x95 UB").err(), "the nearest are `UB533x210x92` and `UB533x210x101`"),
+        (
+            catalog.profile("533x210x95 UB").err(),
+            "the nearest are `UB533x210x92` and `UB533x210x101`",
+        ),
         (catalog.profile("UB 530x210").err(), "the nearest are `UB533x210x"),
         (catalog.profile("W14x91").err(), "the nearest are `W14X90` and `W14X"),
         (catalog.bolt("M19").err(), "the nearest are `M18` and `M20`"),
@@ -159,19 +175,33 @@ fn unknown_names_come_with_a_proposal() {
 #[test]
 fn astm_grades_have_the_metric_values_of_their_standards() {
     let catalog = builtin();
-    for (name, fy, fu) in [("A36", 250.0, 400.0), ("A572 Gr. 50", 345.0, 450.0), ("ASTM A992/A992M A992", 345.0, 450.0)]
-    {
+    for (name, fy, fu) in [
+        ("A36", 250.0, 400.0),
+        ("A572 Gr. 50", 345.0, 450.0),
+        ("ASTM A992/A992M A992", 345.0, 450.0),
+    ] {
         let s = catalog.steel(name).expect(name);
-        assert_eq!((s.fy(15.0).ok(), s.fu(60.0).ok(), s.beta_w), (Some(fy), Some(fu), None), "{name}");
+        assert_eq!(
+            (s.fy(15.0).ok(), s.fu(60.0).ok(), s.beta_w),
+            (Some(fy), Some(fu), None),
+            "{name}"
+        );
         assert!(
-            catalog.provenance(&s.source.file).and_then(|p| p.standard.clone()).is_some_and(|s| s.contains("ASTM"))
+            catalog
+                .provenance(&s.source.file)
+                .and_then(|p| p.standard.clone())
+                .is_some_and(|s| s.contains("ASTM"))
         );
     }
     for (name, fyb, fub) in [("A325M", 660.0, 830.0), ("F3125 Grade A490", 940.0, 1040.0)] {
         let g = catalog.bolt_grade(name).expect(name);
         assert_eq!((g.fyb, g.fub, g.preloadable), (fyb, fub, true), "{name}");
     }
-    assert!(catalog.steel("A572-42").is_err() && catalog.steel("A500").is_err() && catalog.bolt_grade("A307").is_err());
+    assert!(
+        catalog.steel("A572-42").is_err()
+            && catalog.steel("A500").is_err()
+            && catalog.bolt_grade("A307").is_err()
+    );
 }
 
 #[test]
@@ -209,7 +239,9 @@ fn steels_step_down_with_thickness() {
 
 #[test]
 fn fy_source_is_written_as_in_the_spec() {
-    for (value, text) in [(FySource::Table31, "\"table_3_1\""), (FySource::ProductStandard, "\"product_standard\"")] {
+    for (value, text) in
+        [(FySource::Table31, "\"table_3_1\""), (FySource::ProductStandard, "\"product_standard\"")]
+    {
         assert_eq!(serde_json::to_string(&value).expect("json"), text);
     }
 }
@@ -225,8 +257,17 @@ fn every_shipped_table_has_provenance() {
         assert!(provenance.standard.is_some() && !provenance.read_from.is_empty());
     }
     let heb = catalog.profile("HEB200").expect("HEB200");
-    assert!(catalog.provenance(&heb.source.file).expect("provenance").read_from.contains("EN 10365:2017"));
-    let line = include_str!("../../catalogs/profiles_i.csv").lines().nth(heb.source.line - 1).expect("line");
+    assert!(
+        catalog
+            .provenance(&heb.source.file)
+            .expect("provenance")
+            .read_from
+            .contains("EN 10365:2017")
+    );
+    let line = include_str!("../../catalogs/profiles_i.csv")
+        .lines()
+        .nth(heb.source.line - 1)
+        .expect("line");
     assert!(line.starts_with("HEB200,"), "{line}");
 }
 
@@ -236,16 +277,28 @@ fn a_user_folder_adds_rows_and_warns_of_odd_sections() {
     let catalog = merged(&[("own.csv", &text)]).expect("good table");
     let p = catalog.profile("my 200").expect("added");
     assert_eq!((p.source.line, p.r), (3, 18.0));
-    assert_eq!(catalog.provenance(&p.source.file).map(|s| s.read_from.as_str()), Some("works drawing 12"));
+    assert_eq!(
+        catalog.provenance(&p.source.file).map(|s| s.read_from.as_str()),
+        Some("works drawing 12")
+    );
     assert!(catalog.warnings().is_empty());
 
     let catalog = merged(&[("own.csv", &profile_with("A_cm2", "79.0"))]).expect("only a warning");
     let [warning] = catalog.warnings() else { panic!("one warning: {:?}", catalog.warnings()) };
-    assert!(warning.message.contains("A recomputed") && warning.message.contains("-1.16 %"), "{}", warning.message);
+    assert!(
+        warning.message.contains("A recomputed") && warning.message.contains("-1.16 %"),
+        "{}",
+        warning.message
+    );
     assert_eq!(warning.place.line, Some(2));
     let catalog = merged(&[("own.csv", &profile_with("Iy_cm4", "5600"))]).expect("only a warning");
     assert!(catalog.warnings()[0].message.contains("I_y recomputed"));
-    assert!(merged(&[("own.csv", &profile_with("Iy_cm4", "5720"))]).expect("0.42 %").warnings().is_empty());
+    assert!(
+        merged(&[("own.csv", &profile_with("Iy_cm4", "5720"))])
+            .expect("0.42 %")
+            .warnings()
+            .is_empty()
+    );
 }
 
 #[test]
@@ -253,7 +306,11 @@ fn duplicate_names_are_refused_with_both_places() {
     let twice = format!("{HEAD}{GOOD}{}", GOOD.replace("MY200", "my-200"));
     let d = fault(&[("own.csv", &twice)]);
     assert_eq!((d.code, d.place.line), ("catalog/duplicate-name", Some(3)));
-    assert!(d.message.contains("own.csv line 2") && d.message.contains("own.csv line 3"), "{}", d.message);
+    assert!(
+        d.message.contains("own.csv line 2") && d.message.contains("own.csv line 3"),
+        "{}",
+        d.message
+    );
     let d = fault(&[("own.csv", &profile_with("name", "HE 200 B"))]);
     assert!(
         d.message.contains("catalogs/profiles_i.csv line") && d.message.contains("own.csv line 2"),
@@ -278,7 +335,11 @@ fn wrong_cells_name_file_line_and_column() {
         ("b_mm", "40", "40 must exceed tw + 2 r = 45"),
     ] {
         let d = fault(&[("own.csv", &profile_with(column, value))]);
-        assert_eq!((d.code, d.fault, d.place.line), ("catalog/bad-cell", Fault::Input, Some(2)), "{column}={value}");
+        assert_eq!(
+            (d.code, d.fault, d.place.line),
+            ("catalog/bad-cell", Fault::Input, Some(2)),
+            "{column}={value}"
+        );
         assert!(d.place.file.as_deref().is_some_and(|f| f.ends_with("own.csv")));
         assert!(d.message.contains(column) && d.message.contains(expected), "{}", d.message);
     }
@@ -311,7 +372,8 @@ fn wrong_tables_are_refused() {
 
 #[test]
 fn folders_that_cannot_be_read_are_named() {
-    let missing: Diagnostic = Catalog::load_dir(Path::new("no/such/folder")).expect_err("missing").into();
+    let missing: Diagnostic =
+        Catalog::load_dir(Path::new("no/such/folder")).expect_err("missing").into();
     assert_eq!((missing.code, missing.fault), ("catalog/unreadable", Fault::Input));
     let empty = tempfile::tempdir().expect("temporary folder");
     let empty: Diagnostic = Catalog::load_dir(empty.path()).expect_err("empty").into();
@@ -322,7 +384,8 @@ fn folders_that_cannot_be_read_are_named() {
 fn a_refused_folder_leaves_the_catalogue_as_it_was() {
     let dir = tempfile::tempdir().expect("temporary folder");
     std::fs::write(dir.path().join("a.csv"), format!("{HEAD}{GOOD}")).expect("write");
-    std::fs::write(dir.path().join("b.csv"), profile_with("h_mm", "x").replace("MY200", "MY300")).expect("write");
+    std::fs::write(dir.path().join("b.csv"), profile_with("h_mm", "x").replace("MY200", "MY300"))
+        .expect("write");
     let mut catalog = builtin();
     let before = catalog.profiles().len();
     assert!(catalog.merge(dir.path()).is_err());
@@ -333,7 +396,8 @@ fn a_refused_folder_leaves_the_catalogue_as_it_was() {
 /// The folder of the project itself is a valid user folder; the shapes not used yet are skipped with a warning.
 #[test]
 fn the_shipped_folder_loads_as_a_user_folder() {
-    let catalog = Catalog::load_dir(&Path::new(env!("CARGO_MANIFEST_DIR")).join("catalogs")).expect("loads");
+    let catalog =
+        Catalog::load_dir(&Path::new(env!("CARGO_MANIFEST_DIR")).join("catalogs")).expect("loads");
     assert_eq!(catalog.profiles().len(), builtin().profiles().len());
     assert_eq!(catalog.bolts().len(), builtin().bolts().len());
     let skipped = catalog.warnings().iter().filter(|w| w.code == "catalog/unused-table").count();

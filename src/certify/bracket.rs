@@ -37,7 +37,10 @@ impl LowerBound {
         let c = &self.certificate;
         self.value.is_finite()
             && c.yields.is_none_or(|y| y <= 0.0)
-            && [Some(c.equilibrium), Some(c.traction_jump), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
+            && [Some(c.equilibrium), Some(c.traction_jump), c.contact]
+                .into_iter()
+                .flatten()
+                .all(|r| r <= TOLERANCE)
             && c.weld.is_none_or(|used| used <= 1.0)
     }
 }
@@ -58,13 +61,16 @@ impl UpperBound {
     /// True when every residual is within [`TOLERANCE`].
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
-        self.value.is_finite() && [Some(c.compatibility), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
+        self.value.is_finite()
+            && [Some(c.compatibility), c.contact].into_iter().flatten().all(|r| r <= TOLERANCE)
     }
 }
 
 /// Two bounds that contradict each other: one of them is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("the lower bound {lower:.9e} exceeds the upper bound {upper:.9e}: one of the two fields is not admissible")]
+#[error(
+    "the lower bound {lower:.9e} exceeds the upper bound {upper:.9e}: one of the two fields is not admissible"
+)]
 pub struct Contradiction {
     /// Lower bound.
     pub lower: f64,

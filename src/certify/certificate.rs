@@ -86,7 +86,12 @@ fn face_stress(field: &StressField, tet: usize, k: usize) -> [Mandel; 3] {
 }
 
 /// Stress on a boundary face at the given nodes.
-pub(crate) fn stress_at(model: &AnalysisModel, field: &StressField, f: (u32, u8), nodes: [u32; 3]) -> [Mandel; 3] {
+pub(crate) fn stress_at(
+    model: &AnalysisModel,
+    field: &StressField,
+    f: (u32, u8),
+    nodes: [u32; 3],
+) -> [Mandel; 3] {
     let (tet, k) = (f.0 as usize, f.1 as usize);
     let s = face_stress(field, tet, k);
     let own = FACES[k].map(|i| model.mesh.tets[tet][i]);
@@ -110,7 +115,11 @@ pub fn contact_tractions<L>(
 }
 
 /// Certifies a stress field under the given loads.
-pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) -> StaticCertificate {
+pub fn certify_stress(
+    model: &AnalysisModel,
+    field: &StressField,
+    loads: Loads,
+) -> StaticCertificate {
     let mesh = &model.mesh;
     let materials = model.stiffnesses();
     let body = model.body_forces(loads);
@@ -150,7 +159,8 @@ pub fn certify_stress(model: &AnalysisModel, field: &StressField, loads: Loads) 
             match second {
                 Some(other) if first as usize == e => {
                     let o = other as usize;
-                    let local = (0..4).find(|&l| faces.of_tet[o][l] == faces.of_tet[e][k]).unwrap_or(0);
+                    let local =
+                        (0..4).find(|&l| faces.of_tet[o][l] == faces.of_tet[e][k]).unwrap_or(0);
                     let nodes = FACES[k].map(|i| mesh.tets[e][i]);
                     let s = stress_at(model, field, (other, local as u8), nodes);
                     for i in 0..3 {
@@ -228,12 +238,21 @@ pub(crate) fn largest_of_each(values: &[f64]) -> Option<f64> {
 }
 
 /// Largest difference between the traction r of side A of an interface and that of side B \[MPa\].
-fn sides_differ<L>(model: &AnalysisModel, field: &StressField, face: &InterfaceFace<'_, L>, r: &[V3; 3]) -> f64 {
+fn sides_differ<L>(
+    model: &AnalysisModel,
+    field: &StressField,
+    face: &InterfaceFace<'_, L>,
+    r: &[V3; 3],
+) -> f64 {
     let Some((b, nodes_b)) = face.b else { return 0.0 };
     let (n, _) = face.normal(model);
     let other = stress_at(model, field, (b.tet, b.local), nodes_b);
     // t_B = σ_B (−n) must be +r
-    largest((0..3).map(|i| vec3::norm(vec3::sub(mandel::traction(&other[i], vec3::scale(-1.0, n)), r[i]))))
+    largest(
+        (0..3).map(|i| {
+            vec3::norm(vec3::sub(mandel::traction(&other[i], vec3::scale(-1.0, n)), r[i]))
+        }),
+    )
 }
 
 /// Tension of a preloaded bolt along its axis \[N\], and the largest jump of traction across the cut \[MPa\].
@@ -263,10 +282,13 @@ fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
 fn inner_jump(points: &[[V3; 4]; 4], s: &[[Mandel; 4]; 4], k: usize, l: usize) -> f64 {
     let shared: Vec<usize> = (0..4).filter(|&m| m != k && m != l).collect();
     let at = |t: usize, m: usize| FACES[t].iter().position(|&v| v == m).unwrap_or(3);
-    let pairs = [(at(k, shared[0]), at(l, shared[0])), (at(k, shared[1]), at(l, shared[1])), (3, 3)];
+    let pairs =
+        [(at(k, shared[0]), at(l, shared[0])), (at(k, shared[1]), at(l, shared[1])), (3, 3)];
     let a = vec3::area_vector(&[points[k][pairs[0].0], points[k][pairs[1].0], points[k][3]]);
     let n = vec3::scale(1.0 / vec3::norm(a), a);
-    largest(pairs.map(|(p, q)| vec3::norm(vec3::sub(mandel::traction(&s[k][p], n), mandel::traction(&s[l][q], n)))))
+    largest(pairs.map(|(p, q)| {
+        vec3::norm(vec3::sub(mandel::traction(&s[k][p], n), mandel::traction(&s[l][q], n)))
+    }))
 }
 
 /// Resultant of the tractions on a rigid face against its action, as a traction \[MPa\]: per area, moments per area and
@@ -290,7 +312,9 @@ fn rigid_resultant_error(
         let t = stress_at(model, field, (f.tet, f.local), nodes).map(|s| mandel::traction(&s, n));
         // loads on the face itself are carried by it beside the action
         let role = roles.get(&(f.tet, f.local));
-        let t: [V3; 3] = std::array::from_fn(|i| vec3::sub(t[i], role.map_or([0.0; 3], |r| r.load(corners[i], n))));
+        let t: [V3; 3] = std::array::from_fn(|i| {
+            vec3::sub(t[i], role.map_or([0.0; 3], |r| r.load(corners[i], n)))
+        });
         total += size;
         reach = reach.max(largest(corners.map(|x| vec3::norm(vec3::sub(x, rigid.at)))));
         for (l, w) in TRIANGLE_4 {
@@ -311,7 +335,13 @@ fn rigid_resultant_error(
 }
 
 /// Adds the work of a surface load on the displacements (or velocities) u \[N mm\].
-pub(crate) fn add_work(model: &AnalysisModel, space: &Tet10Space, u: &[V3], load: &SurfaceLoad, work: &mut Sum) {
+pub(crate) fn add_work(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    u: &[V3],
+    load: &SurfaceLoad,
+    work: &mut Sum,
+) {
     for f in &load.faces {
         let corners = face_corners(&model.mesh, f);
         let nodes = space.triangle(face_nodes(&model.mesh, f)).map(|n| u[n]);
@@ -338,7 +368,10 @@ pub(crate) fn off_supports(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) 
 }
 
 /// Certifies a displacement field.
-pub fn certify_displacement(model: &AnalysisModel, field: &DisplacementField) -> KinematicCertificate {
+pub fn certify_displacement(
+    model: &AnalysisModel,
+    field: &DisplacementField,
+) -> KinematicCertificate {
     let mesh = &model.mesh;
     let space = Tet10Space::new(mesh);
     let materials = model.stiffnesses();
@@ -386,7 +419,9 @@ pub(crate) fn certify_motion(
         let closed = vec3::scale(bolt.closure.unwrap_or(0.0), bolt.axis);
         for f in &bolt.faces {
             let sides = space.triangle(f.nodes_a).into_iter().zip(space.triangle(f.nodes_b));
-            off = off.max(largest(sides.map(|(a, b)| vec3::norm(vec3::add(vec3::sub(u[b], u[a]), closed)))));
+            off = off.max(largest(
+                sides.map(|(a, b)| vec3::norm(vec3::add(vec3::sub(u[b], u[a]), closed))),
+            ));
         }
     }
     for r in &model.rigid {
@@ -445,19 +480,25 @@ pub(crate) fn fit_rigid(
     rigid: &crate::model::analysis::RigidFace,
 ) -> ([f64; 6], f64) {
     use faer::prelude::Solve;
-    let mut nodes: Vec<usize> =
-        rigid.faces.iter().flat_map(|f| space.triangle(crate::model::loads::face_nodes(&model.mesh, f))).collect();
+    let mut nodes: Vec<usize> = rigid
+        .faces
+        .iter()
+        .flat_map(|f| space.triangle(crate::model::loads::face_nodes(&model.mesh, f)))
+        .collect();
     nodes.sort_unstable();
     nodes.dedup();
     let free: Vec<usize> = (0..6).filter(|&i| rigid.free[i]).collect();
-    let reach = largest(nodes.iter().map(|&n| vec3::norm(vec3::sub(space.nodes[n], rigid.at)))).max(1e-12);
+    let reach =
+        largest(nodes.iter().map(|&n| vec3::norm(vec3::sub(space.nodes[n], rigid.at)))).max(1e-12);
     let unit = |i: usize| -> [f64; 6] {
         let mut m = [0.0; 6];
         m[i] = if i < 3 { 1.0 } else { 1.0 / reach };
         m
     };
-    let samples: Vec<(usize, usize)> =
-        nodes.iter().flat_map(|&n| (0..3).filter(|&d| rigid.components[d]).map(move |d| (n, d))).collect();
+    let samples: Vec<(usize, usize)> = nodes
+        .iter()
+        .flat_map(|&n| (0..3).filter(|&d| rigid.components[d]).map(move |d| (n, d)))
+        .collect();
     let mut motion = [0.0; 6];
     if !free.is_empty() && samples.len() >= free.len() {
         let a = faer::Mat::from_fn(samples.len(), free.len(), |s, c| {
@@ -468,7 +509,8 @@ pub(crate) fn fit_rigid(
         let normal = a.transpose() * &a;
         let rhs = a.transpose() * &b;
         // motions the face cannot show (a rotation about the normal with only x listed) stay zero
-        let scale = (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+        let scale =
+            (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
         let damped = faer::Mat::from_fn(free.len(), free.len(), |i, j| {
             normal[(i, j)] + if i == j { 1e-14 * scale } else { 0.0 }
         });
@@ -481,14 +523,18 @@ pub(crate) fn fit_rigid(
             motion[i] = x[(c, 0)] * unit(i)[i];
         }
     }
-    let error = largest(
-        samples.iter().map(|&(n, d)| (rigid_displacement(&motion, rigid.at, space.nodes[n])[d] - u[n][d]).abs()),
-    );
+    let error =
+        largest(samples.iter().map(|&(n, d)| {
+            (rigid_displacement(&motion, rigid.at, space.nodes[n])[d] - u[n][d]).abs()
+        }));
     (motion, error)
 }
 
 /// Largest pressure of the displacement's stress on contact faces, either side \[MPa\].
-fn displacement_pressure(model: &AnalysisModel, stress: &dyn Fn(usize, usize) -> [Mandel; 3]) -> f64 {
+fn displacement_pressure(
+    model: &AnalysisModel,
+    stress: &dyn Fn(usize, usize) -> [Mandel; 3],
+) -> f64 {
     let mut peak = 0.0f64;
     for f in contact_faces(model) {
         let (n, _) = f.normal(model);

@@ -36,7 +36,8 @@ pub fn mean_norm(strains: &[Mandel; 4], subdivisions: u32) -> f64 {
     });
     // any diagonal gives a bound; the ends of the one with the least norms count most
     let least = |d: &[usize; 2]| norms[d[0]] + norms[d[1]];
-    let [p, q] = OPPOSITE.into_iter().min_by(|a, b| least(a).total_cmp(&least(b))).unwrap_or(OPPOSITE[0]);
+    let [p, q] =
+        OPPOSITE.into_iter().min_by(|a, b| least(a).total_cmp(&least(b))).unwrap_or(OPPOSITE[0]);
     let ([a, c], [b, d]) = (EDGES[p], EDGES[q]);
     let ring = [(a, b), (a, d), (c, d), (c, b)].map(|(x, y)| middle(&strains[x], &strains[y]));
     let octahedron = (0..4).map(|i| [middles[p], middles[q], ring[i], ring[(i + 1) % 4]]);
@@ -78,10 +79,14 @@ mod tests {
     fn bounds_from_above() {
         let mut seed = 5;
         for _ in 0..20 {
-            let tet: [Mandel; 4] = std::array::from_fn(|_| deviatoric(std::array::from_fn(|_| random(&mut seed))));
+            let tet: [Mandel; 4] =
+                std::array::from_fn(|_| deviatoric(std::array::from_fn(|_| random(&mut seed))));
             let bounds: Vec<f64> = (0..4).map(|n| mean_norm(&tet, n)).collect();
             let vertices: f64 = tet.iter().map(|e| 0.25 * mandel::norm(e)).sum();
-            assert!(bounds[0] <= vertices + 1e-15 && bounds.windows(2).all(|b| b[1] <= b[0] + 1e-15), "{bounds:?}");
+            assert!(
+                bounds[0] <= vertices + 1e-15 && bounds.windows(2).all(|b| b[1] <= b[0] + 1e-15),
+                "{bounds:?}"
+            );
             let points = 20_000;
             let sum: f64 = (0..points)
                 .map(|_| {

@@ -65,14 +65,19 @@ impl Contributions {
 }
 
 /// Contributions of a pair of fields.
-pub fn contributions(model: &AnalysisModel, u: &DisplacementField, s: &StressField) -> Contributions {
+pub fn contributions(
+    model: &AnalysisModel,
+    u: &DisplacementField,
+    s: &StressField,
+) -> Contributions {
     let space = Tet10Space::new(&model.mesh);
     let materials = model.stiffnesses();
     let elements = (0..model.mesh.tets.len())
         .map(|e| {
             let nodes = space.tet(&model.mesh, e).map(|n| u.u[n]);
             let material = &materials[model.mesh.tet_body[e] as usize];
-            let v = tet10::vertex_strains(&model.mesh.corners(e), &nodes).map(|x| material.stress(&x));
+            let v =
+                tet10::vertex_strains(&model.mesh.corners(e), &nodes).map(|x| material.stress(&x));
             let difference = minus(&s.points[e], &at_points(&v));
             0.5 * integrate(model.mesh.volume(e), material, &difference, &difference)
         })
@@ -113,7 +118,9 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
             let mut power = Sum::default();
             for k in 0..4 {
                 let strains = match &pieces[..] {
-                    [plain] => at_points(&tet10::vertex_strains(&plain.corners, &plain.velocities))[k],
+                    [plain] => {
+                        at_points(&tet10::vertex_strains(&plain.corners, &plain.velocities))[k]
+                    }
                     split => tet10::vertex_strains(&split[k].corners, &split[k].velocities),
                 };
                 power.add(0.25 * volume * mean_product(&s.points[e][k], &strains));
@@ -137,7 +144,11 @@ fn mean_product(stress: &[Mandel; 4], strain: &[Mandel; 4]) -> f64 {
 
 /// Contributions of a displacement with plastic strain p and a stress field, tet by tet
 /// `½ ∫ (σ − C(ε − p)):C⁻¹:(σ − C(ε − p)) + ∫ (π(p) − σ:p)`, contact and weld faces as in [`contributions`].
-pub fn plastic_contributions(model: &AnalysisModel, field: &PlasticField, s: &StressField) -> Contributions {
+pub fn plastic_contributions(
+    model: &AnalysisModel,
+    field: &PlasticField,
+    s: &StressField,
+) -> Contributions {
     let space = Tet10Space::new(&model.mesh);
     let (materials, radii) = (model.stiffnesses(), model.yield_radii());
     let elements = (0..model.mesh.tets.len())
@@ -150,7 +161,8 @@ pub fn plastic_contributions(model: &AnalysisModel, field: &PlasticField, s: &St
             let elastic = 0.5 * integrate(volume, &materials[body], &difference, &difference);
             let plastic = field.plastic_at_points(e).map(|p| p.map(|p| tensor(&p)));
             let work: f64 = s.points[e].iter().zip(&plastic).map(|(s, p)| mean_product(s, p)).sum();
-            elastic + dissipated(&field.pieces(model, &space, e), radii[body]) - 0.25 * volume * work
+            elastic + dissipated(&field.pieces(model, &space, e), radii[body])
+                - 0.25 * volume * work
         })
         .collect();
     let contacts = contact_work(model, &space, &field.nodes, s, Loads::ALL, true);
@@ -159,7 +171,9 @@ pub fn plastic_contributions(model: &AnalysisModel, field: &PlasticField, s: &St
 }
 
 fn minus(a: &PointStress, b: &PointStress) -> PointStress {
-    std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|c| a[k][p][c] - b[k][p][c])))
+    std::array::from_fn(|k| {
+        std::array::from_fn(|p| std::array::from_fn(|c| a[k][p][c] - b[k][p][c]))
+    })
 }
 
 /// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, shifts as gaps; without `gaps` initial gaps count as closed.
@@ -180,8 +194,11 @@ fn contact_work(
         let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
         let terms = TRIANGLE_4.iter().map(|(l, w)| {
             let shape = triangle_p2(*l);
-            let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
-            let at = |v: &[V3; 3]| -> V3 { std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum()) };
+            let g = (0..6)
+                .fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
+            let at = |v: &[V3; 3]| -> V3 {
+                std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
+            };
             let r = at(&r);
             w * area * (vec3::dot(r, g) + vec3::dot(r, n) * bernstein_at(&opening, *l))
         });

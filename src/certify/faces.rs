@@ -26,7 +26,9 @@ pub struct FaceRole<'a> {
 impl FaceRole<'_> {
     /// Prescribed traction at a point \[MPa\].
     pub fn load(&self, x: V3, n: V3) -> V3 {
-        self.loads.iter().fold([0.0; 3], |t, (share, l)| vec3::add(t, vec3::scale(*share, l.at(x, n))))
+        self.loads
+            .iter()
+            .fold([0.0; 3], |t, (share, l)| vec3::add(t, vec3::scale(*share, l.at(x, n))))
     }
 }
 
@@ -35,7 +37,10 @@ fn key(f: &BoundaryFace) -> FaceKey {
 }
 
 /// The roles of all outer faces that have one under the given loads; faces without an entry are free.
-pub fn roles(model: &AnalysisModel, loads: Loads) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
+pub fn roles(
+    model: &AnalysisModel,
+    loads: Loads,
+) -> std::collections::BTreeMap<FaceKey, FaceRole<'_>> {
     let mut roles: std::collections::BTreeMap<FaceKey, FaceRole<'_>> = Default::default();
     for s in &model.supports {
         for f in &s.faces {
@@ -105,7 +110,8 @@ pub fn weld_faces(model: &AnalysisModel) -> Vec<WeldFace<'_>> {
 /// Every contact face of the model, interfaces first.
 pub fn contact_faces(model: &AnalysisModel) -> Vec<ContactFace<'_>> {
     let interfaces = model.interfaces.iter().enumerate();
-    let interfaces = interfaces.flat_map(|(of, i)| i.faces.iter().map(move |f| pair(&i.law, of, f)));
+    let interfaces =
+        interfaces.flat_map(|(of, i)| i.faces.iter().map(move |f| pair(&i.law, of, f)));
     let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(of, g)| {
         g.faces.iter().map(move |f| ContactFace {
             index: 0,

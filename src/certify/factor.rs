@@ -79,7 +79,11 @@ impl FactorBracket {
         let (low, up) = (lower.value(), upper.value());
         // numbers that are none are in no order
         let ordered = low <= up + 1e-9 * low.abs().max(up.abs());
-        if ordered { Ok(Self { lower, upper }) } else { Err(Contradiction { lower: low, upper: up }) }
+        if ordered {
+            Ok(Self { lower, upper })
+        } else {
+            Err(Contradiction { lower: low, upper: up })
+        }
     }
 
     /// The lower bound.
@@ -109,11 +113,19 @@ mod tests {
     use super::*;
 
     fn lower(factor: f64) -> LowerFactor {
-        LowerFactor::new(LowerCertificate { factor, utilisation: 1.0 - 1e-9, ..LowerCertificate::default() })
+        LowerFactor::new(LowerCertificate {
+            factor,
+            utilisation: 1.0 - 1e-9,
+            ..LowerCertificate::default()
+        })
     }
 
     fn upper(factor: f64) -> UpperFactor {
-        UpperFactor::new(UpperCertificate { factor, live_power: 1.0, ..UpperCertificate::default() })
+        UpperFactor::new(UpperCertificate {
+            factor,
+            live_power: 1.0,
+            ..UpperCertificate::default()
+        })
     }
 
     /// Lower above upper is refused, numbers equal to rounding are not, and the gap is relative to the lower bound.
@@ -124,7 +136,10 @@ mod tests {
         assert!(FactorBracket::new(lower(2.0), upper(2.0 * (1.0 - 1e-12))).is_ok());
         assert!(FactorBracket::new(lower(2.0), upper(1.99)).is_err());
         assert!(FactorBracket::new(lower(2.0), upper(f64::NAN)).is_err());
-        assert_eq!(FactorBracket::new(lower(0.0), upper(1.0)).expect("in order").gap(), f64::INFINITY);
+        assert_eq!(
+            FactorBracket::new(lower(0.0), upper(1.0)).expect("in order").gap(),
+            f64::INFINITY
+        );
         assert!(lower(3.0).value() < 3.0 && upper(3.0).value() > 3.0);
     }
 
@@ -140,7 +155,9 @@ mod tests {
         assert!(lower(1.0).is_strict() && upper(1.0).is_strict());
         assert!(!l(|c, x| c.equilibrium = x, bad) && !l(|c, x| c.traction_jump = x, bad));
         assert!(
-            !l(|c, x| c.contact = Some(x), bad) && !l(|c, x| c.cover = x, bad) && !l(|c, x| c.utilisation = x, 1.1)
+            !l(|c, x| c.contact = Some(x), bad)
+                && !l(|c, x| c.cover = x, bad)
+                && !l(|c, x| c.utilisation = x, 1.1)
         );
         assert!(!l(|c, x| c.equilibrium = x, f64::NAN) && !l(|c, x| c.utilisation = x, f64::NAN));
         let u = |f: fn(&mut UpperCertificate, f64), x: f64| {
@@ -148,7 +165,11 @@ mod tests {
             f(&mut c, x);
             UpperFactor::new(c).is_strict()
         };
-        assert!(!u(|c, x| c.volume = x, bad) && !u(|c, x| c.rigid = x, bad) && !u(|c, x| c.compatibility = x, bad));
+        assert!(
+            !u(|c, x| c.volume = x, bad)
+                && !u(|c, x| c.rigid = x, bad)
+                && !u(|c, x| c.compatibility = x, bad)
+        );
         assert!(!u(|c, x| c.contact = Some(x), bad) && !u(|c, x| c.live_power = x, -1.0));
         assert!(!u(|c, x| c.volume = x, f64::NAN) && !u(|c, x| c.factor = x, f64::NAN));
     }

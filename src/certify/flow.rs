@@ -29,7 +29,13 @@ pub struct Piece {
 }
 
 /// The pieces of tet `e`, one or four.
-pub fn pieces(model: &AnalysisModel, space: &Tet10Space, field: &VelocityField, flows: bool, e: usize) -> Vec<Piece> {
+pub fn pieces(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    field: &VelocityField,
+    flows: bool,
+    e: usize,
+) -> Vec<Piece> {
     let (corners, volume) = (model.mesh.corners(e), model.mesh.volume(e));
     let outer = space.tet(&model.mesh, e).map(|n| field.nodes.u[n]);
     if !(flows && field.flow == Flow::Split) {
@@ -39,7 +45,8 @@ pub fn pieces(model: &AnalysisModel, space: &Tet10Space, field: &VelocityField, 
     (0..4)
         .map(|k| {
             let corners = split_tet10::subtet_corners(&corners, k);
-            let velocities = split_tet10::subtet_nodes(k).map(|n| [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
+            let velocities =
+                split_tet10::subtet_nodes(k).map(|n| [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
             Piece { corners, volume: 0.25 * volume, velocities }
         })
         .collect()

@@ -7,7 +7,9 @@
 //! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near by: how near, measured from
 //! the residuals, is the certificate's `cover`. A bound has to leave room for it.
 
-use crate::certify::certificate::{add_work, certify_stress, fit_rigid, largest, off_supports, ratio};
+use crate::certify::certificate::{
+    add_work, certify_stress, fit_rigid, largest, off_supports, ratio,
+};
 use crate::certify::dissipation::mean_norm;
 use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
@@ -90,7 +92,10 @@ fn slenderness(model: &AnalysisModel) -> f64 {
     let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
         (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
     });
-    let smallest = (0..model.mesh.tets.len()).map(|e| model.mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
+    let smallest = (0..model.mesh.tets.len())
+        .map(|e| model.mesh.volume(e))
+        .fold(f64::INFINITY, f64::min)
+        .cbrt();
     vec3::norm(vec3::sub(hi, lo)) / smallest
 }
 
@@ -116,7 +121,8 @@ pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<u
 pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: f64) -> f64 {
     // forces left over on every face, all of one sign, add up over L/h faces and bend a section one element deep with a lever L
     let stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
-    let strengths = model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
+    let strengths =
+        model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
     let weakest = strengths.fold(f64::INFINITY, f64::min);
     6.0 * slenderness(model).powi(2) * residual * stress / weakest
 }
@@ -153,14 +159,20 @@ struct Share {
     dead: f64,
 }
 
-fn share_of(pieces: &[Piece], radius: Option<f64>, [live, dead]: [V3; 2], subdivisions: u32) -> Share {
+fn share_of(
+    pieces: &[Piece],
+    radius: Option<f64>,
+    [live, dead]: [V3; 2],
+    subdivisions: u32,
+) -> Share {
     let mut share = Share { trace: 0.0, strain: 0.0, dissipation: 0.0, power: 0.0, dead: 0.0 };
     let h = pieces.iter().map(|p| p.volume).sum::<f64>().cbrt();
     for p in pieces {
         let strains: [Mandel; 4] = tet10::vertex_strains(&p.corners, &p.velocities);
         match radius {
             Some(radius) => {
-                share.trace = share.trace.max(h * largest(strains.map(|e| (e[0] + e[1] + e[2]).abs())));
+                share.trace =
+                    share.trace.max(h * largest(strains.map(|e| (e[0] + e[1] + e[2]).abs())));
                 share.dissipation += p.volume * radius * mean_norm(&strains, subdivisions);
             }
             None => share.strain = share.strain.max(h * largest(strains.map(|e| mandel::norm(&e)))),
@@ -168,7 +180,8 @@ fn share_of(pieces: &[Piece], radius: Option<f64>, [live, dead]: [V3; 2], subdiv
         if live != [0.0; 3] || dead != [0.0; 3] {
             for (l, w) in TETRAHEDRON_2 {
                 let shape = tet10::shape(l);
-                let at = (0..10).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], p.velocities[i])));
+                let at = (0..10)
+                    .fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], p.velocities[i])));
                 share.power += w * p.volume * vec3::dot(live, at);
                 share.dead += w * p.volume * vec3::dot(dead, at);
             }
@@ -178,7 +191,11 @@ fn share_of(pieces: &[Piece], radius: Option<f64>, [live, dead]: [V3; 2], subdiv
 }
 
 /// Dissipation per volume in each tet, an upper bound \[N mm/mm³ per unit of time\].
-pub fn dissipation_densities(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> Vec<f64> {
+pub fn dissipation_densities(
+    model: &AnalysisModel,
+    field: &VelocityField,
+    subdivisions: u32,
+) -> Vec<f64> {
     let space = Tet10Space::new(&model.mesh);
     let radii = model.yield_radii();
     (0..model.mesh.tets.len())
@@ -186,13 +203,18 @@ pub fn dissipation_densities(model: &AnalysisModel, field: &VelocityField, subdi
         .map(|e| {
             let radius = radii[model.mesh.tet_body[e] as usize];
             let pieces = pieces(model, &space, field, radius.is_some(), e);
-            share_of(&pieces, radius, [[0.0; 3]; 2], subdivisions).dissipation / model.mesh.volume(e)
+            share_of(&pieces, radius, [[0.0; 3]; 2], subdivisions).dissipation
+                / model.mesh.volume(e)
         })
         .collect()
 }
 
 /// Certifies velocities as an upper bound; each subdivision of the dissipation's rule brings it nearer to the field's own value.
-pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions: u32) -> UpperCertificate {
+pub fn certify_upper(
+    model: &AnalysisModel,
+    field: &VelocityField,
+    subdivisions: u32,
+) -> UpperCertificate {
     let mesh = &model.mesh;
     let space = Tet10Space::new(mesh);
     let u = &field.nodes.u;
@@ -238,10 +260,14 @@ pub fn certify_upper(model: &AnalysisModel, field: &VelocityField, subdivisions:
     // a volume change is undone by a flow that is larger by the inf-sup constant, about 10 in a compact body and more by the
     // slenderness; every other residual moves a neighbouring element likewise
     let residual = trace + strain + off + violation.unwrap_or(0.0);
-    let smallest = (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
-    let capacity =
-        Sum::of((0..mesh.tets.len()).map(|e| mesh.volume(e) * radii[mesh.tet_body[e] as usize].unwrap_or(0.0)));
-    let weld_capacity = Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
+    let smallest =
+        (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
+    let capacity = Sum::of(
+        (0..mesh.tets.len())
+            .map(|e| mesh.volume(e) * radii[mesh.tet_body[e] as usize].unwrap_or(0.0)),
+    );
+    let weld_capacity =
+        Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
     let hidden = 10.0 * slenderness(model) * residual * (capacity / smallest + weld_capacity);
     let rounding = 1e-13 * (total + dead.value().abs());
     UpperCertificate {

@@ -4,7 +4,9 @@
 //! `π(p) = √(2/3) f_y ‖p‖` from above as in [`crate::certify::dissipation`]. Lower bound: −Π_c of a stress in equilibrium and inside the yield
 //! surface; what the residuals of its equilibrium may hide must find room there too.
 
-use crate::certify::certificate::{KinematicCertificate, StaticCertificate, certify_motion, certify_stress, largest};
+use crate::certify::certificate::{
+    KinematicCertificate, StaticCertificate, certify_motion, certify_stress, largest,
+};
 use crate::certify::dissipation::mean_norm;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{hidden_utilisation, utilisation};
@@ -28,16 +30,24 @@ pub fn dissipated(pieces: &[PlasticPiece], radius: Option<f64>) -> f64 {
         if p.plastic == [[0.0; 5]; 4] {
             return 0.0;
         }
-        p.volume * radius.unwrap_or(f64::INFINITY) * mean_norm(&p.plastic.map(|d| tensor(&d)), SUBDIVISIONS)
+        p.volume
+            * radius.unwrap_or(f64::INFINITY)
+            * mean_norm(&p.plastic.map(|d| tensor(&d)), SUBDIVISIONS)
     };
     pieces.iter().map(of).sum()
 }
 
 /// `∫ π(p)` over the tets that `counts` picks, an upper bound \[N mm\].
-pub fn dissipation(model: &AnalysisModel, field: &PlasticField, counts: impl Fn(usize) -> bool) -> f64 {
+pub fn dissipation(
+    model: &AnalysisModel,
+    field: &PlasticField,
+    counts: impl Fn(usize) -> bool,
+) -> f64 {
     let space = Tet10Space::new(&model.mesh);
     let radii = model.yield_radii();
-    let of = |e: usize| dissipated(&field.pieces(model, &space, e), radii[model.mesh.tet_body[e] as usize]);
+    let of = |e: usize| {
+        dissipated(&field.pieces(model, &space, e), radii[model.mesh.tet_body[e] as usize])
+    };
     Sum::of((0..model.mesh.tets.len()).filter(|&e| counts(e)).map(of))
 }
 
@@ -76,10 +86,15 @@ pub fn certify_plastic_motion(model: &AnalysisModel, field: &PlasticField) -> Ki
         for piece in &pieces {
             let strains = elastic_strains(piece);
             for (l, w) in TETRAHEDRON_2 {
-                let eps: Mandel = std::array::from_fn(|i| (0..4).map(|v| l[v] * strains[v][i]).sum());
-                energy.add(0.5 * w * piece.volume * mandel::dot(&eps, &materials[body(e)].stress(&eps)));
+                let eps: Mandel =
+                    std::array::from_fn(|i| (0..4).map(|v| l[v] * strains[v][i]).sum());
+                energy.add(
+                    0.5 * w * piece.volume * mandel::dot(&eps, &materials[body(e)].stress(&eps)),
+                );
                 let shape = tet10::shape(l);
-                let at: V3 = (0..10).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], piece.displacements[i])));
+                let at: V3 = (0..10).fold([0.0; 3], |s, i| {
+                    vec3::add(s, vec3::scale(shape[i], piece.displacements[i]))
+                });
                 work.add(w * piece.volume * vec3::dot(forces[body(e)], at));
             }
         }
@@ -120,7 +135,8 @@ pub fn trial_utilisations(model: &AnalysisModel, field: &PlasticField) -> Vec<f6
             let body = model.mesh.tet_body[e] as usize;
             let Some(radius) = radii[body] else { return 0.0 };
             let of = |piece: &PlasticPiece| {
-                let s = tet10::vertex_strains(&piece.corners, &piece.displacements).map(|s| deviator(&s));
+                let s = tet10::vertex_strains(&piece.corners, &piece.displacements)
+                    .map(|s| deviator(&s));
                 let sum: [f64; 5] = std::array::from_fn(|a| s.iter().map(|s| s[a]).sum());
                 let at = |i: usize| length(&std::array::from_fn(|a| (s[i][a] + sum[a]) / 5.0));
                 materials[body].two_mu * largest((0..4).map(at)) / radius
@@ -153,7 +169,8 @@ pub fn body_states(
 ) -> Vec<Option<BodyState>> {
     let radii = model.yield_radii();
     let materials = model.stiffnesses();
-    let mut out: Vec<Option<BodyState>> = radii.iter().map(|r| r.map(|_| BodyState::default())).collect();
+    let mut out: Vec<Option<BodyState>> =
+        radii.iter().map(|r| r.map(|_| BodyState::default())).collect();
     let mut volumes = vec![0.0; out.len()];
     let space = Tet10Space::new(&model.mesh);
     let used = stress.map(|s| utilisations(model, s));

@@ -110,7 +110,8 @@ pub(crate) fn at_points<const N: usize>(v: &[[f64; N]; 4]) -> [[[f64; N]; 4]; 4]
 }
 
 fn subtet_displacements(outer: &[V3; 10], inner: &InnerNodes, k: usize) -> [V3; 10] {
-    split_tet10::subtet_nodes(k).map(|n| if n < split_tet10::OUTER { outer[n] } else { inner[n - split_tet10::OUTER] })
+    split_tet10::subtet_nodes(k)
+        .map(|n| if n < split_tet10::OUTER { outer[n] } else { inner[n - split_tet10::OUTER] })
 }
 
 /// The plastic strain that costs least at the given strain of a (sub)tet: the least
@@ -127,11 +128,14 @@ pub fn plastic_strain(strains: &[Mandel; 4], two_mu: f64, radius: f64) -> Vertex
         let mut change = 0.0f64;
         for i in 0..4 {
             let pull: Deviator = std::array::from_fn(|a| {
-                let others = (0..4).filter(|&j| j != i).map(|j| tetrahedron_mass(i, j) * (e[j][a] - p[j][a]));
+                let others = (0..4)
+                    .filter(|&j| j != i)
+                    .map(|j| tetrahedron_mass(i, j) * (e[j][a] - p[j][a]));
                 two_mu * (tetrahedron_mass(i, i) * e[i][a] + others.sum::<f64>())
             });
             let size = length(&pull);
-            let part = if size > 0.25 * radius { (1.0 - 0.25 * radius / size) / stiffness } else { 0.0 };
+            let part =
+                if size > 0.25 * radius { (1.0 - 0.25 * radius / size) / stiffness } else { 0.0 };
             let new = pull.map(|x| part * x);
             change = change.max((0..5).map(|a| (new[a] - p[i][a]).abs()).fold(0.0, f64::max));
             p[i] = new;
@@ -165,7 +169,10 @@ pub fn with_plastic_strain(
             match inner(e) {
                 Some(inner) => {
                     let plastic = std::array::from_fn(|k| {
-                        flow(&split_tet10::subtet_corners(&corners, k), &subtet_displacements(&outer, &inner, k))
+                        flow(
+                            &split_tet10::subtet_corners(&corners, k),
+                            &subtet_displacements(&outer, &inner, k),
+                        )
                     });
                     PlasticTet::Split { inner: Box::new(inner), plastic: Box::new(plastic) }
                 }
@@ -230,10 +237,15 @@ mod tests {
             for k in 0..200 {
                 let size = 10f64.powi(-(k % 8));
                 let other = p.map(|p| p.map(|x| x + 0.1 * size * random(&mut seed)));
-                assert!(energy(&e, &other) >= best * (1.0 - 1e-13), "{best} {}", energy(&e, &other));
+                assert!(
+                    energy(&e, &other) >= best * (1.0 - 1e-13),
+                    "{best} {}",
+                    energy(&e, &other)
+                );
             }
             let trial = (0..4).map(|i| {
-                let d: Deviator = std::array::from_fn(|a| (e[i][a] + e.iter().map(|e| e[a]).sum::<f64>()) / 5.0);
+                let d: Deviator =
+                    std::array::from_fn(|a| (e[i][a] + e.iter().map(|e| e[a]).sum::<f64>()) / 5.0);
                 TWO_MU * length(&d)
             });
             let still = trial.fold(0.0, f64::max) <= RADIUS;

@@ -98,7 +98,8 @@ pub fn sample(
     if let Some(s) = stress {
         let stress = largest_stress(s);
         out.traction_jump = relative(jumps(model, s, points, &mut random), stress);
-        out.traction_cone = relative(traction_cones(model, s, Loads::ALL, points, &mut random), stress);
+        out.traction_cone =
+            relative(traction_cones(model, s, Loads::ALL, points, &mut random), stress);
         out.weld = welds(model, s, points, &mut random);
     }
     if let Some(u) = displacement {
@@ -108,11 +109,17 @@ pub fn sample(
 }
 
 /// Tries `points` random points of each kind on a stress field in equilibrium with `factor · live + dead`.
-pub fn sample_lower(model: &AnalysisModel, s: &StressField, factor: f64, points: usize) -> SampledLower {
+pub fn sample_lower(
+    model: &AnalysisModel,
+    s: &StressField,
+    factor: f64,
+    points: usize,
+) -> SampledLower {
     let mut random = Random(SEED);
     let stress = largest_stress(s);
     let traction_jump = relative(jumps(model, s, points, &mut random), stress);
-    let traction_cone = relative(traction_cones(model, s, Loads::at(factor), points, &mut random), stress);
+    let traction_cone =
+        relative(traction_cones(model, s, Loads::at(factor), points, &mut random), stress);
     let radii = model.yield_radii();
     let mut utilisation = welds(model, s, points, &mut random);
     for _ in 0..points {
@@ -137,7 +144,8 @@ pub fn sample_live(model: &AnalysisModel, s: &StressField, points: usize) -> f64
         let e = random.index(s.points.len());
         let stress = inside(&s.points[e][random.index(4)], random.tetrahedron());
         if radii[model.mesh.tet_body[e] as usize].is_some() {
-            deviator = deviator.max(mandel::deviator(&stress).iter().map(|x| x * x).sum::<f64>().sqrt());
+            deviator =
+                deviator.max(mandel::deviator(&stress).iter().map(|x| x * x).sum::<f64>().sqrt());
         }
     }
     relative(jump.max(cone).max(deviator), largest_stress(s))
@@ -177,7 +185,13 @@ fn largest_length(u: &DisplacementField) -> f64 {
 }
 
 /// Largest violation of a friction cone \[MPa\].
-fn traction_cones(model: &AnalysisModel, s: &StressField, loads: Loads, points: usize, random: &mut Random) -> f64 {
+fn traction_cones(
+    model: &AnalysisModel,
+    s: &StressField,
+    loads: Loads,
+    points: usize,
+    random: &mut Random,
+) -> f64 {
     let contacts = contact_faces(model);
     let roles = roles(model, loads);
     let mut worst = 0.0f64;
@@ -207,7 +221,13 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
 
 /// Largest violation of the contact law \[mm\]; `initial`: with initial gaps and shifts, else they count as
 /// closed.
-fn gap_cones(model: &AnalysisModel, u: &DisplacementField, initial: bool, points: usize, random: &mut Random) -> f64 {
+fn gap_cones(
+    model: &AnalysisModel,
+    u: &DisplacementField,
+    initial: bool,
+    points: usize,
+    random: &mut Random,
+) -> f64 {
     let contacts = contact_faces(model);
     let space = Tet10Space::new(&model.mesh);
     let mut worst = 0.0f64;
@@ -217,7 +237,8 @@ fn gap_cones(model: &AnalysisModel, u: &DisplacementField, initial: bool, points
         let shape = triangle_p2(l);
         let a = space.triangle(f.nodes_a).map(|n| u.u[n]);
         let b = f.b.map_or([[0.0; 3]; 6], |(_, nodes)| space.triangle(nodes).map(|n| u.u[n]));
-        let g = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
+        let g = (0..6)
+            .fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], vec3::sub(b[i], a[i]))));
         let (n, _) = f.normal(model);
         let gn = vec3::dot(g, n);
         let gt = vec3::norm(vec3::sub(g, vec3::scale(gn, n)));
@@ -239,7 +260,11 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
         let n = vec3::scale(1.0 / vec3::norm(area), area);
         let l = random.barycentric();
         let side = |face: &BoundaryFace, nodes: [u32; 3]| {
-            at(&stress_at(model, s, (face.tet, face.local), nodes).map(|s| mandel::traction(&s, n)), l)
+            at(
+                &stress_at(model, s, (face.tet, face.local), nodes)
+                    .map(|s| mandel::traction(&s, n)),
+                l,
+            )
         };
         worst = worst.max(vec3::norm(vec3::sub(side(&f.a, f.nodes_a), side(&f.b, f.nodes_b))));
     }
@@ -253,9 +278,13 @@ fn jumps(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
         let l = random.barycentric();
         let side = |e: u32| {
             let e = e as usize;
-            let k = (0..4).find(|&k| faces.of_tet[e][k] as usize == f).expect("the tet owns the face");
+            let k =
+                (0..4).find(|&k| faces.of_tet[e][k] as usize == f).expect("the tet owns the face");
             let t = nodes.map(|m| {
-                let p = FACES[k].iter().position(|&i| mesh.tets[e][i] == m).expect("the node is on the face");
+                let p = FACES[k]
+                    .iter()
+                    .position(|&i| mesh.tets[e][i] == m)
+                    .expect("the node is on the face");
                 mandel::traction(&s.points[e][k][p], n)
             });
             at(&t, l)

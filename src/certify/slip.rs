@@ -11,7 +11,11 @@ use crate::model::opening::ConeShift;
 /// largest shift; 0 where nothing slips.
 ///
 /// Coefficients count where the faces touch, to a thousandth of the largest shift.
-pub fn distance_from_coulomb(model: &AnalysisModel, shift: &ConeShift, field: &DisplacementField) -> f64 {
+pub fn distance_from_coulomb(
+    model: &AnalysisModel,
+    shift: &ConeShift,
+    field: &DisplacementField,
+) -> f64 {
     let space = Tet10Space::new(&model.mesh);
     let (mut off, mut largest) = (0.0f64, 0.0f64);
     let all = contact_faces(model);

@@ -35,7 +35,8 @@ pub fn half_plane(
     if !(bound.is_strict() && fits) || model.has_dead_loads() || certificate.live_power <= 0.0 {
         return None;
     }
-    let terms = |k: usize| motions.iter().zip(&axes[k]).flat_map(|(m, a)| (0..6).map(move |i| m[i] * a[i]));
+    let terms =
+        |k: usize| motions.iter().zip(&axes[k]).flat_map(|(m, a)| (0..6).map(move |i| m[i] * a[i]));
     let power = [0, 1].map(|k| Sum::of(terms(k)));
     let size: f64 = (0..2).map(|k| direction[k].abs() * terms(k).map(f64::abs).sum::<f64>()).sum();
     let together = direction[0] * power[0] + direction[1] * power[1];

@@ -25,14 +25,14 @@ pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
 /// four triangles that the mid-sides make.
 pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
     if subdivisions == 0 {
-        let edges = FACE_EDGES
-            .iter()
-            .enumerate()
-            .map(|(e, &[p, q])| vec3::sub(vec3::scale(2.0, g[3 + e]), vec3::scale(0.5, vec3::add(g[p], g[q]))));
+        let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
+            vec3::sub(vec3::scale(2.0, g[3 + e]), vec3::scale(0.5, vec3::add(g[p], g[q])))
+        });
         return g[..3].iter().copied().chain(edges).map(vec3::norm).sum::<f64>() / 6.0;
     }
     let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let middle = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| 0.5 * (p[i] + q[i])) };
+    let middle =
+        |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| 0.5 * (p[i] + q[i])) };
     let middles = FACE_EDGES.map(|[p, q]| middle(corners[p], corners[q]));
     let parts = [
         [corners[0], middles[0], middles[2]],
@@ -45,17 +45,21 @@ pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
         (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], g[i])))
     };
     let part = |x: &[[f64; 3]; 3]| {
-        let points: [[f64; 3]; 6] =
-            std::array::from_fn(
-                |i| if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) },
-            );
+        let points: [[f64; 3]; 6] = std::array::from_fn(|i| {
+            if i < 3 { x[i] } else { middle(x[FACE_EDGES[i - 3][0]], x[FACE_EDGES[i - 3][1]]) }
+        });
         mean_norm(&points.map(at), subdivisions - 1)
     };
     0.25 * parts.iter().map(part).sum::<f64>()
 }
 
 /// Dissipation of a weld face, an upper bound \[N mm\].
-pub fn dissipation_of(model: &AnalysisModel, space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> f64 {
+pub fn dissipation_of(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    face: &WeldFace<'_>,
+    u: &[V3],
+) -> f64 {
     let (_, area) = face.normal(model);
     face.law.strength * area * mean_norm(&jumps(space, face, u), SUBDIVISIONS)
 }

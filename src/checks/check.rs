@@ -105,7 +105,13 @@ pub struct Worked {
 
 impl Worked {
     /// A value with its clause; `formula` is the formula with its numbers, the result is added to it.
-    pub fn new(clause: &'static str, title: &'static str, value: f64, unit: Unit, formula: impl fmt::Display) -> Self {
+    pub fn new(
+        clause: &'static str,
+        title: &'static str,
+        value: f64,
+        unit: Unit,
+        formula: impl fmt::Display,
+    ) -> Self {
         let formula = format!("{formula} = {}", unit.show(value));
         Self { clause, title, formula, steps: Vec::new(), value, unit }
     }
@@ -136,7 +142,13 @@ impl Worked {
     }
 
     /// The value as a resistance against a demand ≥ 0 in the same unit; `otherwise` is the status where it does not suffice.
-    pub fn against(self, topic: Topic, subject: impl Into<String>, demand: f64, otherwise: Status) -> Check {
+    pub fn against(
+        self,
+        topic: Topic,
+        subject: impl Into<String>,
+        demand: f64,
+        otherwise: Status,
+    ) -> Check {
         let mut check = self.information(topic, subject);
         check.judge(demand, check.resistance.unwrap_or(0.0), otherwise);
         check
@@ -347,13 +359,23 @@ impl Check {
             }
             _ => String::new(),
         };
-        format!("{case}{}: {}: {demand}{} ({})", self.subject, self.title, self.formula, self.clause)
+        format!(
+            "{case}{}: {}: {demand}{} ({})",
+            self.subject, self.title, self.formula, self.clause
+        )
     }
 }
 
 /// `e1 = 23 mm < 1.2 d0 = 24 mm`; a rule that is a plain length is not repeated: `a = 6 mm ≥ 3 mm`.
-fn comparison(symbol: &str, provided: f64, sign: &str, limit: f64, rule: impl fmt::Display) -> String {
-    let (provided, limit, rule) = (Unit::Length.show(provided), Unit::Length.show(limit), rule.to_string());
+fn comparison(
+    symbol: &str,
+    provided: f64,
+    sign: &str,
+    limit: f64,
+    rule: impl fmt::Display,
+) -> String {
+    let (provided, limit, rule) =
+        (Unit::Length.show(provided), Unit::Length.show(limit), rule.to_string());
     let end = if rule == limit { limit } else { format!("{rule} = {limit}") };
     format!("{symbol} = {provided} {sign} {end}")
 }
@@ -369,9 +391,17 @@ mod tests {
 
     #[test]
     fn numbers_keep_four_digits_and_no_zeros() {
-        let cases =
-            [(0.0, "0"), (0.9, "0.9"), (90432.0, "90432"), (1.25, "1.25"), (2.11818, "2.118"), (-33.4, "-33.4")];
-        for (x, text) in cases.into_iter().chain([(1e12, "1.000e12"), (1234.5, "1234"), (0.0001, "0.0001")]) {
+        let cases = [
+            (0.0, "0"),
+            (0.9, "0.9"),
+            (90432.0, "90432"),
+            (1.25, "1.25"),
+            (2.11818, "2.118"),
+            (-33.4, "-33.4"),
+        ];
+        for (x, text) in
+            cases.into_iter().chain([(1e12, "1.000e12"), (1234.5, "1234"), (0.0001, "0.0001")])
+        {
             assert_eq!(number(x), text);
         }
         assert_eq!(Unit::Force.show(90_432.0), "90.43 kN");
@@ -388,7 +418,11 @@ mod tests {
         assert_eq!(check(23.99).status, Status::Failed);
         assert_eq!(check(f64::NAN).status, Status::Failed);
         assert!(check(23.99).utilisation.is_some_and(|u| u > 1.0));
-        assert!(check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"), "{}", check(23.99).formula);
+        assert!(
+            check(23.99).formula.contains("e1 = 23.99 mm < 1.2 d0 = 24 mm"),
+            "{}",
+            check(23.99).formula
+        );
         let (topic, what) = ((Topic::Welds, "beam web"), ("4.5.2", "throat"));
         let throat = Check::at_least(topic, what, "a", (3.0, "3 mm"), 6.0, Status::Failed);
         assert_eq!(throat.formula, "a = 6 mm ≥ 3 mm");
@@ -397,16 +431,36 @@ mod tests {
 
     #[test]
     fn a_resistance_becomes_a_check() {
-        let worked = || Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number);
+        let worked = || {
+            Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number)
+        };
         let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
         assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
-        assert_eq!(worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status, Status::Ok);
-        assert_eq!(worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status, Status::Warning);
+        assert_eq!(
+            worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status,
+            Status::Ok
+        );
+        assert_eq!(
+            worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
+            Status::Warning
+        );
         let share = |value| Worked::new("6.2.7.1", "moment", value, Unit::Number, "M");
-        assert_eq!(share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation, Some(0.9));
-        assert_eq!(share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status, Status::Failed);
-        assert_eq!(share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status, Status::Failed);
+        assert_eq!(
+            share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
+            Some(0.9)
+        );
+        assert_eq!(
+            share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            Status::Failed
+        );
+        assert_eq!(
+            share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status,
+            Status::Failed
+        );
         let check = worked().information(Topic::Bolts, "row 1");
-        assert_eq!((check.status, check.demand, check.resistance), (Status::Information, None, Some(90e3)));
+        assert_eq!(
+            (check.status, check.demand, check.resistance),
+            (Status::Information, None, Some(90e3))
+        );
     }
 }

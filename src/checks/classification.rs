@@ -51,17 +51,33 @@ pub struct StiffnessLimits {
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), figure 5.4.
-pub fn stiffness_limits(frame: Frame, stiff_columns: bool, young: f64, inertia: f64, length: f64) -> StiffnessLimits {
+pub fn stiffness_limits(
+    frame: Frame,
+    stiff_columns: bool,
+    young: f64,
+    inertia: f64,
+    length: f64,
+) -> StiffnessLimits {
     const CLAUSE: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
     let unit = young * inertia / length;
     let numbers = format!("{} · {}/{}", n(young), n(inertia), n(length));
     let never = frame == Frame::Unbraced && stiff_columns;
-    let (k, value) = if never { (f64::INFINITY, f64::INFINITY) } else { (frame.factor(), frame.factor() * unit) };
+    let (k, value) = if never {
+        (f64::INFINITY, f64::INFINITY)
+    } else {
+        (frame.factor(), frame.factor() * unit)
+    };
     let rigid = format!("k_b E I_b/L_b = {} · {numbers}", n(k));
     let pinned = format!("0.5 E I_b/L_b = 0.5 · {numbers}");
     StiffnessLimits {
         rigid: Worked::new(CLAUSE, "limit of rigid joints", value, Unit::Rotational, rigid),
-        pinned: Worked::new(CLAUSE, "limit of nominally pinned joints", 0.5 * unit, Unit::Rotational, pinned),
+        pinned: Worked::new(
+            CLAUSE,
+            "limit of nominally pinned joints",
+            0.5 * unit,
+            Unit::Rotational,
+            pinned,
+        ),
     }
 }
 

@@ -26,7 +26,14 @@ pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
     let limit = 0.36 * c.d * (c.fub / c.fy).sqrt();
     let rule = format!("0.36 d √(f_ub/f_y) = 0.36 · {} · √({}/{})", n(c.d), n(c.fub), n(c.fy));
     let title = ("EN 1993-1-8:2005 6.4.2(2)", "thickness for rotation capacity");
-    Check::at_most((Topic::Ductility, subject), title, "t", (limit, rule), c.thickness, Status::Warning)
+    Check::at_most(
+        (Topic::Ductility, subject),
+        title,
+        "t",
+        (limit, rule),
+        c.thickness,
+        Status::Warning,
+    )
 }
 
 /// Whether the rows may carry their plastic forces side by side; not followed: a warning.
@@ -39,7 +46,14 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
     let limit = c.d / 1.9 * (c.fub / c.fy).sqrt();
     let rule = format!("(d/1.9) √(f_ub/f_y) = ({}/1.9) √({}/{})", n(c.d), n(c.fub), n(c.fy));
     let title = ("UK NA to BS EN 1993-1-8, NA.2.7", "thickness for plastic forces of the rows");
-    Check::at_most((Topic::Ductility, subject), title, "t", (limit, rule), c.thickness, Status::Warning)
+    Check::at_most(
+        (Topic::Ductility, subject),
+        title,
+        "t",
+        (limit, rule),
+        c.thickness,
+        Status::Warning,
+    )
 }
 
 /// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed: a warning.
@@ -49,8 +63,14 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
 pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Check {
     let title = ("EN 1993-1-8:2005 6.4.2(1)", "slenderness of the web panel");
     let rule = (69.0 * epsilon(fy), format!("69 ε, ε = {}", n(epsilon(fy))));
-    let mut check =
-        Check::at_most((Topic::Ductility, subject), title, "d_c/t_w", rule, clear_depth / web, Status::Warning);
+    let mut check = Check::at_most(
+        (Topic::Ductility, subject),
+        title,
+        "d_c/t_w",
+        rule,
+        clear_depth / web,
+        Status::Warning,
+    );
     check.unit = Unit::Number;
     check.formula = check.formula.replace(" mm", "");
     check

@@ -89,16 +89,29 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
         match assess(&sense.of(&joint(e, beta))) {
             Ok(a) => {
                 let several = senses(e).iter().filter(|s| s.0 == sense).count() > 1;
-                let subject =
-                    if several { format!("{}, β = {}", sense.words(), n(beta)) } else { sense.words().into() };
-                out.checks.extend(component_method(&subject, sense == Sense::Bottom, e.column.is_some(), &a));
+                let subject = if several {
+                    format!("{}, β = {}", sense.words(), n(beta))
+                } else {
+                    sense.words().into()
+                };
+                out.checks.extend(component_method(
+                    &subject,
+                    sense == Sense::Bottom,
+                    e.column.is_some(),
+                    &a,
+                ));
                 out.checks.extend(weld_checks::not_the_weakest(e, &subject, sense, &a));
                 let bending = a.rows.iter().filter_map(|r| r.bending_of()).collect();
                 let mut panel = false;
                 if let Some(c) = e.column.as_ref().filter(|_| a.shear_governs()) {
                     let section = &c.section;
                     let clear = Section::from(section).clear_depth();
-                    let rule = panel_in_shear(&format!("column web panel, {subject}"), clear, section.tw, c.steel.fy);
+                    let rule = panel_in_shear(
+                        &format!("column web panel, {subject}"),
+                        clear,
+                        section.tw,
+                        c.steel.fy,
+                    );
                     panel = rule.status == Status::Ok;
                     out.checks.push(rule);
                 }
@@ -115,7 +128,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
         let each: Vec<_> = turning.iter().filter(|t| t.0 == sense).collect();
         if each.is_empty() { of(&[]) } else { each.iter().all(|t| t.2 || of(&t.1)) }
     };
-    let mut loaded: Vec<Sense> = e.actions.iter().map(|a| Sense::of_moment(a.at(1.0)[1][1])).collect();
+    let mut loaded: Vec<Sense> =
+        e.actions.iter().map(|a| Sense::of_moment(a.at(1.0)[1][1])).collect();
     if loaded.is_empty() {
         loaded = vec![Sense::Top, Sense::Bottom];
     }
@@ -175,7 +189,9 @@ fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
             out.push((sense, e.column.as_ref().map_or(0.0, |c| c.beta)));
         }
     }
-    out.sort_by(|a, b| (a.0 == Sense::Bottom).cmp(&(b.0 == Sense::Bottom)).then(a.1.total_cmp(&b.1)));
+    out.sort_by(|a, b| {
+        (a.0 == Sense::Bottom).cmp(&(b.0 == Sense::Bottom)).then(a.1.total_cmp(&b.1))
+    });
     out
 }
 
@@ -186,7 +202,10 @@ fn left_out(e: &EndPlate) -> Vec<String> {
         out.push("component method: the rib is left out, on the safe side (EN 1993-1-8 has no formula for it)".into());
     }
     if let Some(c) = e.column.as_ref().filter(|c| c.doubler > 0.0) {
-        out.extend(doubler_fault(c).map(|why| format!("component method: the web doubler is left out: {why}")));
+        out.extend(
+            doubler_fault(c)
+                .map(|why| format!("component method: the web doubler is left out: {why}")),
+        );
     }
     out
 }
@@ -199,9 +218,14 @@ fn doubler_fault(c: &ColumnSide) -> Option<String> {
     let (s, width) = (&c.section, doubler_width(c));
     let widest = 40.0 * epsilon(c.steel.fy) * c.doubler;
     if c.doubler < s.tw {
-        return Some(format!("t_s = {} mm is less than t_wc = {} mm (6.2.6.1)", n(c.doubler), n(s.tw)));
+        return Some(format!(
+            "t_s = {} mm is less than t_wc = {} mm (6.2.6.1)",
+            n(c.doubler),
+            n(s.tw)
+        ));
     }
-    let words = || format!("b_s = {} mm is more than 40 ε t_s = {} mm (6.2.6.1)", n(width), n(widest));
+    let words =
+        || format!("b_s = {} mm is more than 40 ε t_s = {} mm (6.2.6.1)", n(width), n(widest));
     (width > widest).then(words)
 }
 
@@ -221,7 +245,9 @@ fn from_top(e: &EndPlate) -> Vec<f64> {
 fn pitches(e: &EndPlate) -> Option<[f64; 2]> {
     let rows = from_top(e);
     let pitches = rows.windows(2).map(|w| w[0] - w[1]);
-    pitches.fold(None, |range: Option<[f64; 2]>, p| Some(range.map_or([p, p], |[a, b]| [a.min(p), b.max(p)])))
+    pitches.fold(None, |range: Option<[f64; 2]>, p| {
+        Some(range.map_or([p, p], |[a, b]| [a.min(p), b.max(p)]))
+    })
 }
 
 /// Smallest distance of a row from an upper and a lower end.
@@ -250,7 +276,8 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
         let free = |end: Option<f64>| end.unwrap_or(f64::INFINITY);
         let end = end_distance(e, -free(c.below), free(c.above));
         let e1 = (end < 4.0 * thinner + 40.0).then_some(end);
-        let flange = Pattern { e1, e2: Some(0.5 * (c.section.b - outermost)), p1: None, p2: None, ..plate };
+        let flange =
+            Pattern { e1, e2: Some(0.5 * (c.section.b - outermost)), p1: None, p2: None, ..plate };
         out.extend(pattern_checks("column flange", &flange));
         out.extend(overhang(e, c));
     }
@@ -295,9 +322,19 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
 /// # Source
 /// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
 fn overhang(e: &EndPlate, c: &ColumnSide) -> Option<Check> {
-    let what = ("EN 1993-1-8:2005 Figure 6.8", "end plate no wider than the column flange, where it bears");
+    let what = (
+        "EN 1993-1-8:2005 Figure 6.8",
+        "end plate no wider than the column flange, where it bears",
+    );
     let rule = (c.section.b, format!("b_fc of {}", c.section.name));
-    let check = Check::at_most((Topic::Detailing, "end plate"), what, "b_p", rule, e.width, Status::Warning);
+    let check = Check::at_most(
+        (Topic::Detailing, "end plate"),
+        what,
+        "b_p",
+        rule,
+        e.width,
+        Status::Warning,
+    );
     (check.status != Status::Ok).then_some(check)
 }
 
@@ -326,13 +363,21 @@ fn stiffener_slenderness(c: &ColumnSide) -> Check {
     let outstand = 0.5 * (c.section.b - c.section.tw);
     let rule = (limit * c.stiffener, format!("13 ε t_s = {} · {}", n(limit), n(c.stiffener)));
     let title = ("EN 1993-1-5:2006 9.2.1", "outstand of the stiffener");
-    Check::at_most((Topic::Detailing, "column stiffener"), title, "c", rule, outstand, Status::Warning)
+    Check::at_most(
+        (Topic::Detailing, "column stiffener"),
+        title,
+        "c",
+        rule,
+        outstand,
+        Status::Warning,
+    )
 }
 
 /// The parts that lie on the bolts: name, thickness, steel's ultimate strength, width.
 fn bearing_parts(e: &EndPlate) -> Vec<(&'static str, f64, f64, f64)> {
     let plate = ("end plate", e.thickness, e.plate_steel.fu, e.width);
-    let flange = e.column.as_ref().map(|c| ("column flange", c.section.tf, c.steel.fu, c.section.b));
+    let flange =
+        e.column.as_ref().map(|c| ("column flange", c.section.tf, c.steel.fu, c.section.b));
     [plate].into_iter().chain(flange).collect()
 }
 
@@ -362,7 +407,10 @@ fn bolts(e: &EndPlate) -> Vec<Check> {
     out.push(shear.information(Topic::Bolts, format!("{subject}, thread in the shear plane")));
     let end = end_distance(e, e.bottom, e.top);
     for (part, thickness, fu, width) in bearing_parts(e) {
-        out.push(punching_resistance(mean_diameter(b), thickness, fu, gamma).information(Topic::Bolts, part));
+        out.push(
+            punching_resistance(mean_diameter(b), thickness, fu, gamma)
+                .information(Topic::Bolts, part),
+        );
         let at = |along, words: &str| {
             let subject = format!("{part}, {words}, vertical force");
             bearing(e, along, (thickness, fu, width)).information(Topic::Bolts, subject)
@@ -385,14 +433,18 @@ fn welds(e: &EndPlate) -> Vec<Check> {
     let Some(steel) = welded(e) else { return Vec::new() };
     [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
         .into_iter()
-        .map(|(part, t)| full_strength_throat(t, e.beam_steel.fy, e.gamma_m0, &steel).information(Topic::Welds, part))
+        .map(|(part, t)| {
+            full_strength_throat(t, e.beam_steel.fy, e.gamma_m0, &steel)
+                .information(Topic::Welds, part)
+        })
         .collect()
 }
 
 /// F_t,Rd of a bolt with the punching of the plates it holds \[N\].
 fn bolt_tension(e: &EndPlate) -> f64 {
     let dm = mean_diameter(&e.bolt);
-    let punching = |(_, t, fu, _): (_, f64, f64, _)| punching_resistance(dm, t, fu, e.gamma_m2).value;
+    let punching =
+        |(_, t, fu, _): (_, f64, f64, _)| punching_resistance(dm, t, fu, e.gamma_m2).value;
     let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
     bearing_parts(e).into_iter().map(punching).fold(tension, f64::min)
 }
@@ -422,7 +474,13 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
             web_throat: e.web_throat,
             shear: 0.0,
         },
-        plate: Plate { thickness: e.thickness, width: e.width, bottom: e.bottom, top: e.top, fy: e.plate_steel.fy },
+        plate: Plate {
+            thickness: e.thickness,
+            width: e.width,
+            bottom: e.bottom,
+            top: e.top,
+            fy: e.plate_steel.fy,
+        },
         bolts: Bolts {
             gauge: e.gauge,
             rows: e.rows.clone(),
@@ -450,7 +508,11 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
         let name = row.limited_by.split(',').next().unwrap_or_default();
         let of = |c: &&Component| c.name == name;
         let groups = row.groups.iter().map(|g| &g.component);
-        let shown = if row.limited_by.contains("rows") { groups.rev().find(of) } else { row.alone.iter().find(of) };
+        let shown = if row.limited_by.contains("rows") {
+            groups.rev().find(of)
+        } else {
+            row.alone.iter().find(of)
+        };
         let formula = match shown {
             Some(c) if row.limited_by.contains("rows") => {
                 format!("{} less the rows above", c.worked.formula)
@@ -477,9 +539,15 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
     out.extend(a.limits.iter().map(|l| l.worked.clone().information(topic, sense)));
     out.push(a.moment.clone().information(topic, sense));
     let (joint, beam) = (a.moment.value, a.beam_moment.value);
-    let formula = format!("M_j,Rd/M_c,Rd = {}/{}", Unit::Moment.show(joint), Unit::Moment.show(beam));
-    let share =
-        Worked::new("EN 1993-1-8:2005 5.2.3", "strength against that of the beam", joint / beam, Unit::Number, formula);
+    let formula =
+        format!("M_j,Rd/M_c,Rd = {}/{}", Unit::Moment.show(joint), Unit::Moment.show(beam));
+    let share = Worked::new(
+        "EN 1993-1-8:2005 5.2.3",
+        "strength against that of the beam",
+        joint / beam,
+        Unit::Number,
+        formula,
+    );
     out.push(share.information(topic, sense));
     let initial = &a.stiffness.initial;
     out.push(initial.clone().information(Topic::Stiffness, sense));
@@ -493,12 +561,17 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
 fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
     let (d, fub) = (e.bolt.d, e.grade.fub);
     let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
-    let flange = |c: &ColumnSide| ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy });
+    let flange = |c: &ColumnSide| {
+        ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy })
+    };
     let parts = [plate].into_iter().chain(e.column.as_ref().map(flange));
     let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.gamma_m0;
     let axial = e.actions.iter().map(|a| a.at(1.0)[0][0].abs()).fold(0.0, f64::max);
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];
-    let beyond = steels.into_iter().flatten().find(|s| !EN_6_4_2_STEELS.iter().any(|g| s.grade.starts_with(g)));
+    let beyond = steels
+        .into_iter()
+        .flatten()
+        .find(|s| !EN_6_4_2_STEELS.iter().any(|g| s.grade.starts_with(g)));
     let left = match beyond {
         Some(steel) => Some(format!("6.4.2 does not cover {}", steel.grade)),
         None if axial > SMALL_AXIAL * plastic => {
@@ -508,7 +581,8 @@ fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
     };
     let rules = |(part, c)| {
         let mut by_code = rotation_capacity(part, &c);
-        let other = (!bending.contains(&part)).then(|| format!("bending of the {part} limits no row"));
+        let other =
+            (!bending.contains(&part)).then(|| format!("bending of the {part} limits no row"));
         if let Some(why) = left.as_ref().or(other.as_ref()) {
             by_code.formula += &format!("; {why}");
             by_code.status = Status::Warning;
@@ -523,7 +597,8 @@ const EN_6_4_2_STEELS: [&str; 3] = ["S235", "S275", "S355"];
 
 /// Why the verdict of a limit analysis may not be OK, with the numbers of the rules that are missed.
 fn brittle(rules: &[Check]) -> String {
-    let each: Vec<String> = rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();
+    let each: Vec<String> =
+        rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();
     format!(
         "no rule of rotation capacity holds, so that bolts may break before the rows have yielded as limit analysis takes them to: \
          {}; design with the component method, whose rows below one with more than 1.9 F_t,Rd grow with their lever arms \

@@ -80,8 +80,11 @@ pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Jud
 
 /// The verdict on one load case.
 fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
-    let binding: Vec<&Check> =
-        checks.checks.iter().filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c)).collect();
+    let binding: Vec<&Check> = checks
+        .checks
+        .iter()
+        .filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c))
+        .collect();
     // without any check of the load there is no verdict by code, but what fails without a load fails
     let loaded = binding.iter().any(|c| c.case.is_some());
     let word = |c: &&Check| match c.status {
@@ -121,8 +124,13 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
 fn together(each: &[Judgement]) -> Judgement {
     let worst = |of: fn(&Judgement) -> Verdict| Verdict::worst(each.iter().map(of));
     let verdict = worst(|j| j.verdict);
-    let used = |j: &&Judgement| j.governing.as_ref().and_then(|g| g.utilisation).map_or(f64::INFINITY, |u| u[1]);
-    let speaker = each.iter().filter(|j| j.verdict == verdict).reduce(|a, b| if used(&b) > used(&a) { b } else { a });
+    let used = |j: &&Judgement| {
+        j.governing.as_ref().and_then(|g| g.utilisation).map_or(f64::INFINITY, |u| u[1])
+    };
+    let speaker = each
+        .iter()
+        .filter(|j| j.verdict == verdict)
+        .reduce(|a, b| if used(&b) > used(&a) { b } else { a });
     Judgement {
         verdict,
         by_code: worst(|j| j.by_code),
@@ -145,8 +153,9 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
         Verdict::Ok | Verdict::None => Status::Ok,
     };
     // a least distance that is kept says nothing of strength
-    let speaks =
-        |c: &&&Check| c.status == status && (status != Status::Ok || (c.case.is_some() && c.unit != Unit::Length));
+    let speaks = |c: &&&Check| {
+        c.status == status && (status != Status::Ok || (c.case.is_some() && c.unit != Unit::Length))
+    };
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     let c = binding.iter().filter(speaks).reduce(|a, b| if used(b) > used(a) { b } else { a })?;
     Some(Governing {
@@ -157,17 +166,26 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     })
 }
 
-fn reason(a: &Analysed, by_code: Verdict, verdict: Verdict, governing: Option<&Governing>) -> String {
+fn reason(
+    a: &Analysed,
+    by_code: Verdict,
+    verdict: Verdict,
+    governing: Option<&Governing>,
+) -> String {
     let (case, by_analysis) = (&a.case, a.verdict);
     let what = governing.map_or_else(|| "nothing that could be checked".into(), Governing::words);
     match (verdict, by_code, by_analysis) {
         (Verdict::Ok, Verdict::Ok, Verdict::Ok) => {
-            format!("{case}: every binding check holds, and the lower bound carries the load; governing: {what}")
+            format!(
+                "{case}: every binding check holds, and the lower bound carries the load; governing: {what}"
+            )
         }
         (Verdict::Ok, Verdict::Ok, _) => {
             format!("{case}: every check holds, the component method included; governing: {what}")
         }
-        (Verdict::Ok, ..) => format!("{case}: the lower bound carries the load; no check of the code covers it"),
+        (Verdict::Ok, ..) => {
+            format!("{case}: the lower bound carries the load; no check of the code covers it")
+        }
         (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => format!(
             "{case}: the lower bound carries the load, but a check of what limit analysis does not know fails: {what}"
         ),
@@ -176,15 +194,22 @@ fn reason(a: &Analysed, by_code: Verdict, verdict: Verdict, governing: Option<&G
         (Verdict::Undecided, Verdict::Undecided, Verdict::Ok) => format!(
             "{case}: the lower bound carries the load, but the code gives no resistance for what limit analysis does not know: {what}"
         ),
-        (Verdict::Undecided, Verdict::Undecided, _) => format!("{case}: the code gives no resistance: {what}"),
+        (Verdict::Undecided, Verdict::Undecided, _) => {
+            format!("{case}: the code gives no resistance: {what}")
+        }
         (Verdict::Undecided, _, Verdict::Undecided) if a.brittle => format!(
             "{case}: the lower bound carries the load, but no rule of rotation capacity holds; the checks of the code are {}",
             by_code.words()
         ),
         (Verdict::Undecided, _, Verdict::Undecided) => {
-            format!("{case}: the bounds do not decide; the checks of the code are {}", by_code.words())
+            format!(
+                "{case}: the bounds do not decide; the checks of the code are {}",
+                by_code.words()
+            )
         }
-        (Verdict::None, ..) => format!("{case}: a load case of serviceability, of which nothing is checked"),
+        (Verdict::None, ..) => {
+            format!("{case}: a load case of serviceability, of which nothing is checked")
+        }
         _ => format!("{case}: no check of the code covers the load, and no limit analysis was run"),
     }
 }
@@ -238,7 +263,8 @@ impl HandChecks {
         if self.unstable.iter().any(|c| c == case) {
             return;
         }
-        let of_case = |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
+        let of_case =
+            |c: &&mut Check| c.topic == Topic::ComponentMethod && c.case.as_deref() == Some(case);
         for c in self.checks.iter_mut().filter(of_case) {
             c.status = match c.status {
                 Status::Failed => Status::Warning,
@@ -255,7 +281,11 @@ mod tests {
     use crate::checks::Worked;
 
     fn check(topic: Topic, value: f64, case: Option<&str>) -> Check {
-        let c = Worked::new("6.2", "share", value, Unit::Number, "u").utilised(topic, "row", Status::Failed);
+        let c = Worked::new("6.2", "share", value, Unit::Number, "u").utilised(
+            topic,
+            "row",
+            Status::Failed,
+        );
         Check { case: case.map(Into::into), ..c }
     }
 
@@ -276,10 +306,15 @@ mod tests {
     /// Strength by the component method decides where no limit analysis does.
     #[test]
     fn the_component_method_decides_where_no_bracket_does() {
-        let over = [check(Topic::ComponentMethod, 1.2, Some("A")), check(Topic::Bolts, 0.9, Some("A"))];
+        let over =
+            [check(Topic::ComponentMethod, 1.2, Some("A")), check(Topic::Bolts, 0.9, Some("A"))];
         assert_eq!(verdicts(&over, &[], Nothing), [NotOk, NotOk, Nothing]);
         assert_eq!(verdicts(&over, &[], Undecided), [NotOk, NotOk, Undecided]);
-        assert_eq!(verdicts(&over, &[], Fine), [Fine, Fine, Fine], "information beside a bracket that decides");
+        assert_eq!(
+            verdicts(&over, &[], Fine),
+            [Fine, Fine, Fine],
+            "information beside a bracket that decides"
+        );
         assert_eq!(verdicts(&over, &[], NotOk), [NotOk, Fine, NotOk]);
         assert_eq!(verdicts(&over[1..], &[], Nothing), [Fine, Fine, Nothing]);
         assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
@@ -290,22 +325,40 @@ mod tests {
     fn no_bracket_overrules_what_limit_analysis_does_not_know() {
         let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
         assert_eq!(verdicts(&over, &["A"], Fine), [NotOk, NotOk, Fine]);
-        let unknown = Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
-        assert_eq!(verdicts(std::slice::from_ref(&unknown), &["A"], Fine), [Undecided, Undecided, Fine]);
-        assert_eq!(verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine), [NotOk, NotOk, Fine]);
+        let unknown =
+            Check::undecided(Topic::Stability, "panel", "6.2.6.1(1)", "slender", "69").of_case("A");
+        assert_eq!(
+            verdicts(std::slice::from_ref(&unknown), &["A"], Fine),
+            [Undecided, Undecided, Fine]
+        );
+        assert_eq!(
+            verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine),
+            [NotOk, NotOk, Fine]
+        );
         // what the method does not cover is no strength that a bracket answers: its checks are missing
-        let missing = Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside").of_case("A");
+        let missing =
+            Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
+                .of_case("A");
         assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
         // a distance that is missed needs no load
-        assert_eq!(verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine), [NotOk, NotOk, Fine]);
+        assert_eq!(
+            verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine),
+            [NotOk, NotOk, Fine]
+        );
     }
 
     /// Another case's check decides nothing here; without checks and without a bracket nothing is decided.
     #[test]
     fn a_demand_always_ends_with_a_verdict() {
-        assert_eq!(verdicts(&[check(Topic::Bolts, 2.0, Some("B"))], &[], Fine), [Fine, Nothing, Fine]);
+        assert_eq!(
+            verdicts(&[check(Topic::Bolts, 2.0, Some("B"))], &[], Fine),
+            [Fine, Nothing, Fine]
+        );
         assert_eq!(verdicts(&[], &[], Nothing), [Undecided, Nothing, Nothing]);
-        assert_eq!(verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing), [Undecided, Nothing, Nothing]);
+        assert_eq!(
+            verdicts(&[check(Topic::Detailing, 0.5, None)], &[], Nothing),
+            [Undecided, Nothing, Nothing]
+        );
     }
 
     /// A case at serviceability without a check does not vote; alone it decides nothing.
@@ -322,13 +375,21 @@ mod tests {
     /// The line names what governs: the failed check of the worst case, with clause and utilisation.
     #[test]
     fn the_last_line_names_what_governs() {
-        let checks = [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Stability, 1.05, Some("B"))];
-        let case = |name: &str| Analysed { verdict: Fine, utilisation: Some([0.69, 0.81]), ..Analysed::not(name) };
+        let checks =
+            [check(Topic::Bolts, 0.9, Some("A")), check(Topic::Stability, 1.05, Some("B"))];
+        let case = |name: &str| Analysed {
+            verdict: Fine,
+            utilisation: Some([0.69, 0.81]),
+            ..Analysed::not(name)
+        };
         let (j, each) = judge(&mut hand(&checks, &[]), &[case("A"), case("B")]);
         assert_eq!(each.iter().map(|j| j.verdict).collect::<Vec<_>>(), [Fine, NotOk]);
         let line = j.line(1);
-        for words in ["NOT OK (by code NOT OK, by analysis OK)", "B, share, row, utilisation 1.05 (6.2)", "exit code 1"]
-        {
+        for words in [
+            "NOT OK (by code NOT OK, by analysis OK)",
+            "B, share, row, utilisation 1.05 (6.2)",
+            "exit code 1",
+        ] {
             assert!(line.contains(words), "{line}");
         }
         assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);

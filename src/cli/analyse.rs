@@ -1,9 +1,11 @@
 //! `bracket analyse`: the engine on a mesh the user brings.
 
-use super::{Common, Outcome, spec_file};
+use super::{CommandResult, Common, spec_file};
 use crate::checks::HandChecks;
 use crate::diag::Diagnostic;
-use crate::driver::case::{AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, file_stem, finish, use_threads};
+use crate::driver::case::{
+    AnalysisOptions, Case, RunContext, WHEN_INTERRUPTED, file_stem, finish, use_threads,
+};
 use crate::driver::remesh::{ByBisection, Remesh};
 use crate::mesh::{merge, msh, quality};
 use crate::model::file::{ModelFile, Nodes};
@@ -13,7 +15,7 @@ use crate::report::console::log::Log;
 use crate::report::markdown::page::Table;
 use crate::result::data::input_hash;
 use crate::result::folder::ResultFolder;
-use crate::spec::connection::AnalysisSpec;
+use crate::spec::analysis::AnalysisSpec;
 use crate::spec::yaml;
 use crate::text_file;
 use std::path::{Path, PathBuf};
@@ -31,17 +33,19 @@ pub struct AnalyseArgs {
 }
 
 /// Runs `bracket analyse`.
-pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
+pub fn run(args: &AnalyseArgs, common: &Common) -> CommandResult {
     let limits = args.options.limits()?;
     use_threads(common)?;
     let unread = |path: &Path, e: std::io::Error| {
-        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display())).file(path)
+        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display()))
+            .file(path)
     };
     let model = load_model(&args.model).map_err(|mut faults| {
         let text = text_file::read(&args.model, |e| unread(&args.model, e)).unwrap_or_default();
         if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
             faults.0.truncate(1);
-            faults.0[0].help = Some("this looks like a connection spec: `bracket run` reads it".into());
+            faults.0[0].help =
+                Some("this looks like a connection spec: `bracket run` reads it".into());
         }
         faults
     })?;
@@ -56,13 +60,17 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
     folder.write("mesh.msh", &mesh_bytes)?;
     let input_read = yaml::to_string(&file)?;
     file.mesh = "mesh.msh".into();
-    let stem = args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
+    let stem =
+        args.model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
     let name = if stem == "model" { folder_name(&args.model).unwrap_or(stem) } else { stem };
     // a model file says nothing else than a spec where both are silent
     let defaults = AnalysisSpec::default();
-    let echo = Echo {
+    let context = RunContext {
         project: vec![("title".into(), name.clone())],
-        input_name: args.model.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_name: args
+            .model
+            .file_name()
+            .map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
         input_text: text,
         input_read,
@@ -103,7 +111,7 @@ pub fn run(args: &AnalyseArgs, common: &Common) -> Outcome {
         direction: None,
         demand: None,
     };
-    finish(vec![case], echo, &limits, folder, log, common)
+    finish(vec![case], context, &limits, folder, log, common)
 }
 
 /// Name of the folder a file lies in.

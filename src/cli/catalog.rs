@@ -1,7 +1,7 @@
 //! `bracket catalog`.
 
 use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
-use crate::cli::{Common, Format, Outcome};
+use crate::cli::{CommandResult, Common, Format};
 use crate::diag::{Diagnostic, did_you_mean};
 use crate::report::console::out;
 use clap::{Subcommand, ValueEnum};
@@ -60,7 +60,7 @@ pub enum Kind {
 }
 
 /// Runs `bracket catalog`.
-pub fn run(args: &CatalogArgs, common: &Common) -> Outcome {
+pub fn run(args: &CatalogArgs, common: &Common) -> CommandResult {
     let catalog = match &args.dir {
         Some(dir) => Catalog::with_dir(dir),
         None => Catalog::builtin(),
@@ -87,32 +87,45 @@ fn kinds(catalog: &Catalog, common: &Common) -> Result<(), crate::diag::Diagnost
         (Kind::Factors, catalog.partial_factors().len()),
         (Kind::Annexes, catalog.annexes().len()),
     ];
-    let name = |k: &Kind| k.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
+    let name =
+        |k: &Kind| k.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
     match common.format {
         Format::Json => {
-            let map: serde_json::Map<String, Value> = rows.iter().map(|(k, n)| (name(k), json!(n))).collect();
+            let map: serde_json::Map<String, Value> =
+                rows.iter().map(|(k, n)| (name(k), json!(n))).collect();
             out::json(&map)
         }
         Format::Text => {
-            let rows: Vec<Vec<String>> = rows.iter().map(|(k, n)| vec![name(k), n.to_string()]).collect();
+            let rows: Vec<Vec<String>> =
+                rows.iter().map(|(k, n)| vec![name(k), n.to_string()]).collect();
             out::text(&out::columns(&["kind", "rows"], &rows))
         }
     }
 }
 
-fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) -> Result<(), crate::diag::Diagnostics> {
+fn list(
+    catalog: &Catalog,
+    kind: Kind,
+    series: Option<&str>,
+    common: &Common,
+) -> Result<(), crate::diag::Diagnostics> {
     if let Some(series) = series.filter(|_| kind != Kind::Profiles) {
-        return Err(Diagnostic::input("cli/series", format!("`--series {series}` narrows profiles only"))
-            .help("leave `--series` out, or list profiles")
-            .into());
+        return Err(Diagnostic::input(
+            "cli/series",
+            format!("`--series {series}` narrows profiles only"),
+        )
+        .help("leave `--series` out, or list profiles")
+        .into());
     }
     match kind {
         Kind::Profiles => {
             let rows = chosen(catalog, series)?;
             let cells = |p: &&IProfile| {
                 let mut cells = vec![p.name.clone(), p.series.clone()];
-                cells
-                    .extend([p.h, p.b, p.tw, p.tf, p.r, p.mass, p.area, p.i_y, p.i_z, p.w_pl_y].map(|v| v.to_string()));
+                cells.extend(
+                    [p.h, p.b, p.tw, p.tf, p.r, p.mass, p.area, p.i_y, p.i_z, p.w_pl_y]
+                        .map(|v| v.to_string()),
+                );
                 cells
             };
             let head = [
@@ -177,7 +190,9 @@ fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) ->
             &["grade", "fyb MPa", "fub MPa", "alpha_v thread", "alpha_v shank", "preloadable"],
             |g| {
                 let mut cells = vec![g.grade.clone()];
-                cells.extend([g.fyb, g.fub, g.alpha_v_thread, g.alpha_v_shank].map(|v| v.to_string()));
+                cells.extend(
+                    [g.fyb, g.fub, g.alpha_v_thread, g.alpha_v_shank].map(|v| v.to_string()),
+                );
                 cells.push(if g.preloadable { "yes" } else { "no" }.to_owned());
                 cells
             },
@@ -186,7 +201,9 @@ fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) ->
         Kind::Steels => {
             let cells = |s: &Steel| {
                 let band = |i: usize| {
-                    s.bands.get(i).map_or(["-".to_owned(), "-".to_owned()], |b| [b.fy, b.fu].map(|v| v.to_string()))
+                    s.bands.get(i).map_or(["-".to_owned(), "-".to_owned()], |b| {
+                        [b.fy, b.fu].map(|v| v.to_string())
+                    })
                 };
                 let mut cells = vec![s.grade.clone(), s.standard.clone()];
                 cells.extend(band(0).into_iter().chain(band(1)));
@@ -217,12 +234,20 @@ fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) ->
         Kind::Factors => table(
             catalog.partial_factors(),
             &["factor", "recommended", "standard", "applies to"],
-            |f| vec![f.factor.clone(), f.value.to_string(), f.standard.clone(), f.applies_to.clone()],
+            |f| {
+                vec![
+                    f.factor.clone(),
+                    f.value.to_string(),
+                    f.standard.clone(),
+                    f.applies_to.clone(),
+                ]
+            },
             common,
         ),
         Kind::Annexes => {
             let cells = |a: &NationalAnnex| {
-                let factors = [a.gamma_m0, a.gamma_m1, a.gamma_m2, a.gamma_m3, a.gamma_m3_ser, a.gamma_m7];
+                let factors =
+                    [a.gamma_m0, a.gamma_m1, a.gamma_m2, a.gamma_m3, a.gamma_m3_ser, a.gamma_m7];
                 let mut cells = vec![a.annex.clone(), a.country.clone()];
                 cells.extend(factors.map(|g| g.map_or_else(|| "-".to_owned(), |g| g.to_string())));
                 cells.extend([a.basis.clone(), a.standard.clone()]);
@@ -246,17 +271,24 @@ fn list(catalog: &Catalog, kind: Kind, series: Option<&str>, common: &Common) ->
 }
 
 /// The profiles of one series, written in any case and with or without blanks.
-fn chosen<'a>(catalog: &'a Catalog, series: Option<&str>) -> Result<Vec<&'a IProfile>, crate::diag::Diagnostics> {
+fn chosen<'a>(
+    catalog: &'a Catalog,
+    series: Option<&str>,
+) -> Result<Vec<&'a IProfile>, crate::diag::Diagnostics> {
     let Some(series) = series else { return Ok(catalog.profiles().iter().collect()) };
     let flat = |s: &str| s.to_uppercase().replace([' ', '-'], "");
-    let rows: Vec<&IProfile> = catalog.profiles().iter().filter(|p| flat(&p.series) == flat(series)).collect();
+    let rows: Vec<&IProfile> =
+        catalog.profiles().iter().filter(|p| flat(&p.series) == flat(series)).collect();
     if rows.is_empty() {
         let known: BTreeSet<&str> = catalog.profiles().iter().map(|p| p.series.as_str()).collect();
         let hint = did_you_mean(series, known.iter().copied());
         let known = known.into_iter().collect::<Vec<_>>().join(", ");
-        return Err(Diagnostic::input("catalog/unknown-series", format!("no profile series `{series}`{hint}"))
-            .help(format!("the series are: {known}"))
-            .into());
+        return Err(Diagnostic::input(
+            "catalog/unknown-series",
+            format!("no profile series `{series}`{hint}"),
+        )
+        .help(format!("the series are: {known}"))
+        .into());
     }
     Ok(rows)
 }
@@ -329,9 +361,17 @@ fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), crate::dia
                 text += &format!("{kind}\n");
                 text += &values(kind, row);
                 let at = &row["source"];
-                text += &format!("  source: {} line {}\n", at["file"].as_str().unwrap_or_default(), at["line"]);
+                text += &format!(
+                    "  source: {} line {}\n",
+                    at["file"].as_str().unwrap_or_default(),
+                    at["line"]
+                );
                 for (key, value) in with_source(row).iter().filter_map(Value::as_object).flatten() {
-                    text += &format!("  table {}: {}\n", key.replace('_', " "), value.as_str().unwrap_or_default());
+                    text += &format!(
+                        "  table {}: {}\n",
+                        key.replace('_', " "),
+                        value.as_str().unwrap_or_default()
+                    );
                 }
             }
             out::text(&text)
@@ -346,7 +386,9 @@ fn values(kind: &str, row: &Value) -> String {
         let shown = match value {
             Value::String(s) => s.clone(),
             Value::Bool(b) => if *b { "yes" } else { "no" }.to_owned(),
-            Value::Number(n) => format!("{} {}", n.as_f64().unwrap_or(f64::NAN), unit(kind, key)).trim_end().to_owned(),
+            Value::Number(n) => format!("{} {}", n.as_f64().unwrap_or(f64::NAN), unit(kind, key))
+                .trim_end()
+                .to_owned(),
             Value::Array(bands) if bands.is_empty() => "none".to_owned(),
             Value::Array(bands) => bands.iter().map(band).collect::<Vec<_>>().join("; "),
             other => other.to_string(),
@@ -364,9 +406,10 @@ fn band(b: &Value) -> String {
 fn unit(kind: &str, key: &str) -> &'static str {
     match key {
         "area" if kind == "profile" => "cm2",
-        "h" | "b" | "tw" | "tf" | "r" | "r_detailing" | "d" | "pitch" | "hole_normal" | "hole_oversize"
-        | "slot_short" | "slot_long" | "head_width" | "head_corners" | "head_height" | "thread_length"
-        | "nut_width" | "nut_height" | "washer_inner" | "washer_outer" | "washer_thickness" => "mm",
+        "h" | "b" | "tw" | "tf" | "r" | "r_detailing" | "d" | "pitch" | "hole_normal"
+        | "hole_oversize" | "slot_short" | "slot_long" | "head_width" | "head_corners"
+        | "head_height" | "thread_length" | "nut_width" | "nut_height" | "washer_inner"
+        | "washer_outer" | "washer_thickness" => "mm",
         "area" | "stress_area" => "mm2",
         "mass" => "kg/m",
         "i_y" | "i_z" | "i_t" => "cm4",

@@ -1,8 +1,8 @@
 //! `bracket check`: the code's checks of a spec, without mesher or solver.
 
-use super::run::{check_names, check_sizes, demanded_cases, echo};
+use super::run::{check_names, check_sizes, demanded_cases, run_context};
 use super::spec_file::{self, CatalogOptions};
-use super::{Common, Outcome};
+use super::{CommandResult, Common};
 use crate::checks::hand_checks;
 use crate::checks::verdict::Verdict;
 use crate::diag::Diagnostic;
@@ -39,7 +39,7 @@ impl CheckArgs {
 }
 
 /// Runs `bracket check`.
-pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
+pub fn run(args: &CheckArgs, common: &Common) -> CommandResult {
     judge(args, common).map_err(|mut faults| {
         // a report that stays must not be read as one of this input
         let report = args.folder().join("report.md");
@@ -51,7 +51,7 @@ pub fn run(args: &CheckArgs, common: &Common) -> Outcome {
     })
 }
 
-fn judge(args: &CheckArgs, common: &Common) -> Outcome {
+fn judge(args: &CheckArgs, common: &Common) -> CommandResult {
     let input = spec_file::read(&args.spec, args.catalog.folder())?;
     check_names(&input, &[])?;
     check_sizes(&input)?;
@@ -60,13 +60,14 @@ fn judge(args: &CheckArgs, common: &Common) -> Outcome {
     let log = Log::new(common.quiet);
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(&args.folder())?;
-    let mut echo = echo(&args.spec, &input, checks)?;
+    let mut context = run_context(&args.spec, &input, checks)?;
     // what the checks see holds what the catalogue and the template gave
-    let seen = serde_json::to_string(&input.joint.end_plate)
-        .map_err(|e| Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}")))?;
-    echo.input_hash = input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]);
-    let mut result = ResultFile::new(echo.input_hash.clone(), 1, Verdict::None);
-    result.warnings.clone_from(&echo.checks.notes);
+    let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
+        Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
+    })?;
+    context.input_hash = input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]);
+    let mut result = ResultFile::new(context.input_hash.clone(), 1, Verdict::None);
+    result.warnings.clone_from(&context.checks.notes);
     let analyses = Analyses {
         demanded: demanded_cases(&input).into_iter().map(|case| (case, Vec::new())).collect(),
         complete: true,
@@ -75,5 +76,5 @@ fn judge(args: &CheckArgs, common: &Common) -> Outcome {
         traits: ModelTraits::default(),
         notes: Vec::new(),
     };
-    conclude(result, echo, analyses, folder, &log, common)
+    conclude(result, context, analyses, folder, &log, common)
 }

@@ -1,7 +1,7 @@
 //! `bracket doctor`.
 
 use crate::catalog::Catalog;
-use crate::cli::{Common, Format, Outcome};
+use crate::cli::{CommandResult, Common, Format};
 use crate::mesh::gmsh::{Mesher, VARIABLE};
 use crate::report::console::out;
 use serde::Serialize;
@@ -40,7 +40,12 @@ impl Finding {
         Self { item, status: Status::Ok, found: found.into(), cure: None }
     }
 
-    fn lacking(item: &'static str, status: Status, found: impl Into<String>, cure: impl Into<String>) -> Self {
+    fn lacking(
+        item: &'static str,
+        status: Status,
+        found: impl Into<String>,
+        cure: impl Into<String>,
+    ) -> Self {
         Self { item, status, found: found.into(), cure: Some(cure.into()) }
     }
 }
@@ -55,7 +60,7 @@ const LEAST_DISK: u64 = 512;
 const SETUP: &str = "run scripts/setup.sh in the project's folder";
 
 /// Runs `bracket doctor`: exit code 0, or 4 where something a run needs is missing.
-pub fn run(_args: &DoctorArgs, common: &Common) -> Outcome {
+pub fn run(_args: &DoctorArgs, common: &Common) -> CommandResult {
     let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let mesher = mesher();
     let venv = venv(&here, mesher.status == Status::Ok);
@@ -64,7 +69,9 @@ pub fn run(_args: &DoctorArgs, common: &Common) -> Outcome {
     match common.format {
         Format::Json => {
             let version = env!("CARGO_PKG_VERSION");
-            out::json(&serde_json::json!({ "version": version, "ok": healthy, "findings": findings }))?;
+            out::json(
+                &serde_json::json!({ "version": version, "ok": healthy, "findings": findings }),
+            )?;
         }
         Format::Text => out::text(&page(&findings))?,
     }
@@ -95,7 +102,8 @@ fn page(findings: &[Finding]) -> String {
 fn mesher() -> Finding {
     match Mesher::find() {
         Ok(m) => {
-            let command = m.command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ");
+            let command =
+                m.command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ");
             Finding::ok("mesher", format!("gmsh {}: {command}", m.version))
         }
         Err(error) => {
@@ -111,13 +119,22 @@ fn mesher() -> Finding {
 /// The environment `scripts/setup.sh` makes, above the current folder or the program.
 fn venv(here: &Path, mesher_found: bool) -> Finding {
     let program = std::env::current_exe().unwrap_or_default();
-    let folder = here.ancestors().chain(program.ancestors()).map(|d| d.join(".venv")).find(|v| v.join("bin").is_dir());
+    let folder = here
+        .ancestors()
+        .chain(program.ancestors())
+        .map(|d| d.join(".venv"))
+        .find(|v| v.join("bin").is_dir());
     match folder {
         Some(folder) => Finding::ok("venv", folder.display().to_string()),
         None if mesher_found => {
             Finding::lacking("venv", Status::Optional, "none; the mesher is found elsewhere", SETUP)
         }
-        None => Finding::lacking("venv", Status::Missing, "no .venv above the current folder or the program", SETUP),
+        None => Finding::lacking(
+            "venv",
+            Status::Missing,
+            "no .venv above the current folder or the program",
+            SETUP,
+        ),
     }
 }
 
@@ -149,14 +166,18 @@ fn judge_memory(info: &str, limit: Option<u64>) -> Finding {
         line.split_whitespace().nth(1)?.parse::<u64>().ok().map(|kib| kib >> 10)
     };
     let (Some(total), Some(free)) = (mib("MemTotal:"), mib("MemAvailable:")) else {
-        let cure = format!("make sure that about {LEAST_MEMORY} MiB are free for small models, 8 GiB for fine ones");
+        let cure = format!(
+            "make sure that about {LEAST_MEMORY} MiB are free for small models, 8 GiB for fine ones"
+        );
         return Finding::lacking("memory", Status::Optional, "unknown (no /proc/meminfo)", cure);
     };
     let total = limit.map_or(total, |l| l.min(total));
     let free = free.min(total);
     let found = format!("{free} MiB free of {total} MiB");
     if free < LEAST_MEMORY {
-        let cure = format!("close programs or use a larger machine: at least {LEAST_MEMORY} MiB must be free");
+        let cure = format!(
+            "close programs or use a larger machine: at least {LEAST_MEMORY} MiB must be free"
+        );
         return Finding::lacking("memory", Status::Missing, found, cure);
     }
     Finding::ok("memory", found)
@@ -170,10 +191,14 @@ fn disk(here: &Path) -> Finding {
 /// From the answer of `df -Pk FOLDER`.
 fn judge_disk(answer: &str) -> Finding {
     // the mount point may hold blanks; the free space is the fourth word, before any of them
-    let free =
-        answer.lines().nth(1).and_then(|l| l.split_whitespace().nth(3)?.parse::<u64>().ok()).map(|kib| kib >> 10);
+    let free = answer
+        .lines()
+        .nth(1)
+        .and_then(|l| l.split_whitespace().nth(3)?.parse::<u64>().ok())
+        .map(|kib| kib >> 10);
     let Some(free) = free else {
-        let cure = format!("make sure that at least {LEAST_DISK} MiB are free where results are written");
+        let cure =
+            format!("make sure that at least {LEAST_DISK} MiB are free where results are written");
         return Finding::lacking("disk", Status::Optional, "unknown (df gave no answer)", cure);
     };
     let found = format!("{free} MiB free in the current folder");
@@ -188,7 +213,12 @@ fn catalogue() -> Finding {
     match Catalog::builtin() {
         Ok(c) => Finding::ok(
             "catalogue",
-            format!("{} profiles, {} bolts, {} steels", c.profiles().len(), c.bolts().len(), c.steels().len()),
+            format!(
+                "{} profiles, {} bolts, {} steels",
+                c.profiles().len(),
+                c.bolts().len(),
+                c.steels().len()
+            ),
         ),
         Err(error) => Finding::lacking(
             "catalogue",
@@ -217,7 +247,9 @@ mod tests {
     #[test]
     fn disk_is_judged_by_df() {
         let answer = |free: &str| {
-            format!("Filesystem 1024-blocks Used Available Capacity Mounted on\n/dev/x 9 8 {free} 1% /a b\n")
+            format!(
+                "Filesystem 1024-blocks Used Available Capacity Mounted on\n/dev/x 9 8 {free} 1% /a b\n"
+            )
         };
         assert_eq!(judge_disk(&answer("1048576")).found, "1024 MiB free in the current folder");
         assert_eq!(judge_disk(&answer("1048576")).status, Status::Ok);
@@ -229,7 +261,9 @@ mod tests {
     fn a_missing_venv_matters_only_without_mesher() {
         let nowhere = Path::new("/nonexistent/folder");
         // the test program lies below the project, which may have its own .venv
-        if std::env::current_exe().is_ok_and(|p| p.ancestors().any(|d| d.join(".venv/bin").is_dir())) {
+        if std::env::current_exe()
+            .is_ok_and(|p| p.ancestors().any(|d| d.join(".venv/bin").is_dir()))
+        {
             assert_eq!(venv(nowhere, false).status, Status::Ok);
         } else {
             assert_eq!(venv(nowhere, false).status, Status::Missing);

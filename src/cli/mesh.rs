@@ -1,7 +1,7 @@
 //! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
 use super::spec_file::{self, CatalogOptions};
-use super::{Common, Format, Outcome};
+use super::{CommandResult, Common, Format};
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::aside::Folder;
@@ -48,11 +48,16 @@ pub struct MeshArgs {
 }
 
 /// Runs `bracket mesh`.
-pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
+pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     for (name, value) in [("--size-factor", args.size_factor), ("--time-limit", args.time_limit)] {
         if !(value.is_finite() && value > 0.0 && value < 1e9) {
-            let d = Diagnostic::input("cli/value", format!("{name} is {value}, it must be above 0 and below 1e9"));
-            return Err(d.help("leave the option out for its usual value: `bracket mesh --help`").into());
+            let d = Diagnostic::input(
+                "cli/value",
+                format!("{name} is {value}, it must be above 0 and below 1e9"),
+            );
+            return Err(d
+                .help("leave the option out for its usual value: `bracket mesh --help`")
+                .into());
         }
     }
     let interrupt = Interrupt::watch()?;
@@ -78,7 +83,8 @@ pub fn run(args: &MeshArgs, common: &Common) -> Outcome {
         write_step(&assembly, &options, &folder.aside.join("joint.step"))?;
     }
     let table = quality::text(&joint.quality);
-    let json = serde_json::to_string_pretty(&summary(&joint)).expect("plain numbers and strings serialise");
+    let json = serde_json::to_string_pretty(&summary(&joint))
+        .expect("plain numbers and strings serialise");
     msh_write::write_whole(&folder.aside.join("quality.txt"), &table)?;
     msh_write::write_whole(&folder.aside.join(MARK), &format!("{json}\n"))?;
     interrupt.check("meshing")?;
@@ -112,15 +118,23 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
 }
 
 /// The assembly, whether the spec wants mid-thickness layers, and what is odd in the catalogue.
-fn load(path: &Path, catalog: &CatalogOptions) -> Result<(Assembly, bool, Vec<String>), Diagnostics> {
+fn load(
+    path: &Path,
+    catalog: &CatalogOptions,
+) -> Result<(Assembly, bool, Vec<String>), Diagnostics> {
     if path.extension().is_none_or(|e| e != "json") {
         let file = spec_file::read(path, catalog.folder())?;
         let warnings = file.catalog.warnings().iter().map(spec_file::catalog_warning).collect();
         return Ok((file.joint.assembly, file.spec.value.analysis.mesh.layers, warnings));
     }
     if let Some(dir) = catalog.folder() {
-        let text = format!("`--catalog {}` has no use: an assembly takes nothing from the catalogue", dir.display());
-        return Err(Diagnostic::input("cli/catalog", text).help("leave the option out, or give the spec").into());
+        let text = format!(
+            "`--catalog {}` has no use: an assembly takes nothing from the catalogue",
+            dir.display()
+        );
+        return Err(Diagnostic::input("cli/catalog", text)
+            .help("leave the option out, or give the spec")
+            .into());
     }
     let text = text_file::read(path, |e| {
         Diagnostic::input("assembly/read", format!("the assembly cannot be read: {e}"))
@@ -131,7 +145,9 @@ fn load(path: &Path, catalog: &CatalogOptions) -> Result<(Assembly, bool, Vec<St
         Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
             .file(path)
             .at(e.line(), e.column())
-            .help("give a connection spec (YAML), or the assembly as `bracket run --keep` writes it")
+            .help(
+                "give a connection spec (YAML), or the assembly as `bracket run --keep` writes it",
+            )
             .into()
     })
 }

@@ -14,11 +14,8 @@ pub mod templates;
 pub mod verify;
 pub mod watch;
 
-use crate::diag::Diagnostics;
+pub use crate::driver::CommandResult;
 use clap::{Parser, Subcommand, ValueEnum};
-
-/// What a subcommand returns: the exit code of CONTRACT.md, or the faults that ended it.
-pub type Outcome = Result<u8, Diagnostics>;
 
 /// Form of the data on standard output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -86,7 +83,7 @@ pub enum Command {
 }
 
 /// Runs the chosen subcommand.
-pub fn dispatch(cli: &Cli) -> Outcome {
+pub fn dispatch(cli: &Cli) -> CommandResult {
     match &cli.command {
         Command::New(args) => new::run(args, &cli.common),
         Command::Run(args) => run::run(args, &cli.common),

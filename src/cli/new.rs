@@ -1,13 +1,14 @@
 //! `bracket new`.
 
-use super::{Common, Outcome};
+use super::{CommandResult, Common};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::origin::Origin;
 use crate::assembly::scope::Resolved;
 use crate::assembly::template::{self, Template};
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::spec::connection::{AnalysisSpec, BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
+use crate::spec::analysis::AnalysisSpec;
+use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
 use crate::spec::loads::{ActionPoint, LoadSpec};
 use crate::units::{self, Length};
 use std::fmt::Write as _;
@@ -29,8 +30,9 @@ pub struct NewArgs {
 }
 
 /// Runs `bracket new`.
-pub fn run(args: &NewArgs, common: &Common) -> Outcome {
-    let (template, origin) = template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
+pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
+    let (template, origin) =
+        template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let name = match (&args.output, &origin) {
         (Some(spec), Origin::File { file, .. }) => seen_from(file, spec),
@@ -43,7 +45,10 @@ pub fn run(args: &NewArgs, common: &Common) -> Outcome {
     };
     write_new(path, &text)?;
     if !common.quiet {
-        eprintln!("wrote {0}; check it with `bracket check {0}`, run it with `bracket run {0}`", path.display());
+        eprintln!(
+            "wrote {0}; check it with `bracket check {0}`, run it with `bracket run {0}`",
+            path.display()
+        );
     }
     Ok(0)
 }
@@ -85,7 +90,9 @@ pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
 fn seen_from(template: &Path, spec: &Path) -> String {
     let plain = || template.display().to_string();
     let folder = spec.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let (Ok(file), Ok(folder)) = (template.canonicalize(), folder.canonicalize()) else { return plain() };
+    let (Ok(file), Ok(folder)) = (template.canonicalize(), folder.canonicalize()) else {
+        return plain();
+    };
     if template.is_absolute() {
         return plain();
     }
@@ -103,19 +110,24 @@ fn seen_from(template: &Path, spec: &Path) -> String {
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
 fn write_new(path: &Path, text: &str) -> Result<(), Diagnostics> {
     let fault = |e: std::io::Error| match e.kind() {
-        std::io::ErrorKind::AlreadyExists => {
-            Diagnostic::input("new/exists", format!("`{}` exists already and is left as it is", path.display()))
-                .help("choose another name with -o, or remove the file first")
-        }
+        std::io::ErrorKind::AlreadyExists => Diagnostic::input(
+            "new/exists",
+            format!("`{}` exists already and is left as it is", path.display()),
+        )
+        .help("choose another name with -o, or remove the file first"),
         std::io::ErrorKind::NotFound => Diagnostic::input(
             "new/no-folder",
             format!("`{}` cannot be written: its folder does not exist", path.display()),
         )
         .help("make the folder first"),
-        _ => Diagnostic::environment("new/write", format!("`{}` cannot be written: {e}", path.display()))
-            .help("check free space and permissions"),
+        _ => Diagnostic::environment(
+            "new/write",
+            format!("`{}` cannot be written: {e}", path.display()),
+        )
+        .help("check free space and permissions"),
     };
-    let mut file = std::fs::OpenOptions::new().write(true).create_new(true).open(path).map_err(fault)?;
+    let mut file =
+        std::fs::OpenOptions::new().write(true).create_new(true).open(path).map_err(fault)?;
     file.write_all(text.as_bytes()).map_err(|e| {
         // a half-written starter would be refused as existing next time
         let _ = std::fs::remove_file(path);
@@ -149,7 +161,11 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
     for m in &template.members {
         spec.members.insert(
             m.role.clone(),
-            MemberSpec { profile: m.profile.clone(), steel: m.steel.clone(), ..MemberSpec::default() },
+            MemberSpec {
+                profile: m.profile.clone(),
+                steel: m.steel.clone(),
+                ..MemberSpec::default()
+            },
         );
     }
     if !template.bolts.is_empty() {
@@ -168,9 +184,13 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
         match (p.name.as_str(), value) {
             ("plate.thickness", v) => plate.thickness = length(v),
             ("plate.width", v) => plate.width = length(v),
-            ("plate.z", ParameterValue::List(l)) => plate.z = <[Length; 2]>::try_from(l.as_slice()).ok(),
+            ("plate.z", ParameterValue::List(l)) => {
+                plate.z = <[Length; 2]>::try_from(l.as_slice()).ok()
+            }
             ("bolts.gauge", v) => spec.bolts.iter_mut().for_each(|b| b.gauge = length(v)),
-            ("bolts.rows", ParameterValue::List(l)) => spec.bolts.iter_mut().for_each(|b| b.rows = Some(l.clone())),
+            ("bolts.rows", ParameterValue::List(l)) => {
+                spec.bolts.iter_mut().for_each(|b| b.rows = Some(l.clone()))
+            }
             (name, v) => drop(spec.parameters.insert(name.to_owned(), v.clone())),
         }
         if plate != PlateSpec::default() {
@@ -229,9 +249,18 @@ pub fn starter(
     let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in catalogue";
     let _ = writeln!(out, "template: {name}\n{own}\n\nmembers:");
     for m in &template.members {
-        let _ = writeln!(out, "  {}: {{profile: {}, steel: {}}}  # {}", m.role, m.profile, m.steel, about(&m.about));
+        let _ = writeln!(
+            out,
+            "  {}: {{profile: {}, steel: {}}}  # {}",
+            m.role,
+            m.profile,
+            m.steel,
+            about(&m.about)
+        );
     }
-    let inside = |head: &str| -> Vec<&Resolved> { resolved.iter().filter(|r| r.name.starts_with(head)).collect() };
+    let inside = |head: &str| -> Vec<&Resolved> {
+        resolved.iter().filter(|r| r.name.starts_with(head)).collect()
+    };
     let plate = inside("plate.");
     if !plate.is_empty() {
         out.push_str("\nplate:\n");
@@ -248,7 +277,9 @@ pub fn starter(
             "\nbolts:\n  size: {}  # `bracket catalog list bolts`\n  grade: \"{}\"  # property class",
             BOLT.0, BOLT.1
         );
-        inside("bolts.").iter().for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
+        inside("bolts.")
+            .iter()
+            .for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
         out.push_str(
             "  # preload: none  # or a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force: 98.7 kN\n",
         );
@@ -265,7 +296,10 @@ pub fn starter(
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     if !sections.is_empty() {
         let list = sections.join(", ");
-        let _ = writeln!(out, "# section: {list}; pressure: positive pushes on the face, or traction: [x, y, z]");
+        let _ = writeln!(
+            out,
+            "# section: {list}; pressure: positive pushes on the face, or traction: [x, y, z]"
+        );
     }
     let ends: Vec<String> = template.ends.iter().flat_map(|e| e.names()).collect();
     if !ends.is_empty() {
@@ -282,7 +316,10 @@ pub fn starter(
     }
     let a = &spec.analysis;
     if let Some(load) = template.starter_load.as_ref().filter(|l| l.end.is_some()) {
-        let (end, at) = (load.end.as_deref().unwrap_or_default(), load.at.map_or("bolt_plane", ActionPoint::word));
+        let (end, at) = (
+            load.end.as_deref().unwrap_or_default(),
+            load.at.map_or("bolt_plane", ActionPoint::word),
+        );
         let _ = writeln!(
             out,
             "\n# polygon: {{end: {end}, at: {at}, My: 100 kN m, N: 200 kN}}  # what is carried of two actions at once, by limit analysis in \
@@ -356,9 +393,10 @@ mod tests {
     use crate::spec::yaml;
 
     fn assemble(text: &str) -> crate::assembly::Joint {
-        let spec =
-            yaml::parse::<ConnectionSpec>(text, Path::new("new.yaml")).unwrap_or_else(|e| panic!("{e:#?}\n{text}"));
-        build(&spec, Path::new("."), &Catalog::builtin().expect("sound")).unwrap_or_else(|e| panic!("{e:#?}\n{text}"))
+        let spec = yaml::parse::<ConnectionSpec>(text, Path::new("new.yaml"))
+            .unwrap_or_else(|e| panic!("{e:#?}\n{text}"));
+        build(&spec, Path::new("."), &Catalog::builtin().expect("sound"))
+            .unwrap_or_else(|e| panic!("{e:#?}\n{text}"))
     }
 
     #[test]
@@ -385,15 +423,25 @@ mod tests {
     fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         for (name, _) in SHIPPED {
             let (template, origin) = template::load(name, Path::new(".")).expect("shipped");
-            let text = starter(&template, &origin, name, &Catalog::builtin().expect("sound"), "2024-02-29")
-                .expect("a starter");
+            let text = starter(
+                &template,
+                &origin,
+                name,
+                &Catalog::builtin().expect("sound"),
+                "2024-02-29",
+            )
+            .expect("a starter");
             let joint = assemble(&text);
             for words in ["  mu: 0 ", "  kind: limit ", "  date: \"2024-02-29\"\n"] {
                 assert!(text.contains(words), "{name}: {words}");
             }
             for p in &template.parameters {
                 let key = p.name.rsplit('.').next().expect("a name");
-                assert!(text.contains(&format!("{key}: ")), "{name}: {} is not in the starter", p.name);
+                assert!(
+                    text.contains(&format!("{key}: ")),
+                    "{name}: {} is not in the starter",
+                    p.name
+                );
             }
             let mut on = String::new();
             for l in text.lines() {
@@ -407,7 +455,9 @@ mod tests {
             let all = assemble(&on);
             assert!(all.resolved.iter().all(|r| r.given), "{name}: {:#?}", all.resolved);
             // messages show nine decimals; the defaults come back through them
-            let text = |j: &crate::assembly::Joint| serde_json::to_string(&j.assembly.parts).expect("JSON").len();
+            let text = |j: &crate::assembly::Joint| {
+                serde_json::to_string(&j.assembly.parts).expect("JSON").len()
+            };
             assert_eq!(joint.assembly.parts.len(), all.assembly.parts.len());
             assert!(text(&joint).abs_diff(text(&all)) < 200);
         }
@@ -422,11 +472,16 @@ mod tests {
         std::fs::create_dir_all(at("own")).expect("writable");
         std::fs::write(at("own/t.yaml"), "x").expect("writable");
         let dots = |path: &str| at("joints").join("..").join(path);
-        for (spec, told) in
-            [("joints/b 2/c/s.yaml", "../../../own/t.yaml"), ("own/s.yaml", "t.yaml"), ("s.yaml", "own/t.yaml")]
-        {
+        for (spec, told) in [
+            ("joints/b 2/c/s.yaml", "../../../own/t.yaml"),
+            ("own/s.yaml", "t.yaml"),
+            ("s.yaml", "own/t.yaml"),
+        ] {
             // an absolute path stays; a relative one is turned to the spec's folder
-            assert_eq!(seen_from(&at("own/t.yaml"), &at(spec)), at("own/t.yaml").display().to_string());
+            assert_eq!(
+                seen_from(&at("own/t.yaml"), &at(spec)),
+                at("own/t.yaml").display().to_string()
+            );
             let relative = relative_to_here(&dots("own/t.yaml"));
             assert_eq!(seen_from(&relative, &dots(spec)), told, "{spec}");
         }
@@ -435,7 +490,8 @@ mod tests {
 
     /// A path from the working folder up to the root and down again.
     fn relative_to_here(path: &Path) -> PathBuf {
-        let here = std::env::current_dir().expect("a working folder").canonicalize().expect("it exists");
+        let here =
+            std::env::current_dir().expect("a working folder").canonicalize().expect("it exists");
         let up = here.components().skip(1).map(|_| Component::ParentDir);
         up.chain(path.components().skip(1)).collect()
     }

@@ -2,21 +2,21 @@
 
 use super::analyse::quality_table;
 use super::spec_file::{self, CatalogOptions, SpecFile};
-use super::{Common, Outcome};
-use crate::assembly::joint::PartRole;
+use super::{CommandResult, Common};
+use crate::assembly::assembly::PartRole;
 use crate::checks::check::number;
 use crate::checks::end_plate::{grip, moment_axial, stocked_length};
 use crate::checks::{Analysed, HandChecks, Status, Topic, hand_checks, judge};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::{
-    AnalysisOptions, Case, Echo, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, stem_of, use_threads,
+    AnalysisOptions, Case, RunContext, WHEN_INTERRUPTED, catalogue_row, file_stem, finish, stem_of,
+    use_threads,
 };
 use crate::driver::interrupt::Interrupt;
 use crate::driver::remesh::{self, ByMap};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
 use crate::mesh::msh_write;
-use crate::model::file::AnalysisKind;
 use crate::model::from_joint;
 use crate::model::resolve::resolve;
 use crate::refine::plan;
@@ -27,7 +27,8 @@ use crate::report::markdown::schedule;
 use crate::result::data::input_hash;
 use crate::result::demand::{ActionValue, EndAction};
 use crate::result::folder::ResultFolder;
-use crate::spec::connection::{self, ConnectionSpec};
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::LoadSpec;
 use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
@@ -50,7 +51,7 @@ pub struct RunArgs {
     pub size_factor: f64,
     /// Kind of analysis, in place of `analysis.kind`.
     #[arg(long, value_enum)]
-    pub kind: Option<KindArg>,
+    pub kind: Option<AnalysisKind>,
     /// Meshes at most, in place of `analysis.max_passes`: 1 is a quick look.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=50))]
     pub max_passes: Option<u32>,
@@ -62,19 +63,25 @@ pub struct RunArgs {
     pub options: AnalysisOptions,
 }
 
-/// A kind of analysis on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum KindArg {
-    /// Energy and displacement of the elastic joint.
-    Elastic,
-    /// Energy of the elastic, perfectly plastic joint under the given load.
-    Elastoplastic,
-    /// Load at collapse.
-    Limit,
+impl clap::ValueEnum for AnalysisKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Elastic, Self::Elastoplastic, Self::Limit]
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        let help = match self {
+            Self::Elastic => "Energy and displacement of the elastic joint",
+            Self::Elastoplastic => {
+                "Energy of the elastic, perfectly plastic joint under the given load"
+            }
+            Self::Limit => "Load at collapse",
+        };
+        Some(clap::builder::PossibleValue::new(self.word()).help(help))
+    }
 }
 
 /// Runs `bracket run`.
-pub fn run(args: &RunArgs, common: &Common) -> Outcome {
+pub fn run(args: &RunArgs, common: &Common) -> CommandResult {
     if !(args.size_factor.is_finite() && (0.05..=20.0).contains(&args.size_factor)) {
         let text = format!("--size-factor is {}, it must be between 0.05 and 20", args.size_factor);
         let help = "1 is the usual size; 0.7 takes about twice the elements, 1.4 half of them";
@@ -84,9 +91,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     use_threads(common)?;
     let input = spec_file::read(&args.spec, args.catalog.folder())?;
     let kinds = match args.kind {
-        Some(KindArg::Elastic) => vec![AnalysisKind::Elastic],
-        Some(KindArg::Elastoplastic) => vec![AnalysisKind::Elastoplastic],
-        Some(KindArg::Limit) => vec![AnalysisKind::Limit],
+        Some(kind) => vec![kind],
         None => analysis_kinds(&input)?,
     };
     check_names(&input, &kinds)?;
@@ -102,20 +107,33 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     tell(&checks, demanded_cases(&input), &log);
     let start = Instant::now();
-    let options = mesh_options(args.full, args.size_factor, &input, &mesher, &limits.interrupt, folder.path());
+    let options = mesh_options(
+        args.full,
+        args.size_factor,
+        &input,
+        &mesher,
+        &limits.interrupt,
+        folder.path(),
+    );
     let meshed = mesh(&options, &input, &log)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
     let mesh_file = folder.path().join("mesh.msh");
     msh_write::write(&meshed.mesh, &mesh_file)?;
     if args.options.keep {
-        let text = serde_json::to_string_pretty(&input.joint)
-            .map_err(|e| Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}")))?;
+        let text = serde_json::to_string_pretty(&input.joint).map_err(|e| {
+            Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}"))
+        })?;
         folder.write("joint.json", text.as_bytes())?;
         folder.write("joint.geo", meshed.geo.as_bytes())?;
     }
     let place = |path: &str| input.spec.index.place(path);
     // a quick look that leaves out collapse leaves out the polygon
-    let polygon = input.spec.value.polygon.as_ref().filter(|_| matches!(args.kind, None | Some(KindArg::Limit)));
+    let polygon = input
+        .spec
+        .value
+        .polygon
+        .as_ref()
+        .filter(|_| matches!(args.kind, None | Some(AnalysisKind::Limit)));
     let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
     let asked = &input.spec.value.analysis;
     let max_passes = args.max_passes.unwrap_or(asked.max_passes);
@@ -123,34 +141,51 @@ pub fn run(args: &RunArgs, common: &Common) -> Outcome {
         // the directions of a polygon share the first mesh
         for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
             let kind = (case.name.clone(), case.model.analysis);
-            let by_map = ByMap::new(&input.joint.assembly, options.clone(), kind, &place, meshed.mesh.clone());
+            let by_map = ByMap::new(
+                &input.joint.assembly,
+                options.clone(),
+                kind,
+                &place,
+                meshed.mesh.clone(),
+            );
             case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
         }
     }
     limits.interrupt.check("meshing")?;
-    let mut echo = echo(&args.spec, &input, checks)?;
-    echo.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    let mut context = run_context(&args.spec, &input, checks)?;
+    context.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
     // the models hold what the catalogue and the template gave, the script what the mesher was told
-    let mut pieces: Vec<(&str, &[u8])> = vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
-    let models = cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
+    let mut pieces: Vec<(&str, &[u8])> =
+        vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
+    let models =
+        cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
     pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
-    let own = own_rows(&echo);
+    let own = own_rows(&context);
     if !own.is_empty() {
         pieces.push(("catalogue", own.as_bytes()));
     }
-    echo.input_hash = input_hash(&pieces);
-    echo.mesh_quality = quality_table(&meshed.quality);
-    echo.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
-    echo.adapt = Some(plan::Limits { target_gap: asked.target_gap, max_passes, max_macro_tets: asked.max_macro_tets });
-    echo.polygon = polygon.cloned();
-    finish(cases, echo, &limits, folder, log, common)
+    context.input_hash = input_hash(&pieces);
+    context.mesh_quality = quality_table(&meshed.quality);
+    context.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
+    context.adapt = Some(plan::Limits {
+        target_gap: asked.target_gap,
+        max_passes,
+        max_macro_tets: asked.max_macro_tets,
+    });
+    context.polygon = polygon.cloned();
+    finish(cases, context, &limits, folder, log, common)
 }
 
 /// What a report says of a spec, without meshes.
-pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Result<Echo, Diagnostics> {
+pub fn run_context(
+    path: &Path,
+    input: &SpecFile,
+    checks: HandChecks,
+) -> Result<RunContext, Diagnostics> {
     let project = &input.spec.value.project;
     let title = project.title.clone().filter(|t| !t.trim().is_empty());
-    let stem = || path.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned());
+    let stem =
+        || path.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned());
     let mut block = vec![("title".to_string(), title.unwrap_or_else(stem))];
     for (name, value) in [
         ("number", &project.number),
@@ -162,7 +197,7 @@ pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Result<Echo, D
         block.extend(value.clone().map(|v| (name.to_string(), v)));
     }
     let end_plate = input.joint.end_plate.as_ref();
-    Ok(Echo {
+    Ok(RunContext {
         project: block,
         input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
         input_text: input.text.clone(),
@@ -173,16 +208,22 @@ pub fn echo(path: &Path, input: &SpecFile, checks: HandChecks) -> Result<Echo, D
         coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
         checks,
         drawings: drawings(input),
-        schedule: end_plate
-            .map_or_else(Default::default, |e| schedule::schedule(e, plates(input), stocked_length(e), grip(e))),
+        schedule: end_plate.map_or_else(Default::default, |e| {
+            schedule::schedule(e, plates(input), stocked_length(e), grip(e))
+        }),
         bolts: input.joint.bolts.clone(),
-        ..Echo::default()
+        ..RunContext::default()
     })
 }
 
 /// Rows that are not the program's own: what of them only the hand checks read stands in no model.
-fn own_rows(echo: &Echo) -> String {
-    echo.catalogue_rows.iter().filter(|r| r.own).map(|r| format!("{}: {:?}\n", r.name, r.values)).collect()
+fn own_rows(context: &RunContext) -> String {
+    context
+        .catalogue_rows
+        .iter()
+        .filter(|r| r.own)
+        .map(|r| format!("{}: {:?}\n", r.name, r.values))
+        .collect()
 }
 
 /// The spec without the loads that only its polygon made.
@@ -200,17 +241,27 @@ fn plates(input: &SpecFile) -> usize {
 /// Drawings of what the hand checks see, and of the actions at the member ends.
 fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
     let Some(e) = &input.joint.end_plate else { return Vec::new() };
-    let picture = |file: &str, caption: &str, text| (PictureRef { file: file.into(), caption: caption.into() }, text);
+    let picture = |file: &str, caption: &str, text| {
+        (PictureRef { file: file.into(), caption: caption.into() }, text)
+    };
     let views = drawing::views(e, plates(input), stocked_length(e));
-    let mut out = vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    let mut out =
+        vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
     for (i, diagram) in moment_axial(e).iter().enumerate() {
-        let file = if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
-        let beta = if e.column.is_some() { format!(", β = {}", number(diagram.beta)) } else { String::new() };
-        let caption = format!("Moment and axial force that the joint carries by the component method{beta}");
+        let file =
+            if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
+        let beta = if e.column.is_some() {
+            format!(", β = {}", number(diagram.beta))
+        } else {
+            String::new()
+        };
+        let caption =
+            format!("Moment and axial force that the joint carries by the component method{beta}");
         out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
     }
     if !e.actions.is_empty() {
-        let caption = "Actions at the member ends with their positive senses, values at the bolt plane";
+        let caption =
+            "Actions at the member ends with their positive senses, values at the bolt plane";
         out.push(picture("actions.svg", caption, drawing::actions(e)));
     }
     out
@@ -249,15 +300,11 @@ pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics
     let place = |path: &str| input.spec.index.place(path);
     let kinds = &input.spec.value.analysis.kind.0;
     let mut wanted = Vec::new();
-    for kind in kinds {
-        let kind = match kind {
-            connection::AnalysisKind::Elastic => AnalysisKind::Elastic,
-            connection::AnalysisKind::Limit => AnalysisKind::Limit,
-            connection::AnalysisKind::Elastoplastic => AnalysisKind::Elastoplastic,
-        };
+    for &kind in kinds {
         if wanted.contains(&kind) {
-            let mut d = Diagnostic::input("spec/value", "`analysis.kind` names the same kind twice")
-                .help("name each kind once: `kind: [elastic, limit]`");
+            let mut d =
+                Diagnostic::input("spec/value", "`analysis.kind` names the same kind twice")
+                    .help("name each kind once: `kind: [elastic, limit]`");
             d.place = place("analysis.kind");
             return Err(d.into());
         }
@@ -271,7 +318,8 @@ pub fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Dia
     if input.joint.assembly.preloads.is_empty() || !kinds.contains(&AnalysisKind::Elastoplastic) {
         return Ok(());
     }
-    let message = "preload in an elastic, perfectly plastic analysis is not available yet in this version";
+    let message =
+        "preload in an elastic, perfectly plastic analysis is not available yet in this version";
     let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; or `preload: none`";
     let mut d = Diagnostic::input("model/unavailable", message).help(help);
     d.place = input.spec.index.place("bolts.preload");
@@ -281,18 +329,24 @@ pub fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Dia
 /// Load cases become names of files: they must have one, and a different one each.
 pub fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     let loads = &input.spec.value.loads;
-    let stems =
-        |name: &str| -> Vec<String> { kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect() };
+    let stems = |name: &str| -> Vec<String> {
+        kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect()
+    };
     for (i, load) in loads.iter().enumerate() {
         let (stem, mine) = (file_stem(&load.name), stems(&load.name));
-        let clash = |o: &&LoadSpec| o.name != load.name && stems(&o.name).iter().any(|s| mine.contains(s));
+        let clash =
+            |o: &&LoadSpec| o.name != load.name && stems(&o.name).iter().any(|s| mine.contains(s));
         let other = loads[..i].iter().find(clash);
         let message = match other {
-            Some(o) => format!("the load cases `{}` and `{}` would write the same files `{stem}_…`", o.name, load.name),
+            Some(o) => format!(
+                "the load cases `{}` and `{}` would write the same files `{stem}_…`",
+                o.name, load.name
+            ),
             None if stem.is_empty() => "the name of a load case is empty".to_string(),
             None => continue,
         };
-        let mut d = Diagnostic::input("spec/value", message).help("give each load case a name of letters and digits");
+        let mut d = Diagnostic::input("spec/value", message)
+            .help("give each load case a name of letters and digits");
         d.place = input.spec.index.place(&format!("loads[{i}].name"));
         return Err(d.into());
     }
@@ -313,15 +367,27 @@ pub fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
             let size = value.abs();
             if size != 0.0 && !sizes.contains(&size) {
                 let [least, most] = [sizes.start(), sizes.end()].map(|s| format!("{s:e} {unit}"));
-                let message =
-                    format!("`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from {least} to {most}");
-                return refuse(format!("loads[{i}].{key}"), "spec/range", message, "check the number and its unit");
+                let message = format!(
+                    "`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from {least} to {most}"
+                );
+                return refuse(
+                    format!("loads[{i}].{key}"),
+                    "spec/range",
+                    message,
+                    "check the number and its unit",
+                );
             }
         }
         let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(quantities);
         if case.all(|q| q.value == 0.0) {
-            let message = format!("nothing acts in the load case `{}`: every load is zero", load.name);
-            return refuse(format!("loads[{i}]"), "model/no-load", message, "give a load that is not zero");
+            let message =
+                format!("nothing acts in the load case `{}`: every load is zero", load.name);
+            return refuse(
+                format!("loads[{i}]"),
+                "model/no-load",
+                message,
+                "give a load that is not zero",
+            );
         }
     }
     Ok(())
@@ -405,14 +471,23 @@ pub fn cases<'a>(
         .enumerate()
         .map(|(i, (name, kind, again))| {
             let assembly = &input.joint.assembly;
-            let mut file =
-                from_joint::model_file(assembly, &meshed.mesh, &meshed.symmetry_used, "mesh.msh", name, kind);
+            let mut file = from_joint::model_file(
+                assembly,
+                &meshed.mesh,
+                &meshed.symmetry_used,
+                "mesh.msh",
+                name,
+                kind,
+            );
             file.symmetry = meshed.copies;
             let estimates = input.spec.value.analysis.coulomb_estimate && !of_polygon(name);
             file.coulomb_estimate = estimates && kind == AnalysisKind::Limit;
             let model = resolve(&file, meshed.mesh.clone(), &|path| input.spec.index.place(path))?;
-            let file_name =
-                if i == 0 { "model.yaml".into() } else { format!("model_{}.yaml", stem_of(name, kind, again)) };
+            let file_name = if i == 0 {
+                "model.yaml".into()
+            } else {
+                format!("model_{}.yaml", stem_of(name, kind, again))
+            };
             Ok(Case {
                 name: name.clone(),
                 model,
@@ -454,7 +529,8 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         .map(|r| {
             // a list carries a unit at every entry
             let single = !r.value.starts_with('[');
-            let (value, unit) = r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
+            let (value, unit) =
+                r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
             let origin = match (&r.default, r.given) {
                 _ if r.origin.is_some() => r.origin.clone().unwrap_or_default(),
                 (_, true) => "given".to_string(),
@@ -488,7 +564,8 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         let own = builtin.is_none();
         let source = builtin.unwrap_or_else(|| {
             // a table of the user's own: the report names the row, so that it can be checked
-            let mut words = vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
+            let mut words =
+                vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
             words.extend(provenance.map(|p| p.read_from.clone()));
             words.retain(|w| !w.is_empty());
             words.join("; ")
@@ -509,17 +586,21 @@ mod tests {
         let dir = tempfile::tempdir().expect("a folder");
         let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n\
                      MY8.8,640,800,0.6,0.6,yes\n";
-        let spec = include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
+        let spec =
+            include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
         for (name, text) in [("g.csv", table), ("joint.yaml", &spec)] {
             std::fs::write(dir.path().join(name), text).expect("written");
         }
-        let input =
-            spec_file::read(&dir.path().join("joint.yaml"), Some(dir.path())).unwrap_or_else(|e| panic!("{e:#?}"));
+        let input = spec_file::read(&dir.path().join("joint.yaml"), Some(dir.path()))
+            .unwrap_or_else(|e| panic!("{e:#?}"));
         let rows = catalogue_rows(&input);
         let own: Vec<&CatalogueRow> = rows.iter().filter(|r| r.own).collect();
         assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
         assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
-        assert!(rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")), "{rows:#?}");
+        assert!(
+            rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")),
+            "{rows:#?}"
+        );
     }
 
     #[test]
@@ -531,14 +612,18 @@ mod tests {
                     loads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, Vz: -60.5 kN}]\n\
                     polygon: {end: beam_right, at: column_face, My: 100 kN m, N: 200 kN}\nanalysis: {kind: limit}\n";
         std::fs::write(dir.path().join("joint.yaml"), text).expect("written");
-        let input = spec_file::read(&dir.path().join("joint.yaml"), None).unwrap_or_else(|e| panic!("{e:#?}"));
+        let input = spec_file::read(&dir.path().join("joint.yaml"), None)
+            .unwrap_or_else(|e| panic!("{e:#?}"));
         assert!(input.spec.value.loads.len() > 1, "the polygon has directions");
-        let echo = yaml::to_string(&as_read(&input)).expect("YAML");
-        for words in ["My: 80 kN m", "Vz: -60.5 kN", "thickness: 15.875 mm", "polygon:", "target_gap: 0.05"] {
-            assert!(echo.contains(words), "{words} in\n{echo}");
+        let context = yaml::to_string(&as_read(&input)).expect("YAML");
+        for words in
+            ["My: 80 kN m", "Vz: -60.5 kN", "thickness: 15.875 mm", "polygon:", "target_gap: 0.05"]
+        {
+            assert!(context.contains(words), "{words} in\n{context}");
         }
-        assert!(!echo.contains("comment") && echo.matches("name:").count() == 1, "{echo}");
-        let again = yaml::parse::<ConnectionSpec>(&echo, Path::new("echo.yaml")).unwrap_or_else(|e| panic!("{e:#?}"));
+        assert!(!context.contains("comment") && context.matches("name:").count() == 1, "{context}");
+        let again = yaml::parse::<ConnectionSpec>(&context, Path::new("context.yaml"))
+            .unwrap_or_else(|e| panic!("{e:#?}"));
         assert_eq!(again.value, as_read(&input));
     }
 }

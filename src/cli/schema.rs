@@ -1,6 +1,6 @@
 //! `bracket schema`.
 
-use super::{Common, Outcome};
+use super::{CommandResult, Common};
 use crate::assembly::template::Template;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::file::ModelFile;
@@ -30,7 +30,7 @@ pub struct SchemaArgs {
 }
 
 /// Runs `bracket schema`.
-pub fn run(args: &SchemaArgs, _common: &Common) -> Outcome {
+pub fn run(args: &SchemaArgs, _common: &Common) -> CommandResult {
     print!("{}", text(args.kind)?);
     Ok(0)
 }
@@ -38,7 +38,10 @@ pub fn run(args: &SchemaArgs, _common: &Common) -> Outcome {
 /// The schema as JSON text. Draft-07, which the YAML language servers of editors understand.
 pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     fn of<T: JsonSchema>() -> Value {
-        schemars::generate::SchemaSettings::draft07().into_generator().into_root_schema_for::<T>().to_value()
+        schemars::generate::SchemaSettings::draft07()
+            .into_generator()
+            .into_root_schema_for::<T>()
+            .to_value()
     }
     let mut schema = match kind {
         Kind::Spec => of::<ConnectionSpec>(),
@@ -47,14 +50,20 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     };
     plain(&mut schema);
     serde_json::to_string_pretty(&schema).map(|t| t + "\n").map_err(|e| {
-        Diagnostic::environment("schema/write", format!("the schema cannot be written as JSON: {e}")).into()
+        Diagnostic::environment(
+            "schema/write",
+            format!("the schema cannot be written as JSON: {e}"),
+        )
+        .into()
     })
 }
 
 /// Doc comments escape square brackets for rustdoc; people who read the schema need them plain.
 fn plain(value: &mut Value) {
     match value {
-        Value::String(s) if s.contains('\\') && !s.starts_with('^') => *s = s.replace("\\[", "[").replace("\\]", "]"),
+        Value::String(s) if s.contains('\\') && !s.starts_with('^') => {
+            *s = s.replace("\\[", "[").replace("\\]", "]")
+        }
         Value::Array(list) => list.iter_mut().for_each(plain),
         Value::Object(map) => map.values_mut().for_each(plain),
         _ => {}
@@ -70,8 +79,11 @@ mod tests {
 
     #[test]
     fn committed_schemas_are_fresh() {
-        for (kind, name) in [(Kind::Spec, "spec"), (Kind::Model, "model"), (Kind::Template, "template")] {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("schemas/{name}.schema.json"));
+        for (kind, name) in
+            [(Kind::Spec, "spec"), (Kind::Model, "model"), (Kind::Template, "template")]
+        {
+            let path =
+                Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("schemas/{name}.schema.json"));
             let fresh = text(kind).expect("a schema is JSON");
             if std::env::var_os("BRACKET_WRITE_SCHEMAS").is_some() {
                 std::fs::write(&path, &fresh).expect("schemas/ is writable");
@@ -89,7 +101,9 @@ mod tests {
         let sub = |key: &str| schema.get(key);
         let mut out = Vec::new();
         if let Some(name) = sub("$ref").and_then(Value::as_str) {
-            let target = root.pointer(name.trim_start_matches('#')).unwrap_or_else(|| panic!("{name} leads nowhere"));
+            let target = root
+                .pointer(name.trim_start_matches('#'))
+                .unwrap_or_else(|| panic!("{name} leads nowhere"));
             out.extend(refused(value, target, root, at));
         }
         for one in sub("allOf").and_then(Value::as_array).into_iter().flatten() {
@@ -129,8 +143,12 @@ mod tests {
                     let below = format!("{at}.{key}");
                     match (known.and_then(|k| k.get(key)), sub("additionalProperties")) {
                         (Some(s), _) => out.extend(refused(v, s, root, &below)),
-                        (None, Some(Value::Bool(false))) => out.push(format!("{below}: unknown key")),
-                        (None, Some(s @ Value::Object(_))) => out.extend(refused(v, s, root, &below)),
+                        (None, Some(Value::Bool(false))) => {
+                            out.push(format!("{below}: unknown key"))
+                        }
+                        (None, Some(s @ Value::Object(_))) => {
+                            out.extend(refused(v, s, root, &below))
+                        }
                         (None, _) => {}
                     }
                 }
@@ -146,7 +164,9 @@ mod tests {
                         Some(Value::Array(each)) => each.get(i),
                         item => item,
                     };
-                    out.extend(item.iter().flat_map(|s| refused(v, s, root, &format!("{at}[{i}]"))));
+                    out.extend(
+                        item.iter().flat_map(|s| refused(v, s, root, &format!("{at}[{i}]"))),
+                    );
                 }
             }
             _ => {}
@@ -157,8 +177,10 @@ mod tests {
     /// The shipped templates are what the schema allows, and what the reader refuses the schema refuses too.
     #[test]
     fn the_schema_of_templates_fits_the_shipped_ones_and_refuses_ten_wrong_ones() {
-        let schema: Value = serde_json::from_str(&text(Kind::Template).expect("a schema")).expect("JSON");
-        let read = |text: &str| yaml::parse::<Value>(text, Path::new("t.yaml")).expect("YAML").value;
+        let schema: Value =
+            serde_json::from_str(&text(Kind::Template).expect("a schema")).expect("JSON");
+        let read =
+            |text: &str| yaml::parse::<Value>(text, Path::new("t.yaml")).expect("YAML").value;
         for (name, text) in SHIPPED {
             assert_eq!(refused(&read(text), &schema, &schema, name), Vec::<String>::new());
         }
@@ -179,8 +201,14 @@ mod tests {
             assert!(text.contains(old), "{old}");
             let wrong = text.replacen(old, new, 1);
             let value = yaml::parse::<Value>(&wrong, Path::new("t.yaml")).expect(new).value;
-            assert!(!refused(&value, &schema, &schema, "").is_empty(), "the schema lets `{new}` pass");
-            assert!(yaml::parse::<Template>(&wrong, Path::new("t.yaml")).is_err(), "the reader lets `{new}` pass");
+            assert!(
+                !refused(&value, &schema, &schema, "").is_empty(),
+                "the schema lets `{new}` pass"
+            );
+            assert!(
+                yaml::parse::<Template>(&wrong, Path::new("t.yaml")).is_err(),
+                "the reader lets `{new}` pass"
+            );
         }
     }
 

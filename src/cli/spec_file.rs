@@ -46,7 +46,8 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
     let mut spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|mut faults| {
         if top_level(&text, "mesh") && top_level(&text, "bodies") {
             faults.0.truncate(1);
-            faults.0[0].help = Some("this looks like a model file: `bracket analyse` reads it".into());
+            faults.0[0].help =
+                Some("this looks like a model file: `bracket analyse` reads it".into());
         }
         faults
     })?;
@@ -76,8 +77,9 @@ fn open_catalog(
 ) -> Result<Catalog, Diagnostics> {
     let of_spec = spec.value.catalog.as_deref();
     if of_spec.is_some_and(|dir| dir.as_os_str().is_empty()) {
-        let mut d = Diagnostic::input("spec/value", "`catalog` names no folder")
-            .help("write the folder with your .csv tables, relative to the spec, or leave the key out");
+        let mut d = Diagnostic::input("spec/value", "`catalog` names no folder").help(
+            "write the folder with your .csv tables, relative to the spec, or leave the key out",
+        );
         d.place = spec.index.place("catalog");
         return Err(d.into());
     }
@@ -139,17 +141,27 @@ mod tests {
     fn a_folder_is_read_from_the_spec_and_the_option_wins() {
         let dir = folder("catalog: mine\n", &[("mine/p.csv", PROFILES)]);
         let read_it = |option: Option<&Path>| read(&dir.path().join("joint.yaml"), option);
-        assert_eq!(read_it(None).unwrap_or_else(|e| panic!("{e:#?}")).joint.catalogue[1].1, "MY200");
+        assert_eq!(
+            read_it(None).unwrap_or_else(|e| panic!("{e:#?}")).joint.catalogue[1].1,
+            "MY200"
+        );
         let other = tempfile::tempdir().expect("a folder");
-        std::fs::write(other.path().join("p.csv"), PROFILES.replace("MY200", "MY201")).expect("written");
+        std::fs::write(other.path().join("p.csv"), PROFILES.replace("MY200", "MY201"))
+            .expect("written");
         let d = read_it(Some(other.path())).map(drop).expect_err("MY200 is not there").0.remove(0);
-        assert!(d.message.contains("`MY200` is not in the catalogue, the nearest is `MY201`"), "{d:#?}");
+        assert!(
+            d.message.contains("`MY200` is not in the catalogue, the nearest is `MY201`"),
+            "{d:#?}"
+        );
     }
 
     #[test]
     fn without_a_folder_the_unknown_name_says_how_to_add_one() {
         let d = fault(&folder("", &[("mine/p.csv", PROFILES)]), None);
-        assert_eq!((d.code, d.place.path.as_deref()), ("catalog/unknown-name", Some("members.column.profile")));
+        assert_eq!(
+            (d.code, d.place.path.as_deref()),
+            ("catalog/unknown-name", Some("members.column.profile"))
+        );
         assert!(d.help.as_deref().is_some_and(|h| h.contains("`--catalog DIR`")), "{d:#?}");
     }
 
@@ -157,7 +169,11 @@ mod tests {
     fn folders_that_are_none_are_refused_where_they_are_named() {
         let table = ("mine/p.csv", PROFILES);
         for (catalog, code, words) in [
-            ("catalog: yours\n", "catalog/unreadable", "`catalog: yours`: cannot read the catalogue"),
+            (
+                "catalog: yours\n",
+                "catalog/unreadable",
+                "`catalog: yours`: cannot read the catalogue",
+            ),
             ("catalog: mine/p.csv\n", "catalog/unreadable", "`catalog: mine/p.csv`"),
             ("catalog: empty\n", "catalog/empty", "holds no .csv file"),
             ("catalog: ''\n", "spec/value", "names no folder"),
@@ -165,12 +181,23 @@ mod tests {
             ("catalog: [mine]\n", "yaml/type", "expected a text"),
         ] {
             let d = fault(&folder(catalog, &[table, ("empty/readme.txt", "")]), None);
-            assert!(d.code == code && d.message.contains(words) && d.help.is_some(), "{catalog}{d:#?}");
-            assert_eq!((d.place.path.as_deref(), d.place.line), (Some("catalog"), Some(1)), "{catalog}{d:#?}");
+            assert!(
+                d.code == code && d.message.contains(words) && d.help.is_some(),
+                "{catalog}{d:#?}"
+            );
+            assert_eq!(
+                (d.place.path.as_deref(), d.place.line),
+                (Some("catalog"), Some(1)),
+                "{catalog}{d:#?}"
+            );
         }
         let dir = folder("catalog: mine\n", &[table]);
         let d = fault(&dir, Some(Path::new("nowhere")));
-        assert_eq!((d.code, d.place.file.as_deref()), ("catalog/unreadable", Some(Path::new("nowhere"))), "{d:#?}");
+        assert_eq!(
+            (d.code, d.place.file.as_deref()),
+            ("catalog/unreadable", Some(Path::new("nowhere"))),
+            "{d:#?}"
+        );
     }
 
     #[test]
@@ -181,7 +208,10 @@ mod tests {
             (",200,200,", ",200,20 cm,", "catalog/bad-cell"),
             ("tw_mm", "t_web_mm", "catalog/missing-column"),
         ] {
-            let d = fault(&folder("catalog: mine\n", &[("mine/p.csv", &PROFILES.replacen(old, new, 1))]), None);
+            let d = fault(
+                &folder("catalog: mine\n", &[("mine/p.csv", &PROFILES.replacen(old, new, 1))]),
+                None,
+            );
             assert_eq!(d.code, code, "{d:#?}");
             assert!(d.place.file.as_ref().is_some_and(|f| f.ends_with("mine/p.csv")), "{d:#?}");
         }

@@ -2,23 +2,26 @@
 
 use super::spec_file::{self, SpecFile, top_level};
 use crate::analysis::memory::forget_peak;
-use crate::cli::{Common, Format, Outcome, run};
+use crate::cli::{CommandResult, Common, Format, run};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::adaptive::{self, Share};
 use crate::driver::aside::Folder;
-use crate::driver::case::{AnalysisOptions, Case, Echo, Limits, SolverChoice, file_stem, use_threads};
+use crate::driver::case::{
+    AnalysisOptions, Case, Limits, RunContext, SolverChoice, file_stem, use_threads,
+};
 use crate::driver::remesh::{ByBisection, ByMap, Places};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::MeshOptions;
 use crate::mesh::{TetMesh, bisect, merge, msh};
-use crate::model::file::{AnalysisKind, ModelFile, Nodes};
+use crate::model::file::{ModelFile, Nodes};
 use crate::model::resolve::{load_model, resolve};
 use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::report::console::out;
 use crate::report::study::{MARK, Meshes, Study, study_rows};
 use crate::solve::Patterns;
-use crate::spec::connection::AnalysisSpec;
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::analysis::AnalysisSpec;
 use crate::spec::yaml;
 use crate::text_file;
 use std::path::{Path, PathBuf};
@@ -94,7 +97,8 @@ impl Source for Spec<'_> {
         for case in cases.iter_mut().filter(|_| adaptive) {
             let kind = (case.name.clone(), case.model.analysis);
             let assembly = &self.input.joint.assembly;
-            let by_map = ByMap::new(assembly, options.clone(), kind, self.place, meshed.mesh.clone());
+            let by_map =
+                ByMap::new(assembly, options.clone(), kind, self.place, meshed.mesh.clone());
             case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
         }
         Ok(cases)
@@ -126,7 +130,9 @@ impl Source for Model<'_> {
 const MOST_UNIFORM: u32 = 10;
 
 fn check(args: &StudyArgs) -> Result<(), Diagnostics> {
-    let wrong = |message: String, help: &str| Err(Diagnostic::input("cli/value", message).help(help).into());
+    let wrong = |message: String, help: &str| {
+        Err(Diagnostic::input("cli/value", message).help(help).into())
+    };
     if args.uniform > MOST_UNIFORM {
         return wrong(
             format!("--uniform is {}, at most {MOST_UNIFORM} meshes are made", args.uniform),
@@ -140,10 +146,16 @@ fn check(args: &StudyArgs) -> Result<(), Diagnostics> {
         );
     }
     if let Some(g) = args.target_gap.filter(|g| !(*g > 0.0 && *g < 1.0)) {
-        return wrong(format!("--target-gap is {g}, it must lie between 0 and 1"), "write a fraction such as 0.02");
+        return wrong(
+            format!("--target-gap is {g}, it must lie between 0 and 1"),
+            "write a fraction such as 0.02",
+        );
     }
     if args.max_passes == Some(0) {
-        return wrong("--max-passes is 0, it must be at least 1".into(), "leave the option out for what the file says");
+        return wrong(
+            "--max-passes is 0, it must be at least 1".into(),
+            "leave the option out for what the file says",
+        );
     }
     if args.max_macro_tets == Some(0) {
         return wrong(
@@ -155,7 +167,7 @@ fn check(args: &StudyArgs) -> Result<(), Diagnostics> {
 }
 
 /// Runs `bracket study`.
-pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
+pub fn run(args: &StudyArgs, common: &Common) -> CommandResult {
     check(args)?;
     let options = AnalysisOptions {
         out: None,
@@ -170,8 +182,10 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
             .file(&args.file)
             .help("name a connection spec or a model file")
     })?;
-    let stem = args.file.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
-    let target = args.out.clone().unwrap_or_else(|| args.file.with_file_name(format!("{stem}_study")));
+    let stem =
+        args.file.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
+    let target =
+        args.out.clone().unwrap_or_else(|| args.file.with_file_name(format!("{stem}_study")));
     let log = Arc::new(Log::new(common.quiet));
     let defaults = AnalysisSpec::default();
     let is_model = top_level(&text, "mesh") && top_level(&text, "bodies");
@@ -215,7 +229,14 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
             max_macro_tets: asked.max_macro_tets,
         };
         let folder = begin(&limits)?;
-        let options = run::mesh_options(false, args.size_factor, &input, &mesher, &limits.interrupt, &folder.aside);
+        let options = run::mesh_options(
+            false,
+            args.size_factor,
+            &input,
+            &mesher,
+            &limits.interrupt,
+            &folder.aside,
+        );
         let place = |path: &str| input.spec.index.place(path);
         let source = Spec { input: &input, kinds, options, place: &place, log: &log };
         (study(args, &source, ends, &mut limits, &log)?, folder)
@@ -232,7 +253,8 @@ pub fn run(args: &StudyArgs, common: &Common) -> Outcome {
 }
 
 /// What the first Ctrl-C leads to.
-const WHEN_INTERRUPTED: &str = "the mesh under way ends at its next iteration, and the rows so far are written";
+const WHEN_INTERRUPTED: &str =
+    "the mesh under way ends at its next iteration, and the rows so far are written";
 
 /// All rows: for each solver the uniform meshes, then the adaptive ones.
 fn study(
@@ -247,7 +269,8 @@ fn study(
         max_passes: args.max_passes.unwrap_or(ends.max_passes),
         max_macro_tets: args.max_macro_tets.unwrap_or(ends.max_macro_tets),
     };
-    let mut echo = Echo { finer: "", coarser: "a coarser first mesh", ..Echo::default() };
+    let mut context =
+        RunContext { finer: "", coarser: "a coarser first mesh", ..RunContext::default() };
     let mut rows = Vec::new();
     for solver in &args.solver {
         limits.solver = *solver;
@@ -259,10 +282,13 @@ fn study(
             let cases = source.cases(level.unwrap_or(0), level.is_none())?;
             let tets = cases.first().map_or(0, |c| c.model.mesh.tets.len());
             if level > Some(0) && tets > ends.max_macro_tets {
-                log.line(format!("no larger uniform mesh: {tets} tets, at most {} are wanted", ends.max_macro_tets));
+                log.line(format!(
+                    "no larger uniform mesh: {tets} tets, at most {} are wanted",
+                    ends.max_macro_tets
+                ));
                 continue;
             }
-            echo.adapt = level.is_none().then_some(ends);
+            context.adapt = level.is_none().then_some(ends);
             for case in cases {
                 forget_peak();
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
@@ -272,13 +298,15 @@ fn study(
                     case,
                     true,
                     &Share { until, patterns: &Patterns::default() },
-                    &echo,
+                    &context,
                     limits,
                     log,
                 ) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),
                     Err(e) if rows.is_empty() => return Err(e),
-                    Err(e) => log.line(format!("left out: {}", e.0.first().map_or("", |d| &d.message))),
+                    Err(e) => {
+                        log.line(format!("left out: {}", e.0.first().map_or("", |d| &d.message)))
+                    }
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! `bracket templates`.
 
 use super::new::named_on_the_command_line;
-use super::{Common, Format, Outcome};
+use super::{CommandResult, Common, Format};
 use crate::assembly::template::{self, SHIPPED, Template};
 use crate::diag::Diagnostics;
 use serde_json::{Value, json};
@@ -16,7 +16,7 @@ pub struct TemplatesArgs {
 }
 
 /// Runs `bracket templates`.
-pub fn run(args: &TemplatesArgs, common: &Common) -> Outcome {
+pub fn run(args: &TemplatesArgs, common: &Common) -> CommandResult {
     let names: Vec<&str> = match &args.name {
         Some(n) => vec![n],
         None => SHIPPED.iter().map(|(n, _)| *n).collect(),
@@ -37,17 +37,23 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> Outcome {
 }
 
 fn data(t: &Template) -> Value {
-    let members: Vec<Value> = t.members.iter().map(|m| json!({"role": m.role, "about": m.about})).collect();
+    let members: Vec<Value> =
+        t.members.iter().map(|m| json!({"role": m.role, "about": m.about})).collect();
     let parameters: Vec<Value> = t
         .parameters
         .iter()
         .map(|p| json!({"name": p.name, "about": p.about, "required": p.default.is_none()}))
         .collect();
-    let sections: Vec<Value> = t.sections.iter().map(|s| json!({"name": s.name, "about": s.about})).collect();
+    let sections: Vec<Value> =
+        t.sections.iter().map(|s| json!({"name": s.name, "about": s.about})).collect();
     let ends: Vec<Value> = t
         .ends
         .iter()
-        .flat_map(|e| e.names().into_iter().map(|n| json!({"name": n, "about": e.about, "at": e.point_words()})))
+        .flat_map(|e| {
+            e.names()
+                .into_iter()
+                .map(|n| json!({"name": n, "about": e.about, "at": e.point_words()}))
+        })
         .collect();
     json!({
         "name": t.name, "title": t.title, "about": t.about,
@@ -68,15 +74,23 @@ fn page(t: &Template) -> String {
     let required = |p: &template::Parameter| if p.default.is_none() { " (required)" } else { "" };
     table(
         "Parameters",
-        t.parameters.iter().map(|p| (p.name.as_str(), format!("{}{}", p.about, required(p)))).collect(),
+        t.parameters
+            .iter()
+            .map(|p| (p.name.as_str(), format!("{}{}", p.about, required(p))))
+            .collect(),
     );
-    table("Sections that loads can name", t.sections.iter().map(|s| (s.name.as_str(), s.about.clone())).collect());
+    table(
+        "Sections that loads can name",
+        t.sections.iter().map(|s| (s.name.as_str(), s.about.clone())).collect(),
+    );
     if !t.ends.is_empty() {
         let rows: Vec<(String, String)> = t
             .ends
             .iter()
             .flat_map(|e| {
-                e.names().into_iter().map(|n| (n, format!("{}; at: {}", e.about, e.point_words().join(", "))))
+                e.names()
+                    .into_iter()
+                    .map(|n| (n, format!("{}; at: {}", e.about, e.point_words().join(", "))))
             })
             .collect();
         table(
@@ -84,7 +98,10 @@ fn page(t: &Template) -> String {
             rows.iter().map(|(n, a)| (n.as_str(), a.clone())).collect(),
         );
     }
-    out.push_str(&format!("\n`bracket new {}` writes a starter with defaults and ranges.\n", t.name));
+    out.push_str(&format!(
+        "\n`bracket new {}` writes a starter with defaults and ranges.\n",
+        t.name
+    ));
     out
 }
 
@@ -95,7 +112,8 @@ mod tests {
     #[test]
     fn every_shipped_template_loads_under_its_name_and_explains_itself() {
         for (name, _) in SHIPPED {
-            let (t, _) = template::load(name, Path::new(".")).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
+            let (t, _) =
+                template::load(name, Path::new(".")).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
             assert_eq!(t.name, *name);
             let page = page(&t);
             for p in &t.parameters {

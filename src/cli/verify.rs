@@ -12,12 +12,11 @@ use crate::certify::plastic_certificate::{certify_plastic_motion, certify_yieldi
 use crate::certify::sampling::{sample, sample_live, sample_lower, sample_upper};
 use crate::certify::slip::distance_from_coulomb;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
-use crate::cli::{Common, Format, Outcome};
+use crate::cli::{CommandResult, Common, Format};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::analysis_pass::{DEAD_FIELD, LIVE_FIELD};
 use crate::driver::case::entry_stem;
 use crate::model::AnalysisModel;
-use crate::model::file::AnalysisKind;
 use crate::model::loads::Loads;
 use crate::model::resolve::load_model;
 use crate::recover::free_mechanism::{FreeMechanism, certify_free, is_free};
@@ -25,11 +24,14 @@ use crate::recover::unlimited::{Unlimited, certify_unlimited};
 use crate::report::console::out;
 use crate::result::case::case_result;
 use crate::result::combine::join;
-use crate::result::data::{CaseResult, Problem, RESULT_FILE, RawBracket, ResultFile, Upper};
+use crate::result::data::{CaseResult, FrictionModel, RESULT_FILE, RawBracket, ResultFile, Upper};
 use crate::result::derived::{Proved, case_differences, polygon_differences};
-use crate::result::fields::field_files::{read_displacement, read_lower, read_shift, read_stress, read_velocity};
+use crate::result::fields::field_files::{
+    read_displacement, read_lower, read_shift, read_stress, read_velocity,
+};
 use crate::result::fields::plastic_file::read_plastic;
 use crate::result::limit_case::limit_case_result;
+use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -62,9 +64,10 @@ struct Finding {
 }
 
 /// Runs `bracket verify`.
-pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
+pub fn run(args: &VerifyArgs, common: &Common) -> CommandResult {
     let text = read(&args.folder.join(RESULT_FILE))?;
-    let result = ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
+    let result =
+        ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
     let mut findings = Vec::new();
     let mut refuted = Vec::new();
     let mut proved = Vec::new();
@@ -81,9 +84,9 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
     refuted.extend(result.polygon.iter().flat_map(|claimed| polygon_differences(claimed, &proved)));
     let confirmed = findings.iter().all(|f| f.confirmed) && refuted.is_empty();
     match common.format {
-        Format::Json => {
-            out::json(&serde_json::json!({"confirmed": confirmed, "bounds": findings, "refuted": refuted}))?
-        }
+        Format::Json => out::json(
+            &serde_json::json!({"confirmed": confirmed, "bounds": findings, "refuted": refuted}),
+        )?,
         Format::Text => {
             let rows: Vec<Vec<String>> = findings
                 .iter()
@@ -106,7 +109,15 @@ pub fn run(args: &VerifyArgs, common: &Common) -> Outcome {
                     ]
                 })
                 .collect();
-            let head = ["case", "bound", "claimed", "recomputed", "worst residual", "random points", "finding"];
+            let head = [
+                "case",
+                "bound",
+                "claimed",
+                "recomputed",
+                "worst residual",
+                "random points",
+                "finding",
+            ];
             out::text(&out::columns(&head, &rows))?;
             for sentence in &refuted {
                 out::text(&format!("REFUTED: {sentence}\n"))?;
@@ -153,14 +164,18 @@ fn verify_case(
     };
     for (model, wanted) in sides {
         if symmetry != model.symmetry {
-            refuted.push(format!("the result claims symmetry {symmetry}, its model has {}", model.symmetry));
+            refuted.push(format!(
+                "the result claims symmetry {symmetry}, its model has {}",
+                model.symmetry
+            ));
         }
         let scene = Scene { model, case, folder, stem, wanted };
         let (new, entry) = match model.analysis {
             AnalysisKind::Limit => {
                 let (new, entry, pass) = scene.factors(&mut refuted)?;
-                let answers = pass.carried(case.problem == Problem::Coulomb);
-                let of_answer = answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
+                let answers = pass.carried(case.problem == FrictionModel::Coulomb);
+                let of_answer =
+                    answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
                 carried = of_answer.or(carried);
                 let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
                 mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
@@ -205,7 +220,10 @@ impl Scene<'_> {
     }
 
     /// The bounds of the energy, and the entry they make.
-    fn energies(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult, Pass), Diagnostics> {
+    fn energies(
+        &self,
+        refuted: &mut Vec<String>,
+    ) -> Result<(Vec<Finding>, CaseResult, Pass), Diagnostics> {
         let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let yields = given.analysis == AnalysisKind::Elastoplastic;
@@ -220,7 +238,10 @@ impl Scene<'_> {
             let told = case.preload.iter().find(|t| t.body == bolt.body && t.cut == bolt.cut);
             bolt.closure = told.map(|t| t.closure);
             if bounded && told.is_none_or(|t| t.force != bolt.force) {
-                refuted.push(format!("{}: the preload of `{}` is not that of the model", case.name, bolt.body));
+                refuted.push(format!(
+                    "{}: the preload of `{}` is not that of the model",
+                    case.name, bolt.body
+                ));
             }
         }
         let model = &model;
@@ -285,42 +306,58 @@ impl Scene<'_> {
     }
 
     /// The bounds of the load factor, and the entry they make.
-    fn factors(&self, refuted: &mut Vec<String>) -> Result<(Vec<Finding>, CaseResult, LimitPass), Diagnostics> {
+    fn factors(
+        &self,
+        refuted: &mut Vec<String>,
+    ) -> Result<(Vec<Finding>, CaseResult, LimitPass), Diagnostics> {
         let Self { model, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
-        let coulomb = case.problem == Problem::Coulomb;
+        let coulomb = case.problem == FrictionModel::Coulomb;
         let mut findings = Vec::new();
         let mut pass = LimitPass::default();
         let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
         if let Some(claimed) = raw.filter(|_| statics) {
             // a raw bound beside the answer is told only where it is strict
-            let (mut found, bound, stress) = self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
+            let (mut found, bound, stress) =
+                self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
             found.bound = if coulomb { "lower, associated" } else { "lower" };
             findings.push(found);
             pass.lower = Some(bound);
             pass.stress = Some(stress);
         }
-        let smooth = case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
+        let smooth =
+            case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
         if let Some(claimed) = smooth.filter(|_| statics) {
             let without = model.without_friction();
             let strict = claims_strict || !coulomb;
-            let (mut found, bound, stress) = self.lower_factor(&without, "static_frictionless", claimed, strict)?;
+            let (mut found, bound, stress) =
+                self.lower_factor(&without, "static_frictionless", claimed, strict)?;
             found.bound = if coulomb { "lower" } else { "lower, frictionless" };
             findings.push(found);
             pass.frictionless = Some(bound);
             pass.frictionless_stress = Some(stress);
         }
         if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
-            let nodes = read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let nodes =
+                read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
             let field = limit::velocity(nodes);
             if claimed == 0.0 {
                 let certificate = certify_free(model, &field);
                 let free = is_free(&certificate);
-                let worst = certificate.rigid.max(certificate.compatibility).max(certificate.contact.unwrap_or(0.0));
+                let worst = certificate
+                    .rigid
+                    .max(certificate.compatibility)
+                    .max(certificate.contact.unwrap_or(0.0));
                 // velocities that are no free mechanism prove nothing of zero
                 let recomputed = if free { 0.0 } else { f64::INFINITY };
                 let random = sample_upper(model, &field, POINTS).gap_cone;
-                findings.push(finding(case, "upper", [claimed, recomputed, worst, random], free, claims_strict));
+                findings.push(finding(
+                    case,
+                    "upper",
+                    [claimed, recomputed, worst, random],
+                    free,
+                    claims_strict,
+                ));
                 pass.free = free.then_some(FreeMechanism { field, certificate });
             } else {
                 let (found, bound) = self.upper_factor(&field, claimed, claims_strict);
@@ -329,7 +366,9 @@ impl Scene<'_> {
                 pass.velocity = Some(field);
             }
         }
-        for (lower, bracket) in [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)] {
+        for (lower, bracket) in
+            [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)]
+        {
             let (Some(l), Some(u)) = (lower, &pass.upper) else { continue };
             match FactorBracket::new(l.clone(), u.clone()) {
                 Ok(b) => *bracket = Some(b),
@@ -352,11 +391,18 @@ impl Scene<'_> {
     }
 
     /// The upper bound of stored velocities.
-    fn upper_factor(&self, field: &VelocityField, claimed: f64, claims_strict: bool) -> (Finding, UpperFactor) {
+    fn upper_factor(
+        &self,
+        field: &VelocityField,
+        claimed: f64,
+        claims_strict: bool,
+    ) -> (Finding, UpperFactor) {
         let sampled = sample_upper(self.model, field, POINTS);
         let bound = UpperFactor::new(certify_upper(self.model, field, limit::SUBDIVISIONS));
         let c = bound.certificate();
-        let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)].into_iter().fold(0.0, f64::max);
+        let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)]
+            .into_iter()
+            .fold(0.0, f64::max);
         let numbers = [claimed, bound.value(), worst, sampled.strain.max(sampled.gap_cone)];
         (finding(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
     }
@@ -395,7 +441,8 @@ impl Scene<'_> {
         let outside = (c.worst() + c.cover - 1.0).max(0.0);
         let residuals = [c.equilibrium, c.traction_jump, c.contact.unwrap_or(0.0), outside];
         let worst = residuals.into_iter().fold(0.0, f64::max);
-        let random = sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
+        let random =
+            sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
         let numbers = [claimed, bound.value(), worst, random];
         Ok((finding(self.case, "lower", numbers, bound.is_strict(), claims_strict), bound, stress))
     }
@@ -421,13 +468,14 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
     };
     let history = row(true, false) && row(false, true);
     let raw = |a: Option<RawBracket>, b: Option<RawBracket>| {
-        let numbers = |r: Option<RawBracket>| (r.and_then(|r| r.lower), r.and_then(|r| r.upper?.finite()));
+        let numbers =
+            |r: Option<RawBracket>| (r.and_then(|r| r.lower), r.and_then(|r| r.upper?.finite()));
         let (a, b) = (numbers(a), numbers(b));
         near(a.0, b.0) && near(a.1, b.1)
     };
     let bolts = claimed.preload.iter().zip(&found.preload);
-    let preload =
-        claimed.preload.len() == found.preload.len() && bolts.into_iter().all(|(a, b)| near(a.tension, b.tension));
+    let preload = claimed.preload.len() == found.preload.len()
+        && bolts.into_iter().all(|(a, b)| near(a.tension, b.tension));
     let shares = claimed.dissipation.len() == found.dissipation.len()
         && claimed
             .dissipation
@@ -456,7 +504,9 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         (
             "load",
             claimed.load.is_none_or(|a| {
-                found.load.is_some_and(|b| a.unit() == b.unit() && near(Some(a.value()), Some(b.value())))
+                found
+                    .load
+                    .is_some_and(|b| a.unit() == b.unit() && near(Some(a.value()), Some(b.value())))
             }),
         ),
         ("load_displacement", (0..2).all(|i| near(end(claimed, i), end(found, i)))),
@@ -468,7 +518,10 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         ("preload", preload),
         ("dissipation", shares),
         ("welds", welds),
-        ("load_displacement_at_least", near(claimed.load_displacement_at_least, found.load_displacement_at_least)),
+        (
+            "load_displacement_at_least",
+            near(claimed.load_displacement_at_least, found.load_displacement_at_least),
+        ),
         ("yielding", yielding),
         ("limiting_part", claimed.limiting_part == found.limiting_part),
         ("certificate.strict", !strict(claimed) || strict(found)),

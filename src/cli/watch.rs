@@ -1,7 +1,7 @@
 //! `bracket watch`: the checks of a spec again, whenever a YAML or CSV file beside it or in the folder of `--catalog` changes.
 
 use super::check::{self, CheckArgs};
-use super::{Common, Outcome};
+use super::{CommandResult, Common};
 use crate::diag_render;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ pub struct WatchArgs {
 type Stamps = Vec<(PathBuf, SystemTime, u64)>;
 
 /// Runs `bracket watch`; it ends with Ctrl-C.
-pub fn run(args: &WatchArgs, common: &Common) -> Outcome {
+pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
     let mut before: Option<Stamps> = None;
     loop {
         let now = stamps(&args.check);
@@ -52,9 +52,12 @@ fn stamps(args: &CheckArgs) -> Stamps {
     for folder in [Some(beside), args.catalog.folder()].into_iter().flatten() {
         let Ok(entries) = std::fs::read_dir(folder) else { continue };
         for path in entries.filter_map(|e| Some(e.ok()?.path())) {
-            let input =
-                path.extension().is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
-            if let Some(meta) = path.metadata().ok().filter(|m| (input || path == args.spec) && m.is_file()) {
+            let input = path
+                .extension()
+                .is_some_and(|e| ["yaml", "yml", "csv"].iter().any(|x| e.eq_ignore_ascii_case(x)));
+            if let Some(meta) =
+                path.metadata().ok().filter(|m| (input || path == args.spec) && m.is_file())
+            {
                 out.push((path, meta.modified().unwrap_or(SystemTime::UNIX_EPOCH), meta.len()));
             }
         }

@@ -2,8 +2,8 @@
 
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::analysis_pass::Outcome;
-use crate::driver::case::{Case, Echo, Limits, run_pass, too_large};
+use crate::driver::analysis_pass::AnalysisPass;
+use crate::driver::case::{Case, Limits, RunContext, run_pass, too_large};
 use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
@@ -23,7 +23,7 @@ use std::time::Instant;
 /// A pass that is kept, with its mesh.
 pub struct Kept {
     /// What it left.
-    pub outcome: Outcome,
+    pub outcome: AnalysisPass,
     /// The model on its mesh.
     pub model: AnalysisModel,
     /// Where it is not the first mesh: the mesh, the model file and the quality.
@@ -55,7 +55,7 @@ pub fn analyse(
     case: Case,
     first: bool,
     share: &Share,
-    echo: &Echo,
+    context: &RunContext,
     limits: &Limits,
     log: &Arc<Log>,
 ) -> Result<Adapted, Diagnostics> {
@@ -76,30 +76,44 @@ pub fn analyse(
         let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
         let runs = outcome.runs();
         // no program had to run where an answer is proved without one
-        if index == 0 && first && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {
-            return Err(too_large(&name, &outcome, echo).into());
+        if index == 0
+            && first
+            && !runs.is_empty()
+            && runs.iter().all(|(_, run)| run.refusal.is_some())
+        {
+            return Err(too_large(&name, &outcome, context).into());
         }
         let seconds = mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64();
         let mut entry = outcome.entry(&name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
             row.seconds = Some(seconds);
-            row.predicted =
-                predicted.map(|p| Predicted { macro_tets: p.tets.round() as usize, gap: p.gap, seconds: p.seconds });
+            row.predicted = predicted.map(|p| Predicted {
+                macro_tets: p.tets.round() as usize,
+                gap: p.gap,
+                seconds: p.seconds,
+            });
         }
         let strict = entry.certificate.is_some_and(|c| c.strict);
-        let step = entry.gap.filter(|_| strict && outcome.contributions().is_some()).map(|gap| Step {
-            tets: model.mesh.tets.len(),
-            gap,
-            seconds,
-            bytes: outcome.runs().iter().filter_map(|(_, r)| r.forecast).map(|f| f.bytes).max().unwrap_or(0),
-            predicted,
-        });
+        let step =
+            entry.gap.filter(|_| strict && outcome.contributions().is_some()).map(|gap| Step {
+                tets: model.mesh.tets.len(),
+                gap,
+                seconds,
+                bytes: outcome
+                    .runs()
+                    .iter()
+                    .filter_map(|(_, r)| r.forecast)
+                    .map(|f| f.bytes)
+                    .max()
+                    .unwrap_or(0),
+                predicted,
+            });
         entries.push(entry);
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
         // fields of a pass that gives neither bound are not needed any more, but the last pass says where to refine
         kept.retain(|k| place.contains(&k.index) || k.index == index);
-        let (Some(adapt), Some(remesher)) = (&echo.adapt, &mut remesh) else { break };
+        let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
         let Some(step) = step else {
             if index > 0 {
                 log.line(format!(
@@ -115,12 +129,19 @@ pub fn analyse(
             break;
         }
         let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
-        let left = Left { seconds: share.until - log.seconds(), bytes: room(limits.memory).map(|r| r.bytes) };
+        let left = Left {
+            seconds: share.until - log.seconds(),
+            bytes: room(limits.memory).map(|r| r.bytes),
+        };
         let Some(last) = kept.iter().find(|k| k.index == index) else { break };
-        let estimate = last.outcome.contributions().map(|c| rates::estimate(&last.model, c, last.outcome.held()));
+        let estimate = last
+            .outcome
+            .contributions()
+            .map(|c| rates::estimate(&last.model, c, last.outcome.yield_multiplier_share()));
         let Some(estimate) = estimate else { break };
         let realised = |wanted: &[f64]| remesher.realised(wanted);
-        let (choice, curve) = plan::next(&steps, best_gap, adapt, &left, &mut |most| estimate.curve(most, &realised));
+        let (choice, curve) =
+            plan::next(&steps, best_gap, adapt, &left, &mut |most| estimate.curve(most, &realised));
         let (Next::Refine(p), Some(curve)) = (choice, curve) else {
             if let Next::Stop(why) = choice {
                 stop = Some(why);
@@ -154,7 +175,7 @@ pub fn analyse(
             }
         }
     }
-    finish(&name, entries, kept, stop, echo, limits)
+    finish(&name, entries, kept, stop, context, limits)
 }
 
 fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
@@ -175,47 +196,55 @@ fn finish(
     entries: Vec<CaseResult>,
     mut kept: Vec<Kept>,
     stop: Option<Stop>,
-    echo: &Echo,
+    context: &RunContext,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(&entries)?;
     entry.history = entries.iter().flat_map(|e| e.history.iter().cloned()).collect();
     if let Some(last) = entries.last() {
-        let new: Vec<String> = last.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
+        let new: Vec<String> =
+            last.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
         entry.warnings.extend(new.into_iter().map(|w| format!("mesh {}: {w}", entries.len())));
     }
-    if let (Some(gap), Some(adapt)) = (entry.gap, &echo.adapt)
+    if let (Some(gap), Some(adapt)) = (entry.gap, &context.adapt)
         && gap > adapt.target_gap
     {
         entry.warnings.push(format!(
             "the gap is {}, the target {}: {}",
             percent_up(gap),
             percent_up(adapt.target_gap),
-            shortfall(stop, entries.len(), echo, limits)
+            shortfall(stop, entries.len(), context, limits)
         ));
     }
     let Some(b) = best(&entries) else { return Err(Diagnostics(Vec::new())) };
-    let mut take = |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
+    let mut take =
+        |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
     // both were kept when they became the best
     let Some(upper) = upper else {
-        return Err(Diagnostic::undecided("cli/lost", format!("the best pass of `{name}` was lost")).into());
+        return Err(Diagnostic::undecided(
+            "cli/lost",
+            format!("the best pass of `{name}` was lost"),
+        )
+        .into());
     };
     Ok(Adapted { entry, upper, lower })
 }
 
 /// Why the target was missed, and what helps.
-fn shortfall(stop: Option<Stop>, passes: usize, echo: &Echo, limits: &Limits) -> String {
-    let max_passes = echo.adapt.map_or(1, |a| a.max_passes);
+fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &Limits) -> String {
+    let max_passes = context.adapt.map_or(1, |a| a.max_passes);
     match stop {
         _ if limits.interrupt.asked() => "the run was interrupted".into(),
-        Some(Stop::Passes) | None if max_passes == 1 => format!("a finer mesh is needed ({})", echo.finer),
+        Some(Stop::Passes) | None if max_passes == 1 => {
+            format!("a finer mesh is needed ({})", context.finer)
+        }
         Some(Stop::Passes) => format!("{passes} meshes were allowed (`max_passes`)"),
         Some(Stop::Tets) => "no mesh within `max_macro_tets` would narrow it much".into(),
         Some(Stop::Time) => "no further mesh fits into `time_limit`".into(),
         Some(Stop::Memory) => "no finer mesh fits into the memory".into(),
         Some(Stop::Nothing) => "no element contributes to it, so no mesh narrows it".into(),
-        Some(Stop::Target) | None => format!("a finer mesh is needed ({})", echo.finer),
+        Some(Stop::Target) | None => format!("a finer mesh is needed ({})", context.finer),
     }
 }

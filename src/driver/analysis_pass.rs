@@ -11,11 +11,10 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::png;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
-use crate::model::file::AnalysisKind;
 use crate::report::draw::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::markdown::page::PictureRef;
 use crate::result::case::case_result;
-use crate::result::data::{CaseResult, Problem};
+use crate::result::data::{CaseResult, FrictionModel};
 use crate::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
 };
@@ -24,6 +23,7 @@ use crate::result::fields::vtu::VtuGrid;
 use crate::result::folder::ResultFolder;
 use crate::result::limit_case::limit_case_result;
 use crate::solve::SolveOptions;
+use crate::spec::analysis::AnalysisKind;
 
 /// Kind of the field file of a stress that carries the live loads alone, which the word `unbounded` stands on.
 pub const LIVE_FIELD: &str = "static_live";
@@ -31,20 +31,30 @@ pub const LIVE_FIELD: &str = "static_live";
 pub const DEAD_FIELD: &str = "static_dead";
 
 /// A pass of one kind of analysis.
-pub enum Outcome {
+pub enum AnalysisPass {
     /// Bounds of the energy.
     Energy(Box<Pass>),
     /// Bounds of the load factor.
     Factor(Box<LimitPass>),
 }
 
-impl Outcome {
+impl AnalysisPass {
     /// Runs the programs that the model's kind of analysis asks for.
-    pub fn run(model: &AnalysisModel, options: &PassOptions, progress: &Progress) -> Result<Self, PassError> {
+    pub fn run(
+        model: &AnalysisModel,
+        options: &PassOptions,
+        progress: &Progress,
+    ) -> Result<Self, PassError> {
         Ok(match model.analysis {
-            AnalysisKind::Limit => Outcome::Factor(Box::new(limit::run(model, options, progress)?)),
-            AnalysisKind::Elastoplastic => Outcome::Energy(Box::new(hencky::run(model, options, progress)?)),
-            AnalysisKind::Elastic => Outcome::Energy(Box::new(engine::run(model, options, progress)?)),
+            AnalysisKind::Limit => {
+                AnalysisPass::Factor(Box::new(limit::run(model, options, progress)?))
+            }
+            AnalysisKind::Elastoplastic => {
+                AnalysisPass::Energy(Box::new(hencky::run(model, options, progress)?))
+            }
+            AnalysisKind::Elastic => {
+                AnalysisPass::Energy(Box::new(engine::run(model, options, progress)?))
+            }
         })
     }
 
@@ -60,42 +70,47 @@ impl Outcome {
     /// The programs that ran or were to run.
     pub fn runs(&self) -> Vec<(Program, &ProgramRun)> {
         match self {
-            Outcome::Energy(p) => p.runs().collect(),
-            Outcome::Factor(p) => p.runs().collect(),
+            AnalysisPass::Energy(p) => p.runs().collect(),
+            AnalysisPass::Factor(p) => p.runs().collect(),
         }
     }
 
     /// Contributions to the gap of the bracket that answers, where there is one.
     pub fn contributions(&self) -> Option<&Contributions> {
         match self {
-            Outcome::Energy(p) => p.contributions.as_ref(),
-            Outcome::Factor(p) => p.contributions.as_ref(),
+            AnalysisPass::Energy(p) => p.contributions.as_ref(),
+            AnalysisPass::Factor(p) => p.contributions.as_ref(),
         }
     }
 
     /// What each tet holds the lower bound of a load factor down by.
-    pub fn held(&self) -> Option<&[f64]> {
+    pub fn yield_multiplier_share(&self) -> Option<&[f64]> {
         match self {
-            Outcome::Energy(_) => None,
-            Outcome::Factor(p) => p.held.as_deref(),
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.yield_multiplier_share.as_deref(),
         }
     }
 
     /// The stress behind the lower bound of the answer, and the load factor it carries.
     pub fn stress(&self, entry: &CaseResult) -> Option<(&StressField, f64)> {
         match self {
-            Outcome::Energy(p) => p.stress.as_ref().map(|s| (s, 1.0)),
-            Outcome::Factor(p) => {
-                p.carried(entry.problem == Problem::Coulomb).map(|(stress, bound)| (stress, bound.certificate().factor))
-            }
+            AnalysisPass::Energy(p) => p.stress.as_ref().map(|s| (s, 1.0)),
+            AnalysisPass::Factor(p) => p
+                .carried(entry.problem == FrictionModel::Coulomb)
+                .map(|(stress, bound)| (stress, bound.certificate().factor)),
         }
     }
 
     /// The entry of the result.
-    pub fn entry(&self, name: &str, model: &AnalysisModel, mesh_seconds: Option<f64>) -> CaseResult {
+    pub fn entry(
+        &self,
+        name: &str,
+        model: &AnalysisModel,
+        mesh_seconds: Option<f64>,
+    ) -> CaseResult {
         match self {
-            Outcome::Energy(p) => case_result(name, model, p, mesh_seconds),
-            Outcome::Factor(p) => limit_case_result(name, model, p, mesh_seconds),
+            AnalysisPass::Energy(p) => case_result(name, model, p, mesh_seconds),
+            AnalysisPass::Factor(p) => limit_case_result(name, model, p, mesh_seconds),
         }
     }
 
@@ -112,7 +127,7 @@ impl Outcome {
             Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
         };
         match self {
-            Outcome::Energy(p) => {
+            AnalysisPass::Energy(p) => {
                 let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
                 if let Some(u) = p.plastic.as_ref().filter(|_| kinematic) {
                     write("kinematic", plastic_grid(model, u, contributions))?;
@@ -121,13 +136,16 @@ impl Outcome {
                 }
                 if let Some(s) = p.stress.as_ref().filter(|_| statics) {
                     let yields = model.analysis == AnalysisKind::Elastoplastic;
-                    write("static", if yields { yielding_stress_grid(model, s) } else { stress_grid(model, s) })?;
+                    write(
+                        "static",
+                        if yields { yielding_stress_grid(model, s) } else { stress_grid(model, s) },
+                    )?;
                 }
                 if !p.shift.faces.is_empty() {
                     write("shift", shift_grid(model, &p.shift))?;
                 }
             }
-            Outcome::Factor(p) => {
+            AnalysisPass::Factor(p) => {
                 if let Some(v) = p.velocity.as_ref().filter(|_| kinematic) {
                     let densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
                     write("kinematic", velocity_grid(model, v, densities))?;
@@ -142,9 +160,10 @@ impl Outcome {
                         write(DEAD_FIELD, lower_grid(model, dead, 0.0))?;
                     }
                 }
-                for (kind, stress, bound) in
-                    [("static", &p.stress, &p.lower), ("static_frictionless", &p.frictionless_stress, &p.frictionless)]
-                {
+                for (kind, stress, bound) in [
+                    ("static", &p.stress, &p.lower),
+                    ("static_frictionless", &p.frictionless_stress, &p.frictionless),
+                ] {
                     if let (true, Some(s), Some(b)) = (statics, stress, bound) {
                         write(kind, lower_grid(model, s, b.certificate().factor))?;
                     }
@@ -156,7 +175,7 @@ impl Outcome {
 
     /// The part of a mechanism's dissipation that is not that of welds; `None` where nothing dissipates.
     fn part_of_the_bodies(&self) -> Option<f64> {
-        let Outcome::Factor(pass) = self else { return None };
+        let AnalysisPass::Factor(pass) = self else { return None };
         let c = pass.upper.as_ref()?.certificate();
         let [bodies, welds] = [&c.dissipation, &c.welds].map(|d| d.iter().sum::<f64>());
         (bodies + welds > 0.0).then(|| bodies / (bodies + welds))
@@ -173,8 +192,8 @@ impl Outcome {
     ) -> Result<Option<PictureRef>, Diagnostics> {
         let mesh = &model.mesh;
         let (field, u) = match self {
-            Outcome::Energy(p) => (None, p.displacement.as_ref()),
-            Outcome::Factor(p) => {
+            AnalysisPass::Energy(p) => (None, p.displacement.as_ref()),
+            AnalysisPass::Factor(p) => {
                 let v = p.velocity.as_ref().or(p.free.as_ref().map(|f| &f.field));
                 (v, v.map(|v| &v.nodes))
             }
@@ -209,8 +228,13 @@ impl Outcome {
             }
         };
         let deformed = Some(Deformed { displacement: vertices, factor, to_scale: field.is_none() });
-        let options =
-            PictureOptions { mirror, mesh_lines: false, field: Some(colours), deformed, ..PictureOptions::default() };
+        let options = PictureOptions {
+            mirror,
+            mesh_lines: false,
+            field: Some(colours),
+            deformed,
+            ..PictureOptions::default()
+        };
         folder.write(&file, &png(&draw(mesh, &options))?)?;
         Ok(Some(PictureRef { file, caption }))
     }
@@ -249,7 +273,8 @@ fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<
         });
     }
     let mean = if total > 0.0 { square / total } else { 1.0 };
-    let values: Vec<f64> = nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect();
+    let values: Vec<f64> =
+        nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect();
     let largest = values.iter().fold(0.0f64, |m, x| m.max(*x));
     let top = if largest > 0.0 { largest.min(1.0) } else { 1.0 };
     (values, Some([0.0, top]))

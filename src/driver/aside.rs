@@ -50,7 +50,8 @@ impl Folder {
     pub fn finish(self) -> Result<(), MesherError> {
         let _moving = self.moving.lock().unwrap_or_else(PoisonError::into_inner);
         if self.wanted.exists() {
-            std::fs::remove_dir_all(&self.wanted).map_err(|e| MesherError::write(&self.wanted, e))?;
+            std::fs::remove_dir_all(&self.wanted)
+                .map_err(|e| MesherError::write(&self.wanted, e))?;
         }
         std::fs::rename(&self.aside, &self.wanted).map_err(|e| MesherError::write(&self.wanted, e))
     }

@@ -10,7 +10,7 @@ use crate::checks::verdict::{self, Verdict};
 use crate::cli::Common;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::adaptive::{self, Adapted, Kept, Share};
-use crate::driver::analysis_pass::Outcome;
+use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::conclude::{Analyses, certified, conclude};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::memory_limit;
@@ -19,7 +19,7 @@ use crate::driver::remesh::Remesh;
 use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
 use crate::model::analysis::Traction;
-use crate::model::file::{AnalysisKind, ModelFile};
+use crate::model::file::ModelFile;
 use crate::refine::plan;
 use crate::report::console::log::Log;
 use crate::report::console::progress::{self, refusal_words};
@@ -36,6 +36,7 @@ use crate::result::forces::static_forces;
 use crate::result::polygon;
 use crate::result::stiffness::joint_stiffness;
 use crate::solve::{Patterns, SolveOptions, Solver};
+use crate::spec::analysis::AnalysisKind;
 use crate::spec::polygon::PolygonSpec;
 use crate::spec::yaml;
 use std::path::{Path, PathBuf};
@@ -102,7 +103,10 @@ pub struct Limits {
 pub fn use_threads(common: &Common) -> Result<(), Diagnostics> {
     let Some(n) = common.threads else { return Ok(()) };
     if !(1..=1024).contains(&n) {
-        let d = Diagnostic::input("cli/value", format!("--threads is {n}, it must be between 1 and 1024"));
+        let d = Diagnostic::input(
+            "cli/value",
+            format!("--threads is {n}, it must be between 1 and 1024"),
+        );
         return Err(d.help("leave the option out to use every processor").into());
     }
     // a second call in one process (tests) keeps the first pool
@@ -130,7 +134,7 @@ pub struct Case<'a> {
 
 /// What the report says about the input.
 #[derive(Clone, Debug, Default)]
-pub struct Echo {
+pub struct RunContext {
     /// Title block.
     pub project: Vec<(String, String)>,
     /// Name of the input file.
@@ -179,7 +183,10 @@ pub fn stem_of(case: &str, analysis: AnalysisKind, again: bool) -> String {
 
 /// A file name made of a case's name, short enough for every file system.
 pub fn file_stem(case: &str) -> String {
-    case.chars().take(100).map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect()
+    case.chars()
+        .take(100)
+        .map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' })
+        .collect()
 }
 
 /// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
@@ -187,45 +194,52 @@ fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     let m = &case.model;
     let acts = m.surface_loads.iter().any(|l| match l.traction {
         Traction::Pressure(p) => p != 0.0,
-        Traction::Linear { traction0, gradient } => traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3],
+        Traction::Linear { traction0, gradient } => {
+            traction0 != [0.0; 3] || gradient != [[0.0; 3]; 3]
+        }
     }) || m.body_loads.iter().any(|l| l.force != [0.0; 3])
         || m.rigid.iter().any(|r| r.action.iter().chain(&r.dead_action).any(|a| *a != 0.0))
         || m.has_preload();
     if acts {
         return Ok(());
     }
-    Err(Diagnostic::input("model/no-load", format!("nothing acts on the model of `{}`: every load is zero", case.name))
-        .path("loads")
-        .help("give a load that is not zero")
-        .into())
+    Err(Diagnostic::input(
+        "model/no-load",
+        format!("nothing acts on the model of `{}`: every load is zero", case.name),
+    )
+    .path("loads")
+    .help("give a load that is not zero")
+    .into())
 }
 
 /// Analyses the cases, writes fields, result and report, prints the answer; returns the exit code.
 pub fn finish(
     cases: Vec<Case>,
-    echo: Echo,
+    context: RunContext,
     limits: &Limits,
     folder: ResultFolder,
     log: Arc<Log>,
     common: &Common,
-) -> crate::cli::Outcome {
+) -> crate::driver::CommandResult {
     cases.iter().try_for_each(refuse_idle)?;
     let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
-    let mut echo = echo;
-    let mut result = ResultFile::new(echo.input_hash.clone(), symmetry, Verdict::None);
+    let mut context = context;
+    let mut result = ResultFile::new(context.input_hash.clone(), symmetry, Verdict::None);
     let demanded = demanded(&cases);
-    result.warnings.clone_from(&echo.checks.notes);
+    result.warnings.clone_from(&context.checks.notes);
     let mut pictures = Vec::new();
     let mut traits = ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() };
     let mut notes: Vec<String> = Vec::new();
     let names: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
     let stems = stems(&cases);
-    let mut directions = Directions::among(&cases, echo.polygon.as_ref());
+    let mut directions = Directions::among(&cases, context.polygon.as_ref());
     // the first mesh is the same for all cases
     let patterns = Patterns::default();
     for (i, case) in cases.into_iter().enumerate() {
         if limits.interrupt.asked() && i > 0 {
-            result.warnings.push(format!("interrupted: not analysed were {}", names[i..].join(", ")));
+            result
+                .warnings
+                .push(format!("interrupted: not analysed were {}", names[i..].join(", ")));
             break;
         }
         let contacts = contact_faces(&case.model);
@@ -243,14 +257,22 @@ pub fn finish(
         let (file_name, file) = case.model_file.clone();
         let (demand, direction) = (case.demand.clone(), case.direction);
         let now = log.seconds();
-        let until = limits.time.map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (names.len() - i) as f64);
-        let Adapted { mut entry, upper, lower } =
-            adaptive::analyse(case, i == 0, &Share { until, patterns: &patterns }, &echo, limits, &log)?;
+        let until = limits
+            .time
+            .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (names.len() - i) as f64);
+        let Adapted { mut entry, upper, lower } = adaptive::analyse(
+            case,
+            i == 0,
+            &Share { until, patterns: &patterns },
+            &context,
+            limits,
+            &log,
+        )?;
         let refused = |k: &Kept| k.outcome.runs().iter().any(|(_, run)| run.refusal.is_some());
         if refused(&upper) {
             entry.warnings.push(format!(
                 "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
-                echo.coarser
+                context.coarser
             ));
         }
         if entry.quantity == Quantity::LoadFactor {
@@ -258,34 +280,45 @@ pub fn finish(
             entry.utilisation = verdict::utilisation(lower, upper);
         }
         if let Some(actions) = demand.filter(|d| !d.is_empty()) {
-            entry.demand = Some(Demand::new(&entry, certified(&entry), actions, &echo.checks));
+            entry.demand = Some(Demand::new(&entry, certified(&entry), actions, &context.checks));
         }
         let best = lower.as_ref().unwrap_or(&upper);
-        mark_halved(&mut entry.preload, &best.model, &echo.mirror);
+        mark_halved(&mut entry.preload, &best.model, &context.mirror);
         let mut maps = Vec::new();
-        if let Some((stress, factor)) = best.outcome.stress(&entry).filter(|_| !echo.bolts.is_empty()) {
-            let forces = static_forces(&best.model, stress, factor, &echo.bolts, &echo.mirror);
+        if let Some((stress, factor)) =
+            best.outcome.stress(&entry).filter(|_| !context.bolts.is_empty())
+        {
+            let forces =
+                static_forces(&best.model, stress, factor, &context.bolts, &context.mirror);
             for pair in &forces.contacts {
-                let Some(map) = contact_map(&best.model, stress, pair, &echo.mirror) else { continue };
-                let file = format!("contact_{}_{}.svg", stems[i], file_stem(&pair.between.join("_")));
+                let Some(map) = contact_map(&best.model, stress, pair, &context.mirror) else {
+                    continue;
+                };
+                let file =
+                    format!("contact_{}_{}.svg", stems[i], file_stem(&pair.between.join("_")));
                 folder.write(&file, map.as_bytes())?;
-                let (between, factor) = (pair.between.join(" on "), figures::significant(factor, 4, Rounding::Down));
+                let (between, factor) =
+                    (pair.between.join(" on "), figures::significant(factor, 4, Rounding::Down));
                 maps.push(PictureRef {
                     file,
-                    caption: format!("Case {}: contact pressure of {between} at load factor {factor}", names[i]),
+                    caption: format!(
+                        "Case {}: contact pressure of {between} at load factor {factor}",
+                        names[i]
+                    ),
                 });
             }
             entry.static_forces = Some(forces);
         }
-        entry.joint_stiffness = joint_stiffness(&entry, &echo.checks.moments);
+        entry.joint_stiffness = joint_stiffness(&entry, &context.checks.moments);
         let stem = &stems[i];
         if pictures.is_empty() {
-            pictures.push(mesh_picture(&upper.model, &echo.mirror, &folder)?);
+            pictures.push(mesh_picture(&upper.model, &context.mirror, &folder)?);
             if let Some((_, _, quality)) = &upper.made {
-                echo.mesh_quality = quality.clone();
+                context.mesh_quality = quality.clone();
             }
         }
-        let mesh_name = if names.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        let mesh_name =
+            if names.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
         write_model(&upper, &file, ["", &file_name, &mesh_name], &folder)?;
         upper.outcome.write_fields(&upper.model, stem, &folder, [true, lower.is_none()])?;
         if let Some(lower) = &lower {
@@ -294,9 +327,15 @@ pub fn finish(
             write_model(lower, &file, ["fields/", &model, &mesh], &folder)?;
             lower.outcome.write_fields(&lower.model, stem, &folder, [false, true])?;
         }
-        pictures.extend(upper.outcome.picture(&names[i], &upper.model, &echo.mirror, stem, &folder)?);
+        pictures.extend(upper.outcome.picture(
+            &names[i],
+            &upper.model,
+            &context.mirror,
+            stem,
+            &folder,
+        )?);
         pictures.append(&mut maps);
-        pictures.extend(convergence(&entry, echo.adapt.map(|a| a.target_gap), stem, &folder)?);
+        pictures.extend(convergence(&entry, context.adapt.map(|a| a.target_gap), stem, &folder)?);
         if let (Some(directions), Some(direction)) = (&mut directions, direction) {
             directions.add(direction, &entry, &upper);
         }
@@ -306,12 +345,15 @@ pub fn finish(
     if let Some(polygon) = &result.polygon {
         folder.write("polygon.svg", polygon::drawing(polygon).as_bytes())?;
         let [a, b] = polygon.axes.each_ref().map(|a| a.action.as_str());
-        pictures.insert(0, PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") });
+        pictures.insert(
+            0,
+            PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") },
+        );
     }
     let complete = result.cases.len() == names.len();
     let interrupted = limits.interrupt.asked();
     let analyses = Analyses { demanded, complete, interrupted, pictures, traits, notes };
-    conclude(result, echo, analyses, folder, &log, common)
+    conclude(result, context, analyses, folder, &log, common)
 }
 
 /// The load cases that demand something of the joint, with the kinds of analysis asked for.
@@ -346,21 +388,27 @@ fn write_model(
         }
         // beside the fields the first mesh is one step up
         None if place.is_empty() => yaml::to_string(first)?,
-        None => yaml::to_string(&ModelFile { mesh: format!("../{}", first.mesh), ..first.clone() })?,
+        None => {
+            yaml::to_string(&ModelFile { mesh: format!("../{}", first.mesh), ..first.clone() })?
+        }
     };
     Ok(folder.write(&format!("{place}{file}"), text.as_bytes())?)
 }
 
 /// No program of a case fits into the memory.
-pub fn too_large(name: &str, pass: &Outcome, echo: &Echo) -> Diagnostic {
+pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagnostic {
     let refused: Vec<(Program, Refusal)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
-    let each = refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
-    let message = format!("`{name}` does not fit into the memory: {}", each.collect::<Vec<_>>().join("; "));
+    let each =
+        refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
+    let message =
+        format!("`{name}` does not fit into the memory: {}", each.collect::<Vec<_>>().join("; "));
     let asked = refused.iter().any(|(_, r)| r.room.limit != Limit::Machine);
     let larger = if asked { ", a larger --memory-limit" } else { "" };
-    Diagnostic::environment("run/memory", message)
-        .help(format!("use {}{larger} or a machine with more memory; nothing was written", echo.coarser))
+    Diagnostic::environment("run/memory", message).help(format!(
+        "use {}{larger} or a machine with more memory; nothing was written",
+        context.coarser
+    ))
 }
 
 /// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves end, `patterns`: what earlier
@@ -372,7 +420,7 @@ pub fn run_pass(
     patterns: &Patterns,
     limits: &Limits,
     log: &Arc<Log>,
-) -> Result<Outcome, Diagnostics> {
+) -> Result<AnalysisPass, Diagnostics> {
     // one load case may be analysed in several ways
     let kind = match model.analysis {
         AnalysisKind::Limit => " (limit)",
@@ -396,26 +444,35 @@ pub fn run_pass(
     let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
     let patterns = patterns.clone();
-    let solve = SolveOptions { solver, time_limit: left, interrupt, patterns, ..SolveOptions::default() };
-    let (told, name, tolerance) = (log.clone(), name, Outcome::tolerance(model, &solve));
+    let solve =
+        SolveOptions { solver, time_limit: left, interrupt, patterns, ..SolveOptions::default() };
+    let (told, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
     let progress: engine::Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
-    Outcome::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
+    AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }
 
 pub(crate) fn png(picture: &crate::report::draw::Picture) -> Result<Vec<u8>, Diagnostics> {
-    picture
-        .to_png()
-        .map_err(|e| Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}")).into())
+    picture.to_png().map_err(|e| {
+        Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}"))
+            .into()
+    })
 }
 
-fn mesh_picture(model: &AnalysisModel, mirror: &[usize], folder: &ResultFolder) -> Result<PictureRef, Diagnostics> {
+fn mesh_picture(
+    model: &AnalysisModel,
+    mirror: &[usize],
+    folder: &ResultFolder,
+) -> Result<PictureRef, Diagnostics> {
     let picture = draw(&model.mesh, &PictureOptions { mirror, ..PictureOptions::default() });
     folder.write("mesh.png", &png(&picture)?)?;
     let copies = if mirror.is_empty() { "" } else { ", completed by symmetry" };
-    Ok(PictureRef { file: "mesh.png".into(), caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()) })
+    Ok(PictureRef {
+        file: "mesh.png".into(),
+        caption: format!("Mesh of {} tetrahedra{copies}", model.mesh.tets.len()),
+    })
 }
 
 /// The gap against the size of the mesh, where there was more than one.
@@ -439,19 +496,31 @@ fn convergence(
     };
     let file = format!("convergence_{stem}.png");
     folder.write(&file, &png(&plot.picture())?)?;
-    Ok(Some(PictureRef { file, caption: format!("Case {}: gap against the size of the mesh", entry.name) }))
+    Ok(Some(PictureRef {
+        file,
+        caption: format!("Case {}: gap against the size of the mesh", entry.name),
+    }))
 }
 
 /// Values of a catalogue row as the report shows them.
-pub fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: String) -> CatalogueRow {
+pub fn catalogue_row(
+    kind: &str,
+    name: &str,
+    row: serde_json::Value,
+    source: String,
+) -> CatalogueRow {
     let values = row.as_object().map_or(Vec::new(), |fields| {
         fields
             .iter()
-            .filter(|(key, _)| !["name", "size", "grade", "source", "series", "standard"].contains(&key.as_str()))
+            .filter(|(key, _)| {
+                !["name", "size", "grade", "source", "series", "standard"].contains(&key.as_str())
+            })
             .filter_map(|(key, v)| match v {
                 serde_json::Value::Number(n) => Some((key.clone(), n.to_string())),
                 serde_json::Value::String(s) => Some((key.clone(), s.clone())),
-                serde_json::Value::Bool(b) => Some((key.clone(), if *b { "yes" } else { "no" }.into())),
+                serde_json::Value::Bool(b) => {
+                    Some((key.clone(), if *b { "yes" } else { "no" }.into()))
+                }
                 _ => None,
             })
             .collect()

@@ -4,8 +4,7 @@ use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, judge};
 use crate::cli::{Common, Format};
 use crate::diag::Diagnostic;
-use crate::driver::case::Echo;
-use crate::model::file::AnalysisKind;
+use crate::driver::case::RunContext;
 use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::console::out;
@@ -14,6 +13,7 @@ use crate::report::markdown::page::{ModelTraits, PictureRef, ReportData};
 use crate::report::markdown::text::report_markdown;
 use crate::result::data::{CaseResult, HistoryRow, ResultFile};
 use crate::result::folder::ResultFolder;
+use crate::spec::analysis::AnalysisKind;
 
 /// What the analyses of a run left behind.
 pub struct Analyses {
@@ -34,30 +34,30 @@ pub struct Analyses {
 /// Judges, writes result and report, prints the answer; returns the exit code.
 pub fn conclude(
     mut result: ResultFile,
-    mut echo: Echo,
+    mut context: RunContext,
     analyses: Analyses,
     folder: ResultFolder,
     log: &Log,
     common: &Common,
-) -> crate::cli::Outcome {
-    judged(&mut result, &mut echo, &analyses);
+) -> crate::driver::CommandResult {
+    judged(&mut result, &mut context, &analyses);
     let code = exit_code(&result, analyses.complete);
     let json = result.to_json().map_err(Diagnostic::from)?;
-    for (drawing, text) in &echo.drawings {
+    for (drawing, text) in &context.drawings {
         folder.write(&drawing.file, text.as_bytes())?;
     }
     let data = ReportData {
-        project: echo.project,
+        project: context.project,
         result,
-        input_name: echo.input_name,
-        input_text: echo.input_text,
-        input_read: echo.input_read,
-        resolved: echo.resolved,
-        catalogue_rows: echo.catalogue_rows,
-        drawings: echo.drawings.into_iter().map(|d| d.0).collect(),
-        schedule: echo.schedule,
+        input_name: context.input_name,
+        input_text: context.input_text,
+        input_read: context.input_read,
+        resolved: context.resolved,
+        catalogue_rows: context.catalogue_rows,
+        drawings: context.drawings.into_iter().map(|d| d.0).collect(),
+        schedule: context.schedule,
         pictures: analyses.pictures,
-        mesh_quality: echo.mesh_quality,
+        mesh_quality: context.mesh_quality,
         model: analyses.traits,
         assumptions: Vec::new(),
         notes: analyses.notes,
@@ -73,7 +73,10 @@ pub fn conclude(
     result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
     let bare = result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
     if analyses.interrupted && bare && folder.target().exists() {
-        log.line(format!("interrupted before anything was certified: {} stays as it was", folder.target().display()));
+        log.line(format!(
+            "interrupted before anything was certified: {} stays as it was",
+            folder.target().display()
+        ));
         return Ok(3);
     }
     let last = match &result.judgement {
@@ -85,7 +88,10 @@ pub fn conclude(
                 _ if result.cases.is_empty() => "there was nothing to judge",
                 _ => "certified",
             };
-            format!("verdict: {} (no load is a demand); exit code {code}: {meaning}", result.verdict.words())
+            format!(
+                "verdict: {} (no load is a demand); exit code {code}: {meaning}",
+                result.verdict.words()
+            )
         }
     };
     // the file holds the last words as well, the terminal gets them once the folder is whole
@@ -101,11 +107,12 @@ pub fn conclude(
 }
 
 /// The verdicts of all load cases with a demand; the checks end as the analyses leave them.
-fn judged(result: &mut ResultFile, echo: &mut Echo, analyses: &Analyses) {
+fn judged(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses) {
     let of_case = |(case, kinds): &(String, Vec<AnalysisKind>)| {
         let entries = || result.cases.iter().filter(|c| c.name == *case);
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
-        let by_analysis = |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
+        let by_analysis =
+            |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
         // a bracket of the resistance decides; without one, an analysis that failed leaves the case open
         let verdict = match limit {
             Some(c) => by_analysis(c),
@@ -113,21 +120,30 @@ fn judged(result: &mut ResultFile, echo: &mut Echo, analyses: &Analyses) {
             None => Verdict::worst(entries().map(by_analysis)),
         };
         let brittle = limit.and_then(|c| c.demand.as_ref()).is_some_and(|d| d.brittle.is_some());
-        Analysed { case: case.clone(), verdict, utilisation: limit.and_then(|c| c.utilisation), brittle }
+        Analysed {
+            case: case.clone(),
+            verdict,
+            utilisation: limit.and_then(|c| c.utilisation),
+            brittle,
+        }
     };
     let analysed: Vec<Analysed> = analyses.demanded.iter().map(of_case).collect();
     if analysed.is_empty() {
-        result.verdict = if echo.checks.failed() { Verdict::NotOk } else { Verdict::None };
+        result.verdict = if context.checks.failed() { Verdict::NotOk } else { Verdict::None };
     } else {
-        let (judgement, each) = judge(&mut echo.checks, &analysed);
+        let (judgement, each) = judge(&mut context.checks, &analysed);
         for (a, j) in analysed.iter().zip(&each) {
-            let demands = result.cases.iter_mut().filter(|c| c.name == a.case).filter_map(|c| c.demand.as_mut());
+            let demands = result
+                .cases
+                .iter_mut()
+                .filter(|c| c.name == a.case)
+                .filter_map(|c| c.demand.as_mut());
             demands.for_each(|d| d.judged(j));
         }
         result.verdict = judgement.verdict;
         result.judgement = Some(judgement);
     }
-    result.checks.clone_from(&echo.checks.checks);
+    result.checks.clone_from(&context.checks.checks);
 }
 
 /// The exit code that fits the verdict; without a demand it says whether the analyses are certified.

@@ -62,9 +62,12 @@ impl Interrupt {
         if !self.asked() {
             return Ok(());
         }
-        Err(Diagnostic::undecided("cli/interrupted", format!("interrupted while {doing}: nothing was written"))
-            .help("run the same command again when there is time for it")
-            .into())
+        Err(Diagnostic::undecided(
+            "cli/interrupted",
+            format!("interrupted while {doing}: nothing was written"),
+        )
+        .help("run the same command again when there is time for it")
+        .into())
     }
 
     #[cfg(not(unix))]
@@ -84,8 +87,11 @@ impl Interrupt {
             wanted.add(Signal::SIGHUP);
         }
         let failed = |e: String| {
-            Diagnostic::environment("cli/signals", format!("the signals of the system cannot be watched: {e}"))
-                .help("run the command from a shell of its own")
+            Diagnostic::environment(
+                "cli/signals",
+                format!("the signals of the system cannot be watched: {e}"),
+            )
+            .help("run the command from a shell of its own")
         };
         wanted.thread_block().map_err(|e| failed(e.to_string()))?;
         let watcher = self.clone();
@@ -96,7 +102,10 @@ impl Interrupt {
                 watcher.heard(&mut first);
             }
         };
-        std::thread::Builder::new().name("signals".into()).spawn(watch).map_err(|e| failed(e.to_string()))?;
+        std::thread::Builder::new()
+            .name("signals".into())
+            .spawn(watch)
+            .map_err(|e| failed(e.to_string()))?;
         Ok(())
     }
 
@@ -108,7 +117,10 @@ impl Interrupt {
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {
             // whoever closed standard error wants to hear nothing
-            let _ = std::io::Write::write_all(&mut std::io::stderr(), b"interrupted: nothing was written\n");
+            let _ = std::io::Write::write_all(
+                &mut std::io::stderr(),
+                b"interrupted: nothing was written\n",
+            );
             std::process::exit(UNDECIDED);
         };
         match first {
@@ -145,7 +157,10 @@ mod tests {
         use nix::sys::signal::Signal;
         let status = "Name:\tbracket\nSigIgn:\t0000000000001001\nSigCgt:\t0000000000000002\n";
         let mask = ignored(status);
-        assert_eq!((mask >> (Signal::SIGHUP as i32 - 1) & 1, mask >> (Signal::SIGINT as i32 - 1) & 1), (1, 0));
+        assert_eq!(
+            (mask >> (Signal::SIGHUP as i32 - 1) & 1, mask >> (Signal::SIGINT as i32 - 1) & 1),
+            (1, 0)
+        );
         assert_eq!(ignored(""), 0);
     }
 

@@ -25,7 +25,9 @@ const MOST: f64 = 1099511627776.0 * 1024.0;
 pub fn parse(text: &str) -> Result<u64, Diagnostics> {
     let refused = |why: String| {
         let help = "write a number with its unit, for example `--memory-limit 8GiB` or `--memory-limit 500MiB`";
-        Err(Diagnostic::input("cli/value", format!("--memory-limit is `{text}`: {why}")).help(help).into())
+        Err(Diagnostic::input("cli/value", format!("--memory-limit is `{text}`: {why}"))
+            .help(help)
+            .into())
     };
     let trimmed = text.trim();
     let split = trimmed.find(|c: char| c.is_alphabetic()).unwrap_or(trimmed.len());

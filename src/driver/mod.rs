@@ -9,3 +9,8 @@ pub mod interrupt;
 pub mod memory_limit;
 pub mod polygon;
 pub mod remesh;
+
+use crate::diag::Diagnostics;
+
+/// What a subcommand returns: the exit code of CONTRACT.md, or the faults that ended it.
+pub type CommandResult = Result<u8, Diagnostics>;

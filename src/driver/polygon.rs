@@ -3,7 +3,7 @@
 use crate::certify::UpperFactor;
 use crate::certify::supporting::{Axes, half_plane};
 use crate::driver::adaptive::Kept;
-use crate::driver::analysis_pass::Outcome;
+use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::case::Case;
 use crate::result::data::{CaseResult, Upper};
 use crate::result::demand::ActionValue;
@@ -25,26 +25,31 @@ impl Directions {
             Some(case.model.rigid.iter().map(|r| r.action).collect())
         };
         // both axes are among the directions
-        Some(Self { spec: spec?.clone(), axes: [actions([1.0, 0.0])?, actions([0.0, 1.0])?], points: Vec::new() })
+        Some(Self {
+            spec: spec?.clone(),
+            axes: [actions([1.0, 0.0])?, actions([0.0, 1.0])?],
+            points: Vec::new(),
+        })
     }
 
     /// Takes in what a direction has left.
     pub fn add(&mut self, direction: [f64; 2], entry: &CaseResult, best: &Kept) {
         let (lower, upper) = entry.safe_bounds();
-        let Outcome::Factor(pass) = &best.outcome else { return };
+        let AnalysisPass::Factor(pass) = &best.outcome else { return };
         let free = pass.free.as_ref().map(|f| (&f.field, UpperFactor::new(f.certificate.clone())));
         let mechanism = pass.velocity.as_ref().zip(pass.upper.clone()).or(free);
         let bound = mechanism.filter(|_| matches!(entry.upper, Some(Upper::Finite(_))));
-        let half_plane = bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
+        let half_plane =
+            bound.and_then(|(v, bound)| half_plane(&best.model, v, &bound, &self.axes, direction));
         self.points.push(Point { case: entry.name.clone(), direction, lower, upper, half_plane });
     }
 
     /// The polygon.
     pub fn polygon(self) -> Option<CapacityPolygon> {
-        let axes = self
-            .spec
-            .axes()?
-            .map(|(action, size)| Axis { action: action.word().into(), unit: ActionValue::of(action, size) });
+        let axes = self.spec.axes()?.map(|(action, size)| Axis {
+            action: action.word().into(),
+            unit: ActionValue::of(action, size),
+        });
         Some(CapacityPolygon::new([self.spec.end, self.spec.at.word().into()], axes, self.points))
     }
 }

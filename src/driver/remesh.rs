@@ -6,12 +6,13 @@ use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
 use crate::mesh::{TetMesh, bisect, quality};
-use crate::model::file::{AnalysisKind, ModelFile, Nodes};
+use crate::model::file::{ModelFile, Nodes};
 use crate::model::resolve::resolve;
 use crate::model::{AnalysisModel, from_joint};
 use crate::refine::optimum::Design;
 use crate::report::console::log::Log;
 use crate::report::markdown::page::Table;
+use crate::spec::analysis::AnalysisKind;
 use std::time::{Duration, Instant};
 
 /// A mesh that follows another one.
@@ -53,9 +54,11 @@ pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
     let dir = &options.work_dir;
     match std::fs::remove_dir_all(dir) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-            Err(Diagnostic::environment("run/clean", format!("`{}` cannot be removed: {e}", dir.display())).into())
-        }
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Diagnostic::environment(
+            "run/clean",
+            format!("`{}` cannot be removed: {e}", dir.display()),
+        )
+        .into()),
         _ => Ok(()),
     }
 }
@@ -84,7 +87,17 @@ impl<'a> ByMap<'a> {
         mesh: TetMesh,
     ) -> Self {
         let edges = Edges::new(&mesh);
-        Self { assembly, options, case, kind, coulomb_estimate: false, place, mesh, edges, filling: FILLING }
+        Self {
+            assembly,
+            options,
+            case,
+            kind,
+            coulomb_estimate: false,
+            place,
+            mesh,
+            edges,
+            filling: FILLING,
+        }
     }
 
     /// With an estimate of the load factor under Coulomb's law on every mesh, if `asked`.
@@ -122,8 +135,14 @@ impl Remesh for ByMap<'_> {
         // the loop runs at least once
         let Some(joint) = made else { return Err(Diagnostics(Vec::new())) };
         self.filling = scale.powi(3).clamp(0.3, 1.2);
-        let mut file =
-            from_joint::model_file(self.assembly, &joint.mesh, &joint.symmetry_used, "mesh.msh", &self.case, self.kind);
+        let mut file = from_joint::model_file(
+            self.assembly,
+            &joint.mesh,
+            &joint.symmetry_used,
+            "mesh.msh",
+            &self.case,
+            self.kind,
+        );
         file.symmetry = joint.copies;
         file.coulomb_estimate = self.coulomb_estimate;
         let model = resolve(&file, joint.mesh.clone(), self.place)?;

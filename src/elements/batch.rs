@@ -14,7 +14,8 @@
 //! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at once.
 
 use crate::math::lanes::{
-    Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel, subtract_symmetric,
+    Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel,
+    subtract_symmetric,
 };
 use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 
@@ -116,7 +117,9 @@ impl Shape {
     fn parts(self, k: usize) -> Parts {
         let all = self.inner() + k;
         match self {
-            Shape::Stress => Parts { strain: 30 * k, flexibility: 30 * 31 / 2, volume: 80 * 30, inner: 0 },
+            Shape::Stress => {
+                Parts { strain: 30 * k, flexibility: 30 * 31 / 2, volume: 80 * 30, inner: 0 }
+            }
             Shape::Flow { subtets, inner, pressures, .. } => Parts {
                 strain: subtets * VERTEX_VALUES * all,
                 flexibility: subtets,
@@ -298,8 +301,9 @@ impl Batch {
         let lanes = |of: &dyn Fn(&YieldingElement) -> f64| -> Lane {
             std::array::from_fn(|l| of(&elements.get(l).unwrap_or(&elements[0]).0))
         };
-        let place =
-            |of: &dyn Fn(&Placed) -> u32| -> [u32; LANES] { std::array::from_fn(|l| elements.get(l).map_or(NONE, of)) };
+        let place = |of: &dyn Fn(&Placed) -> u32| -> [u32; LANES] {
+            std::array::from_fn(|l| elements.get(l).map_or(NONE, of))
+        };
         Self {
             shape: first.shape,
             columns: (0..first.columns.len()).map(|i| place(&|e| e.0.columns[i])).collect(),
@@ -405,7 +409,8 @@ impl Batch {
             i => x[i as usize] * scale[i as usize],
         };
         let first = self.inner_own();
-        let inner = (0..self.shape.inner() as u32).map(|i| first.map(|f| if f == NONE { NONE } else { f + i }));
+        let inner = (0..self.shape.inner() as u32)
+            .map(|i| first.map(|f| if f == NONE { NONE } else { f + i }));
         inner.chain(self.columns.iter().copied()).map(|c| c.map(value)).collect()
     }
 
@@ -417,9 +422,14 @@ impl Batch {
                 if self.own[l] == NONE {
                     continue;
                 }
-                let at = if i < inner { self.own[l] + (first + i) as u32 } else { self.columns[i - inner][l] };
+                let at = if i < inner {
+                    self.own[l] + (first + i) as u32
+                } else {
+                    self.columns[i - inner][l]
+                };
                 if at != NONE {
-                    y[at as usize] += lanes[l] * if scale.is_empty() { 1.0 } else { scale[at as usize] };
+                    y[at as usize] +=
+                        lanes[l] * if scale.is_empty() { 1.0 } else { scale[at as usize] };
                 }
             }
         }

@@ -32,7 +32,7 @@ pub enum Flow {
 }
 
 /// What one yielding element consists of.
-pub struct FlowingTet10 {
+pub struct YieldingTet10 {
     /// Its corners \[mm\].
     pub corners: [V3; 4],
     /// Its volume \[mm³\].
@@ -54,7 +54,7 @@ fn bulk(material: &Isotropic) -> Isotropic {
     Isotropic { lambda: material.lambda + material.two_mu / 3.0, two_mu: 0.0 }
 }
 
-impl FlowingTet10 {
+impl YieldingTet10 {
     /// Stiffness on the outer displacements that stays beside the yielding part: resistance to a change of volume, the
     /// inner displacements of the split element held.
     pub fn outer_stiffness(&self) -> tet10::Matrix30 {
@@ -63,7 +63,11 @@ impl FlowingTet10 {
             return Box::new([[0.0; 30]; 30]);
         }
         match self.split {
-            true => split_tet10::outer_stiffness(&split_tet10::stiffness(&self.corners, self.volume, &material)),
+            true => split_tet10::outer_stiffness(&split_tet10::stiffness(
+                &self.corners,
+                self.volume,
+                &material,
+            )),
             false => tet10::stiffness(&self.corners, self.volume, &material),
         }
     }
@@ -76,7 +80,8 @@ impl FlowingTet10 {
     /// The element; `columns` are its 30 outer displacements.
     pub fn element(&self, columns: &Columns) -> YieldingElement {
         let subtets = if self.split { 4 } else { 1 };
-        let inner = if self.split && self.rule == Rule::Hencky { split_tet10::INNER_UNKNOWNS } else { 0 };
+        let inner =
+            if self.split && self.rule == Rule::Hencky { split_tet10::INNER_UNKNOWNS } else { 0 };
         let pressures = match (self.rule, self.split) {
             (Rule::Hencky, _) => 0,
             (_, true) => 1,
@@ -157,7 +162,13 @@ impl FlowingTet10 {
     }
 
     /// Stiffness of the inner displacements beside the flow, their loads and what measures them.
-    fn push_inner(&self, columns: &Columns, data: &mut Vec<f64>, q: &mut Vec<f64>, measure: &mut Vec<f64>) {
+    fn push_inner(
+        &self,
+        columns: &Columns,
+        data: &mut Vec<f64>,
+        q: &mut Vec<f64>,
+        measure: &mut Vec<f64>,
+    ) {
         let k = split_tet10::stiffness(&self.corners, self.volume, &bulk(&self.material));
         let elastic = split_tet10::stiffness(&self.corners, self.volume, &self.material);
         let weights = split_tet10::shape_integrals();

@@ -25,7 +25,12 @@ pub fn parameter_unit(element: &SuperElement, radius: f64) -> f64 {
 }
 
 /// The element with its face displacements in `columns`; `radius` is √(2/3) f_y \[MPa\], `elastic` keeps its flexibility.
-pub fn element(element: &SuperElement, columns: &Columns, radius: f64, elastic: bool) -> YieldingElement {
+pub fn element(
+    element: &SuperElement,
+    columns: &Columns,
+    radius: f64,
+    elastic: bool,
+) -> YieldingElement {
     let unit = parameter_unit(element, radius);
     let shape = Shape::Stress;
     let mut data = Vec::with_capacity(shape.len(columns.unknowns.len()));
@@ -53,5 +58,12 @@ pub fn element(element: &SuperElement, columns: &Columns, radius: f64, elastic: 
         true => element.particular_flexibility().iter().map(|x| -unit * x).collect(),
         false => vec![0.0; PARAMETERS],
     };
-    YieldingElement { shape, columns: columns.unknowns.clone(), data, q, h, inner_stiffness: Vec::new() }
+    YieldingElement {
+        shape,
+        columns: columns.unknowns.clone(),
+        data,
+        q,
+        h,
+        inner_stiffness: Vec::new(),
+    }
 }

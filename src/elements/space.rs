@@ -38,7 +38,11 @@ impl Tet10Space {
     /// The ten nodes of tet `e`.
     pub fn tet(&self, mesh: &TetMesh, e: usize) -> [usize; 10] {
         std::array::from_fn(|i| {
-            if i < 4 { mesh.tets[e][i] as usize } else { self.vertices + self.edges.of_tet[e][i - 4] as usize }
+            if i < 4 {
+                mesh.tets[e][i] as usize
+            } else {
+                self.vertices + self.edges.of_tet[e][i - 4] as usize
+            }
         })
     }
 
@@ -49,7 +53,12 @@ impl Tet10Space {
                 v[i] as usize
             } else {
                 let [a, b] = FACE_EDGES[i - 3];
-                self.vertices + self.edges.find(v[a], v[b]).expect("every edge of a mesh face is in the table") as usize
+                self.vertices
+                    + self
+                        .edges
+                        .find(v[a], v[b])
+                        .expect("every edge of a mesh face is in the table")
+                        as usize
             }
         })
     }

@@ -11,7 +11,9 @@
 //! # Shape
 //! Nodes as in [`crate::elements::split_tet10`]; velocity `3 i + d` is component d at node i.
 
-use crate::elements::split_tet10::{self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes};
+use crate::elements::split_tet10::{
+    self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes,
+};
 use crate::elements::super_element::{gradients, jacobian};
 use crate::elements::tet10;
 use crate::math::vec3::{self, V3};
@@ -75,7 +77,8 @@ pub fn velocities(corners: &[V3; 4], outer: &[f64; OUTER_UNKNOWNS]) -> [f64; 3 *
     let mut all = [0.0; 3 * NODES];
     all[..OUTER_UNKNOWNS].copy_from_slice(outer);
     for (i, rows) in inner_map().chunks_exact(3).enumerate() {
-        let inside: V3 = std::array::from_fn(|d| rows[d].iter().zip(&hat).map(|(m, u)| m * u).sum());
+        let inside: V3 =
+            std::array::from_fn(|d| rows[d].iter().zip(&hat).map(|(m, u)| m * u).sum());
         all[OUTER_UNKNOWNS + 3 * i..][..3].copy_from_slice(&vec3::mul(&j, inside));
     }
     all
@@ -139,7 +142,8 @@ mod tests {
 
     fn random_tet(seed: &mut u64) -> [V3; 4] {
         loop {
-            let mut x: [V3; 4] = std::array::from_fn(|_| std::array::from_fn(|_| 10.0 * random(seed)));
+            let mut x: [V3; 4] =
+                std::array::from_fn(|_| std::array::from_fn(|_| 10.0 * random(seed)));
             let d = jacobian(&x).2;
             if d < 0.0 {
                 x.swap(1, 2);
@@ -155,7 +159,8 @@ mod tests {
         let mut out = [0.0; 16];
         for k in 0..4 {
             let u = subtet_nodes(k).map(|n| [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
-            for (v, e) in tet10::vertex_strains(&subtet_corners(corners, k), &u).iter().enumerate() {
+            for (v, e) in tet10::vertex_strains(&subtet_corners(corners, k), &u).iter().enumerate()
+            {
                 out[4 * k + v] = e[0] + e[1] + e[2];
             }
         }
@@ -173,8 +178,11 @@ mod tests {
             let volume = jacobian(&x).2 / 6.0;
             let mut outer: [f64; 30] = std::array::from_fn(|_| random(&mut seed));
             let flux = |u: &[f64; 30]| row.iter().zip(u).map(|(a, b)| a * b).sum::<f64>();
-            let height =
-                volume / FACES.map(|f| vec3::norm(vec3::area_vector(&f.map(|i| x[i])))).into_iter().fold(0.0, f64::max);
+            let height = volume
+                / FACES
+                    .map(|f| vec3::norm(vec3::area_vector(&f.map(|i| x[i]))))
+                    .into_iter()
+                    .fold(0.0, f64::max);
             let mean = flux(&outer) / volume;
             for d in divergences(&x, &velocities(&x, &outer)) {
                 assert!((d - mean).abs() < 1e-12 / height, "{d} {mean}");
@@ -188,7 +196,9 @@ mod tests {
             }
             let rows = divergence_rows(&x);
             let rank = |first: usize, count: usize| {
-                let s = Mat::from_fn(16, count, |r, c| rows[r][first + c]).singular_values().expect("a small matrix");
+                let s = Mat::from_fn(16, count, |r, c| rows[r][first + c])
+                    .singular_values()
+                    .expect("a small matrix");
                 s.iter().filter(|s| **s > 1e-9 / height).count()
             };
             assert_eq!((rank(30, 15), rank(0, 45)), (15, 16));
@@ -209,7 +219,11 @@ mod tests {
             for k in 0..4 {
                 for (l, w) in crate::math::quadrature::TETRAHEDRON_2 {
                     for (n, s) in subtet_nodes(k).into_iter().zip(tet10::shape(l)) {
-                        power += 0.25 * volume * w * s * vec3::dot(b, [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
+                        power += 0.25
+                            * volume
+                            * w
+                            * s
+                            * vec3::dot(b, [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
                     }
                 }
             }

@@ -34,7 +34,10 @@ pub fn subtet_nodes(k: usize) -> [usize; 10] {
             return CENTROID + 1 + a;
         }
         let same = |e: &[usize; 2]| *e == [a, b] || *e == [b, a];
-        4 + EDGES.iter().position(same).expect("two vertices of a tetrahedron are the ends of one of its edges")
+        4 + EDGES
+            .iter()
+            .position(same)
+            .expect("two vertices of a tetrahedron are the ends of one of its edges")
     })
 }
 
@@ -101,16 +104,21 @@ mod tests {
         for k in 0..4 {
             let x = subtet_corners(&CORNERS, k);
             for (i, n) in subtet_nodes(k).into_iter().enumerate() {
-                let want =
-                    if i < 4 { x[i] } else { vec3::scale(0.5, vec3::add(x[EDGES[i - 4][0]], x[EDGES[i - 4][1]])) };
+                let want = if i < 4 {
+                    x[i]
+                } else {
+                    vec3::scale(0.5, vec3::add(x[EDGES[i - 4][0]], x[EDGES[i - 4][1]]))
+                };
                 assert!(vec3::norm(vec3::sub(position(n), want)) < 1e-15, "subtet {k} node {i}");
             }
         }
         let material = Isotropic::new(210.0, 0.3);
         let volume = crate::mesh::tet::signed_volume(&CORNERS);
-        let u = |x: V3| [x[0] * x[1] - x[2], 0.3 * x[2] * x[2] + x[1], x[0] * x[0] - 0.7 * x[1] * x[2]];
+        let u =
+            |x: V3| [x[0] * x[1] - x[2], 0.3 * x[2] * x[2] + x[1], x[0] * x[0] - 0.7 * x[1] * x[2]];
         let at: Vec<f64> = (0..NODES).flat_map(|n| u(position(n))).collect();
-        let (split, plain) = (stiffness(&CORNERS, volume, &material), tet10::stiffness(&CORNERS, volume, &material));
+        let (split, plain) =
+            (stiffness(&CORNERS, volume, &material), tet10::stiffness(&CORNERS, volume, &material));
         let energy = |n: usize, k: &dyn Fn(usize, usize) -> f64| -> f64 {
             (0..n).map(|i| (0..n).map(|j| at[i] * k(i, j) * at[j]).sum::<f64>()).sum()
         };

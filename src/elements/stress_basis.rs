@@ -83,7 +83,9 @@ pub(crate) fn reference() -> &'static Reference {
         let rt = Mat::from_fn(96, 66, |i, j| rows[j][i]);
         let q = rt.qr().compute_Q();
         let basis: [[[Mandel; PARAMETERS]; 4]; 4] = std::array::from_fn(|k| {
-            std::array::from_fn(|p| std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)])))
+            std::array::from_fn(|p| {
+                std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)]))
+            })
         });
         let mut traction = Box::new([[0.0; PARAMETERS]; TRACTIONS]);
         for k in 0..4 {
@@ -92,7 +94,8 @@ pub(crate) fn reference() -> &'static Reference {
                 let t: [V3; 3] = std::array::from_fn(|p| mandel::traction(&basis[k][p][a], area));
                 for p in 0..3 {
                     for d in 0..3 {
-                        traction[9 * k + 3 * p + d][a] = (0..3).map(|b| triangle_mass(p, b) * t[b][d]).sum();
+                        traction[9 * k + 3 * p + d][a] =
+                            (0..3).map(|b| triangle_mass(p, b) * t[b][d]).sum();
                     }
                 }
             }

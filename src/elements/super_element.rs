@@ -44,7 +44,11 @@ pub fn jacobian(x: &[V3; 4]) -> (M3, M3, f64) {
 }
 
 /// `N_eᵀ (∫ C⁻¹) N_e`, from the columns of the Piola map.
-fn flexibility(columns: &[Mandel; 6], volume: f64, material: &Isotropic) -> Box<[[f64; PARAMETERS]; PARAMETERS]> {
+fn flexibility(
+    columns: &[Mandel; 6],
+    volume: f64,
+    material: &Isotropic,
+) -> Box<[[f64; PARAMETERS]; PARAMETERS]> {
     let strained = columns.map(|c| material.strain(&c));
     let mut f = Box::new([[0.0; PARAMETERS]; PARAMETERS]);
     let mut entry = 0;
@@ -82,13 +86,18 @@ pub type Matrix36 = Box<[[f64; TRACTIONS]; TRACTIONS]>;
 impl SuperElement {
     /// Sets up the element; `None` when its shape is so poor that its flexibility is not positive definite in floating
     /// point. `body_force` \[N/mm³\] with the origin of its particular stress `−diag(b_i (x_i − origin_i))`.
-    pub fn new(corners: [V3; 4], material: Isotropic, body_force: Option<(V3, V3)>) -> Option<Self> {
+    pub fn new(
+        corners: [V3; 4],
+        material: Isotropic,
+        body_force: Option<(V3, V3)>,
+    ) -> Option<Self> {
         let (j, _, det) = jacobian(&corners);
         let piola = mandel::piola(&j, det);
         let volume = det / 6.0;
         let r = reference();
         // transformed compliance G = Pᵀ C⁻¹ P
-        let columns: [Mandel; 6] = std::array::from_fn(|c| std::array::from_fn(|row| piola[row][c]));
+        let columns: [Mandel; 6] =
+            std::array::from_fn(|c| std::array::from_fn(|row| piola[row][c]));
         let factor = Cholesky::new(flexibility(&columns, volume, &material))?;
         let mut element = Self {
             corners,
@@ -124,7 +133,9 @@ impl SuperElement {
     /// Coordinates of the points.
     pub fn points(corners: &[V3; 4]) -> [[V3; 4]; 4] {
         let c = centroid(corners);
-        std::array::from_fn(|k| [corners[FACES[k][0]], corners[FACES[k][1]], corners[FACES[k][2]], c])
+        std::array::from_fn(|k| {
+            [corners[FACES[k][0]], corners[FACES[k][1]], corners[FACES[k][2]], c]
+        })
     }
 
     /// Particular stress of the body force, `−diag(b_i (x_i − origin_i))`; zero without one.
@@ -140,7 +151,8 @@ impl SuperElement {
 
     /// Flexibility `F` of the parameters.
     pub fn flexibility(&self) -> Box<[[f64; PARAMETERS]; PARAMETERS]> {
-        let columns: [Mandel; 6] = std::array::from_fn(|c| std::array::from_fn(|row| self.piola[row][c]));
+        let columns: [Mandel; 6] =
+            std::array::from_fn(|c| std::array::from_fn(|row| self.piola[row][c]));
         flexibility(&columns, self.volume, &self.material)
     }
 
@@ -199,7 +211,8 @@ impl SuperElement {
     /// With `particular = false` the body force is left out (for corrections).
     pub fn parameters(&self, v: &[f64; TRACTIONS], particular: bool) -> [f64; PARAMETERS] {
         let r = reference();
-        let mut a = if particular { self.particular_flexibility.map(|x| -x) } else { [0.0; PARAMETERS] };
+        let mut a =
+            if particular { self.particular_flexibility.map(|x| -x) } else { [0.0; PARAMETERS] };
         for q in 0..12 {
             let w = vec3::mul_t(&self.jacobian, [v[3 * q], v[3 * q + 1], v[3 * q + 2]]);
             for d in 0..3 {
@@ -218,8 +231,9 @@ impl SuperElement {
         let r = reference();
         let mut t = self.particular_tractions();
         for q in 0..12 {
-            let local: V3 =
-                std::array::from_fn(|d| r.traction[3 * q + d].iter().zip(parameters).map(|(x, y)| x * y).sum());
+            let local: V3 = std::array::from_fn(|d| {
+                r.traction[3 * q + d].iter().zip(parameters).map(|(x, y)| x * y).sum()
+            });
             let w = vec3::mul(&self.jacobian, local);
             (0..3).for_each(|d| t[3 * q + d] += w[d]);
         }
@@ -351,7 +365,8 @@ mod tests {
                 let mut column = vec![0.0; 96];
                 for k in 0..4 {
                     for p in 0..4 {
-                        column[24 * k + 6 * p..][..6].copy_from_slice(&mandel::mul(&piola, &r.basis[k][p][a]));
+                        column[24 * k + 6 * p..][..6]
+                            .copy_from_slice(&mandel::mul(&piola, &r.basis[k][p][a]));
                     }
                 }
                 let size = column.iter().fold(0.0f64, |m, c| m.max(c.abs()));
@@ -380,7 +395,8 @@ mod tests {
         let mut seed = 7;
         for _ in 0..20 {
             let x = random_tet(&mut seed);
-            let e = SuperElement::new(x, Isotropic::new(210_000.0, 0.3), None).expect("a good shape");
+            let e =
+                SuperElement::new(x, Isotropic::new(210_000.0, 0.3), None).expect("a good shape");
             let k = e.stiffness();
             let rows: Vec<Vec<f64>> = k.iter().map(|r| r.to_vec()).collect();
             assert_eq!(rank(&rows), 30);

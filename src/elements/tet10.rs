@@ -88,7 +88,9 @@ pub fn stiffness(corners: &[V3; 4], volume: f64, material: &Isotropic) -> Matrix
     let mut k = Box::new([[0.0; 30]; 30]);
     for w in 0..4 {
         let weighted: [Mandel; 30] = std::array::from_fn(|c| {
-            std::array::from_fn(|i| (0..4).map(|v| volume * tetrahedron_mass(v, w) * b[v][c][i]).sum())
+            std::array::from_fn(|i| {
+                (0..4).map(|v| volume * tetrahedron_mass(v, w) * b[v][c][i]).sum()
+            })
         });
         let stress: [Mandel; 30] = std::array::from_fn(|c| material.stress(&b[w][c]));
         for i in 0..30 {

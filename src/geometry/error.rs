@@ -77,11 +77,19 @@ impl From<GeometryError> for Diagnostic {
     fn from(error: GeometryError) -> Self {
         use GeometryError as E;
         let (code, help) = match &error {
-            E::Clash { .. } => ("geometry/clash", "move one of them, or choose a smaller bolt or a larger spacing"),
+            E::Clash { .. } => {
+                ("geometry/clash", "move one of them, or choose a smaller bolt or a larger spacing")
+            }
             E::Sliver { .. } => ("geometry/gap", "let them touch, or leave at least 1 mm"),
-            E::Apart { .. } => ("geometry/apart", "move the parts together, or remove this contact"),
-            E::Clearance { .. } => ("geometry/clearance", "move them apart, or choose a smaller bolt"),
-            E::Name { .. } => ("geometry/name", "names are capital letters, digits and `_`, and are used once"),
+            E::Apart { .. } => {
+                ("geometry/apart", "move the parts together, or remove this contact")
+            }
+            E::Clearance { .. } => {
+                ("geometry/clearance", "move them apart, or choose a smaller bolt")
+            }
+            E::Name { .. } => {
+                ("geometry/name", "names are capital letters, digits and `_`, and are used once")
+            }
             E::Dimension { .. } => ("geometry/dimension", "check the dimensions of this part"),
         };
         Diagnostic::input(code, error.to_string()).help(help)

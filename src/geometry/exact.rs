@@ -7,7 +7,7 @@
 use super::flat::{FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
 use super::scene::Body;
-use crate::assembly::joint::Surface;
+use crate::assembly::assembly::Surface;
 use crate::math::vec3::{V3, along, cross, dot, sub};
 
 /// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far above rounding.
@@ -43,7 +43,8 @@ impl Plane {
         let mut out = Vec::new();
         let place = |p: V3| dot(sub(p, self.origin), self.e);
         let mut edge = |a: V3, b: V3| {
-            let (ha, hb) = (dot(sub(a, self.origin), self.normal), dot(sub(b, self.origin), self.normal));
+            let (ha, hb) =
+                (dot(sub(a, self.origin), self.normal), dot(sub(b, self.origin), self.normal));
             let near = 3.0 * BESIDE;
             if ha.abs() < near {
                 out.push(place(a));
@@ -158,7 +159,8 @@ pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
 pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, max: V3) -> f64 {
     let plane = Plane::coordinate(axis, at);
     let me = &bodies[body];
-    let near: Vec<&Body> = bodies.iter().filter(|b| b.bounds.near(&me.bounds, 2.0 * BESIDE)).collect();
+    let near: Vec<&Body> =
+        bodies.iter().filter(|b| b.bounds.near(&me.bounds, 2.0 * BESIDE)).collect();
     let solids: Vec<&FlatSolid> = near.iter().map(|b| &b.solid).collect();
     let window = Window::of(&Surface::Plane { axis, at, min, max }, &plane);
     let mut breaks = plane.breakpoints(&solids, &me.planes);
@@ -186,9 +188,13 @@ fn on_surface_plane(surface: &Surface, plane: Plane) -> Option<Plane> {
             .then(|| Plane::coordinate(*axis, *at)),
         Surface::Mantle { base, axis, radius, .. } => {
             let distance = dot(sub(*base, plane.origin), plane.normal).abs();
-            (dot(plane.normal, *axis).abs() < 1e-6 && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE)
+            (dot(plane.normal, *axis).abs() < 1e-6
+                && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE)
                 .then(|| Plane { origin: *base, d: cross(plane.normal, *axis), e: *axis, ..plane })
-                .map(|p| Plane { origin: along(*base, dot(sub(plane.origin, *base), plane.normal), plane.normal), ..p })
+                .map(|p| Plane {
+                    origin: along(*base, dot(sub(plane.origin, *base), plane.normal), plane.normal),
+                    ..p
+                })
         }
     }
 }
@@ -200,7 +206,8 @@ struct Window {
 }
 
 impl Window {
-    const ALL: Window = Window { d: [f64::NEG_INFINITY, f64::INFINITY], e: [f64::NEG_INFINITY, f64::INFINITY] };
+    const ALL: Window =
+        Window { d: [f64::NEG_INFINITY, f64::INFINITY], e: [f64::NEG_INFINITY, f64::INFINITY] };
 
     fn of(surface: &Surface, plane: &Plane) -> Self {
         match surface {
@@ -232,14 +239,20 @@ fn planes_of(solid: &FlatSolid) -> Vec<Plane> {
     let mut out: Vec<Plane> = Vec::new();
     let mut add = |plane: Plane| {
         let known = out.iter().any(|p| {
-            dot(p.normal, plane.normal).abs() > 1.0 - 1e-10 && dot(sub(plane.origin, p.origin), p.normal).abs() < 1e-6
+            dot(p.normal, plane.normal).abs() > 1.0 - 1e-10
+                && dot(sub(plane.origin, p.origin), p.normal).abs() < 1e-6
         });
         if !known {
             out.push(plane);
         }
     };
     for prism in solid.prisms() {
-        let cap = |h: f64| Plane { origin: along(prism.origin, h, prism.w), normal: prism.w, d: prism.u, e: prism.v };
+        let cap = |h: f64| Plane {
+            origin: along(prism.origin, h, prism.w),
+            normal: prism.w,
+            d: prism.u,
+            e: prism.v,
+        };
         add(cap(0.0));
         add(cap(prism.length));
         side_planes(prism).for_each(&mut add);
@@ -250,7 +263,8 @@ fn planes_of(solid: &FlatSolid) -> Vec<Plane> {
 fn side_planes(prism: &FlatPrism) -> impl Iterator<Item = Plane> + '_ {
     let n = prism.polygon.len();
     (0..n).map(move |i| {
-        let (a, b) = (prism.point(prism.polygon[i], 0.0), prism.point(prism.polygon[(i + 1) % n], 0.0));
+        let (a, b) =
+            (prism.point(prism.polygon[i], 0.0), prism.point(prism.polygon[(i + 1) % n], 0.0));
         let d = sub(b, a);
         let l = dot(d, d).sqrt();
         let d = d.map(|c| c / l);
@@ -261,7 +275,7 @@ fn side_planes(prism: &FlatPrism) -> impl Iterator<Item = Plane> + '_ {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::joint::{Part, PartRole, Solid};
+    use crate::assembly::assembly::{Part, PartRole, Solid};
 
     fn part(solid: Solid) -> Part {
         Part {
@@ -285,7 +299,13 @@ mod tests {
     fn drilled(lo: f64, hi: f64) -> Solid {
         Solid::Difference(vec![
             Solid::Box { min: [lo, -30.0, -40.0], max: [hi, 30.0, 40.0] },
-            Solid::Cylinder { base: [lo, 0.0, 5.0], axis: [1.0, 0.0, 0.0], radius: 9.0, length: hi - lo, segments: 12 },
+            Solid::Cylinder {
+                base: [lo, 0.0, 5.0],
+                axis: [1.0, 0.0, 0.0],
+                radius: 9.0,
+                length: hi - lo,
+                segments: 12,
+            },
         ])
     }
 
@@ -320,14 +340,25 @@ mod tests {
     #[test]
     fn contact_is_restricted_to_its_surface() {
         let (a, b) = (part(drilled(0.0, 15.0)), part(drilled(15.0, 25.0)));
-        let plane = |axis, at| Surface::Plane { axis, at, min: [0.0, -30.0, 20.0], max: [0.0, 10.0, 35.0] };
+        let plane =
+            |axis, at| Surface::Plane { axis, at, min: [0.0, -30.0, 20.0], max: [0.0, 10.0, 35.0] };
         let area = |s: &Surface| contact_area(&body(&a, vec![]), &body(&b, vec![]), Some(s));
         assert!((area(&plane(0, 15.0)) / 600.0 - 1.0).abs() < 1e-9);
         assert_eq!(area(&plane(0, 14.0)), 0.0);
-        let shank =
-            Solid::Cylinder { base: [25.0, 0.0, 5.0], axis: [-1.0, 0.0, 0.0], radius: 9.0, length: 25.0, segments: 12 };
+        let shank = Solid::Cylinder {
+            base: [25.0, 0.0, 5.0],
+            axis: [-1.0, 0.0, 0.0],
+            radius: 9.0,
+            length: 25.0,
+            segments: 12,
+        };
         let shank = part(shank);
-        let on = Surface::Mantle { base: [4.0, 0.0, 5.0], axis: [1.0, 0.0, 0.0], radius: 9.0, length: 5.0 };
+        let on = Surface::Mantle {
+            base: [4.0, 0.0, 5.0],
+            axis: [1.0, 0.0, 0.0],
+            radius: 9.0,
+            length: 5.0,
+        };
         let r = crate::geometry::flat::polygon_radius(9.0, 12);
         let exact = 24.0 * r * (std::f64::consts::PI / 12.0).sin() * 5.0;
         let found = contact_area(&body(&shank, vec![]), &body(&a, vec![]), Some(&on));
@@ -336,7 +367,10 @@ mod tests {
 
     #[test]
     fn outer_face_leaves_out_what_another_part_covers() {
-        let (a, b) = (part(drilled(0.0, 15.0)), part(Solid::Box { min: [15.0, 10.0, -40.0], max: [20.0, 30.0, 40.0] }));
+        let (a, b) = (
+            part(drilled(0.0, 15.0)),
+            part(Solid::Box { min: [15.0, 10.0, -40.0], max: [20.0, 30.0, 40.0] }),
+        );
         let bodies = [body(&a, vec![]), body(&b, vec![])];
         let area = outer_area(&bodies, 0, 0, 15.0, [0.0, -30.0, -40.0], [0.0, 30.0, 40.0]);
         let exact = 4800.0 - std::f64::consts::PI * 81.0 - 1600.0;

@@ -1,7 +1,8 @@
 //! Joints built by hand for tests: the paper's joint (design BENCHMARKS) and two plates with one bolt.
 
 use crate::assembly::Assembly;
-use crate::assembly::joint::*;
+use crate::assembly::assembly::*;
+use crate::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -50,7 +51,14 @@ fn steel() -> BTreeMap<String, PartMaterial> {
     BTreeMap::from([("steel".to_string(), PartMaterial { e: 210000.0, nu: 0.3, fy: None })])
 }
 
-fn part(name: &str, label: &str, role: PartRole, solid: Solid, convex: Vec<Solid>, size: f64) -> Part {
+fn part(
+    name: &str,
+    label: &str,
+    role: PartRole,
+    solid: Solid,
+    convex: Vec<Solid>,
+    size: f64,
+) -> Part {
     Part {
         name: name.into(),
         label: label.into(),
@@ -64,7 +72,13 @@ fn part(name: &str, label: &str, role: PartRole, solid: Solid, convex: Vec<Solid
 }
 
 fn contact(a: &str, b: &str, surface: Option<(String, Surface)>) -> InterfaceRule {
-    InterfaceRule { between: [a.into(), b.into()], surface, mu: 0.3, associated: true, gap: 0.0 }
+    InterfaceRule {
+        between: [a.into(), b.into()],
+        surface,
+        mu: 0.3,
+        friction: FrictionLaw::Associated,
+        gap: 0.0,
+    }
 }
 
 /// Sides of the meshed bolt circles.
@@ -74,7 +88,8 @@ const ROWS: [f64; 3] = [-215.0, -125.0, 110.0];
 fn column() -> Part {
     // HEB200 along z; first outline coordinate along y, second along x: u × v = y × x = −z, so extrude downwards.
     let (start, edges) = i_outline(200.0, 200.0, 9.0, 15.0, 18.0);
-    let profile = Solid::Prism { origin: [0.0, 0.0, 350.0], u: Y, v: X, start, edges, length: 700.0 };
+    let profile =
+        Solid::Prism { origin: [0.0, 0.0, 350.0], u: Y, v: X, start, edges, length: 700.0 };
     let mut solids = vec![profile];
     let mut convex = vec![
         boxed([-85.0, -4.5, -350.0], [85.0, 4.5, 350.0]),
@@ -85,7 +100,12 @@ fn column() -> Part {
         .iter()
         .map(|&at| MidPlane { axis: 0, at, min: [0.0, -100.0, -350.0], max: [0.0, 100.0, 350.0] })
         .collect();
-    mid_planes.push(MidPlane { axis: 1, at: 0.0, min: [-85.0, 0.0, -350.0], max: [85.0, 0.0, 350.0] });
+    mid_planes.push(MidPlane {
+        axis: 1,
+        at: 0.0,
+        min: [-85.0, 0.0, -350.0],
+        max: [85.0, 0.0, 350.0],
+    });
     for [y0, y1] in [[4.5, 100.0], [-100.0, -4.5]] {
         for [z0, z1] in [[167.3, 180.0], [-180.0, -167.3]] {
             let b = boxed([-85.0, y0, z0], [85.0, y1, z1]);
@@ -107,7 +127,10 @@ fn column() -> Part {
             }));
         }
     }
-    Part { mid_planes, ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 22.5) }
+    Part {
+        mid_planes,
+        ..part("COLUMN", "column", PartRole::Member, Solid::Difference(cut), convex, 22.5)
+    }
 }
 
 /// `side` = 1: right, −1: left.
@@ -120,7 +143,8 @@ fn beam(side: f64) -> Part {
     let (start, edges) = i_outline(360.0, 170.0, 8.0, 12.7, 18.0);
     let [x0, x1] = span(side, 115.0, 1115.0);
     let [s0, s1] = span(side, 1007.5, 1022.5);
-    let mut solids = vec![Solid::Prism { origin: [x0, 0.0, 0.0], u: Y, v: Z, start, edges, length: 1000.0 }];
+    let mut solids =
+        vec![Solid::Prism { origin: [x0, 0.0, 0.0], u: Y, v: Z, start, edges, length: 1000.0 }];
     let mut convex = vec![
         boxed([x0, -4.0, -167.3], [x1, 4.0, 167.3]),
         boxed([x0, -85.0, 167.3], [x1, 85.0, 180.0]),
@@ -135,7 +159,12 @@ fn beam(side: f64) -> Part {
         let b = boxed([s0, y0, -167.3], [s1, y1, 167.3]);
         solids.push(b.clone());
         convex.push(b);
-        mid_planes.push(MidPlane { axis: 0, at: side * 1015.0, min: [0.0, y0, -167.3], max: [0.0, y1, 167.3] });
+        mid_planes.push(MidPlane {
+            axis: 0,
+            at: side * 1015.0,
+            min: [0.0, y0, -167.3],
+            max: [0.0, y1, 167.3],
+        });
     }
     let (name, label) = if side > 0.0 { ("BEAM_R", "right beam") } else { ("BEAM_L", "left beam") };
     Part { mid_planes, ..part(name, label, PartRole::Member, Solid::Union(solids), convex, 25.4) }
@@ -154,10 +183,17 @@ fn plate(side: f64) -> Part {
             segments: SEGMENTS,
         }));
     }
-    let (name, label) =
-        if side > 0.0 { ("PLATE_R", "end plate of the right beam") } else { ("PLATE_L", "end plate of the left beam") };
-    let mid = MidPlane { axis: 0, at: side * 107.5, min: [0.0, -90.0, -250.0], max: [0.0, 90.0, 200.0] };
-    Part { mid_planes: vec![mid], ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 15.0) }
+    let (name, label) = if side > 0.0 {
+        ("PLATE_R", "end plate of the right beam")
+    } else {
+        ("PLATE_L", "end plate of the left beam")
+    };
+    let mid =
+        MidPlane { axis: 0, at: side * 107.5, min: [0.0, -90.0, -250.0], max: [0.0, 90.0, 200.0] };
+    Part {
+        mid_planes: vec![mid],
+        ..part(name, label, PartRole::Plate, Solid::Difference(cut), vec![whole], 15.0)
+    }
 }
 
 fn bolt(side: f64, y: f64, row: usize) -> Part {
@@ -166,11 +202,22 @@ fn bolt(side: f64, y: f64, row: usize) -> Part {
     let [n0, n1] = span(side, 69.2, 85.0);
     let [s0, s1] = span(side, 85.0, 115.0);
     let solids = vec![
-        Solid::Cylinder { base: [s0, y, z], axis: X, radius: 9.0, length: s1 - s0, segments: SEGMENTS },
+        Solid::Cylinder {
+            base: [s0, y, z],
+            axis: X,
+            radius: 9.0,
+            length: s1 - s0,
+            segments: SEGMENTS,
+        },
         hexagon([h0, y, z], Y, Z, 27.0, h1 - h0),
         hexagon([n0, y, z], Y, Z, 27.0, n1 - n0),
     ];
-    let name = format!("BOLT_{}{}{}", if side > 0.0 { "R" } else { "L" }, if y > 0.0 { "P" } else { "N" }, row + 1);
+    let name = format!(
+        "BOLT_{}{}{}",
+        if side > 0.0 { "R" } else { "L" },
+        if y > 0.0 { "P" } else { "N" },
+        row + 1
+    );
     let label = format!(
         "bolt of row {} ({}, y {})",
         row + 1,
@@ -210,7 +257,12 @@ pub(crate) fn paper_joint() -> Assembly {
         faces.push(FaceRule {
             name: face.into(),
             part: b.name.clone(),
-            surface: Surface::Plane { axis: 2, at: -180.0, min: [s0, -85.0, 0.0], max: [s1, 85.0, 0.0] },
+            surface: Surface::Plane {
+                axis: 2,
+                at: -180.0,
+                min: [s0, -85.0, 0.0],
+                max: [s1, 85.0, 0.0],
+            },
             imprint: true,
         });
         supports.push(FaceSupport { face: face.into(), fix: [true; 3] });
@@ -220,7 +272,12 @@ pub(crate) fn paper_joint() -> Assembly {
     faces.push(FaceRule {
         name: "LOAD_TOP".into(),
         part: "COLUMN".into(),
-        surface: Surface::Plane { axis: 2, at: 350.0, min: [-100.0, -100.0, 0.0], max: [100.0, 100.0, 0.0] },
+        surface: Surface::Plane {
+            axis: 2,
+            at: 350.0,
+            min: [-100.0, -100.0, 0.0],
+            max: [100.0, 100.0, 0.0],
+        },
         imprint: false,
     });
     Assembly {
@@ -245,11 +302,17 @@ pub(crate) fn paper_joint() -> Assembly {
 
 /// Two plates 80 × 60 × 10 lapped at z = 0 with one bolt of 16 mm.
 pub(crate) fn lap_joint() -> Assembly {
-    let hole =
-        |z: f64, length: f64| Solid::Cylinder { base: [0.0, 0.0, z], axis: Z, radius: 8.0, length, segments: 16 };
+    let hole = |z: f64, length: f64| Solid::Cylinder {
+        base: [0.0, 0.0, z],
+        axis: Z,
+        radius: 8.0,
+        length,
+        segments: 16,
+    };
     let lap = |name: &str, label: &str, z: f64| {
         let whole = boxed([-40.0, -30.0, z], [40.0, 30.0, z + 10.0]);
-        let mid = MidPlane { axis: 2, at: z + 5.0, min: [-40.0, -30.0, 0.0], max: [40.0, 30.0, 0.0] };
+        let mid =
+            MidPlane { axis: 2, at: z + 5.0, min: [-40.0, -30.0, 0.0], max: [40.0, 30.0, 0.0] };
         Part {
             mid_planes: vec![mid],
             ..part(
@@ -270,7 +333,12 @@ pub(crate) fn lap_joint() -> Assembly {
     let face = |name: &str, part: &str, x: f64| FaceRule {
         name: name.into(),
         part: part.into(),
-        surface: Surface::Plane { axis: 0, at: x, min: [0.0, -30.0, -10.0], max: [0.0, 30.0, 10.0] },
+        surface: Surface::Plane {
+            axis: 0,
+            at: x,
+            min: [0.0, -30.0, -10.0],
+            max: [0.0, 30.0, 10.0],
+        },
         imprint: false,
     };
     Assembly {
@@ -324,6 +392,8 @@ fn translate(solid: &mut Solid, by: [f64; 3]) {
         }
         Solid::Prism { origin, .. } => shift(origin),
         Solid::Cylinder { base, .. } => shift(base),
-        Solid::Union(list) | Solid::Difference(list) => list.iter_mut().for_each(|s| translate(s, by)),
+        Solid::Union(list) | Solid::Difference(list) => {
+            list.iter_mut().for_each(|s| translate(s, by))
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! Every facet is then an exact plane: meshes of any size fill the same body, areas can be checked to rounding, and
 //! both bounds refer to one and the same structure on every remesh.
 
-use crate::assembly::joint::{OutlineEdge, Solid};
+use crate::assembly::assembly::{OutlineEdge, Solid};
 use crate::math::vec3::{V3, along, cross, dot, unit};
 
 /// Chords that replace a quarter circle of an outline (a root fillet).
@@ -76,7 +76,9 @@ impl FlatSolid {
     pub fn prisms(&self) -> Vec<&FlatPrism> {
         match self {
             FlatSolid::Prism(p) => vec![p],
-            FlatSolid::Union(list) | FlatSolid::Difference(list) => list.iter().flat_map(FlatSolid::prisms).collect(),
+            FlatSolid::Union(list) | FlatSolid::Difference(list) => {
+                list.iter().flat_map(FlatSolid::prisms).collect()
+            }
         }
     }
 
@@ -93,7 +95,9 @@ impl FlatSolid {
                 }
                 b
             }
-            FlatSolid::Union(list) => list.iter().map(FlatSolid::bounds).reduce(Bounds::union).unwrap_or(Bounds::EMPTY),
+            FlatSolid::Union(list) => {
+                list.iter().map(FlatSolid::bounds).reduce(Bounds::union).unwrap_or(Bounds::EMPTY)
+            }
             FlatSolid::Difference(list) => list.first().map_or(Bounds::EMPTY, FlatSolid::bounds),
         }
     }
@@ -133,8 +137,12 @@ impl FlatSolid {
                     length: *length,
                 })
             }
-            Solid::Union(list) => FlatSolid::Union(list.iter().map(FlatSolid::from_solid).collect()),
-            Solid::Difference(list) => FlatSolid::Difference(list.iter().map(FlatSolid::from_solid).collect()),
+            Solid::Union(list) => {
+                FlatSolid::Union(list.iter().map(FlatSolid::from_solid).collect())
+            }
+            Solid::Difference(list) => {
+                FlatSolid::Difference(list.iter().map(FlatSolid::from_solid).collect())
+            }
         }
     }
 }
@@ -175,7 +183,8 @@ pub struct AxisFrame {
 impl AxisFrame {
     /// The frame of a unit axis.
     pub fn new(axis: V3) -> Self {
-        let largest = (0..3).fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
+        let largest = (0..3)
+            .fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
         let flipped = axis[largest] < 0.0;
         let w = if flipped { axis.map(|c| -c) } else { axis };
         // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that axis.
@@ -256,7 +265,11 @@ fn arc_corners(from: [f64; 2], to: [f64; 2], centre: [f64; 2]) -> Vec<[f64; 2]> 
     let step = sweep.abs() / k as f64;
     let target = radius * radius * sweep.abs() / step.sin();
     let m = (k - 2) as f64;
-    let rho = if k == 2 { target / (2.0 * radius) } else { (-radius + (radius * radius + m * target).sqrt()) / m };
+    let rho = if k == 2 {
+        target / (2.0 * radius)
+    } else {
+        (-radius + (radius * radius + m * target).sqrt()) / m
+    };
     (1..k)
         .map(|i| {
             let angle = start + sweep * i as f64 / k as f64;
@@ -298,9 +311,18 @@ mod tests {
     #[test]
     fn shank_and_hole_agree_whatever_the_sense_of_the_axis() {
         let make = |base: V3, axis: V3| {
-            FlatSolid::from_solid(&Solid::Cylinder { base, axis, radius: 9.0, length: 30.0, segments: 12 })
+            FlatSolid::from_solid(&Solid::Cylinder {
+                base,
+                axis,
+                radius: 9.0,
+                length: 30.0,
+                segments: 12,
+            })
         };
-        assert_eq!(make([85.0, 50.0, 110.0], [1.0, 0.0, 0.0]), make([115.0, 50.0, 110.0], [-1.0, 0.0, 0.0]));
+        assert_eq!(
+            make([85.0, 50.0, 110.0], [1.0, 0.0, 0.0]),
+            make([115.0, 50.0, 110.0], [-1.0, 0.0, 0.0])
+        );
     }
 
     #[test]

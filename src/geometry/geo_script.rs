@@ -6,7 +6,7 @@
 use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
-use crate::assembly::joint::{MidPlane, OutlineEdge, Solid};
+use crate::assembly::assembly::{MidPlane, OutlineEdge, Solid};
 use crate::math::vec3::{V3, along};
 use std::fmt::Write;
 
@@ -45,9 +45,11 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
     w.line("Geometry.OCCUnionUnify = 1;");
     w.line("Geometry.OCCBooleanPreserveNumbering = 1;");
     for (i, body) in scene.bodies.iter().enumerate() {
-        let layered = matches!(purpose, Purpose::Mesh { layers: true, .. }).then_some(&body.part.mid_planes);
+        let layered =
+            matches!(purpose, Purpose::Mesh { layers: true, .. }).then_some(&body.part.mid_planes);
         let cuts = (!w.exact).then(|| scene.preload_cuts(body.part));
-        let planes: Vec<MidPlane> = layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
+        let planes: Vec<MidPlane> =
+            layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
         w.body(i, body, &planes);
     }
     if let Purpose::Mesh { sizes, .. } = purpose {
@@ -123,7 +125,11 @@ impl Writer {
             Solid::Box { min, max } => {
                 let name = self.name();
                 let size = [max[0] - min[0], max[1] - min[1], max[2] - min[2]];
-                self.put(format_args!("v = newv; Box(v) = {{{}, {}}}; {name} = {{v}};", triple(*min), triple(size)));
+                self.put(format_args!(
+                    "v = newv; Box(v) = {{{}, {}}}; {name} = {{v}};",
+                    triple(*min),
+                    triple(size)
+                ));
                 name
             }
             Solid::Prism { origin, u, v, start, edges, length } if self.exact => {
@@ -141,7 +147,9 @@ impl Writer {
             }
             Solid::Prism { .. } | Solid::Cylinder { .. } => match FlatSolid::from_solid(solid) {
                 FlatSolid::Prism(p) => self.prism(&p),
-                FlatSolid::Union(_) | FlatSolid::Difference(_) => unreachable!("a primitive flattens to one prism"),
+                FlatSolid::Union(_) | FlatSolid::Difference(_) => {
+                    unreachable!("a primitive flattens to one prism")
+                }
             },
             Solid::Union(list) => self.boolean("BooleanUnion", list),
             Solid::Difference(list) => self.boolean("BooleanDifference", list),
@@ -160,7 +168,9 @@ impl Writer {
         }
         let name = self.name();
         let tools = rest.join(", ");
-        self.put(format_args!("{name} = {operation}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{tools}}}; Delete; }};"));
+        self.put(format_args!(
+            "{name} = {operation}{{ Volume{{{first}}}; Delete; }}{{ Volume{{{tools}}}; Delete; }};"
+        ));
         name
     }
 
@@ -187,14 +197,28 @@ impl Writer {
 
     fn extrude(&mut self, w: V3, length: f64) -> String {
         let name = self.name();
-        self.put(format_args!("e() = Extrude {{{}}} {{ Surface{{s}}; }};", triple(w.map(|c| c * length))));
+        self.put(format_args!(
+            "e() = Extrude {{{}}} {{ Surface{{s}}; }};",
+            triple(w.map(|c| c * length))
+        ));
         self.put(format_args!("{name} = {{e(1)}};"));
         name
     }
 
-    fn exact_prism(&mut self, origin: V3, u: V3, v: V3, start: [f64; 2], edges: &[OutlineEdge], length: f64) -> String {
+    fn exact_prism(
+        &mut self,
+        origin: V3,
+        u: V3,
+        v: V3,
+        start: [f64; 2],
+        edges: &[OutlineEdge],
+        length: f64,
+    ) -> String {
         let place = |p: [f64; 2]| along(along(origin, p[0], u), p[1], v);
-        self.put(format_args!("p = newp; Point(p) = {{{}}}; first = p; l = newl; n = 0;", triple(place(start))));
+        self.put(format_args!(
+            "p = newp; Point(p) = {{{}}}; first = p; l = newl; n = 0;",
+            triple(place(start))
+        ));
         for (i, edge) in edges.iter().enumerate() {
             let last = i + 1 == edges.len();
             let (to, centre) = match edge {
@@ -239,7 +263,9 @@ impl Writer {
     fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
         let kept: Vec<_> = planes
             .iter()
-            .filter_map(|MidPlane { axis, at, min, max }| size::clip(*axis, *at, *min, *max, &body.planes))
+            .filter_map(|MidPlane { axis, at, min, max }| {
+                size::clip(*axis, *at, *min, *max, &body.planes)
+            })
             .collect();
         if kept.is_empty() {
             return;
@@ -247,15 +273,21 @@ impl Writer {
         self.line("m() = {};");
         for (axis, at, min, max) in kept {
             self.polygon(&rectangle(axis, at, min, max));
-            self.put(format_args!("t() = BooleanIntersection{{ Surface{{s}}; Delete; }}{{ Volume{{{list}}}; }};"));
+            self.put(format_args!(
+                "t() = BooleanIntersection{{ Surface{{s}}; Delete; }}{{ Volume{{{list}}}; }};"
+            ));
             self.line("m() += t();");
         }
-        self.put(format_args!("t() = BooleanFragments{{ Volume{{{list}}}; Delete; }}{{ Surface{{m()}}; Delete; }};"));
+        self.put(format_args!(
+            "t() = BooleanFragments{{ Volume{{{list}}}; Delete; }}{{ Surface{{m()}}; Delete; }};"
+        ));
     }
 
     fn footprints(&mut self, scene: &Scene) {
         self.line("f() = {};");
-        for (axis, at, min, max) in size::footprints(scene).into_iter().chain(size::weld_lines(scene)) {
+        for (axis, at, min, max) in
+            size::footprints(scene).into_iter().chain(size::weld_lines(scene))
+        {
             self.polygon(&rectangle(axis, at, min, max));
             self.line("f() += {s};");
         }
@@ -266,7 +298,9 @@ impl Writer {
         let parts: Vec<String> = (0..bodies).map(|i| format!("part{i}()")).collect();
         let parts = parts.join(", ");
         self.line("If (#f() > 0)");
-        self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ Surface{{f()}}; Delete; }};"));
+        self.put(format_args!(
+            "t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ Surface{{f()}}; Delete; }};"
+        ));
         self.line("Else");
         self.put(format_args!("t() = BooleanFragments{{ Volume{{{parts}}}; Delete; }}{{ }};"));
         self.line("EndIf");
@@ -274,7 +308,11 @@ impl Writer {
 
     fn groups(&mut self, scene: &Scene) {
         for (i, body) in scene.bodies.iter().enumerate() {
-            self.put(format_args!("Physical Volume(\"{}\", {}) = {{part{i}()}};", body.part.name, i + 1));
+            self.put(format_args!(
+                "Physical Volume(\"{}\", {}) = {{part{i}()}};",
+                body.part.name,
+                i + 1
+            ));
         }
     }
 }
@@ -351,7 +389,9 @@ mod tests {
         let joint = paper_joint();
         let cuts = |full: bool, layers: bool| {
             let purpose = Purpose::Mesh { layers, sizes: Sizing::Rule(SizeRule::default()) };
-            script(&Scene::new(&joint, full), purpose).matches("BooleanIntersection{ Surface").count()
+            script(&Scene::new(&joint, full), purpose)
+                .matches("BooleanIntersection{ Surface")
+                .count()
         };
         // column flange, two stiffeners; plate; two beam flanges, support stiffener
         assert_eq!(cuts(false, true), 7);

@@ -89,7 +89,9 @@ impl Line {
     pub fn through(&self, solid: &FlatSolid) -> Stretches {
         match solid {
             FlatSolid::Prism(prism) => self.through_prism(prism),
-            FlatSolid::Union(list) => list.iter().fold(Vec::new(), |acc, s| unite(acc, self.through(s))),
+            FlatSolid::Union(list) => {
+                list.iter().fold(Vec::new(), |acc, s| unite(acc, self.through(s)))
+            }
             FlatSolid::Difference(list) => {
                 let Some((first, rest)) = list.split_first() else { return Vec::new() };
                 let mut inside = self.through(first);
@@ -147,7 +149,9 @@ fn contains(polygon: &[[f64; 2]], p: [f64; 2]) -> bool {
     let mut inside = false;
     for i in 0..n {
         let (a, b) = (polygon[i], polygon[(i + 1) % n]);
-        if (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+        if (a[1] > p[1]) != (b[1] > p[1])
+            && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+        {
             inside = !inside;
         }
     }
@@ -157,7 +161,7 @@ fn contains(polygon: &[[f64; 2]], p: [f64; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::joint::Solid;
+    use crate::assembly::assembly::Solid;
 
     #[test]
     fn a_line_through_a_drilled_box_has_two_stretches() {

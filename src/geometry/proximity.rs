@@ -8,7 +8,7 @@ use super::error::GeometryError;
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, intersect};
 use crate::assembly::Assembly;
-use crate::assembly::joint::{Part, Solid};
+use crate::assembly::assembly::{Part, Solid};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::V3;
 use parry3d_f64::math::{Pose, Vector};
@@ -44,7 +44,11 @@ pub fn check(assembly: &Assembly) -> Result<(), Diagnostics> {
     if faults.is_empty() {
         faults = proximity_faults(assembly);
     }
-    if faults.is_empty() { Ok(()) } else { Err(Diagnostics(faults.into_iter().map(Diagnostic::from).collect())) }
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(Diagnostics(faults.into_iter().map(Diagnostic::from).collect()))
+    }
 }
 
 fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
@@ -56,9 +60,18 @@ fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
                 continue;
             }
             if let Some((depth, at)) = overlap(a, b) {
-                faults.push(GeometryError::Clash { pair: pair(a.part, b.part), depth, limit: TOUCH, at });
+                faults.push(GeometryError::Clash {
+                    pair: pair(a.part, b.part),
+                    depth,
+                    limit: TOUCH,
+                    at,
+                });
             } else if let Some(gap) = sliver(a, b) {
-                faults.push(GeometryError::Sliver { pair: pair(a.part, b.part), gap, limit: SMALLEST_GAP });
+                faults.push(GeometryError::Sliver {
+                    pair: pair(a.part, b.part),
+                    gap,
+                    limit: SMALLEST_GAP,
+                });
             }
         }
     }
@@ -169,7 +182,8 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f6
             if inside.is_empty() {
                 continue;
             }
-            let common = intersect(&intersect(&inside, &line.through(b)), &[[0.0, max[axis] - min[axis]]]);
+            let common =
+                intersect(&intersect(&inside, &line.through(b)), &[[0.0, max[axis] - min[axis]]]);
             for s in common {
                 if longest.is_none_or(|(l, _)| s[1] - s[0] > l) {
                     let mut at = line.start;
@@ -196,12 +210,15 @@ fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
             if !p.bounds.near(&q.bounds, SMALLEST_GAP) {
                 continue;
             }
-            let distance = query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance);
+            let distance =
+                query::distance(&p.pose, &p.shape, &q.pose, &q.shape).ok().map(|d| d.distance);
             if distance.is_none_or(|d| d <= TOUCH || d >= SMALLEST_GAP) {
                 continue;
             }
-            let min: V3 = std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
-            let max: V3 = std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
+            let min: V3 =
+                std::array::from_fn(|k| p.bounds.min[k].max(q.bounds.min[k]) - SMALLEST_GAP);
+            let max: V3 =
+                std::array::from_fn(|k| p.bounds.max[k].min(q.bounds.max[k]) + SMALLEST_GAP);
             for gap in (0..3).filter_map(|axis| thin_air(&a.solid, &b.solid, axis, min, max)) {
                 smallest = Some(smallest.map_or(gap, |s| s.min(gap)));
             }
@@ -266,7 +283,9 @@ mod tests {
         crate::geometry::fixtures::move_part(&mut joint, "BOLT", [0.0, 0.0, -3.0]);
         let m = messages(&joint);
         assert!(
-            m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("bolt (BOLT)") && t.contains("3.000 mm")),
+            m.iter().any(|(c, t)| c == "geometry/clash"
+                && t.contains("bolt (BOLT)")
+                && t.contains("3.000 mm")),
             "{m:?}"
         );
     }
@@ -278,7 +297,9 @@ mod tests {
         crate::geometry::fixtures::move_part(&mut joint, "BOLT_RP2", [0.0, 0.0, 228.0]);
         let m = messages(&joint);
         assert!(
-            m.iter().any(|(c, t)| c == "geometry/clash" && t.contains("BOLT_RP2") && t.contains("BOLT_RP3")),
+            m.iter().any(|(c, t)| c == "geometry/clash"
+                && t.contains("BOLT_RP2")
+                && t.contains("BOLT_RP3")),
             "{m:?}"
         );
     }
@@ -288,7 +309,11 @@ mod tests {
         let mut joint = lap_joint();
         crate::geometry::fixtures::move_part(&mut joint, "LOWER", [0.0, 0.0, -0.5]);
         let m = messages(&joint);
-        assert!(m.iter().any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")), "{m:?}");
+        assert!(
+            m.iter()
+                .any(|(c, t)| c == "geometry/gap" && t.contains("LOWER") && t.contains("0.500 mm")),
+            "{m:?}"
+        );
     }
 
     #[test]
@@ -296,7 +321,10 @@ mod tests {
         let mut joint = lap_joint();
         // Pieces of the upper plate with a square window half a millimetre wider than the hole.
         let upper = joint.parts.iter_mut().find(|p| p.name == "UPPER").expect("the fixture has it");
-        let cuboid = |x: [f64; 2], y: [f64; 2]| Solid::Box { min: [x[0], y[0], 0.0], max: [x[1], y[1], 10.0] };
+        let cuboid = |x: [f64; 2], y: [f64; 2]| Solid::Box {
+            min: [x[0], y[0], 0.0],
+            max: [x[1], y[1], 10.0],
+        };
         upper.convex = vec![
             cuboid([-40.0, -8.5], [-30.0, 30.0]),
             cuboid([8.5, 40.0], [-30.0, 30.0]),
@@ -317,13 +345,16 @@ mod tests {
     #[test]
     fn clearance_too_small_gives_reason_and_numbers() {
         let mut joint = paper_joint();
-        joint.clearances.push(crate::assembly::joint::Clearance {
+        joint.clearances.push(crate::assembly::assembly::Clearance {
             between: ["BOLT_RP1".into(), "BOLT_RP2".into()],
             min: 70.0,
             reason: "wrench".into(),
         });
         let m = messages(&joint);
         // pitch 90 mm less the width across flats 27 mm
-        assert!(m.len() == 1 && m[0].0 == "geometry/clearance" && m[0].1.contains("63.0 mm"), "{m:?}");
+        assert!(
+            m.len() == 1 && m[0].0 == "geometry/clearance" && m[0].1.contains("63.0 mm"),
+            "{m:?}"
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, Stretches, intersect};
-use crate::assembly::joint::{Assembly, MidPlane, Part, Surface, SymmetryPlane};
+use crate::assembly::assembly::{Assembly, MidPlane, Part, Surface, SymmetryPlane};
 
 /// Coordinates closer than this to a plane lie on it \[mm\].
 pub const ON_PLANE: f64 = 1e-6;
@@ -80,9 +80,11 @@ impl<'a> Scene<'a> {
 
     /// Planes at which the shank of a part is cut for its preload.
     pub fn preload_cuts<'s>(&'s self, part: &'s Part) -> impl Iterator<Item = MidPlane> + 's {
-        self.assembly.preloads.iter().filter(|p| p.part == part.name).filter_map(|p| match p.surface {
-            Surface::Plane { axis, at, min, max } => Some(MidPlane { axis, at, min, max }),
-            Surface::Mantle { .. } => None,
+        self.assembly.preloads.iter().filter(|p| p.part == part.name).filter_map(|p| {
+            match p.surface {
+                Surface::Plane { axis, at, min, max } => Some(MidPlane { axis, at, min, max }),
+                Surface::Mantle { .. } => None,
+            }
         })
     }
 

@@ -6,7 +6,7 @@
 
 use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
-use crate::assembly::joint::{PartRole, Surface};
+use crate::assembly::assembly::{PartRole, Surface};
 use crate::math::vec3::V3;
 use std::fmt::Write;
 
@@ -27,7 +27,13 @@ pub struct SizeRule {
 
 impl Default for SizeRule {
     fn default() -> Self {
-        SizeRule { factor: 1.0, growth: 0.5, across_footprint: 2.0, span_growth: 0.1, span_limit: 2.0 }
+        SizeRule {
+            factor: 1.0,
+            growth: 0.5,
+            across_footprint: 2.0,
+            span_growth: 0.1,
+            span_limit: 2.0,
+        }
     }
 }
 
@@ -55,7 +61,11 @@ pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
 /// The imprinted rectangles of welds on the kept side; they ask for no size of their own.
 pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
-    let kept = scene.assembly.welds.iter().filter(|w| w.imprint && w.between.iter().all(|p| scene.body(p).is_some()));
+    let kept = scene
+        .assembly
+        .welds
+        .iter()
+        .filter(|w| w.imprint && w.between.iter().all(|p| scene.body(p).is_some()));
     kept.filter_map(|w| match w.surface {
         Surface::Plane { axis, at, min, max } => clip(axis, at, min, max, &planes),
         Surface::Mantle { .. } => None,
@@ -64,7 +74,13 @@ pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
 }
 
 /// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies on a symmetry plane.
-pub(super) fn clip(axis: usize, at: f64, min: V3, max: V3, planes: &[usize]) -> Option<(usize, f64, V3, V3)> {
+pub(super) fn clip(
+    axis: usize,
+    at: f64,
+    min: V3,
+    max: V3,
+    planes: &[usize],
+) -> Option<(usize, f64, V3, V3)> {
     let mut min = min;
     for &k in planes {
         if k == axis {
@@ -86,7 +102,12 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     let mut out = String::new();
     let mut id = 0;
     let mut chosen: Vec<String> = Vec::new();
-    let joint = scene.bodies.iter().filter(|b| b.part.role != PartRole::Member).map(|b| b.bounds).reduce(Bounds::union);
+    let joint = scene
+        .bodies
+        .iter()
+        .filter(|b| b.part.role != PartRole::Member)
+        .map(|b| b.bounds)
+        .reduce(Bounds::union);
     let mut coarsest = 0.0f64;
     for body in &scene.bodies {
         let size = body.part.size * rule.factor;
@@ -97,9 +118,22 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
                 let (g, rise) = (rule.span_growth, limit - size);
                 // min(g D, rise) written with an absolute value
                 let formula = format!("{size} + 0.5*({g}*{d} + {rise} - Fabs({g}*{d} - {rise}))");
-                let _ = writeln!(out, "Field[{}] = MathEval; Field[{}].F = \"{formula}\";", id + 1, id + 1);
+                let _ = writeln!(
+                    out,
+                    "Field[{}] = MathEval; Field[{}].F = \"{formula}\";",
+                    id + 1,
+                    id + 1
+                );
                 let (lo, hi) = (body.bounds.min, body.bounds.max);
-                box_field(&mut out, id + 2, 0.0, FREE, lo.map(|c| c - 1e-3), hi.map(|c| c + 1e-3), 0.0);
+                box_field(
+                    &mut out,
+                    id + 2,
+                    0.0,
+                    FREE,
+                    lo.map(|c| c - 1e-3),
+                    hi.map(|c| c + 1e-3),
+                    0.0,
+                );
                 let _ = writeln!(
                     out,
                     "Field[{}] = Max; Field[{}].FieldsList = {{{}, {}}};",
@@ -140,9 +174,16 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
 }
 
 fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: V3, max: V3, reach: f64) {
-    let _ = writeln!(out, "Field[{id}] = Box; Field[{id}].VIn = {inside}; Field[{id}].VOut = {outside};");
+    let _ = writeln!(
+        out,
+        "Field[{id}] = Box; Field[{id}].VIn = {inside}; Field[{id}].VOut = {outside};"
+    );
     for (k, axis) in ["X", "Y", "Z"].iter().enumerate() {
-        let _ = writeln!(out, "Field[{id}].{axis}Min = {}; Field[{id}].{axis}Max = {};", min[k], max[k]);
+        let _ = writeln!(
+            out,
+            "Field[{id}].{axis}Min = {}; Field[{id}].{axis}Max = {};",
+            min[k], max[k]
+        );
     }
     let _ = writeln!(out, "Field[{id}].Thickness = {reach};");
 }

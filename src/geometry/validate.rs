@@ -2,7 +2,7 @@
 
 use super::error::GeometryError;
 use crate::assembly::Assembly;
-use crate::assembly::joint::Solid;
+use crate::assembly::assembly::Solid;
 use std::collections::BTreeSet;
 
 /// Faults of names, references and dimensions; empty if sound.
@@ -43,11 +43,17 @@ pub fn faults(assembly: &Assembly) -> Vec<GeometryError> {
     for face in &assembly.faces {
         surface(&face.name, &mut name);
         if !parts.contains(face.part.as_str()) {
-            name(format!("the face {} lies on the part `{}`, which does not exist", face.name, face.part));
+            name(format!(
+                "the face {} lies on the part `{}`, which does not exist",
+                face.name, face.part
+            ));
         }
     }
-    for (kind, n) in
-        assembly.supports.iter().map(|s| ("support", &s.face)).chain(assembly.loads.iter().map(|l| ("load", &l.face)))
+    for (kind, n) in assembly
+        .supports
+        .iter()
+        .map(|s| ("support", &s.face))
+        .chain(assembly.loads.iter().map(|l| ("load", &l.face)))
     {
         if !assembly.faces.iter().any(|f| f.name == *n) {
             name(format!("a {kind} lies on the face `{n}`, which does not exist"));
@@ -56,7 +62,11 @@ pub fn faults(assembly: &Assembly) -> Vec<GeometryError> {
     for part in &assembly.parts {
         let mut dimension = |what: &str, value: f64| {
             if !(value.is_finite() && value > 0.0) {
-                out.push(GeometryError::Dimension { part: part.label.clone(), what: what.to_string(), value });
+                out.push(GeometryError::Dimension {
+                    part: part.label.clone(),
+                    what: what.to_string(),
+                    value,
+                });
             }
         };
         dimension("an element size", part.size);
@@ -98,7 +108,9 @@ fn solid_dimensions(solid: &Solid, dimension: &mut dyn FnMut(&str, f64)) {
             let sides = if *segments >= 3 { f64::from(*segments) } else { 0.0 };
             dimension("a number of sides", sides);
         }
-        Solid::Union(list) | Solid::Difference(list) => list.iter().for_each(|s| solid_dimensions(s, dimension)),
+        Solid::Union(list) | Solid::Difference(list) => {
+            list.iter().for_each(|s| solid_dimensions(s, dimension))
+        }
     }
 }
 

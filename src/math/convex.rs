@@ -74,8 +74,11 @@ pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
 
 /// True when the half planes bound every direction: their normals leave no gap of half a turn.
 pub fn bounded(half_planes: &[HalfPlane]) -> bool {
-    let mut angles: Vec<f64> =
-        half_planes.iter().filter(|h| h.normal != [0.0; 2]).map(|h| h.normal[1].atan2(h.normal[0])).collect();
+    let mut angles: Vec<f64> = half_planes
+        .iter()
+        .filter(|h| h.normal != [0.0; 2])
+        .map(|h| h.normal[1].atan2(h.normal[0]))
+        .collect();
     angles.sort_by(f64::total_cmp);
     let Some((first, last)) = angles.first().zip(angles.last()) else { return false };
     let around = first + 2.0 * std::f64::consts::PI - last;
@@ -113,7 +116,12 @@ mod tests {
         assert_eq!(octagon.len(), 8);
         let circumscribed = 1.0 / (std::f64::consts::PI / 8.0).cos();
         octagon.iter().for_each(|[x, y]| assert!((x.hypot(*y) - circumscribed).abs() < 1e-12));
-        assert!(bounded(&planes) && !bounded(&planes[..4]) && !bounded(&planes[..5]) && bounded(&planes[..6]));
+        assert!(
+            bounded(&planes)
+                && !bounded(&planes[..4])
+                && !bounded(&planes[..5])
+                && bounded(&planes[..6])
+        );
         let beyond = HalfPlane { normal: [1.0, 0.0], offset: -200.0 };
         assert!(clip(&square(100.0), &[beyond]).is_empty());
     }

@@ -75,7 +75,9 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
     if n == 0 {
         return Vec::new();
     }
-    let eig = gram.self_adjoint_eigen(faer::Side::Lower).expect("a finite symmetric matrix has eigenvectors");
+    let eig = gram
+        .self_adjoint_eigen(faer::Side::Lower)
+        .expect("a finite symmetric matrix has eigenvectors");
     let s = eig.S().column_vector();
     let largest = (0..n).map(|i| s[i].abs()).fold(0.0, f64::max);
     (0..n)
@@ -88,7 +90,8 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
 pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     // scale to unit diagonal, then drop directions below rounding
     let n = a.nrows();
-    let d: Vec<f64> = (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let d: Vec<f64> =
+        (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
     let scaled = Mat::from_fn(n, n, |i, j| d[i] * a[(i, j)] * d[j]);
     let mut regular = scaled.clone();
     for v in null_space(&scaled, 1e-14) {

@@ -82,7 +82,11 @@ pub fn norm(a: &Mandel) -> f64 {
 /// Traction `σ n`.
 pub fn traction(s: &Mandel, n: V3) -> V3 {
     let (yz, xz, xy) = (s[3] * FRAC_1_SQRT_2, s[4] * FRAC_1_SQRT_2, s[5] * FRAC_1_SQRT_2);
-    [s[0] * n[0] + xy * n[1] + xz * n[2], xy * n[0] + s[1] * n[1] + yz * n[2], xz * n[0] + yz * n[1] + s[2] * n[2]]
+    [
+        s[0] * n[0] + xy * n[1] + xz * n[2],
+        xy * n[0] + s[1] * n[1] + yz * n[2],
+        xz * n[0] + yz * n[1] + s[2] * n[2],
+    ]
 }
 
 /// The 3 × 6 matrix `N(n)` with `σ n = N(n) σ`.
@@ -98,7 +102,14 @@ pub fn normal_operator(n: V3) -> [Mandel; 3] {
 /// Mandel form of the symmetric part of a matrix.
 pub fn symmetric_part(m: &M3) -> Mandel {
     let r = FRAC_1_SQRT_2;
-    [m[0][0], m[1][1], m[2][2], r * (m[1][2] + m[2][1]), r * (m[0][2] + m[2][0]), r * (m[0][1] + m[1][0])]
+    [
+        m[0][0],
+        m[1][1],
+        m[2][2],
+        r * (m[1][2] + m[2][1]),
+        r * (m[0][2] + m[2][0]),
+        r * (m[0][1] + m[1][0]),
+    ]
 }
 
 /// The symmetric matrix of a Mandel vector.

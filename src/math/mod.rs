@@ -20,7 +20,8 @@ impl Sum {
     /// Adds one term.
     pub fn add(&mut self, x: f64) {
         let t = self.total + x;
-        self.compensation += if self.total.abs() >= x.abs() { (self.total - t) + x } else { (x - t) + self.total };
+        self.compensation +=
+            if self.total.abs() >= x.abs() { (self.total - t) + x } else { (x - t) + self.total };
         self.total = t;
     }
 

@@ -11,7 +11,14 @@ pub const TRIANGLE_4: [([f64; 3], f64); 6] = {
     const WB: f64 = 0.109_951_743_655_322;
     const A1: f64 = 1.0 - 2.0 * A;
     const B1: f64 = 1.0 - 2.0 * B;
-    [([A1, A, A], WA), ([A, A1, A], WA), ([A, A, A1], WA), ([B1, B, B], WB), ([B, B1, B], WB), ([B, B, B1], WB)]
+    [
+        ([A1, A, A], WA),
+        ([A, A1, A], WA),
+        ([A, A, A1], WA),
+        ([B1, B, B], WB),
+        ([B, B1, B], WB),
+        ([B, B, B1], WB),
+    ]
 };
 
 /// Four-point rule on the tetrahedron, exact to degree 2.
@@ -57,7 +64,9 @@ mod tests {
                     let exact = 2.0 * f(i) * f(j) * f(k) / f(i + j + k + 2);
                     let rule: f64 = TRIANGLE_4
                         .iter()
-                        .map(|(l, w)| w * l[0].powi(i as i32) * l[1].powi(j as i32) * l[2].powi(k as i32))
+                        .map(|(l, w)| {
+                            w * l[0].powi(i as i32) * l[1].powi(j as i32) * l[2].powi(k as i32)
+                        })
                         .sum();
                     assert!((rule - exact).abs() < 1e-14, "{i}{j}{k}: {rule} {exact}");
                 }

@@ -52,8 +52,11 @@ fn edge(a: u32, b: u32) -> Edge {
 /// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts, to the nearest power of two, and more where the
 /// neighbours ask for it. Wants below 2 leave a tet alone: nothing is made coarser.
 pub fn refine(mesh: &TetMesh, wanted: &[f64]) -> Refined {
-    let goals: Vec<f64> =
-        wanted.iter().enumerate().map(|(e, n)| mesh.volume(e) / n * std::f64::consts::SQRT_2).collect();
+    let goals: Vec<f64> = wanted
+        .iter()
+        .enumerate()
+        .map(|(e, n)| mesh.volume(e) / n * std::f64::consts::SQRT_2)
+        .collect();
     let mut b = Bisection::new(mesh);
     let mut t = 0;
     // new tets come last and are looked at in their turn
@@ -70,15 +73,20 @@ impl Bisection {
     fn new(mesh: &TetMesh) -> Self {
         let mut tets_at: HashMap<Edge, Vec<u32>> = HashMap::with_capacity(2 * mesh.tets.len());
         for (e, t) in mesh.tets.iter().enumerate() {
-            EDGES.iter().for_each(|[a, b]| tets_at.entry(edge(t[*a], t[*b])).or_default().push(e as u32));
+            EDGES
+                .iter()
+                .for_each(|[a, b]| tets_at.entry(edge(t[*a], t[*b])).or_default().push(e as u32));
         }
         let mut triangles = Vec::new();
         for (face, named) in mesh.faces.iter().enumerate() {
-            triangles.extend(named.triangles.iter().map(|t| Triangle { face: face as u32, nodes: *t }));
+            triangles
+                .extend(named.triangles.iter().map(|t| Triangle { face: face as u32, nodes: *t }));
         }
         let mut triangles_at: HashMap<Edge, Vec<u32>> = HashMap::with_capacity(3 * triangles.len());
         for (i, t) in triangles.iter().enumerate() {
-            sides(t.nodes).into_iter().for_each(|s| triangles_at.entry(s).or_default().push(i as u32));
+            sides(t.nodes)
+                .into_iter()
+                .for_each(|s| triangles_at.entry(s).or_default().push(i as u32));
         }
         let parent = (0..mesh.tets.len() as u32).collect();
         Self { mesh: mesh.clone(), parent, triangles, tets_at, triangles_at }
@@ -93,7 +101,10 @@ impl Bisection {
     fn longest(&self, t: u32) -> Edge {
         let nodes = self.mesh.tets[t as usize];
         let first = edge(nodes[0], nodes[1]);
-        EDGES.iter().map(|[a, b]| edge(nodes[*a], nodes[*b])).fold(first, |m, e| if self.longer(e, m) { e } else { m })
+        EDGES
+            .iter()
+            .map(|[a, b]| edge(nodes[*a], nodes[*b]))
+            .fold(first, |m, e| if self.longer(e, m) { e } else { m })
     }
 
     fn longer(&self, a: Edge, b: Edge) -> bool {
@@ -183,12 +194,15 @@ mod tests {
 
     /// Two blocks side by side, one body each, faces named, refined at one corner far and wide.
     fn refined() -> (TetMesh, Refined) {
-        let cells: Vec<_> = (0..54).map(|i| ([i % 6, i / 6 % 3, i / 18], if i % 6 < 3 { "A" } else { "B" })).collect();
+        let cells: Vec<_> = (0..54)
+            .map(|i| ([i % 6, i / 6 % 3, i / 18], if i % 6 < 3 { "A" } else { "B" }))
+            .collect();
         let mut mesh = cubes(&cells);
         name(&mut mesh, "BASE", |x| x[2] == 0.0);
         name(&mut mesh, "BETWEEN", |x| x[0] == 30.0);
         let corner = |e: usize| mesh.corners(e).contains(&[30.0, 0.0, 0.0]);
-        let wanted: Vec<f64> = (0..mesh.tets.len()).map(|e| if corner(e) { 300.0 } else { 1.0 }).collect();
+        let wanted: Vec<f64> =
+            (0..mesh.tets.len()).map(|e| if corner(e) { 300.0 } else { 1.0 }).collect();
         let refined = refine(&mesh, &wanted);
         (mesh, refined)
     }
@@ -203,7 +217,8 @@ mod tests {
         let size = [60.0, 30.0, 30.0];
         for owners in table.faces() {
             let x = owners[0].key.map(|n| mesh.nodes[n as usize]);
-            let on_hull = (0..3).any(|d| [0.0, size[d]].iter().any(|c| x.iter().all(|x| x[d] == *c)));
+            let on_hull =
+                (0..3).any(|d| [0.0, size[d]].iter().any(|c| x.iter().all(|x| x[d] == *c)));
             assert_eq!(owners.len(), if on_hull { 1 } else { 2 }, "{x:?}");
         }
         let volume = |m: &TetMesh, body: u32| -> f64 {
@@ -221,7 +236,9 @@ mod tests {
                 .iter()
                 .map(|t| {
                     assert!(!table.owners(*t).is_empty());
-                    crate::math::vec3::norm(crate::math::vec3::area_vector(&t.map(|n| mesh.nodes[n as usize])))
+                    crate::math::vec3::norm(crate::math::vec3::area_vector(
+                        &t.map(|n| mesh.nodes[n as usize]),
+                    ))
                 })
                 .sum();
             assert!((sum / area - 1.0).abs() < 1e-12, "{} {sum}", face.name);
@@ -238,8 +255,15 @@ mod tests {
             assert!(*n >= 300.0 / std::f64::consts::SQRT_2, "tet {e}: {n}");
         }
         assert!(parts.iter().filter(|n| **n == 1.0).count() > old.tets.len() / 4);
-        let worst = |m: &TetMesh| quality::table(m).iter().map(|q| q.worst_dihedral).fold(f64::INFINITY, f64::min);
-        assert!(worst(&refined.mesh) > 0.5 * worst(&old), "{} {}", worst(&refined.mesh), worst(&old));
+        let worst = |m: &TetMesh| {
+            quality::table(m).iter().map(|q| q.worst_dihedral).fold(f64::INFINITY, f64::min)
+        };
+        assert!(
+            worst(&refined.mesh) > 0.5 * worst(&old),
+            "{} {}",
+            worst(&refined.mesh),
+            worst(&old)
+        );
         // nothing wanted, nothing done
         assert_eq!(refine(&old, &vec![1.4; old.tets.len()]).mesh, old);
     }

@@ -212,7 +212,9 @@ pub enum MeshError {
         x: [f64; 3],
     },
     /// A named triangle that is not a face of any tet.
-    #[error("triangle {element} of the physical surface `{surface}` is not a face of any tetrahedron")]
+    #[error(
+        "triangle {element} of the physical surface `{surface}` is not a face of any tetrahedron"
+    )]
     LooseTriangle {
         /// Where.
         at: MshPlace,
@@ -227,28 +229,35 @@ impl MeshError {
     /// Stable code, place, and what to do next.
     fn parts(&self) -> (&'static str, Option<&MshPlace>, &'static str) {
         use MeshError as E;
-        let again = "write the mesh again with gmsh; the file is cut off, damaged or was edited by hand";
+        let again =
+            "write the mesh again with gmsh; the file is cut off, damaged or was edited by hand";
         match self {
             E::Io { at, .. } => (
                 "mesh/read",
                 Some(at),
                 "check the path: it is relative to the file that names it; and the right to read it",
             ),
-            E::NotGmsh { at } => {
-                ("mesh/not-gmsh", Some(at), "save the mesh in gmsh: `gmsh -3 model.geo -format msh41`")
-            }
-            E::Version { at, .. } => {
-                ("mesh/version", Some(at), "save with `Mesh.MshFileVersion = 4.1;` (or 2.2): `gmsh -format msh41`")
-            }
+            E::NotGmsh { at } => (
+                "mesh/not-gmsh",
+                Some(at),
+                "save the mesh in gmsh: `gmsh -3 model.geo -format msh41`",
+            ),
+            E::Version { at, .. } => (
+                "mesh/version",
+                Some(at),
+                "save with `Mesh.MshFileVersion = 4.1;` (or 2.2): `gmsh -format msh41`",
+            ),
             E::Binary { at } => ("mesh/binary", Some(at), "save with `Mesh.Binary = 0;`"),
             E::MissingSection { at, .. } => (
                 "mesh/missing-section",
                 Some(at),
                 "write the mesh with gmsh after meshing in three dimensions: `gmsh -3`",
             ),
-            E::Truncated { at, .. } => {
-                ("mesh/truncated", Some(at), "write the file again and check that the disk is not full")
-            }
+            E::Truncated { at, .. } => (
+                "mesh/truncated",
+                Some(at),
+                "write the file again and check that the disk is not full",
+            ),
             E::Malformed { at, .. } => ("mesh/malformed", Some(at), again),
             E::Repeated { at, .. } => ("mesh/repeated", Some(at), again),
             E::NotFinite { at, .. } => ("mesh/not-finite", Some(at), again),
@@ -256,19 +265,29 @@ impl MeshError {
             E::UnknownEntity { at, .. } => {
                 ("mesh/unknown-entity", Some(at), "save an unpartitioned mesh with its entities")
             }
-            E::HigherOrder { at, .. } => {
-                ("mesh/order", Some(at), "mesh with `Mesh.ElementOrder = 1;`: the analysis adds its own mid-side nodes")
+            E::HigherOrder { at, .. } => (
+                "mesh/order",
+                Some(at),
+                "mesh with `Mesh.ElementOrder = 1;`: the analysis adds its own mid-side nodes",
+            ),
+            E::OtherShape { at, .. } => (
+                "mesh/shape",
+                Some(at),
+                "mesh with tetrahedra: no `Recombine`, no structured or extruded layers",
+            ),
+            E::NoTets { at } => (
+                "mesh/no-tets",
+                Some(at),
+                "mesh in three dimensions (`gmsh -3`) with a `Physical Volume`",
+            ),
+            E::NoBody { at, .. } => (
+                "mesh/no-body",
+                Some(at),
+                "put every volume in one `Physical Volume(\"NAME\")`: it becomes a body",
+            ),
+            E::TwoBodies { at, .. } => {
+                ("mesh/two-bodies", Some(at), "put every volume in one `Physical Volume` only")
             }
-            E::OtherShape { at, .. } => {
-                ("mesh/shape", Some(at), "mesh with tetrahedra: no `Recombine`, no structured or extruded layers")
-            }
-            E::NoTets { at } => {
-                ("mesh/no-tets", Some(at), "mesh in three dimensions (`gmsh -3`) with a `Physical Volume`")
-            }
-            E::NoBody { at, .. } => {
-                ("mesh/no-body", Some(at), "put every volume in one `Physical Volume(\"NAME\")`: it becomes a body")
-            }
-            E::TwoBodies { at, .. } => ("mesh/two-bodies", Some(at), "put every volume in one `Physical Volume` only"),
             E::Flat { at, .. } => (
                 "mesh/flat",
                 Some(at),
@@ -294,9 +313,11 @@ impl MeshError {
                 None,
                 "mesh the bodies together (`BooleanFragments` in gmsh), so that they share the faces where they meet",
             ),
-            E::LooseTriangle { at, .. } => {
-                ("mesh/loose-triangle", Some(at), "keep only surfaces of meshed volumes in `Physical Surface`")
-            }
+            E::LooseTriangle { at, .. } => (
+                "mesh/loose-triangle",
+                Some(at),
+                "keep only surfaces of meshed volumes in `Physical Surface`",
+            ),
         }
     }
 }

@@ -60,7 +60,9 @@ pub enum MesherError {
         seconds: f64,
     },
     /// The user asked to stop.
-    #[error("interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was written")]
+    #[error(
+        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was written"
+    )]
     Interrupted {
         /// How long it ran \[s\].
         seconds: f64,
@@ -119,7 +121,9 @@ impl MesherError {
 
 /// The path as the user knows it: `joint/mesh.msh` for `joint.part/mesh.msh`, which is written aside and renamed.
 fn whole(path: &Path) -> PathBuf {
-    let ours = |word: &str| word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()));
+    let ours = |word: &str| {
+        word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()))
+    };
     path.components()
         .map(|c| match c.as_os_str().to_str().and_then(|w| Some((w, ours(w)?))) {
             Some((word, end)) => OsString::from(&word[..end]),
@@ -131,7 +135,8 @@ fn whole(path: &Path) -> PathBuf {
 impl From<MesherError> for Diagnostic {
     fn from(error: MesherError) -> Self {
         use MesherError as E;
-        let doctor = "run `bracket doctor`: it says what is found and how to get what is missing".to_string();
+        let doctor = "run `bracket doctor`: it says what is found and how to get what is missing"
+            .to_string();
         let (code, help) = match &error {
             E::Missing => ("mesher/missing", doctor),
             E::BadVariable { .. } => (
@@ -227,7 +232,9 @@ impl Mesher {
         let status = match end {
             End::Exit(status) => status,
             End::TimeLimit => return Err(MesherError::TimeLimit { seconds: limit.as_secs_f64() }),
-            End::Interrupted => return Err(MesherError::Interrupted { seconds: started.elapsed().as_secs_f64() }),
+            End::Interrupted => {
+                return Err(MesherError::Interrupted { seconds: started.elapsed().as_secs_f64() });
+            }
         };
         let mut bytes = Vec::new();
         File::open(&log_path)
@@ -311,7 +318,11 @@ enum End {
 }
 
 /// Waits at most `limit`, and no longer than the user wants.
-fn wait(child: &mut Child, limit: Duration, interrupt: Option<&AtomicBool>) -> std::io::Result<End> {
+fn wait(
+    child: &mut Child,
+    limit: Duration,
+    interrupt: Option<&AtomicBool>,
+) -> std::io::Result<End> {
     let started = Instant::now();
     let mut pause = Duration::from_millis(2);
     loop {
@@ -366,7 +377,11 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
         .map(str::trim)
         .find(|l| l.starts_with(|c: char| c.is_ascii_digit()) && l.contains('.'))
         .map(str::to_string)
-        .ok_or_else(|| fail(text.lines().last().map_or("it said nothing".into(), |l| format!("`{}`", l.trim()))))
+        .ok_or_else(|| {
+            fail(
+                text.lines().last().map_or("it said nothing".into(), |l| format!("`{}`", l.trim())),
+            )
+        })
 }
 
 /// Environment variable, then a project-local venv, then PATH.
@@ -375,7 +390,10 @@ fn find_command() -> Result<Vec<OsString>, MesherError> {
         return parse_command(&value.to_string_lossy());
     }
     let exe = std::env::current_exe().ok();
-    let starts = [std::env::current_dir().ok(), exe.as_deref().and_then(Path::parent).map(Path::to_path_buf)];
+    let starts = [
+        std::env::current_dir().ok(),
+        exe.as_deref().and_then(Path::parent).map(Path::to_path_buf),
+    ];
     for start in starts.into_iter().flatten() {
         for dir in start.ancestors() {
             let bin = dir.join(".venv").join("bin");
@@ -414,7 +432,10 @@ fn command_of_file(gmsh: &Path) -> Vec<OsString> {
     let n = File::open(gmsh).and_then(|mut f| f.read(&mut head)).unwrap_or(0);
     let first = String::from_utf8_lossy(&head[..n]);
     let python = gmsh.with_file_name("python3");
-    if first.starts_with("#!") && first.lines().next().is_some_and(|l| l.contains("python")) && python.exists() {
+    if first.starts_with("#!")
+        && first.lines().next().is_some_and(|l| l.contains("python"))
+        && python.exists()
+    {
         vec![python.into(), gmsh.into()]
     } else {
         vec![gmsh.into()]

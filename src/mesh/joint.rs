@@ -5,7 +5,7 @@ use super::naming::{self, Checks};
 use super::quality::{self, BodyQuality};
 use super::{MeshError, TetMesh, msh, msh_write};
 use crate::assembly::Assembly;
-use crate::assembly::joint::SymmetryPlane;
+use crate::assembly::assembly::SymmetryPlane;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::geometry::Scene;
 use crate::geometry::geo_script::{self, Purpose, SIZES_FILE, Sizing};
@@ -85,7 +85,8 @@ pub fn mesh_joint(
     progress("checking clashes and clearances");
     crate::geometry::proximity::check(assembly)?;
     let scene = Scene::new(assembly, options.full);
-    let sizes = if options.size_view.is_some() { Sizing::View } else { Sizing::Rule(options.sizes) };
+    let sizes =
+        if options.size_view.is_some() { Sizing::View } else { Sizing::Rule(options.sizes) };
     let geo = geo_script::script(&scene, Purpose::Mesh { layers: options.layers, sizes });
     let dir = &options.work_dir;
     std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
@@ -96,11 +97,18 @@ pub fn mesh_joint(
     let mut best: Option<JointMesh> = None;
     for (attempt, scale) in SCALES.into_iter().enumerate() {
         let last = attempt + 1 == SCALES.len();
-        let geo = if attempt == 0 { geo.clone() } else { format!("{geo}Mesh.MeshSizeFactor = {scale};\n") };
+        let geo = if attempt == 0 {
+            geo.clone()
+        } else {
+            format!("{geo}Mesh.MeshSizeFactor = {scale};\n")
+        };
         progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
         let found = match mesh_once(&geo, &scene, &mesher, options, progress) {
             // a tet without any volume is a sliver that rounding has finished off
-            Err(faults) if !(last && best.is_none()) && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) => {
+            Err(faults)
+                if !(last && best.is_none())
+                    && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
+            {
                 continue;
             }
             found => JointMesh { seconds: started.elapsed().as_secs_f64(), ..found? },
@@ -113,7 +121,9 @@ pub fn mesh_joint(
             break;
         }
     }
-    best.ok_or_else(|| MesherError::NoOutput { what: "mesh", why: "every attempt left flat tets".into() }.into())
+    best.ok_or_else(|| {
+        MesherError::NoOutput { what: "mesh", why: "every attempt left flat tets".into() }.into()
+    })
 }
 
 /// Smallest dihedral angle that is left as it is \[degrees\]; flatter tets spoil the static program.
@@ -170,7 +180,11 @@ fn mesh_once(
 }
 
 /// Writes the whole joint as a STEP file with true circles and arcs, every part a solid of its own.
-pub fn write_step(assembly: &Assembly, options: &MeshOptions, path: &Path) -> Result<(), Diagnostics> {
+pub fn write_step(
+    assembly: &Assembly,
+    options: &MeshOptions,
+    path: &Path,
+) -> Result<(), Diagnostics> {
     let dir = &options.work_dir;
     std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
     let scene = Scene::new(assembly, true);
@@ -221,8 +235,8 @@ fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
     msh::read(raw).map_err(|error| match error {
         // the mesher's file is not the user's: its lines mean nothing to him
         MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => {
-            let mut d =
-                Diagnostic::from(error).help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");
+            let mut d = Diagnostic::from(error)
+                .help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");
             d.place = Place::default();
             d.into()
         }

@@ -39,13 +39,16 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
         let x = mesh.nodes[n as usize];
         let mut found = None;
         // cells are two tolerances wide: a near node lies in this cell or a neighbour on the near side of each axis
-        let near: Vec<[i64; 2]> =
-            x.iter().map(|c| [c - tolerance, c + tolerance].map(|c| (c / (2.0 * tolerance)).floor() as i64)).collect();
+        let near: Vec<[i64; 2]> = x
+            .iter()
+            .map(|c| [c - tolerance, c + tolerance].map(|c| (c / (2.0 * tolerance)).floor() as i64))
+            .collect();
         'search: for i in near[0] {
             for j in near[1] {
                 for k in near[2] {
                     for m in grid.get(&[i, j, k]).into_iter().flatten() {
-                        let d: f64 = (0..3).map(|a| (mesh.nodes[*m as usize][a] - x[a]).powi(2)).sum();
+                        let d: f64 =
+                            (0..3).map(|a| (mesh.nodes[*m as usize][a] - x[a]).powi(2)).sum();
                         if d.sqrt() <= tolerance {
                             found = Some(*m);
                             break 'search;

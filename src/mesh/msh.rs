@@ -48,8 +48,8 @@ pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
 
 /// Like [`read`], and says what it noticed on the way.
 pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
-    let bytes =
-        std::fs::read(path).map_err(|source| MeshError::Io { at: MshPlace { file: path.into(), line: 0 }, source })?;
+    let bytes = std::fs::read(path)
+        .map_err(|source| MeshError::Io { at: MshPlace { file: path.into(), line: 0 }, source })?;
     parse(&bytes, path)
 }
 
@@ -57,7 +57,8 @@ pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError>
 pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     // the header is read from bytes: what follows it in a binary file is not text
-    let mut head = bytes.split(|b| *b == b'\n').map(|l| String::from_utf8_lossy(l).trim().to_string());
+    let mut head =
+        bytes.split(|b| *b == b'\n').map(|l| String::from_utf8_lossy(l).trim().to_string());
     if head.next().as_deref() != Some("$MeshFormat") {
         return Err(MeshError::NotGmsh { at: at(1) });
     }

@@ -37,7 +37,14 @@ pub fn text(mesh: &TetMesh) -> String {
     for (t, body) in mesh.tets.iter().zip(&mesh.tet_body) {
         tag += 1;
         let id = body + 1;
-        let _ = writeln!(out, "{tag} 4 2 {id} {id} {} {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1, t[3] + 1);
+        let _ = writeln!(
+            out,
+            "{tag} 4 2 {id} {id} {} {} {} {}",
+            t[0] + 1,
+            t[1] + 1,
+            t[2] + 1,
+            t[3] + 1
+        );
     }
     out.push_str("$EndElements\n");
     out
@@ -80,7 +87,12 @@ mod tests {
 
     fn mesh() -> TetMesh {
         TetMesh {
-            nodes: vec![[0.1 + 0.2, 0.0, 0.0], [1.0, 1e-17, 0.0], [0.0, 1.0 / 3.0, 0.0], [0.0, 0.0, 1e22]],
+            nodes: vec![
+                [0.1 + 0.2, 0.0, 0.0],
+                [1.0, 1e-17, 0.0],
+                [0.0, 1.0 / 3.0, 0.0],
+                [0.0, 0.0, 1e22],
+            ],
             tets: vec![[0, 1, 2, 3]],
             tet_body: vec![0],
             bodies: vec!["BLOCK".into()],
@@ -92,15 +104,18 @@ mod tests {
     fn reads_back_to_the_same_bits() {
         let mut mesh = mesh();
         mesh.nodes[3] = [0.0, 0.0, 1.0 / 7.0];
-        let (back, _) = crate::mesh::msh::parse(text(&mesh).as_bytes(), Path::new("m.msh")).expect("valid");
+        let (back, _) =
+            crate::mesh::msh::parse(text(&mesh).as_bytes(), Path::new("m.msh")).expect("valid");
         assert_eq!(back, mesh);
     }
 
     #[test]
     #[cfg(target_os = "linux")]
     fn a_full_disk_is_told_apart() {
-        let mut full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
-        let error = write_all(&mut full, &vec![b'x'; 1 << 20], Path::new("out/mesh.msh")).expect_err("full");
+        let mut full =
+            std::fs::OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+        let error = write_all(&mut full, &vec![b'x'; 1 << 20], Path::new("out/mesh.msh"))
+            .expect_err("full");
         let d = crate::diag::Diagnostic::from(error);
         assert_eq!((d.code, d.fault.exit_code()), ("mesher/disk", 4));
         assert!(d.message.contains("out/mesh.msh"), "{}", d.message);
@@ -114,8 +129,10 @@ mod tests {
         std::fs::create_dir(&path).expect("folder");
         std::fs::write(path.join("keep"), "x").expect("file");
         write(&mesh(), &path).expect_err("cannot replace a folder");
-        let names: Vec<_> =
-            std::fs::read_dir(dir.path()).expect("folder").map(|e| e.expect("entry").file_name()).collect();
+        let names: Vec<_> = std::fs::read_dir(dir.path())
+            .expect("folder")
+            .map(|e| e.expect("entry").file_name())
+            .collect();
         assert_eq!(names, ["mesh.msh"]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::topology::{FaceRow, FaceTable, face_nodes};
 use super::{NamedFaces, TetMesh};
-use crate::assembly::joint::Surface;
+use crate::assembly::assembly::Surface;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::geometry::exact::{self, MANTLE_TOLERANCE};
 use crate::geometry::scene::Scene;
@@ -176,7 +176,8 @@ fn between(mesh: &TetMesh, table: &FaceTable, a: usize, b: usize) -> Vec<[u32; 3
     let mut out = Vec::new();
     for rows in table.faces() {
         if let [p, q] = rows {
-            let bodies = [mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize];
+            let bodies =
+                [mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize];
             if bodies == [a, b] {
                 out.push(nodes_of(mesh, p));
             } else if bodies == [b, a] {
@@ -192,12 +193,19 @@ fn pair_name(a: &str, b: &str) -> String {
 }
 
 /// Compares the area of every touching pair, tied or open, with the exact one.
-fn contacts(mesh: &TetMesh, scene: &Scene, table: &FaceTable, checks: &mut Checks, faults: &mut Vec<Diagnostic>) {
+fn contacts(
+    mesh: &TetMesh,
+    scene: &Scene,
+    table: &FaceTable,
+    checks: &mut Checks,
+    faults: &mut Vec<Diagnostic>,
+) {
     let n = scene.bodies.len();
     let mut meshed = vec![0.0; n * n];
     for rows in table.faces() {
         if let [p, q] = rows {
-            let (a, b) = (mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize);
+            let (a, b) =
+                (mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize);
             if a != b {
                 meshed[a.min(b) * n + a.max(b)] += area(mesh, nodes_of(mesh, p));
             }
@@ -213,7 +221,10 @@ fn contacts(mesh: &TetMesh, scene: &Scene, table: &FaceTable, checks: &mut Check
             let (pa, pb) = (scene.bodies[a].part, scene.bodies[b].part);
             if disagree(meshed, exact) {
                 faults.push(area_fault(
-                    format!("the {} ({}) and the {} ({}) share", pa.label, pa.name, pb.label, pb.name),
+                    format!(
+                        "the {} ({}) and the {} ({}) share",
+                        pa.label, pa.name, pb.label, pb.name
+                    ),
                     meshed,
                     exact,
                 ));
@@ -284,7 +295,10 @@ fn triangles_on(
     asked: impl Fn(&[FaceRow]) -> bool,
 ) -> Vec<[u32; 3]> {
     let faces = table.faces().filter(|rows| asked(rows)).filter_map(|rows| rows.first());
-    faces.map(|row| nodes_of(mesh, row)).filter(|t| on_surface(surface, &corners(mesh, *t))).collect()
+    faces
+        .map(|row| nodes_of(mesh, row))
+        .filter(|t| on_surface(surface, &corners(mesh, *t)))
+        .collect()
 }
 
 /// A length to a micrometre, as messages tell it.
@@ -296,13 +310,20 @@ fn mm(x: f64) -> f64 {
 pub(super) fn looked_for(surface: &Surface) -> String {
     match surface {
         Surface::Plane { axis, at, min, max } => {
-            format!("on the plane {} = {} mm, {}", ["x", "y", "z"][*axis], mm(*at), extent(min, max, Some(*axis)))
+            format!(
+                "on the plane {} = {} mm, {}",
+                ["x", "y", "z"][*axis],
+                mm(*at),
+                extent(min, max, Some(*axis))
+            )
         }
         Surface::Mantle { base, axis, radius, length } => {
             let [x, y, z] = base.map(mm);
             let [u, v, w] = axis.map(mm);
             let (r, l) = (mm(*radius), mm(*length));
-            format!("on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), {l} mm long")
+            format!(
+                "on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), {l} mm long"
+            )
         }
     }
 }
@@ -310,7 +331,8 @@ pub(super) fn looked_for(surface: &Surface) -> String {
 /// `x from 0 to 200 mm, z from -9 to 9 mm`: the sides of a box, one left out.
 fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
     let sides = (0..3).filter(|k| Some(*k) != without);
-    let words = sides.map(|k| format!("{} from {} to {} mm", ["x", "y", "z"][k], mm(min[k]), mm(max[k])));
+    let words =
+        sides.map(|k| format!("{} from {} to {} mm", ["x", "y", "z"][k], mm(min[k]), mm(max[k])));
     words.collect::<Vec<_>>().join(", ")
 }
 
@@ -318,7 +340,8 @@ fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
 fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
     match surface {
         Surface::Plane { axis, at, min, max } => t.iter().all(|x| {
-            (x[*axis] - at).abs() < SNAP && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
+            (x[*axis] - at).abs() < SNAP
+                && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
         }),
         Surface::Mantle { base, axis, radius, length } => {
             let normal = cross(sub(t[1], t[0]), sub(t[2], t[0]));
@@ -328,7 +351,9 @@ fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
                     let r = sub(*x, *base);
                     let h = dot(r, *axis);
                     let distance = (dot(r, r) - h * h).max(0.0).sqrt();
-                    h > -SNAP && h < length + SNAP && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE
+                    h > -SNAP
+                        && h < length + SNAP
+                        && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE
                 })
         }
     }
@@ -345,11 +370,16 @@ fn outer_faces(
     for rule in &scene.assembly.faces {
         let Some(body) = scene.body(&rule.part) else { continue };
         let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
-        let triangles = triangles_on(mesh, table, &rule.surface, |rows| matches!(rows, [row] if inside(row)));
+        let triangles =
+            triangles_on(mesh, table, &rule.surface, |rows| matches!(rows, [row] if inside(row)));
         if let Surface::Plane { axis, at, min, max } = rule.surface {
             let exact = exact::outer_area(&scene.bodies, body, axis, at, min, max);
             let meshed = total(mesh, &triangles);
-            if triangles.is_empty() && exact < 1e-6 && !scene.symmetry.is_empty() && beyond(scene, &min, &max) {
+            if triangles.is_empty()
+                && exact < 1e-6
+                && !scene.symmetry.is_empty()
+                && beyond(scene, &min, &max)
+            {
                 // Wholly on the side that is not modelled.
                 continue;
             }
@@ -397,15 +427,22 @@ fn preload_cuts(
     faults: &mut Vec<Diagnostic>,
 ) {
     for preload in &scene.assembly.preloads {
-        let (Some(body), Surface::Plane { axis, at, .. }) = (scene.body(&preload.part), preload.surface) else {
+        let (Some(body), Surface::Plane { axis, at, .. }) =
+            (scene.body(&preload.part), preload.surface)
+        else {
             continue;
         };
         let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
         let both = |rows: &[FaceRow]| matches!(rows, [p, q] if inside(p) && inside(q));
         let triangles = triangles_on(mesh, table, &preload.surface, both);
-        let (meshed, exact) = (total(mesh, &triangles), exact::section_area(&scene.bodies[body], axis, at));
+        let (meshed, exact) =
+            (total(mesh, &triangles), exact::section_area(&scene.bodies[body], axis, at));
         if disagree(meshed, exact) {
-            faults.push(area_fault(format!("the cut {} of a preloaded bolt has", preload.cut), meshed, exact));
+            faults.push(area_fault(
+                format!("the cut {} of a preloaded bolt has", preload.cut),
+                meshed,
+                exact,
+            ));
         }
         checks.areas.push(AreaCheck { name: preload.cut.clone(), meshed, exact });
         faces.push(NamedFaces { name: preload.cut.clone(), triangles });
@@ -439,7 +476,11 @@ fn symmetry_faces(
             })
             .sum();
         if disagree(meshed, exact) {
-            faults.push(area_fault(format!("the symmetry plane {} has", symmetry_face(axis)), meshed, exact));
+            faults.push(area_fault(
+                format!("the symmetry plane {} has", symmetry_face(axis)),
+                meshed,
+                exact,
+            ));
         }
         checks.areas.push(AreaCheck { name: symmetry_face(axis).to_string(), meshed, exact });
         if !triangles.is_empty() {

@@ -25,7 +25,8 @@ impl FaceNumbering {
             }
         }
         all.sort_unstable();
-        let mut table = FaceNumbering { of_tet: vec![[0; 4]; mesh.tets.len()], ..Default::default() };
+        let mut table =
+            FaceNumbering { of_tet: vec![[0; 4]; mesh.tets.len()], ..Default::default() };
         for (n, e, k) in all {
             if table.nodes.last() == Some(&n) {
                 if let Some(owners) = table.tets.last_mut() {
@@ -43,7 +44,12 @@ impl FaceNumbering {
     /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's increasing nodes.
     pub fn positions(&self, mesh: &TetMesh, tet: usize, k: usize) -> [usize; 3] {
         let nodes = self.nodes[self.of_tet[tet][k] as usize];
-        FACES[k].map(|i| nodes.iter().position(|n| *n == mesh.tets[tet][i]).expect("a tet's face has the tet's nodes"))
+        FACES[k].map(|i| {
+            nodes
+                .iter()
+                .position(|n| *n == mesh.tets[tet][i])
+                .expect("a tet's face has the tet's nodes")
+        })
     }
 }
 
@@ -63,13 +69,18 @@ impl EdgeNumbering {
             let (a, b) = (t[e[0]], t[e[1]]);
             [a.min(b), a.max(b)]
         };
-        let mut nodes: Vec<[u32; 2]> = mesh.tets.iter().flat_map(|t| EDGES.iter().map(move |e| key(t, e))).collect();
+        let mut nodes: Vec<[u32; 2]> =
+            mesh.tets.iter().flat_map(|t| EDGES.iter().map(move |e| key(t, e))).collect();
         nodes.sort_unstable();
         nodes.dedup();
         let of_tet = mesh
             .tets
             .iter()
-            .map(|t| EDGES.map(|e| nodes.binary_search(&key(t, &e)).expect("the table holds every edge") as u32))
+            .map(|t| {
+                EDGES.map(|e| {
+                    nodes.binary_search(&key(t, &e)).expect("the table holds every edge") as u32
+                })
+            })
             .collect();
         Self { nodes, of_tet }
     }

@@ -29,11 +29,15 @@ pub fn table(mesh: &TetMesh) -> Vec<BodyQuality> {
     let on_surface = surface_nodes(mesh);
     let mut rows: Vec<BodyQuality> = Vec::with_capacity(mesh.bodies.len());
     for (b, body) in mesh.bodies.iter().enumerate() {
-        let of_body: Vec<usize> = (0..mesh.tets.len()).filter(|&e| mesh.tet_body[e] as usize == b).collect();
-        let mut angles: Vec<f64> = of_body.iter().map(|&e| smallest_dihedral(&mesh.corners(e))).collect();
+        let of_body: Vec<usize> =
+            (0..mesh.tets.len()).filter(|&e| mesh.tet_body[e] as usize == b).collect();
+        let mut angles: Vec<f64> =
+            of_body.iter().map(|&e| smallest_dihedral(&mesh.corners(e))).collect();
         angles.sort_by(f64::total_cmp);
-        let shallow =
-            of_body.iter().filter(|&&e| mesh.tets[e].iter().all(|n| on_surface[b].binary_search(n).is_ok())).count();
+        let shallow = of_body
+            .iter()
+            .filter(|&&e| mesh.tets[e].iter().all(|n| on_surface[b].binary_search(n).is_ok()))
+            .count();
         rows.push(BodyQuality {
             body: body.clone(),
             tets: of_body.len(),
@@ -130,7 +134,9 @@ mod tests {
         assert!((smallest_dihedral(&regular) - (1.0f64 / 3.0).acos().to_degrees()).abs() < 1e-10);
         assert!((aspect(&regular).abs() - 1.0).abs() < 1e-12);
         let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        assert!((smallest_dihedral(&corner) - (1.0 / 3f64.sqrt()).acos().to_degrees()).abs() < 1e-10);
+        assert!(
+            (smallest_dihedral(&corner) - (1.0 / 3f64.sqrt()).acos().to_degrees()).abs() < 1e-10
+        );
         // longest edge √2, smallest height 1/√3
         assert!((aspect(&corner) - 2.0).abs() < 1e-12);
     }

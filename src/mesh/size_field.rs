@@ -88,7 +88,10 @@ impl SizeField {
             });
         }
         // parts per volume → volume of one → edge
-        let sizes = density.iter().map(|(n, v)| if *n > 0.0 { regular_edge(v / n) } else { f64::INFINITY }).collect();
+        let sizes = density
+            .iter()
+            .map(|(n, v)| if *n > 0.0 { regular_edge(v / n) } else { f64::INFINITY })
+            .collect();
         let mut field = Self { sizes };
         field.grade(edges);
         field
@@ -97,7 +100,8 @@ impl SizeField {
     /// Makes sizes smaller where they grow faster than [`GRADING`] along edges.
     fn grade(&mut self, edges: &Edges) {
         let sizes = &mut self.sizes;
-        let mut queue: BinaryHeap<Visit> = (0..sizes.len() as u32).map(|n| Visit(sizes[n as usize], n)).collect();
+        let mut queue: BinaryHeap<Visit> =
+            (0..sizes.len() as u32).map(|n| Visit(sizes[n as usize], n)).collect();
         while let Some(Visit(size, n)) = queue.pop() {
             if size > sizes[n as usize] {
                 continue;

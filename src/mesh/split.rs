@@ -114,7 +114,8 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
         .map(|[a, b]| {
             let (ta, tb) = (a.tet as usize, b.tet as usize);
             let nodes_a = face_nodes(&out.tets[ta], a.local);
-            let nodes_b = FACES[a.local as usize].map(|v| out.tets[tb][vertex(&mesh.tets[tb], mesh.tets[ta][v])]);
+            let nodes_b = FACES[a.local as usize]
+                .map(|v| out.tets[tb][vertex(&mesh.tets[tb], mesh.tets[ta][v])]);
             OpenPair { a: *a, b: *b, nodes_a, nodes_b }
         })
         .collect();

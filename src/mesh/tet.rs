@@ -53,7 +53,8 @@ impl TetMesh {
 /// Signed volume of a tet given by its corners, positive when `(b-a)×(c-a)·(d-a) > 0`.
 pub fn signed_volume(x: &[[f64; 3]; 4]) -> f64 {
     let d = |i: usize, k: usize| x[i][k] - x[0][k];
-    (d(1, 0) * (d(2, 1) * d(3, 2) - d(2, 2) * d(3, 1)) - d(1, 1) * (d(2, 0) * d(3, 2) - d(2, 2) * d(3, 0))
+    (d(1, 0) * (d(2, 1) * d(3, 2) - d(2, 2) * d(3, 1))
+        - d(1, 1) * (d(2, 0) * d(3, 2) - d(2, 2) * d(3, 0))
         + d(1, 2) * (d(2, 0) * d(3, 1) - d(2, 1) * d(3, 0)))
         / 6.0
 }

@@ -2,9 +2,11 @@
 //!
 //! This is where the two ways in meet: a connection spec becomes one, a user's `MODEL.yaml` is one.
 
-use super::file::{AnalysisKind, Bounds, Friction, Gap};
+use super::file::{Bounds, Gap};
 use super::opening::ConeShift;
 use crate::mesh::TetMesh;
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::friction::FrictionLaw;
 use std::sync::Arc;
 
 /// An isotropic material.
@@ -52,12 +54,12 @@ pub struct FacePair {
 /// `r = −σ n` on A is positive in pressure, `‖r_T‖ ≤ μ r_N`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactLaw {
-    /// Friction coefficient, ≥ 0.
+    /// FrictionLaw coefficient, ≥ 0.
     pub mu: f64,
     /// Initial gap \[mm\].
     pub gap: Gap,
     /// Associated or Coulomb.
-    pub friction: Friction,
+    pub friction: FrictionLaw,
 }
 
 /// An open interface between two sides of the mesh.

@@ -19,10 +19,14 @@ pub enum ModelError {
         z: f64,
     },
     /// Nothing that could give way.
-    #[error("no body has a yield strength and no contact can slip or open: there is nothing that could collapse")]
+    #[error(
+        "no body has a yield strength and no contact can slip or open: there is nothing that could collapse"
+    )]
     NothingYields,
     /// Something holds the halves of a bolt apart where its preload draws them together.
-    #[error("{holder} at the rim of the cut `{cut}` lets its halves move neither together nor apart")]
+    #[error(
+        "{holder} at the rim of the cut `{cut}` lets its halves move neither together nor apart"
+    )]
     CutHeld {
         /// What holds it.
         holder: &'static str,
@@ -30,10 +34,14 @@ pub enum ModelError {
         cut: String,
     },
     /// A force per volume that the load factor multiplies.
-    #[error("a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only")]
+    #[error(
+        "a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only"
+    )]
     LiveBodyForce(String),
     /// What the load factor multiplies can do no work.
-    #[error("every load that carries the load factor acts on what supports hold: it can grow without limit")]
+    #[error(
+        "every load that carries the load factor acts on what supports hold: it can grow without limit"
+    )]
     LiveLoadsHeld,
     /// Nothing is multiplied by the load factor.
     #[error("no load carries the load factor: there is nothing for limit analysis to increase")]
@@ -43,13 +51,21 @@ pub enum ModelError {
 impl From<ModelError> for crate::diag::Diagnostic {
     fn from(e: ModelError) -> Self {
         let help = match &e {
-            ModelError::RigidFacesTouch(..) => "join the two faces into one physical surface, or move only one of them",
+            ModelError::RigidFacesTouch(..) => {
+                "join the two faces into one physical surface, or move only one of them"
+            }
             ModelError::NothingYields => "give the material of the bodies that can yield an `fy`",
-            ModelError::CutHeld { .. } => "cut the shank away from supports, rigid faces, welds and other cuts",
+            ModelError::CutHeld { .. } => {
+                "cut the shank away from supports, rigid faces, welds and other cuts"
+            }
             ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
-            ModelError::LiveLoadsHeld => "load a face that can move, or free what the load is to move",
+            ModelError::LiveLoadsHeld => {
+                "load a face that can move, or free what the load is to move"
+            }
             ModelError::NoLiveLoad => "write the load to be increased under `loads`",
-            ModelError::FlatTet { .. } => "improve the mesh there (a coarser size, an optimised mesh), then try again",
+            ModelError::FlatTet { .. } => {
+                "improve the mesh there (a coarser size, an optimised mesh), then try again"
+            }
         };
         crate::diag::Diagnostic::input("model/program", e.to_string()).help(help)
     }

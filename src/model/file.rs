@@ -1,5 +1,7 @@
 //! `MODEL.yaml` (CONTRACT.md): what a user writes for `bracket analyse`, and what `bracket run` writes for itself.
 
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::friction::FrictionLaw;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -70,30 +72,6 @@ pub enum Nodes {
     Split,
 }
 
-/// Which pair of programs is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum AnalysisKind {
-    /// Linear elastic bodies with contact: brackets the potential energy.
-    Elastic,
-    /// Elastic, perfectly plastic (Hencky).
-    Elastoplastic,
-    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Bodies of a material without `fy` are rigid;
-    /// E, nu, gaps and preload do not matter.
-    Limit,
-}
-
-impl AnalysisKind {
-    /// The word of the files.
-    pub fn word(self) -> &'static str {
-        match self {
-            AnalysisKind::Elastic => "elastic",
-            AnalysisKind::Elastoplastic => "elastoplastic",
-            AnalysisKind::Limit => "limit",
-        }
-    }
-}
-
 /// Which bounds are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -131,17 +109,6 @@ pub enum Law {
     Tied,
     /// Tied with a bounded traction.
     Weld,
-}
-
-/// Friction law of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Friction {
-    /// Slip dilates; both programs are convex duals of each other.
-    Associated,
-    /// Coulomb's law without dilation. Limit analysis: the lower bound without friction, the upper one with associated
-    /// friction. Elastic kinds: a fixed point over associated problems with shifted cones.
-    Coulomb,
 }
 
 /// An initial gap, open positive \[mm\].
@@ -211,7 +178,7 @@ pub struct InterfaceEntry {
     pub gap: Option<Gap>,
     /// Friction law.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub friction: Option<Friction>,
+    pub friction: Option<FrictionLaw>,
     /// Weld throat \[mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub throat: Option<f64>,
@@ -258,11 +225,13 @@ pub struct SupportEntry {
     pub gap: Option<Gap>,
     /// Friction law of the ground.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub friction: Option<Friction>,
+    pub friction: Option<FrictionLaw>,
 }
 
 /// A motion of a rigid face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Motion {
     /// Translation along x.

@@ -1,16 +1,18 @@
 //! A meshed joint's `MODEL.yaml`: bodies, materials, interfaces, supports, symmetry and loads by the mesh's names.
 
 use super::file::{
-    AnalysisKind, Axis, Bounds, Friction, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
+    Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
     PreloadEntry, RigidEntry, SupportEntry,
 };
 use crate::assembly::Assembly;
-use crate::assembly::joint::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
+use crate::assembly::assembly::{Action, BoltPreload, FaceLoad, Surface, SymmetryPlane, WeldRule};
 use crate::mesh::TetMesh;
 use crate::mesh::naming::symmetry_face;
+use crate::spec::analysis::AnalysisKind;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-const MOTIONS: [Motion; 6] = [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
+const MOTIONS: [Motion; 6] =
+    [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
 
 /// Names of the load cases, in the order of their first load.
 pub fn cases(assembly: &Assembly) -> Vec<String> {
@@ -47,17 +49,19 @@ pub fn model_file(
         .map(|(name, m)| (name.clone(), MaterialEntry { e: m.e, nu: m.nu, fy: m.fy }))
         .collect();
     let contacts =
-        assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| InterfaceEntry {
-            between: Some(rule.between.clone()),
-            face: rule.surface.as_ref().map(|(name, _)| name.clone()),
-            law: Law::Contact,
-            mu: Some(rule.mu),
-            gap: Some(Gap::Constant(rule.gap)),
-            friction: Some(if rule.associated { Friction::Associated } else { Friction::Coulomb }),
-            throat: None,
-            thickness: None,
-            strength: None,
-            strength_traction: None,
+        assembly.interfaces.iter().filter(|rule| rule.between.iter().all(has_body)).map(|rule| {
+            InterfaceEntry {
+                between: Some(rule.between.clone()),
+                face: rule.surface.as_ref().map(|(name, _)| name.clone()),
+                law: Law::Contact,
+                mu: Some(rule.mu),
+                gap: Some(Gap::Constant(rule.gap)),
+                friction: Some(rule.friction),
+                throat: None,
+                thickness: None,
+                strength: None,
+                strength_traction: None,
+            }
         });
     let interfaces = contacts.chain(weld_entries(assembly, mesh, analysis)).collect();
     let support = |face: &str, fix: [bool; 3]| SupportEntry {
@@ -68,20 +72,27 @@ pub fn model_file(
         gap: None,
         friction: None,
     };
-    let mut supports: Vec<SupportEntry> =
-        assembly.supports.iter().filter(|s| has_face(&s.face)).map(|s| support(&s.face, s.fix)).collect();
+    let mut supports: Vec<SupportEntry> = assembly
+        .supports
+        .iter()
+        .filter(|s| has_face(&s.face))
+        .map(|s| support(&s.face, s.fix))
+        .collect();
     for plane in symmetry_used {
         let face = symmetry_face(plane.axis);
         if has_face(face) {
             supports.push(support(face, std::array::from_fn(|k| k == plane.axis)));
         }
     }
-    let here: Vec<&FaceLoad> = assembly.loads.iter().filter(|l| l.case == case && has_face(&l.face)).collect();
+    let here: Vec<&FaceLoad> =
+        assembly.loads.iter().filter(|l| l.case == case && has_face(&l.face)).collect();
     let loads = |dead: bool| -> Vec<LoadEntry> {
         let entry = |l: &&FaceLoad| match l.action {
-            Action::Traction(t) if l.dead == dead => {
-                Some(LoadEntry { face: Some(l.face.clone()), traction: Some(t), ..LoadEntry::default() })
-            }
+            Action::Traction(t) if l.dead == dead => Some(LoadEntry {
+                face: Some(l.face.clone()),
+                traction: Some(t),
+                ..LoadEntry::default()
+            }),
             _ => None,
         };
         here.iter().filter_map(entry).collect()
@@ -107,8 +118,14 @@ pub fn model_file(
 
 /// The fillet welds of the meshed part: of finite strength where bodies yield. In elastic analysis they are tied like all else that would
 /// yield.
-fn weld_entries(assembly: &Assembly, mesh: &TetMesh, analysis: AnalysisKind) -> impl Iterator<Item = InterfaceEntry> {
-    let here = move |w: &&WeldRule| analysis != AnalysisKind::Elastic && mesh.faces_named(&w.name).is_some();
+fn weld_entries(
+    assembly: &Assembly,
+    mesh: &TetMesh,
+    analysis: AnalysisKind,
+) -> impl Iterator<Item = InterfaceEntry> {
+    let here = move |w: &&WeldRule| {
+        analysis != AnalysisKind::Elastic && mesh.faces_named(&w.name).is_some()
+    };
     assembly.welds.iter().filter(here).map(|w| InterfaceEntry {
         between: Some(w.between.clone()),
         face: Some(w.name.clone()),
@@ -124,7 +141,11 @@ fn weld_entries(assembly: &Assembly, mesh: &TetMesh, analysis: AnalysisKind) -> 
 }
 
 /// The preloaded bolts of the meshed part.
-fn preload_entries(assembly: &Assembly, mesh: &TetMesh, symmetry_used: &[SymmetryPlane]) -> Vec<PreloadEntry> {
+fn preload_entries(
+    assembly: &Assembly,
+    mesh: &TetMesh,
+    symmetry_used: &[SymmetryPlane],
+) -> Vec<PreloadEntry> {
     let kept = assembly.preloads.iter().filter(|p| mesh.bodies.contains(&p.part));
     let entry = |p: &BoltPreload| {
         let halvings = symmetry_used.iter().filter(|plane| halves(&p.surface, plane)).count();
@@ -148,7 +169,11 @@ fn halves(surface: &Surface, plane: &SymmetryPlane) -> bool {
 
 /// The sections that forces and moments of a load case act on. A symmetry plane that halves a section halves what acts on
 /// it, and leaves it the motions in the plane.
-fn rigid_entries(assembly: &Assembly, loads: &[&FaceLoad], symmetry_used: &[SymmetryPlane]) -> Vec<RigidEntry> {
+fn rigid_entries(
+    assembly: &Assembly,
+    loads: &[&FaceLoad],
+    symmetry_used: &[SymmetryPlane],
+) -> Vec<RigidEntry> {
     let mut out: Vec<RigidEntry> = Vec::new();
     for load in loads {
         let Action::Resultant { at, force, moment } = load.action else { continue };
@@ -159,11 +184,17 @@ fn rigid_entries(assembly: &Assembly, loads: &[&FaceLoad], symmetry_used: &[Symm
         let (force, moment) = (force.map(|f| share * f), moment.map(|m| share * m));
         let known = out.iter().position(|r| r.face == load.face);
         let index = known.unwrap_or_else(|| {
-            let stays = |k: usize| cuts.iter().all(|&axis| if k < 3 { k != axis } else { k - 3 == axis });
+            let stays =
+                |k: usize| cuts.iter().all(|&axis| if k < 3 { k != axis } else { k - 3 == axis });
             out.push(RigidEntry {
                 face: load.face.clone(),
                 components: AXES.to_vec(),
-                free: MOTIONS.into_iter().enumerate().filter(|(k, _)| stays(*k)).map(|(_, m)| m).collect(),
+                free: MOTIONS
+                    .into_iter()
+                    .enumerate()
+                    .filter(|(k, _)| stays(*k))
+                    .map(|(_, m)| m)
+                    .collect(),
                 at,
                 force: [0.0; 3],
                 moment: [0.0; 3],
@@ -192,7 +223,10 @@ mod tests {
     fn names(bodies: &[&str], faces: &[&str]) -> TetMesh {
         TetMesh {
             bodies: bodies.iter().map(|s| s.to_string()).collect(),
-            faces: faces.iter().map(|s| NamedFaces { name: s.to_string(), triangles: vec![] }).collect(),
+            faces: faces
+                .iter()
+                .map(|s| NamedFaces { name: s.to_string(), triangles: vec![] })
+                .collect(),
             ..TetMesh::default()
         }
     }
@@ -201,16 +235,22 @@ mod tests {
     fn quarter_of_the_paper_s_joint() {
         let joint = paper_joint();
         let bodies = ["COLUMN", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3", "PLATE_R", "BEAM_R"];
-        let faces = ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"];
+        let faces =
+            ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"];
         let mesh = names(&bodies, &faces);
-        let model = model_file(&joint, &mesh, &joint.symmetry, "mesh.msh", "TOP", AnalysisKind::Elastic);
+        let model =
+            model_file(&joint, &mesh, &joint.symmetry, "mesh.msh", "TOP", AnalysisKind::Elastic);
         assert_eq!(model.symmetry, 4);
         assert_eq!(model.bodies.len(), 6);
         // plate on column, and for each bolt: column, and plate at the shank only
         assert_eq!(model.interfaces.len(), 1 + 3 * 2);
         assert_eq!(model.interfaces[2].face.as_deref(), Some("SHANK_RP1"));
-        let held: Vec<(&str, &[Axis])> = model.supports.iter().map(|s| (s.face.as_str(), &s.fix[..])).collect();
-        assert_eq!(held, [("SUPPORT_R", &AXES[..]), ("SYM_X0", &AXES[..1]), ("SYM_Y0", &AXES[1..2])]);
+        let held: Vec<(&str, &[Axis])> =
+            model.supports.iter().map(|s| (s.face.as_str(), &s.fix[..])).collect();
+        assert_eq!(
+            held,
+            [("SUPPORT_R", &AXES[..]), ("SYM_X0", &AXES[..1]), ("SYM_Y0", &AXES[1..2])]
+        );
         assert_eq!(model.loads.len(), 1);
         let yaml = serde_yaml::to_string(&model).expect("plain data");
         assert_eq!(serde_yaml::from_str::<ModelFile>(&yaml).expect("reads back"), model);
@@ -241,20 +281,31 @@ mod tests {
         let at = |part: &str, y: f64| BoltPreload {
             part: part.into(),
             cut: format!("CUT_{part}"),
-            surface: Surface::Plane { axis: 2, at: 5.0, min: [20.0, y - 10.0, 5.0], max: [40.0, y + 10.0, 5.0] },
+            surface: Surface::Plane {
+                axis: 2,
+                at: 5.0,
+                min: [20.0, y - 10.0, 5.0],
+                max: [40.0, y + 10.0, 5.0],
+            },
             axis: [0.0, 0.0, -1.0],
             force: 80e3,
         };
         joint.preloads = vec![at("BOLT", 0.0), at("UPPER", 30.0), at("GONE", 30.0)];
         let mesh = names(&["UPPER", "LOWER", "BOLT"], &["BASE", "PULL"]);
         let forces = |axes: &[usize]| -> Vec<f64> {
-            let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
-            let model = model_file(&joint, &mesh, &planes, "mesh.msh", "PULL", AnalysisKind::Elastic);
-            assert_eq!((&model.preload[0].cut[..], model.preload[0].axis), ("CUT_BOLT", [0.0, 0.0, -1.0]));
+            let planes: Vec<SymmetryPlane> =
+                axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
+            let model =
+                model_file(&joint, &mesh, &planes, "mesh.msh", "PULL", AnalysisKind::Elastic);
+            assert_eq!(
+                (&model.preload[0].cut[..], model.preload[0].axis),
+                ("CUT_BOLT", [0.0, 0.0, -1.0])
+            );
             model.preload.iter().map(|p| p.force).collect()
         };
         // a plane across the shank halves nothing of the force
-        for (axes, want) in [(&[][..], [80e3, 80e3]), (&[1], [40e3, 80e3]), (&[0, 2], [80e3, 80e3])] {
+        for (axes, want) in [(&[][..], [80e3, 80e3]), (&[1], [40e3, 80e3]), (&[0, 2], [80e3, 80e3])]
+        {
             assert_eq!(forces(axes), want, "{axes:?}");
         }
     }
@@ -276,13 +327,17 @@ mod tests {
             .to_vec();
         let mesh = names(&["COLUMN"], &["LOAD_TOP"]);
         let of = |axes: &[usize]| {
-            let planes: Vec<SymmetryPlane> = axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
+            let planes: Vec<SymmetryPlane> =
+                axes.iter().map(|&axis| SymmetryPlane { axis }).collect();
             let model = model_file(&joint, &mesh, &planes, "mesh.msh", "ULS", AnalysisKind::Limit);
             assert_eq!((model.loads.len(), model.dead.len(), model.rigid.len()), (0, 0, 1));
             model.rigid[0].clone()
         };
         let whole = of(&[]);
-        assert_eq!((whole.at, whole.force, whole.moment), ([0.0, 0.0, 5.0], [0.0, 0.0, 4.0], [0.0, 16.0, 0.0]));
+        assert_eq!(
+            (whole.at, whole.force, whole.moment),
+            ([0.0, 0.0, 5.0], [0.0, 0.0, 4.0], [0.0, 16.0, 0.0])
+        );
         assert_eq!((whole.dead_force, whole.dead_moment), ([0.0, 0.0, -8.0], [0.0; 3]));
         assert_eq!(whole.free, MOTIONS);
         let half = of(&[1]);

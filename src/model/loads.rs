@@ -1,11 +1,11 @@
 //! Loads: which of them count and how much, tractions on faces, forces in bodies.
 
 use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, RigidFace, SurfaceLoad, Traction};
-use super::file::Friction;
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
 use crate::model::ModelError;
+use crate::spec::friction::FrictionLaw;
 
 /// How much of the live and of the dead loads counts.
 ///
@@ -56,7 +56,9 @@ impl SurfaceLoad {
     /// The traction at `x` on a face with outward unit normal `n` \[MPa\].
     pub fn at(&self, x: V3, n: V3) -> V3 {
         match self.traction {
-            Traction::Linear { traction0, gradient } => vec3::add(traction0, vec3::mul(&gradient, x)),
+            Traction::Linear { traction0, gradient } => {
+                vec3::add(traction0, vec3::mul(&gradient, x))
+            }
             Traction::Pressure(p) => vec3::scale(-p, n),
         }
     }
@@ -84,7 +86,8 @@ impl AnalysisModel {
     /// without a yield strength are rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
-        let slips = !(self.interfaces.is_empty() && self.welds.is_empty() && self.ground.is_empty());
+        let slips =
+            !(self.interfaces.is_empty() && self.welds.is_empty() && self.ground.is_empty());
         if self.yield_radii().iter().all(Option::is_none) && !slips {
             return Err(ModelError::NothingYields);
         }
@@ -110,8 +113,9 @@ impl AnalysisModel {
 
     /// Whether some contact with friction follows Coulomb's law.
     pub fn has_coulomb(&self) -> bool {
-        let coulomb = |l: &ContactLaw| l.mu > 0.0 && l.friction == Friction::Coulomb;
-        self.interfaces.iter().any(|i| coulomb(&i.law)) || self.ground.iter().any(|g| coulomb(&g.law))
+        let coulomb = |l: &ContactLaw| l.mu > 0.0 && l.friction == FrictionLaw::Coulomb;
+        self.interfaces.iter().any(|i| coulomb(&i.law))
+            || self.ground.iter().any(|g| coulomb(&g.law))
     }
 
     /// The model with every contact smooth.
@@ -144,7 +148,8 @@ impl AnalysisModel {
 
     /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never yields.
     pub fn yield_radii(&self) -> Vec<Option<f64>> {
-        let radius = |m: &u32| self.materials[*m as usize].fy.map(crate::math::mandel::yield_radius);
+        let radius =
+            |m: &u32| self.materials[*m as usize].fy.map(crate::math::mandel::yield_radius);
         self.body_material.iter().map(radius).collect()
     }
 

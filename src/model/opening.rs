@@ -5,9 +5,10 @@
 //! integrates the polynomial.
 
 use super::analysis::{AnalysisModel, ContactLaw};
-use super::file::{Friction, Gap};
+use super::file::Gap;
 use crate::elements::space::FACE_EDGES;
 use crate::math::vec3::{self, V3};
+use crate::spec::friction::FrictionLaw;
 
 /// Bernstein coefficients of a quadratic polynomial on a triangle: of the vertices, then of the edges [`FACE_EDGES`].
 pub type Bernstein = [f64; 6];
@@ -15,7 +16,8 @@ pub type Bernstein = [f64; 6];
 /// The polynomial at a point given by its barycentric coordinates.
 pub fn bernstein_at(c: &Bernstein, l: [f64; 3]) -> f64 {
     let vertices: f64 = (0..3).map(|i| c[i] * l[i] * l[i]).sum();
-    let edges: f64 = FACE_EDGES.iter().zip(&c[3..]).map(|([i, j], c)| 2.0 * c * l[*i] * l[*j]).sum();
+    let edges: f64 =
+        FACE_EDGES.iter().zip(&c[3..]).map(|([i, j], c)| 2.0 * c * l[*i] * l[*j]).sum();
     vertices + edges
 }
 
@@ -41,7 +43,8 @@ impl Gap {
                 return at[i];
             }
             let [p, q] = FACE_EDGES[i - 3];
-            2.0 * self.at(vec3::scale(0.5, vec3::add(corners[p], corners[q]))) - 0.5 * (at[p] + at[q])
+            2.0 * self.at(vec3::scale(0.5, vec3::add(corners[p], corners[q])))
+                - 0.5 * (at[p] + at[q])
         })
     }
 }
@@ -64,15 +67,16 @@ impl AnalysisModel {
 
     /// True when some contact has Coulomb's friction.
     pub fn has_coulomb_friction(&self) -> bool {
-        let mut laws = self.interfaces.iter().map(|i| &i.law).chain(self.ground.iter().map(|g| &g.law));
+        let mut laws =
+            self.interfaces.iter().map(|i| &i.law).chain(self.ground.iter().map(|g| &g.law));
         laws.any(ContactLaw::is_coulomb)
     }
 }
 
 impl ContactLaw {
-    /// Friction without dilation.
+    /// FrictionLaw without dilation.
     pub fn is_coulomb(&self) -> bool {
-        self.mu > 0.0 && self.friction == Friction::Coulomb
+        self.mu > 0.0 && self.friction == FrictionLaw::Coulomb
     }
 }
 
@@ -83,7 +87,8 @@ mod tests {
     /// The coefficients of a gap give the gap at every point, not only at nodes.
     #[test]
     fn a_quadratic_gap_is_its_coefficients() {
-        let gap = Gap::Quadratic { quadratic: [0.3, -0.2, 0.5, 0.1, 0.7, -0.4, 0.2, 0.6, -0.1, 0.9] };
+        let gap =
+            Gap::Quadratic { quadratic: [0.3, -0.2, 0.5, 0.1, 0.7, -0.4, 0.2, 0.6, -0.1, 0.9] };
         let corners = [[0.1, 0.2, -0.3], [2.0, 0.4, 0.6], [-0.5, 1.7, 0.8]];
         let c = gap.bernstein(&corners);
         for l in [[0.2, 0.3, 0.5], [0.9, 0.05, 0.05], [0.0, 0.4, 0.6], [1.0, 0.0, 0.0]] {

@@ -25,16 +25,24 @@ use std::sync::Arc;
 /// Reads a `MODEL.yaml` and the mesh it names (a path relative to it).
 pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
     let text = text_file::read(path, |e| {
-        Diagnostic::input("model/read", format!("the model file `{}` cannot be read: {e}", path.display()))
-            .file(path)
-            .help("check the path and the right to read it")
+        Diagnostic::input(
+            "model/read",
+            format!("the model file `{}` cannot be read: {e}", path.display()),
+        )
+        .file(path)
+        .help("check the path and the right to read it")
     })?;
     let parsed = yaml::parse::<ModelFile>(&text, path)?;
     let mesh_path = path.parent().unwrap_or(Path::new("")).join(&parsed.value.mesh);
     if !mesh_path.is_file() {
-        let mut d = Diagnostic::input("model/no-mesh", format!("there is no mesh file `{}`", mesh_path.display()));
+        let mut d = Diagnostic::input(
+            "model/no-mesh",
+            format!("there is no mesh file `{}`", mesh_path.display()),
+        );
         d.place = parsed.index.place("mesh");
-        return Err(d.help("the path is relative to the model file; make the mesh with `gmsh -3`").into());
+        return Err(d
+            .help("the path is relative to the model file; make the mesh with `gmsh -3`")
+            .into());
     }
     let (mesh, mut notes) = msh::read_with_notes(&mesh_path)?;
     let mut model = resolve(&parsed.value, mesh, &|path| parsed.index.place(path))?;
@@ -46,7 +54,11 @@ pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
 /// Checks `file` against `mesh` and makes the model; `place` tells where a path such as `supports[1].face` stands.
 ///
 /// All faults of the file's values are told at once; faults of the geometry, which need sound values, follow alone.
-pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -> Result<AnalysisModel, Diagnostics> {
+pub fn resolve(
+    file: &ModelFile,
+    mesh: TetMesh,
+    place: &dyn Fn(&str) -> Place,
+) -> Result<AnalysisModel, Diagnostics> {
     let mut mesh = mesh;
     let mut notes = Vec::new();
     let mut faults = Faults { place, all: Vec::new() };
@@ -55,7 +67,10 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     materials::check_units(file, &mesh, &mut notes);
     materials::note_strengths(file, &mut notes);
     if ![1, 2, 4].contains(&file.symmetry) {
-        let m = format!("`symmetry` is {}, it counts copies of the meshed part: 1, 2 or 4", file.symmetry);
+        let m = format!(
+            "`symmetry` is {}, it counts copies of the meshed part: 1, 2 or 4",
+            file.symmetry
+        );
         faults.add("model/value", "symmetry", m, "write 1, 2 or 4");
     }
     if let Some(adapt) = &file.adapt {
@@ -69,7 +84,12 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
         ] {
             if value == Some(0) {
                 let m = format!("`{key}` is 0, it must be at least 1");
-                faults.add("model/value", &format!("adapt.{key}"), m, "leave it out for its usual value");
+                faults.add(
+                    "model/value",
+                    &format!("adapt.{key}"),
+                    m,
+                    "leave it out for its usual value",
+                );
             }
         }
     }
@@ -105,14 +125,19 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     }
 
     let open = claims.open.iter().flat_map(|o| o.faces.iter().copied());
-    let open: Vec<[TetFace; 2]> = open.chain(cuts.iter().flat_map(|c| c.faces.iter().copied())).collect();
+    let open: Vec<[TetFace; 2]> =
+        open.chain(cuts.iter().flat_map(|c| c.faces.iter().copied())).collect();
     let mut cut = split(&mesh, &table, &open);
     let of_cuts = cut.pairs.split_off(claims.open.iter().map(|o| o.faces.len()).sum());
     let (interfaces, welds) = interfaces::pairs(&claims, &cut.pairs);
     preload::join_parts(&mut cut, &of_cuts);
     let preload = preload::preloads(cuts, &of_cuts, &cut)?;
     let parts = parts::names(&cut, &mut notes);
-    if surface_loads.is_empty() && body_loads.is_empty() && rigid.iter().all(no_action) && preload.is_empty() {
+    if surface_loads.is_empty()
+        && body_loads.is_empty()
+        && rigid.iter().all(no_action)
+        && preload.is_empty()
+    {
         notes.push("there is no load".to_string());
     }
     let mut model = AnalysisModel {
@@ -139,7 +164,10 @@ pub fn resolve(file: &ModelFile, mesh: TetMesh, place: &dyn Fn(&str) -> Place) -
     };
     model.free_modes = motions::free_modes(&model)?;
     for mode in &model.free_modes {
-        let note = format!("{}: no load works on it, it is held at one point", motions::in_words(&model, mode));
+        let note = format!(
+            "{}: no load works on it, it is held at one point",
+            motions::in_words(&model, mode)
+        );
         model.notes.push(note);
     }
     Ok(model)
@@ -164,7 +192,13 @@ pub(crate) struct Faults<'a> {
 }
 
 impl Faults<'_> {
-    fn add(&mut self, code: &'static str, path: &str, message: impl Into<String>, help: impl Into<String>) {
+    fn add(
+        &mut self,
+        code: &'static str,
+        path: &str,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
         let mut d = Diagnostic::input(code, message).help(help);
         d.place = (self.place)(path);
         self.all.push(d);

@@ -21,7 +21,8 @@ pub fn assemble<const M: usize, E: Send>(
     let mut first = 0;
     while first < elements {
         let last = (first + BATCH).min(elements);
-        let batch: Vec<Box<[[f64; M]; M]>> = (first..last).into_par_iter().map(&matrix).collect::<Result<_, E>>()?;
+        let batch: Vec<Box<[[f64; M]; M]>> =
+            (first..last).into_par_iter().map(&matrix).collect::<Result<_, E>>()?;
         for (k, ke) in batch.iter().enumerate() {
             scatter(&mut a, map, &dofs(first + k), ke);
         }
@@ -38,7 +39,8 @@ fn pattern<const M: usize>(
     let unknowns: Vec<Vec<u32>> = (0..elements)
         .into_par_iter()
         .map(|e| {
-            let mut u: Vec<u32> = dofs(e).iter().flat_map(|&d| map.terms(d).iter().map(|t| t.0)).collect();
+            let mut u: Vec<u32> =
+                dofs(e).iter().flat_map(|&d| map.terms(d).iter().map(|t| t.0)).collect();
             u.sort_unstable();
             u.dedup();
             u
@@ -55,7 +57,9 @@ fn pattern<const M: usize>(
         .map(|c| {
             let mut rows: Vec<u32> = of_unknown[c]
                 .iter()
-                .flat_map(|&e| unknowns[e as usize].iter().copied().take_while(move |&r| r as usize <= c))
+                .flat_map(|&e| {
+                    unknowns[e as usize].iter().copied().take_while(move |&r| r as usize <= c)
+                })
                 .chain([c as u32])
                 .collect();
             rows.sort_unstable();
@@ -73,7 +77,12 @@ fn pattern<const M: usize>(
     SymmetricCsc { n: map.n, col_ptr, row_idx, values }
 }
 
-fn scatter<const M: usize>(a: &mut SymmetricCsc, map: &DofMap, dofs: &[usize; M], ke: &[[f64; M]; M]) {
+fn scatter<const M: usize>(
+    a: &mut SymmetricCsc,
+    map: &DofMap,
+    dofs: &[usize; M],
+    ke: &[[f64; M]; M],
+) {
     for j in 0..M {
         for &(c, wc) in map.terms(dofs[j]) {
             let range = a.col_ptr[c as usize]..a.col_ptr[c as usize + 1];
@@ -82,7 +91,9 @@ fn scatter<const M: usize>(a: &mut SymmetricCsc, map: &DofMap, dofs: &[usize; M]
                     if r > c {
                         continue;
                     }
-                    let at = a.row_idx[range.clone()].binary_search(&r).expect("the pattern holds every pair");
+                    let at = a.row_idx[range.clone()]
+                        .binary_search(&r)
+                        .expect("the pattern holds every pair");
                     a.values[range.start + at] += wr * wc * ke[i][j];
                 }
             }

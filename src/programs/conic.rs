@@ -105,7 +105,8 @@ impl SymmetricCsc {
     /// Two halves side by side, whatever the number of threads: the digits do not depend on it.
     pub fn mul_all<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
         let half = self.col_ptr.partition_point(|&k| 2 * k < self.values.len()).min(self.n);
-        let (mut y, rest) = rayon::join(|| self.mul_columns(0..half, x), || self.mul_columns(half..self.n, x));
+        let (mut y, rest) =
+            rayon::join(|| self.mul_columns(0..half, x), || self.mul_columns(half..self.n, x));
         for (y, rest) in y.iter_mut().zip(rest) {
             y.resize(self.n, 0.0);
             y.iter_mut().zip(rest).for_each(|(a, b)| *a += b);
@@ -114,7 +115,11 @@ impl SymmetricCsc {
     }
 
     /// What the given columns and their mirror images add to `A X`; as long as the last of them needs.
-    fn mul_columns<const SIDES: usize>(&self, columns: Range<usize>, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
+    fn mul_columns<const SIDES: usize>(
+        &self,
+        columns: Range<usize>,
+        x: [&[f64]; SIDES],
+    ) -> [Vec<f64>; SIDES] {
         let mut y: [Vec<f64>; SIDES] = std::array::from_fn(|_| vec![0.0; columns.end]);
         for c in columns {
             let xc: [f64; SIDES] = std::array::from_fn(|k| x[k][c]);
@@ -141,7 +146,9 @@ impl SymmetricCsc {
         (0..self.n)
             .map(|c| {
                 let range = self.col_ptr[c]..self.col_ptr[c + 1];
-                self.row_idx[range.clone()].binary_search(&(c as u32)).map_or(0.0, |k| self.values[range.start + k])
+                self.row_idx[range.clone()]
+                    .binary_search(&(c as u32))
+                    .map_or(0.0, |k| self.values[range.start + k])
             })
             .collect()
     }
@@ -275,7 +282,9 @@ impl ConicProgram {
     pub fn objective(&self, x: &[f64], z: &[f64]) -> f64 {
         let [px] = self.quadratic([x]);
         let maximised = self.maximised();
-        let term = |i: usize| if maximised[i] { -0.5 * x[i] * px[i] } else { x[i] * (0.5 * px[i] + self.q[i]) };
+        let term = |i: usize| {
+            if maximised[i] { -0.5 * x[i] * px[i] } else { x[i] * (0.5 * px[i] + self.q[i]) }
+        };
         let points = (self.g.nrows()..self.h.len()).map(|r| self.h[r] * z[r]);
         crate::math::Sum::of((0..x.len()).map(term).chain(points)) + self.c
     }
@@ -330,8 +339,10 @@ impl ConicProgram {
             .par_iter()
             .map(|batch| {
                 x.map(|x| {
-                    let (v, sigma) = (batch.gather_displacements(x, scale), batch.gather_parameters(x));
-                    let (mut force, mut strain) = (vec![[0.0; LANES]; v.len()], vec![[0.0; LANES]; sigma.len()]);
+                    let (v, sigma) =
+                        (batch.gather_displacements(x, scale), batch.gather_parameters(x));
+                    let (mut force, mut strain) =
+                        (vec![[0.0; LANES]; v.len()], vec![[0.0; LANES]; sigma.len()]);
                     of(batch, &v, &sigma, &mut force, &mut strain);
                     (force, strain)
                 })
@@ -347,7 +358,9 @@ impl ConicProgram {
 
     /// Adds the coupling of the load factor with the live loads.
     fn add_live<const SIDES: usize>(&self, x: [&[f64]; SIDES], y: &mut [Vec<f64>; SIDES]) {
-        let (false, Some(last)) = (self.live.is_empty(), self.unknowns().checked_sub(1)) else { return };
+        let (false, Some(last)) = (self.live.is_empty(), self.unknowns().checked_sub(1)) else {
+            return;
+        };
         for (y, x) in y.iter_mut().zip(x) {
             let factor = x[last];
             y.iter_mut().zip(&self.live).for_each(|(y, f)| *y -= factor * f);
@@ -360,11 +373,14 @@ impl ConicProgram {
         let mut s = self.g.mul(x);
         s.resize(self.h.len(), 0.0);
         let batches = &self.elements.batches;
-        let parts: Vec<Vec<Lane>> = batches.par_iter().map(|b| b.deviators(&b.gather_parameters(x))).collect();
+        let parts: Vec<Vec<Lane>> =
+            batches.par_iter().map(|b| b.deviators(&b.gather_parameters(x))).collect();
         for (batch, d) in batches.iter().zip(&parts) {
             for l in (0..LANES).filter(|&l| batch.own[l] != NONE) {
                 let at = batch.rows[l] as usize;
-                for (cone, d) in s[at..].chunks_exact_mut(YIELD_ROWS).zip(d.chunks_exact(YIELD_ROWS - 1)) {
+                for (cone, d) in
+                    s[at..].chunks_exact_mut(YIELD_ROWS).zip(d.chunks_exact(YIELD_ROWS - 1))
+                {
                     cone[1..].iter_mut().zip(d).for_each(|(s, d)| *s = d[l]);
                 }
             }
@@ -381,8 +397,10 @@ impl ConicProgram {
             .par_iter()
             .map(|batch| {
                 let rows = Batch::gather(&batch.rows, YIELD_ROWS * batch.shape.points(), z);
-                let minus: Vec<Lane> =
-                    rows.chunks_exact(YIELD_ROWS).flat_map(|c| c[1..].iter().map(|d| d.map(|x| -x))).collect();
+                let minus: Vec<Lane> = rows
+                    .chunks_exact(YIELD_ROWS)
+                    .flat_map(|c| c[1..].iter().map(|d| d.map(|x| -x)))
+                    .collect();
                 let mut out = vec![[0.0; LANES]; batch.shape.parameters()];
                 batch.add_deviators(&minus, &mut out);
                 out

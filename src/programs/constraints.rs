@@ -32,7 +32,8 @@ pub fn pins(mut motions: Vec<Vec<f64>>, held: &[usize]) -> Vec<usize> {
     let mut first = 0;
     for &pivot in held {
         let candidates = first..motions.len();
-        let best = candidates.max_by(|&a, &b| motions[a][pivot].abs().total_cmp(&motions[b][pivot].abs()));
+        let best =
+            candidates.max_by(|&a, &b| motions[a][pivot].abs().total_cmp(&motions[b][pivot].abs()));
         let Some(m) = best.filter(|&m| motions[m][pivot] != 0.0) else { continue };
         eliminate(&mut motions, first, m, pivot);
         first += 1;

@@ -14,7 +14,11 @@ pub struct ContactMode {
 }
 
 /// All such motions of a program whose full unknowns `3 i + d` are displacements of `points[i]`, each with its part.
-pub fn contact_modes(model: &AnalysisModel, map: &DofMap, points: &[(usize, V3)]) -> Vec<ContactMode> {
+pub fn contact_modes(
+    model: &AnalysisModel,
+    map: &DofMap,
+    points: &[(usize, V3)],
+) -> Vec<ContactMode> {
     let parts = model.parts.len();
     // motions about the middle of the model, rotations scaled to its size
     let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
@@ -36,9 +40,12 @@ pub fn contact_modes(model: &AnalysisModel, map: &DofMap, points: &[(usize, V3)]
             if map.own(3 * i + d).is_some() || map.follows(3 * i + d) {
                 continue;
             }
-            let mut row: Vec<(usize, f64)> =
-                (0..6).map(|m| (6 * part + m, rigid_displacement(&unit[m], centre, x)[d])).collect();
-            row.extend(map.terms(3 * i + d).iter().map(|&(k, c)| (6 * parts + k as usize - map.plain, -c)));
+            let mut row: Vec<(usize, f64)> = (0..6)
+                .map(|m| (6 * part + m, rigid_displacement(&unit[m], centre, x)[d]))
+                .collect();
+            row.extend(
+                map.terms(3 * i + d).iter().map(|&(k, c)| (6 * parts + k as usize - map.plain, -c)),
+            );
             for &(i, a) in &row {
                 for &(j, b) in &row {
                     gram[(i, j)] += a * b;

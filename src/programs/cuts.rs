@@ -64,7 +64,12 @@ pub fn followers(
 }
 
 /// The combinations of what follows: `u_B = u_A − δ a`, the closures δ from unknown `first` on, one a bolt.
-pub fn follow(model: &AnalysisModel, followers: &Followers, first: usize, combinations: &mut [Vec<(u32, f64)>]) {
+pub fn follow(
+    model: &AnalysisModel,
+    followers: &Followers,
+    first: usize,
+    combinations: &mut [Vec<(u32, f64)>],
+) {
     for (&b, &(cut, a)) in followers {
         for d in 0..3 {
             let mut terms = combinations[3 * a + d].clone();
@@ -88,7 +93,11 @@ pub fn add_preload(model: &AnalysisModel, map: &DofMap, f: &mut [f64]) {
 /// Unknowns of a displacement that closes the frozen cuts: each closure is spread linearly over the body of its bolt, half of it on
 /// either side of the cut. Full unknowns `3 i + d` are displacements of `points[i]`, each with a tet it belongs to. Empty: nothing
 /// is frozen.
-pub fn spread(model: &AnalysisModel, map: &DofMap, points: impl Iterator<Item = (usize, V3)>) -> Vec<f64> {
+pub fn spread(
+    model: &AnalysisModel,
+    map: &DofMap,
+    points: impl Iterator<Item = (usize, V3)>,
+) -> Vec<f64> {
     if map.frozen.is_empty() {
         return Vec::new();
     }
@@ -103,18 +112,36 @@ pub fn spread(model: &AnalysisModel, map: &DofMap, points: impl Iterator<Item = 
             let (closure, first) = (bolt.closure?, bolt.faces.first()?);
             let body = mesh.tet_body[first.a.tet as usize];
             let along = |n: &u32| vec3::dot(bolt.axis, mesh.nodes[*n as usize]);
-            let nodes = mesh.tets.iter().zip(&mesh.tet_body).filter(|(_, b)| **b == body).flat_map(|(t, _)| t);
-            let (low, high) =
-                nodes.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| (l.min(along(n)), h.max(along(n))));
-            let rim: Vec<f64> = bolt.faces.iter().flat_map(|f| f.nodes_a.iter().map(along)).collect();
-            Some((body, bolt.axis, closure, [low, rim.iter().sum::<f64>() / rim.len() as f64, high]))
+            let nodes = mesh
+                .tets
+                .iter()
+                .zip(&mesh.tet_body)
+                .filter(|(_, b)| **b == body)
+                .flat_map(|(t, _)| t);
+            let (low, high) = nodes.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| {
+                (l.min(along(n)), h.max(along(n)))
+            });
+            let rim: Vec<f64> =
+                bolt.faces.iter().flat_map(|f| f.nodes_a.iter().map(along)).collect();
+            Some((
+                body,
+                bolt.axis,
+                closure,
+                [low, rim.iter().sum::<f64>() / rim.len() as f64, high],
+            ))
         })
         .collect();
     for (i, (tet, at)) in points.enumerate() {
-        for (_, axis, closure, [low, cut, high]) in bolts.iter().filter(|b| b.0 == mesh.tet_body[tet]) {
+        for (_, axis, closure, [low, cut, high]) in
+            bolts.iter().filter(|b| b.0 == mesh.tet_body[tet])
+        {
             let xi = vec3::dot(*axis, at);
             let centre = mesh.corners(tet).iter().map(|x| vec3::dot(*axis, *x)).sum::<f64>() / 4.0;
-            let part = if centre < *cut { 0.5 * (xi - low) / (cut - low) } else { -0.5 * (high - xi) / (high - cut) };
+            let part = if centre < *cut {
+                0.5 * (xi - low) / (cut - low)
+            } else {
+                -0.5 * (high - xi) / (high - cut)
+            };
             for d in 0..3 {
                 if let Some(k) = map.own(3 * i + d) {
                     x[k] += closure * part * axis[d];

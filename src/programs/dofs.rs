@@ -68,7 +68,9 @@ impl DofMap {
 
     /// Full values of the program's unknowns `x`.
     pub fn expand(&self, x: &[f64]) -> Vec<f64> {
-        (0..self.full()).map(|i| self.terms(i).iter().map(|&(k, c)| c * x[k as usize]).sum()).collect()
+        (0..self.full())
+            .map(|i| self.terms(i).iter().map(|&(k, c)| c * x[k as usize]).sum())
+            .collect()
     }
 
     /// Forces on the program's unknowns from forces on the full ones (the transpose of [`Self::expand`]).
@@ -99,18 +101,24 @@ impl DofMap {
             let unknown = |d: &usize| self.terms(*d).first().map_or(NONE, |t| t.0);
             return Columns { unknowns: dofs.iter().map(unknown).collect(), terms: None };
         }
-        let mut unknowns: Vec<u32> = dofs.iter().flat_map(|d| self.terms(*d)).map(|t| t.0).collect();
+        let mut unknowns: Vec<u32> =
+            dofs.iter().flat_map(|d| self.terms(*d)).map(|t| t.0).collect();
         unknowns.sort_unstable();
         unknowns.dedup();
         let place = |u: u32| unknowns.partition_point(|v| *v < u);
-        let terms = dofs.iter().map(|d| self.terms(*d).iter().map(|&(u, c)| (place(u), c)).collect()).collect();
+        let terms = dofs
+            .iter()
+            .map(|d| self.terms(*d).iter().map(|&(u, c)| (place(u), c)).collect())
+            .collect();
         Columns { unknowns, terms: Some(terms) }
     }
 
     /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
     pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
-        let mut row: Vec<(u32, f64)> =
-            full.iter().flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w))).collect();
+        let mut row: Vec<(u32, f64)> = full
+            .iter()
+            .flat_map(|&(i, w)| self.terms(i).iter().map(move |&(k, c)| (k, c * w)))
+            .collect();
         row.sort_unstable_by_key(|t| t.0);
         let largest = row.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
         let mut merged: Vec<(u32, f64)> = Vec::with_capacity(row.len());

@@ -38,7 +38,9 @@ impl Explicit {
         let p = &program.p;
         for (c, column) in columns.iter_mut().enumerate().take(p.n) {
             let range = p.col_ptr[c]..p.col_ptr[c + 1];
-            column.extend(p.row_idx[range.clone()].iter().copied().zip(p.values[range].iter().copied()));
+            column.extend(
+                p.row_idx[range.clone()].iter().copied().zip(p.values[range].iter().copied()),
+            );
         }
         let mut add = |i: usize, j: usize, v: f64| {
             if v != 0.0 {
@@ -98,20 +100,28 @@ fn elements(program: &ConicProgram, add: &mut impl FnMut(usize, usize, f64)) {
                     None => (own + parameters + i) as u32,
                     Some(i) => batch.columns[i][lane],
                 };
-                (at != NONE).then(|| (at as usize, if scale.is_empty() { 1.0 } else { scale[at as usize] }))
+                (at != NONE)
+                    .then(|| (at as usize, if scale.is_empty() { 1.0 } else { scale[at as usize] }))
             };
             let all = batch.displacements();
             for i in 0..all {
                 let Some((at, s)) = moved(i) else { continue };
                 match batch.shape {
-                    Shape::Stress => (0..parameters).for_each(|a| add(at, own + a, s * strain[a * all + i][lane])),
+                    Shape::Stress => (0..parameters)
+                        .for_each(|a| add(at, own + a, s * strain[a * all + i][lane])),
                     Shape::Flow { subtets, rule, pressures, .. } => {
                         let mut a = 0;
                         for subtet in 0..subtets {
                             for weights in rule.points() {
                                 for d in 0..5 {
-                                    let value = |v: usize| strain[(subtet * VERTEX_VALUES + 5 * v + d) * all + i][lane];
-                                    add(at, own + a, s * (0..4).map(|v| weights[v] * value(v)).sum::<f64>());
+                                    let value = |v: usize| {
+                                        strain[(subtet * VERTEX_VALUES + 5 * v + d) * all + i][lane]
+                                    };
+                                    add(
+                                        at,
+                                        own + a,
+                                        s * (0..4).map(|v| weights[v] * value(v)).sum::<f64>(),
+                                    );
                                     a += 1;
                                 }
                             }
@@ -138,8 +148,9 @@ fn elements(program: &ConicProgram, add: &mut impl FnMut(usize, usize, f64)) {
                 for d in 0..5 {
                     let multiplier = first + YIELD_ROWS * point + 1 + d;
                     match batch.shape {
-                        Shape::Stress => (0..parameters)
-                            .for_each(|a| add(multiplier, own + a, volume[(5 * point + d) * 30 + a][lane])),
+                        Shape::Stress => (0..parameters).for_each(|a| {
+                            add(multiplier, own + a, volume[(5 * point + d) * 30 + a][lane])
+                        }),
                         Shape::Flow { .. } => add(multiplier, own + 5 * point + d, 1.0),
                     }
                 }

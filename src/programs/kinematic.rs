@@ -5,7 +5,7 @@
 //! holds at every point of the interface, not only at nodes.
 
 use crate::elements::batch::Rule;
-use crate::elements::hencky_kinematic::{Flow, FlowingTet10};
+use crate::elements::hencky_kinematic::{Flow, YieldingTet10};
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::{split_flow, split_tet10, tet10};
 use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
@@ -93,7 +93,10 @@ impl ControlPoint {
     /// The coefficient of the jump `u_B − u_A` of nodal displacements.
     pub fn jump(&self, u: &[V3]) -> V3 {
         let side = |n: &[usize; 3]| {
-            self.weights().iter().zip(n).fold([0.0; 3], |s, (&w, &i)| vec3::add(s, vec3::scale(w, u[i])))
+            self.weights()
+                .iter()
+                .zip(n)
+                .fold([0.0; 3], |s, (&w, &i)| vec3::add(s, vec3::scale(w, u[i])))
         };
         vec3::sub(self.b.as_ref().map_or([0.0; 3], &side), side(&self.a))
     }
@@ -174,7 +177,15 @@ fn points_of_face(
         // a vertex stands for itself, an edge for its mid-side node and its two ends
         let picked = if i < 3 { [i; 3] } else { [i, FACE_EDGES[i - 3][0], FACE_EDGES[i - 3][1]] };
         let pick = |n: [usize; 6]| picked.map(|k| n[k]);
-        ControlPoint { contact, normal, mu, gap: opening[i], a: pick(a), b: b.map(pick), edge: i >= 3 }
+        ControlPoint {
+            contact,
+            normal,
+            mu,
+            gap: opening[i],
+            a: pick(a),
+            b: b.map(pick),
+            edge: i >= 3,
+        }
     })
 }
 
@@ -193,7 +204,12 @@ enum Inside {
 type InsideOf<'a> = &'a dyn Fn(usize) -> Inside;
 
 /// Nodal forces of the loads \[N\]; `inside` tells what each element is.
-fn nodal_forces(model: &AnalysisModel, space: &Tet10Space, inside: InsideOf, loads: Loads) -> Vec<f64> {
+fn nodal_forces(
+    model: &AnalysisModel,
+    space: &Tet10Space,
+    inside: InsideOf,
+    loads: Loads,
+) -> Vec<f64> {
     let mut f = vec![0.0; 3 * space.nodes.len()];
     let body = model.body_forces(loads);
     if body.iter().any(|b| *b != [0.0; 3]) {
@@ -259,7 +275,10 @@ impl Kinematic {
 
     /// The same with flow only where `flow` names an element for a tet; the other tets are plain and stay elastic, whatever
     /// their strength. Still an upper bound: to flow less is to choose among fewer fields.
-    pub fn with_plasticity_in(model: &AnalysisModel, flow: &[Option<Flow>]) -> Result<Self, ModelError> {
+    pub fn with_plasticity_in(
+        model: &AnalysisModel,
+        flow: &[Option<Flow>],
+    ) -> Result<Self, ModelError> {
         Self::build(model, Kind::Hencky(flow))
     }
 
@@ -282,7 +301,8 @@ impl Kinematic {
             Kind::Limit(_) | Kind::AroundRigidBodies => RigidPieces::unyielding(model),
             Kind::Elastic | Kind::Hencky(_) => RigidPieces::default(),
         };
-        let (map, rigid) = rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
+        let (map, rigid) =
+            rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // radius of the yield surface and kind of the element of a tet that may flow
@@ -304,7 +324,7 @@ impl Kinematic {
         // the element of a body that yields
         let flowing = |e: usize| {
             let body = model.mesh.tet_body[e] as usize;
-            flow_of(e).map(|(radius, flow)| FlowingTet10 {
+            flow_of(e).map(|(radius, flow)| YieldingTet10 {
                 corners: model.mesh.corners(e),
                 volume: model.mesh.volume(e),
                 material: materials[body],
@@ -321,7 +341,9 @@ impl Kinematic {
             Ok(match flowing(e) {
                 Some(element) => element.outer_stiffness(),
                 None if pieces.contains(e) => Box::new([[0.0; 30]; 30]),
-                None => tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body]),
+                None => {
+                    tet10::stiffness(&model.mesh.corners(e), model.mesh.volume(e), &materials[body])
+                }
             })
         })?;
         let splits = if limit { Inside::Flow } else { Inside::Split };
@@ -343,12 +365,17 @@ impl Kinematic {
             for e in 0..model.mesh.tets.len() {
                 let missing: [f64; 30] = match flowing(e) {
                     Some(element) => {
-                        let (elastic, kept) = (element.elastic_diagonal(), element.outer_stiffness());
+                        let (elastic, kept) =
+                            (element.elastic_diagonal(), element.outer_stiffness());
                         std::array::from_fn(|i| elastic[i] - kept[i][i])
                     }
                     None if pieces.contains(e) => {
                         let body = model.mesh.tet_body[e] as usize;
-                        tet10::diagonal(&model.mesh.corners(e), model.mesh.volume(e), &materials[body])
+                        tet10::diagonal(
+                            &model.mesh.corners(e),
+                            model.mesh.volume(e),
+                            &materials[body],
+                        )
                     }
                     None => continue,
                 };
@@ -357,7 +384,12 @@ impl Kinematic {
             map.reduce_diagonal(&beside).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
         }
         hold(&mut p, &free_mode_pins(model, &space, &map, &rigid, &pieces), &stiffness);
-        let mut program = ConicProgram { p, q: f.iter().map(|x| -x).collect(), stiffness, ..ConicProgram::default() };
+        let mut program = ConicProgram {
+            p,
+            q: f.iter().map(|x| -x).collect(),
+            stiffness,
+            ..ConicProgram::default()
+        };
         program.g.ncols = map.n;
         let mut points = Vec::new();
         for mut point in control_points(model, &space) {
@@ -376,7 +408,11 @@ impl Kinematic {
             own = append(&mut program, tets + weld_faces.len(), |e| {
                 if let Some(weld) = e.checked_sub(tets) {
                     let (strength, face) = weld_faces[weld];
-                    return Ok(weld_face::element(&map, strength, &weld_face::kinematic_jumps(&space, face, true)));
+                    return Ok(weld_face::element(
+                        &map,
+                        strength,
+                        &weld_face::kinematic_jumps(&space, face, true),
+                    ));
                 }
                 let columns = || map.columns(&dofs(e));
                 Ok::<_, ModelError>(flowing(e).map(|element| element.element(&columns())))
@@ -398,7 +434,10 @@ impl Kinematic {
     /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns that elements share.
     pub fn weld_rows(&self, model: &AnalysisModel) -> Csr {
         let faces = model.weld_faces();
-        weld_face::rows(&self.map, faces.flat_map(|(_, f)| weld_face::kinematic_jumps(&self.space, f, false)))
+        weld_face::rows(
+            &self.map,
+            faces.flat_map(|(_, f)| weld_face::kinematic_jumps(&self.space, f, false)),
+        )
     }
 
     /// Loads on the unknowns that elements share, in limit analysis: their product with velocities is the power \[N\].
@@ -415,9 +454,12 @@ impl Kinematic {
 
     /// The shift with the given values at the control points, face by face; points that cannot move have none.
     pub fn cone_shift(&self, model: &AnalysisModel, values: &[f64]) -> ConeShift {
-        let of: BTreeMap<_, f64> = self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
+        let of: BTreeMap<_, f64> =
+            self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
         let value = |p: ControlPoint| of.get(&p.key()).copied().unwrap_or(0.0);
-        ConeShift { faces: points_of_faces(model, &self.space).into_iter().map(|f| f.map(value)).collect() }
+        ConeShift {
+            faces: points_of_faces(model, &self.space).into_iter().map(|f| f.map(value)).collect(),
+        }
     }
 
     /// A displacement that closes the frozen cuts with little strain, from which a solver measures the unknowns; empty: there are
@@ -433,8 +475,13 @@ impl Kinematic {
     /// The rigid motions that only contact resists.
     pub fn contact_modes(&self, model: &AnalysisModel) -> Vec<ContactMode> {
         let part = model.node_parts();
-        let points: Vec<(usize, V3)> =
-            self.space.nodes.iter().enumerate().map(|(i, x)| (part[self.space.a_vertex(i)] as usize, *x)).collect();
+        let points: Vec<(usize, V3)> = self
+            .space
+            .nodes
+            .iter()
+            .enumerate()
+            .map(|(i, x)| (part[self.space.a_vertex(i)] as usize, *x))
+            .collect();
         contact_modes(model, &self.map, &points)
     }
 }
@@ -461,7 +508,12 @@ fn push_cone(program: &mut ConicProgram, map: &DofMap, point: &ControlPoint) -> 
 }
 
 /// Adds the rows of one contact cone; false (and nothing added) when all of them are empty.
-pub fn push_rows(program: &mut ConicProgram, rows: &[&Vec<(u32, f64)>; 3], mu: f64, offset: f64) -> bool {
+pub fn push_rows(
+    program: &mut ConicProgram,
+    rows: &[&Vec<(u32, f64)>; 3],
+    mu: f64,
+    offset: f64,
+) -> bool {
     let used = if mu > 0.0 { 3 } else { 1 };
     if rows[..used].iter().all(|r| r.is_empty()) {
         return false;
@@ -492,7 +544,11 @@ fn free_mode_pins(
         .map(|mode| {
             let motion = |node: usize| {
                 let vertex = space.a_vertex(node);
-                rigid_displacement(&mode.motions[part[vertex] as usize], [0.0; 3], space.nodes[node])
+                rigid_displacement(
+                    &mode.motions[part[vertex] as usize],
+                    [0.0; 3],
+                    space.nodes[node],
+                )
             };
             let mut x = vec![0.0; map.n];
             if !pieces.is_empty() {

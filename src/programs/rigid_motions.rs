@@ -114,7 +114,11 @@ type Claims = BTreeMap<(usize, usize), Vec<usize>>;
 /// One entry of them.
 type Claim<'a> = ((usize, usize), &'a [usize]);
 
-fn claims(model: &AnalysisModel, points: &impl FacePoints, pieces: &RigidPieces) -> Result<Claims, ModelError> {
+fn claims(
+    model: &AnalysisModel,
+    points: &impl FacePoints,
+    pieces: &RigidPieces,
+) -> Result<Claims, ModelError> {
     let mut claims = Claims::new();
     for (r, rigid) in model.rigid.iter().enumerate() {
         for p in rigid.faces.iter().flat_map(|f| points.points(f)) {
@@ -148,7 +152,12 @@ fn claims(model: &AnalysisModel, points: &impl FacePoints, pieces: &RigidPieces)
 }
 
 /// The rigid faces and pieces, in the order of [`Claims`].
-fn movers(model: &AnalysisModel, points: &impl FacePoints, pieces: &RigidPieces, claims: &Claims) -> Vec<Mover> {
+fn movers(
+    model: &AnalysisModel,
+    points: &impl FacePoints,
+    pieces: &RigidPieces,
+    claims: &Claims,
+) -> Vec<Mover> {
     let mut mine: Vec<Vec<V3>> = vec![Vec::new(); model.rigid.len() + pieces.count];
     for ((p, _), owners) in claims {
         owners.iter().for_each(|&o| mine[o].push(points.position(*p)));
@@ -180,7 +189,9 @@ pub fn number_unknowns(
         }
     }
     let claims = claims(model, points, pieces)?;
-    let followers = cuts::followers(model, points, &mut fixed, |p| (0..3).any(|d| claims.contains_key(&(p, d))))?;
+    let followers = cuts::followers(model, points, &mut fixed, |p| {
+        (0..3).any(|d| claims.contains_key(&(p, d)))
+    })?;
     let mut combinations: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * points.count()];
     let mut block = Vec::new();
     for p in (0..points.count()).filter(|p| !followers.contains_key(p)) {
@@ -301,7 +312,12 @@ fn common_motions(
 }
 
 /// Forces of rigid faces on the program's unknowns: the work of their actions on unit motions.
-pub fn add_rigid_actions(model: &AnalysisModel, motions: &[RigidMotions], loads: Loads, f: &mut [f64]) {
+pub fn add_rigid_actions(
+    model: &AnalysisModel,
+    motions: &[RigidMotions],
+    loads: Loads,
+    f: &mut [f64],
+) {
     for group in motions {
         for (face, basis) in &group.faces {
             let action = loads.action(&model.rigid[*face]);
@@ -313,7 +329,11 @@ pub fn add_rigid_actions(model: &AnalysisModel, motions: &[RigidMotions], loads:
 }
 
 /// The program's unknowns nearest to full values: held ones are dropped, groups get the motion that fits best.
-pub fn nearest_unknowns(map: &DofMap, motions: &[RigidMotions], full: impl Fn(usize) -> f64) -> Vec<f64> {
+pub fn nearest_unknowns(
+    map: &DofMap,
+    motions: &[RigidMotions],
+    full: impl Fn(usize) -> f64,
+) -> Vec<f64> {
     let mut x = vec![0.0; map.n];
     let mut fits: Vec<(Mat<f64>, Mat<f64>)> =
         motions.iter().map(|r| (Mat::zeros(r.count, r.count), Mat::zeros(r.count, 1))).collect();

@@ -109,7 +109,11 @@ impl<'a> SuperElements<'a> {
     pub fn vertex_dofs(&self, face: &BoundaryFace, nodes: [u32; 3]) -> [usize; 3] {
         let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
         nodes.map(|n| {
-            9 * f + 3 * self.faces.nodes[f].iter().position(|m| *m == n).expect("the nodes are those of the face")
+            9 * f
+                + 3 * self.faces.nodes[f]
+                    .iter()
+                    .position(|m| *m == n)
+                    .expect("the nodes are those of the face")
         })
     }
 }
@@ -133,7 +137,11 @@ impl FacePoints for Points<'_> {
             let at = |n: u32| self.faces.nodes[f].iter().position(|m| *m == n);
             nodes.map(|n| 3 * f + at(n).expect("the nodes are those of the face"))
         };
-        side(&face.a, face.nodes_a).into_iter().zip(side(&face.b, face.nodes_b)).map(|(a, b)| [a, b]).collect()
+        side(&face.a, face.nodes_a)
+            .into_iter()
+            .zip(side(&face.b, face.nodes_b))
+            .map(|(a, b)| [a, b])
+            .collect()
     }
     fn position(&self, point: usize) -> V3 {
         self.mesh.nodes[self.faces.nodes[point / 3][point % 3] as usize]
@@ -208,13 +216,20 @@ fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
     let model = elements.model;
     let mut out = Vec::new();
     let mut number = 0;
-    let mut face = |contact: usize, law: &ContactLaw, corners: &[V3; 3], a: [usize; 3], b: Option<[usize; 3]>| {
+    let mut face = |contact: usize,
+                    law: &ContactLaw,
+                    corners: &[V3; 3],
+                    a: [usize; 3],
+                    b: Option<[usize; 3]>| {
         let vector = vec3::area_vector(corners);
         let area = vec3::norm(vector);
         let opening = model.opening(number, law, corners);
         number += 1;
         for index in 0..3 {
-            let gap = TRIANGLE_4.iter().map(|(l, w)| w * area * l[index] * bernstein_at(&opening, *l)).sum();
+            let gap = TRIANGLE_4
+                .iter()
+                .map(|(l, w)| w * area * l[index] * bernstein_at(&opening, *l))
+                .sum();
             let normal = vec3::scale(1.0 / area, vector);
             out.push(ContactVertex { contact, normal, mu: law.mu, a, b, index, area, gap });
         }
@@ -229,7 +244,13 @@ fn contact_vertices(elements: &SuperElements) -> Vec<ContactVertex> {
     for (contact, ground) in (model.interfaces.len()..).zip(&model.ground) {
         for f in &ground.faces {
             let nodes = crate::model::loads::face_nodes(&model.mesh, f);
-            face(contact, &ground.law, &face_corners(&model.mesh, f), elements.vertex_dofs(f, nodes), None);
+            face(
+                contact,
+                &ground.law,
+                &face_corners(&model.mesh, f),
+                elements.vertex_dofs(f, nodes),
+                None,
+            );
         }
     }
     out
@@ -243,7 +264,8 @@ fn face_forces(elements: &SuperElements, loads: Loads) -> Vec<f64> {
         let share = loads.share(load.dead);
         for face in &load.faces {
             let corners = face_corners(&model.mesh, face);
-            let dofs = elements.vertex_dofs(face, crate::model::loads::face_nodes(&model.mesh, face));
+            let dofs =
+                elements.vertex_dofs(face, crate::model::loads::face_nodes(&model.mesh, face));
             let vector = vec3::area_vector(&corners);
             let area = vec3::norm(vector);
             let normal = vec3::scale(1.0 / area, vector);
@@ -259,7 +281,12 @@ fn face_forces(elements: &SuperElements, loads: Loads) -> Vec<f64> {
 }
 
 /// Surface loads and actions of rigid faces on the program's unknowns \[N\].
-fn forces(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], loads: Loads) -> Vec<f64> {
+fn forces(
+    elements: &SuperElements,
+    map: &DofMap,
+    rigid: &[RigidMotions],
+    loads: Loads,
+) -> Vec<f64> {
     let mut f = map.reduce(&face_forces(elements, loads));
     rigid_motions::add_rigid_actions(elements.model, rigid, loads, &mut f);
     f
@@ -282,8 +309,14 @@ impl<'a> Static<'a> {
     /// interior-point method, brought into equilibrium to rounding, has that room to stay inside.
     ///
     /// The other tets stay elastic: a lower bound follows only where their stress is found admissible all the same.
-    pub fn with_plasticity_in(model: &'a AnalysisModel, yields: &[bool], room: f64) -> Result<Self, ModelError> {
-        let of = |(radius, yields): (Option<f64>, &bool)| radius.filter(|_| *yields).map(|r| (1.0 - room) * r);
+    pub fn with_plasticity_in(
+        model: &'a AnalysisModel,
+        yields: &[bool],
+        room: f64,
+    ) -> Result<Self, ModelError> {
+        let of = |(radius, yields): (Option<f64>, &bool)| {
+            radius.filter(|_| *yields).map(|r| (1.0 - room) * r)
+        };
         Self::build(model, radii_of_tets(model).into_iter().zip(yields).map(of).collect(), false)
     }
 
@@ -296,14 +329,19 @@ impl<'a> Static<'a> {
     }
 
     /// `radii`: radius of the yield surface of each tet; `limit`: nothing is elastic.
-    fn build(model: &'a AnalysisModel, radii: Vec<Option<f64>>, limit: bool) -> Result<Self, ModelError> {
+    fn build(
+        model: &'a AnalysisModel,
+        radii: Vec<Option<f64>>,
+        limit: bool,
+    ) -> Result<Self, ModelError> {
         let counted = if limit { Loads::DEAD } else { Loads::ALL };
         let elements = SuperElements::new(model).under(counted);
         let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
         let points = Points { mesh: &model.mesh, faces: &elements.faces };
         let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces)?;
         let radius = |e: usize| radii[e];
-        let elastic: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
+        let elastic: Vec<usize> =
+            (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
         let mut p = assemble::<TRACTIONS, ModelError>(
             elastic.len(),
             &map,
@@ -334,8 +372,10 @@ impl<'a> Static<'a> {
         }
         let pinned = pinned(&elements, &map, &rigid, &pieces);
         let yields = elastic.len() < model.mesh.tets.len();
-        let weld_faces: Vec<(f64, Vec<Jump>)> =
-            model.weld_faces().map(|(strength, f)| (strength, weld_face::static_jumps(&elements, f))).collect();
+        let weld_faces: Vec<(f64, Vec<Jump>)> = model
+            .weld_faces()
+            .map(|(strength, f)| (strength, weld_face::static_jumps(&elements, f)))
+            .collect();
         let stiffness = match (yields, weld_faces.is_empty()) {
             (true, _) => elastic_diagonal(&elements, &map)?,
             (false, false) => p.diagonal(),
@@ -364,13 +404,23 @@ impl<'a> Static<'a> {
                 }
                 let Some(radius) = radius(e) else { return Ok(None) };
                 let columns = map.columns(&elements.dofs(e));
-                Ok::<_, ModelError>(Some(hencky_static::element(&elements.element(e)?, &columns, radius, !limit)))
+                Ok::<_, ModelError>(Some(hencky_static::element(
+                    &elements.element(e)?,
+                    &columns,
+                    radius,
+                    !limit,
+                )))
             })?;
         }
         if limit {
             // the constant belongs to the elastic energy of body forces
             program.c = 0.0;
-            program.add_load_factor(constraints::that_work(forces(&elements, &map, &rigid, Loads::LIVE))?);
+            program.add_load_factor(constraints::that_work(forces(
+                &elements,
+                &map,
+                &rigid,
+                Loads::LIVE,
+            ))?);
         }
         let welds = weld_face::rows(&map, weld_faces.into_iter().flat_map(|f| f.1));
         Ok(Self { program, elements, map, rigid, vertices, loads, pinned, own, welds, radii })
@@ -405,7 +455,11 @@ fn push_cone(program: &mut ConicProgram, map: &DofMap, v: &ContactVertex) -> boo
 }
 
 /// The motion of every part as displacements of the program's own unknowns (motions of rigid faces are left at zero).
-pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl Fn(usize) -> [f64; 6]) -> Vec<f64> {
+pub fn part_motions(
+    elements: &SuperElements,
+    map: &DofMap,
+    motion_of_part: impl Fn(usize) -> [f64; 6],
+) -> Vec<f64> {
     let mesh = &elements.model.mesh;
     let mut x = vec![0.0; map.n];
     for (f, nodes) in elements.faces.nodes.iter().enumerate() {
@@ -423,7 +477,12 @@ pub fn part_motions(elements: &SuperElements, map: &DofMap, motion_of_part: impl
 }
 
 /// One face displacement for each free rigid motion.
-fn pinned(elements: &SuperElements, map: &DofMap, rigid: &[RigidMotions], pieces: &RigidPieces) -> Vec<usize> {
+fn pinned(
+    elements: &SuperElements,
+    map: &DofMap,
+    rigid: &[RigidMotions],
+    pieces: &RigidPieces,
+) -> Vec<usize> {
     let modes = elements.model.free_modes.iter().map(|mode| {
         let mut x = part_motions(elements, map, |part| mode.motions[part]);
         if !pieces.is_empty() {
@@ -466,7 +525,9 @@ impl Static<'_> {
         let mut shares = vec![0.0; self.elements.model.mesh.tets.len()];
         for batch in self.program.elements.batches.iter() {
             let rows = YIELD_ROWS * batch.shape.points();
-            for (own, first) in batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE) {
+            for (own, first) in
+                batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE)
+            {
                 // tets without unknowns of their own share their start with the next that has some; welds follow the tets
                 let e = self.own.partition_point(|start| *start <= own as usize) - 1;
                 if let Some(share) = shares.get_mut(e) {
@@ -483,7 +544,11 @@ impl Static<'_> {
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
         (0..self.elements.model.mesh.tets.len())
             .into_par_iter()
-            .map(|e| Ok(self.own_parameters(e, &self.elements.element(e)?, x).unwrap_or([0.0; PARAMETERS])))
+            .map(|e| {
+                Ok(self
+                    .own_parameters(e, &self.elements.element(e)?, x)
+                    .unwrap_or([0.0; PARAMETERS]))
+            })
             .collect()
     }
 
@@ -502,7 +567,12 @@ impl Static<'_> {
     }
 
     /// The parameters of an element that has its own unknowns.
-    fn own_parameters(&self, e: usize, element: &SuperElement, x: &[f64]) -> Option<[f64; PARAMETERS]> {
+    fn own_parameters(
+        &self,
+        e: usize,
+        element: &SuperElement,
+        x: &[f64],
+    ) -> Option<[f64; PARAMETERS]> {
         let own = x.get(*self.own.get(e)?..*self.own.get(e + 1)?).filter(|own| !own.is_empty())?;
         let unit = hencky_static::parameter_unit(element, self.radii[e]?);
         Some(std::array::from_fn(|a| unit * own[a]))
@@ -532,7 +602,9 @@ impl Static<'_> {
     pub fn weld_tractions(&self, x: &[f64]) -> Vec<f64> {
         let model = self.elements.model;
         let first = model.mesh.tets.len();
-        let own = |face: usize| self.own.get(first + face..first + face + 2).map_or(&[][..], |own| &x[own[0]..own[1]]);
+        let own = |face: usize| {
+            self.own.get(first + face..first + face + 2).map_or(&[][..], |own| &x[own[0]..own[1]])
+        };
         let faces = model.weld_faces().enumerate();
         faces.flat_map(|(i, (strength, _))| weld_face::tractions(strength, 3, own(i))).collect()
     }
@@ -587,7 +659,9 @@ impl Static<'_> {
             .nodes
             .iter()
             .enumerate()
-            .flat_map(|(f, nodes)| nodes.map(|n| (self.elements.part(f), model.mesh.nodes[n as usize])))
+            .flat_map(|(f, nodes)| {
+                nodes.map(|n| (self.elements.part(f), model.mesh.nodes[n as usize]))
+            })
             .collect();
         contact_modes(model, &self.map, &points)
     }

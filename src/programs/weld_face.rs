@@ -96,12 +96,21 @@ pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingEl
     data.extend(std::iter::repeat_n(0.0, subtets));
     let h = (0..shape.points()).flat_map(|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
     let q = vec![0.0; shape.parameters()];
-    Some(YieldingElement { shape, columns: columns.unknowns, data, q, h, inner_stiffness: Vec::new() })
+    Some(YieldingElement {
+        shape,
+        columns: columns.unknowns,
+        data,
+        q,
+        h,
+        inner_stiffness: Vec::new(),
+    })
 }
 
 /// The tractions at the points of a face from its element's own unknowns \[MPa\]; zero where it has none.
 pub fn tractions(strength: f64, points: usize, own: &[f64]) -> Vec<f64> {
-    (0..3 * points).map(|i| own.get(COMPONENTS * (i / 3) + i % 3).map_or(0.0, |y| strength * y)).collect()
+    (0..3 * points)
+        .map(|i| own.get(COMPONENTS * (i / 3) + i % 3).map_or(0.0, |y| strength * y))
+        .collect()
 }
 
 /// The forms of many jumps on the program's unknowns, three rows each.

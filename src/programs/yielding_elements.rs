@@ -32,7 +32,9 @@ pub fn append<E: Send>(
                 program.stiffness.resize(own as usize + element.shape.parameters(), 1.0);
                 program.stiffness.extend(&element.inner_stiffness);
                 program.h.extend(&element.h);
-                program.cones.extend((0..element.shape.points()).map(|_| Cone::SecondOrder(YIELD_ROWS)));
+                program
+                    .cones
+                    .extend((0..element.shape.points()).map(|_| Cone::SecondOrder(YIELD_ROWS)));
                 let same = waiting.entry((element.shape, element.columns.len())).or_default();
                 same.push((element, own, row));
                 if same.len() == LANES {

@@ -137,7 +137,9 @@ pub(crate) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
         let row: Vec<(usize, f64)> = g.row(r).collect();
         let w = weight(r);
         for &(i, a) in &row {
-            extra.extend(row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i as u32, w * a * b)));
+            extra.extend(
+                row.iter().filter(|(j, _)| i <= *j).map(|&(j, b)| (j, i as u32, w * a * b)),
+            );
         }
     }
     extra.sort_unstable_by_key(|e| (e.0, e.1));
@@ -166,7 +168,11 @@ pub(crate) fn plus_rows(p: &SymmetricCsc, g: &Csr, weight: impl Fn(usize) -> f64
 }
 
 /// The stress field of a static solution, in equilibrium to rounding.
-pub fn stress(statics: &Static, solution: &Solution, patterns: &Patterns) -> Result<StressField, RecoverError> {
+pub fn stress(
+    statics: &Static,
+    solution: &Solution,
+    patterns: &Patterns,
+) -> Result<StressField, RecoverError> {
     let mut parameters = vec![[0.0; PARAMETERS]; statics.elements.model().mesh.tets.len()];
     let mut x = solution.x.clone();
     statics.map.keep_frozen(&mut x);
@@ -193,7 +199,11 @@ pub(crate) fn balanced_stress(
     let (z, t) = balanced_tractions(statics, tractions, &modes)?;
     let mut p = statics.program.p.clone();
     // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
-    hold(&mut p, &constraints::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned), &[]);
+    hold(
+        &mut p,
+        &constraints::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned),
+        &[],
+    );
     let factor = SparseCholesky::new(&p, &statics.map.block, patterns)?;
     let mut rhs = statics.loads.clone();
     add_interface_forces(statics, &z, &t, &mut rhs);
@@ -258,7 +268,11 @@ fn add_parameters(
 }
 
 /// Mass-weighted tractions of all elements on the program's unknowns.
-fn tractions(elements: &SuperElements, map: &DofMap, parameters: &[[f64; PARAMETERS]]) -> Result<Vec<f64>, ModelError> {
+fn tractions(
+    elements: &SuperElements,
+    map: &DofMap,
+    parameters: &[[f64; PARAMETERS]],
+) -> Result<Vec<f64>, ModelError> {
     let local: Vec<[f64; 36]> = parameters
         .par_iter()
         .enumerate()
@@ -292,11 +306,15 @@ pub(crate) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
 
 /// Where interface tractions must stay: contact tractions in their cones, then those of welds within their strength.
 pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
-    let mut sets: Vec<Within> =
-        cone_ranges(&statics.program).into_iter().map(|(start, dim)| Within::Cone { start, dim }).collect();
+    let mut sets: Vec<Within> = cone_ranges(&statics.program)
+        .into_iter()
+        .map(|(start, dim)| Within::Cone { start, dim })
+        .collect();
     let first = statics.program.g.nrows();
     let strengths = statics.elements.model().weld_faces().flat_map(|(strength, _)| [strength; 3]);
-    sets.extend(strengths.enumerate().map(|(i, radius)| Within::Ball { start: first + 3 * i, radius }));
+    sets.extend(
+        strengths.enumerate().map(|(i, radius)| Within::Ball { start: first + 3 * i, radius }),
+    );
     sets
 }
 
@@ -321,7 +339,8 @@ fn balanced_tractions(
         return Ok(apart(found));
     }
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
-    let needed: Vec<f64> = modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    let needed: Vec<f64> =
+        modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
     let noise = 1e-7 * found.iter().fold(0.0f64, |m, z| m.max(z.abs()));
     for least in [0.0, noise] {
         let mut z = found.clone();
@@ -390,8 +409,11 @@ impl Within {
         let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
         match self {
             Within::Cone { dim, .. } => {
-                let half_det =
-                    if dim == 1 { 0.0 } else { 0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z)) };
+                let half_det = if dim == 1 {
+                    0.0
+                } else {
+                    0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z))
+                };
                 for i in 0..dim {
                     let j = if i == 0 { 1.0 } else { -1.0 };
                     out[i] = z[i] * along - half_det * j * r[i];

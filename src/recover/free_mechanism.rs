@@ -67,7 +67,8 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
         return Ok(None);
     }
     let kinematic = Kinematic::new(model)?;
-    let mut modes: Vec<Vec<f64>> = kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
+    let mut modes: Vec<Vec<f64>> =
+        kinematic.contact_modes(model).into_iter().map(|m| m.unknowns).collect();
     if !model.welds.is_empty() {
         modes = without_jumps(&kinematic.weld_rows(model), &modes);
     }
@@ -85,13 +86,19 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
         // the dead loads must not hold it: one more cone
         let dead = forces(Loads::DEAD);
         let size = dead.iter().fold(0.0f64, |m, f| m.max(f.abs())).max(f64::MIN_POSITIVE);
-        let row: Vec<(u32, f64)> =
-            dead.iter().enumerate().filter(|(_, f)| **f != 0.0).map(|(i, f)| (i as u32, f / size)).collect();
+        let row: Vec<(u32, f64)> = dead
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| **f != 0.0)
+            .map(|(i, f)| (i as u32, f / size))
+            .collect();
         program.g.push_row(&row);
         program.cones.push(Cone::NonNegative);
     }
     program.h = vec![0.0; program.g.nrows()];
-    let Some(x) = collapse::direction(&program, &modes, &SolveOptions::default()) else { return Ok(None) };
+    let Some(x) = collapse::direction(&program, &modes, &SolveOptions::default()) else {
+        return Ok(None);
+    };
     let x = settled(&program, &modes, &x);
     let u = kinematic.nodal(&x);
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
@@ -103,7 +110,8 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
 fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let jumps: Vec<Vec<f64>> = modes.iter().map(|m| rows.mul(m)).collect();
     let n = modes.len();
-    let gram = Mat::from_fn(n, n, |i, j| jumps[i].iter().zip(&jumps[j]).map(|(a, b)| a * b).sum::<f64>());
+    let gram =
+        Mat::from_fn(n, n, |i, j| jumps[i].iter().zip(&jumps[j]).map(|(a, b)| a * b).sum::<f64>());
     let combine = |c: Vec<f64>| -> Vec<f64> {
         let mut x = vec![0.0; modes[0].len()];
         for (mode, c) in modes.iter().zip(c) {
@@ -138,8 +146,10 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let s = slacks(&c);
     let size = s.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     let ranges = crate::recover::elastic::cone_ranges(program);
-    let size_of = |(at, d): (usize, usize)| s[at..at + d].iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let (closed, open): (Vec<_>, Vec<_>) = ranges.into_iter().partition(|r| size_of(*r) <= CLOSED * size);
+    let size_of =
+        |(at, d): (usize, usize)| s[at..at + d].iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let (closed, open): (Vec<_>, Vec<_>) =
+        ranges.into_iter().partition(|r| size_of(*r) <= CLOSED * size);
     let mut held = Mat::<f64>::zeros(n, n);
     for r in closed.iter().flat_map(|&(at, d)| at..at + d) {
         for i in 0..n {
@@ -168,7 +178,8 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
         let near: Vec<_> = open.iter().filter(|r| margin(&s, r) <= CLOSED * size).collect();
         let m = free.len();
         let rows: Vec<Vec<f64>> = free.iter().map(|v| slacks(v)).collect();
-        let over = |f: &dyn Fn(usize) -> f64| near.iter().flat_map(|r| r.0..r.0 + r.1).map(f).sum::<f64>();
+        let over =
+            |f: &dyn Fn(usize) -> f64| near.iter().flat_map(|r| r.0..r.0 + r.1).map(f).sum::<f64>();
         let gram = Mat::from_fn(m, m, |i, j| over(&|r| rows[i][r] * rows[j][r]));
         let rhs = Mat::from_fn(m, 1, |i, _| near.iter().map(|r| rows[i][r.0]).sum::<f64>());
         let y = crate::math::dense::pseudo_solve(&gram, &rhs);

@@ -24,8 +24,8 @@ use crate::programs::kinematic::hold;
 use crate::programs::static_form::SuperElements;
 use crate::programs::{Static, constraints};
 use crate::recover::elastic::{
-    RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets, interface_work, into_cone,
-    stress_field,
+    RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets,
+    interface_work, into_cone, stress_field,
 };
 use crate::solve::sparse::{Patterns, SparseCholesky};
 
@@ -68,7 +68,9 @@ pub enum LowerError {
     #[error(transparent)]
     Recover(#[from] RecoverError),
     /// There are dead loads and no field of theirs alone.
-    #[error("with dead loads a lower bound needs a stress field of the dead loads alone, and none is given")]
+    #[error(
+        "with dead loads a lower bound needs a stress field of the dead loads alone, and none is given"
+    )]
     NoDeadField,
     /// The dead loads' field is not strictly admissible.
     #[error(
@@ -99,7 +101,8 @@ pub fn project(
     dead: Option<&StressField>,
     patterns: &Patterns,
 ) -> Result<Lower, LowerError> {
-    let dead = if model.has_dead_loads() { Some(dead.ok_or(LowerError::NoDeadField)?) } else { None };
+    let dead =
+        if model.has_dead_loads() { Some(dead.ok_or(LowerError::NoDeadField)?) } else { None };
     let found = equilibrium(model, approximate, dead.is_some(), patterns)
         .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
     match found {
@@ -149,7 +152,8 @@ pub fn dead_field(
     approximate: &ApproximateStress,
     patterns: &Patterns,
 ) -> Result<StressField, LowerError> {
-    let (field, _) = equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, false, patterns)?;
+    let (field, _) =
+        equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, false, patterns)?;
     check_dead(model, &field)?;
     Ok(field)
 }
@@ -161,12 +165,16 @@ fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(), LowerErr
     let (balanced, below_yield) = (residual <= TOLERANCE, used + c.cover < 1.0);
     let what = match c.contact {
         _ if !balanced => format!("equilibrium is missed by {residual:.1e}"),
-        _ if !below_yield && used > c.utilisation => format!("{used:.4} times the strength of a weld"),
+        _ if !below_yield && used > c.utilisation => {
+            format!("{used:.4} times the strength of a weld")
+        }
         _ if !below_yield => {
             let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
             format!("{:.4} times the yield strength in part {part}", c.utilisation)
         }
-        Some(violation) if violation > ROUNDING => format!("a friction cone is violated by {violation:.1e}"),
+        Some(violation) if violation > ROUNDING => {
+            format!("a friction cone is violated by {violation:.1e}")
+        }
         _ => return Ok(()),
     };
     Err(LowerError::DeadField { what })
@@ -207,12 +215,14 @@ fn equilibrium(
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
     hold(&mut p, &constraints::pins(motions, &statics.pinned), &[]);
-    let cholesky = SparseCholesky::new(&p, &statics.map.block, patterns).map_err(RecoverError::from)?;
+    let cholesky =
+        SparseCholesky::new(&p, &statics.map.block, patterns).map_err(RecoverError::from)?;
     let mut rhs = statics.forces(loads);
     add_interface_forces(&statics, &z, &welds, &mut rhs);
     let elements = SuperElements::new(&stiff).under(loads);
     let mut parameters = approximate.parameters.to_vec();
-    balance_elements(&elements, &statics.map, &cholesky, &rhs, &mut parameters).map_err(RecoverError::from)?;
+    balance_elements(&elements, &statics.map, &cholesky, &rhs, &mut parameters)
+        .map_err(RecoverError::from)?;
     let field = stress_field(&elements, &parameters).map_err(RecoverError::from)?;
     Ok((field, factor))
 }
@@ -293,7 +303,9 @@ fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
 /// `c a + (1 − c) b`.
 fn mixed(a: &StressField, b: Option<&StressField>, c: f64) -> StressField {
     let mix = |e: usize, k: usize, p: usize| -> Mandel {
-        std::array::from_fn(|i| c * a.points[e][k][p][i] + b.map_or(0.0, |b| (1.0 - c) * b.points[e][k][p][i]))
+        std::array::from_fn(|i| {
+            c * a.points[e][k][p][i] + b.map_or(0.0, |b| (1.0 - c) * b.points[e][k][p][i])
+        })
     };
     let tet = |e| -> PointStress { std::array::from_fn(|k| std::array::from_fn(|p| mix(e, k, p))) };
     StressField { points: (0..a.points.len()).map(tet).collect() }
@@ -321,7 +333,8 @@ pub fn draw_inside(
         let c = part_inside(model, &field, factor, dead, room);
         // as it is, when nothing has to be drawn in
         let drawn = if c < 1.0 { mixed(&field, dead, c) } else { field.clone() };
-        let certificate = LowerCertificate { scaled_by: c, ..certify_lower(model, &drawn, c * factor) };
+        let certificate =
+            LowerCertificate { scaled_by: c, ..certify_lower(model, &drawn, c * factor) };
         let over = certificate.worst() + certificate.cover - 1.0;
         let done = over <= 0.0;
         result = Some(Lower { field: drawn, certificate });
@@ -335,7 +348,13 @@ pub fn draw_inside(
 
 /// The largest c ≤ 1 at which `c field + (1 − c) dead` is within `room` times the yield surface and, with dead loads, inside the
 /// friction cones.
-fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Option<&StressField>, room: f64) -> f64 {
+fn part_inside(
+    model: &AnalysisModel,
+    field: &StressField,
+    factor: f64,
+    dead: Option<&StressField>,
+    room: f64,
+) -> f64 {
     let radii = model.yield_radii();
     let Some(dead) = dead else {
         let welds = largest_of_each(&welds::utilisations(model, field)).unwrap_or(0.0);
@@ -348,14 +367,16 @@ fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Op
         for (s, d) in s.iter().flatten().zip(d.iter().flatten()) {
             let (s, d) = (deviator(s), deviator(d));
             let slack = |c: f64| {
-                let norm = (0..5).map(|i| (c * s[i] + (1.0 - c) * d[i]).powi(2)).sum::<f64>().sqrt();
+                let norm =
+                    (0..5).map(|i| (c * s[i] + (1.0 - c) * d[i]).powi(2)).sum::<f64>().sqrt();
                 room * radius - norm
             };
             c = largest_part(c, slack);
         }
     }
     for f in weld_faces(model) {
-        let (t, d) = (contact_tractions(model, field, &f, None), contact_tractions(model, dead, &f, None));
+        let (t, d) =
+            (contact_tractions(model, field, &f, None), contact_tractions(model, dead, &f, None));
         for (t, d) in t.iter().zip(&d) {
             let slack = |c: f64| {
                 let mixed = vec3::add(vec3::scale(c, *t), vec3::scale(1.0 - c, *d));
@@ -370,10 +391,14 @@ fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Op
         .iter()
         .map(|f| {
             let key = (f.a.tet, f.a.local);
-            (contact_tractions(model, field, f, here.get(&key)), contact_tractions(model, dead, f, there.get(&key)))
+            (
+                contact_tractions(model, field, f, here.get(&key)),
+                contact_tractions(model, dead, f, there.get(&key)),
+            )
         })
         .collect();
-    let rounding = ROUNDING * largest(pairs.iter().flat_map(|(r, d)| r.iter().chain(d)).map(|r| vec3::norm(*r)));
+    let rounding = ROUNDING
+        * largest(pairs.iter().flat_map(|(r, d)| r.iter().chain(d)).map(|r| vec3::norm(*r)));
     for (f, (r, d)) in contacts.iter().zip(&pairs) {
         let (n, _) = f.normal(model);
         for (r, d) in r.iter().zip(d) {
@@ -382,7 +407,8 @@ fn part_inside(model: &AnalysisModel, field: &StressField, factor: f64, dead: Op
                 let pressure = vec3::dot(x, n);
                 let shear = vec3::norm(vec3::sub(x, vec3::scale(pressure, n)));
                 // a frictionless contact carries no shear at all
-                let cone = if f.law.mu > 0.0 { f.law.mu * pressure - shear } else { pressure.min(-shear) };
+                let cone =
+                    if f.law.mu > 0.0 { f.law.mu * pressure - shear } else { pressure.min(-shear) };
                 cone + rounding
             };
             c = largest_part(c, slack);
@@ -434,7 +460,10 @@ mod tests {
             let (before, after) = (length(&z), length(&got));
             assert!((after - before.min(0.999 * 0.5)).abs() < 1e-15, "{before} {after}");
             (4..7).for_each(|i| assert!((got[i] * before - z[i] * after).abs() < 1e-15));
-            assert!(got[0] >= 0.0 && shear(&got) <= 0.999 * got[0] && got[3] == z[3].max(0.0), "{z:?} {got:?}");
+            assert!(
+                got[0] >= 0.0 && shear(&got) <= 0.999 * got[0] && got[3] == z[3].max(0.0),
+                "{z:?} {got:?}"
+            );
             if shear(&z) <= 0.999 * z[0] {
                 assert_eq!(got[..3], z[..3]);
             }

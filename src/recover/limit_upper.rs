@@ -125,7 +125,8 @@ impl<'a> Projector<'a> {
         patterns: &Patterns,
     ) -> Result<Self, RecoverError> {
         let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
-        let weight: Vec<f64> = model.body_material.iter().map(|m| model.materials[*m as usize].e).collect();
+        let weight: Vec<f64> =
+            model.body_material.iter().map(|m| model.materials[*m as usize].e).collect();
         let split = flow == Flow::Split;
         let tets = model.mesh.tets.len();
         let mut system = assemble::<30, ModelError>(
@@ -245,7 +246,9 @@ impl<'a> Projector<'a> {
     fn opened(&self, x: Vec<f64>) -> Vec<Vec<f64>> {
         let g = &self.kinematic.program.g;
         let cones = cone_ranges(&self.kinematic.program);
-        let margin = |s: &[f64]| cones.iter().map(|&(at, d)| cone_margin(&s[at..at + d])).fold(f64::INFINITY, f64::min);
+        let margin = |s: &[f64]| {
+            cones.iter().map(|&(at, d)| cone_margin(&s[at..at + d])).fold(f64::INFINITY, f64::min)
+        };
         let largest = self.kinematic.map.expand(&x).iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let wanted = MARGIN * largest;
         let first = margin(&g.mul(&x));
@@ -302,7 +305,13 @@ fn dofs(model: &AnalysisModel, kinematic: &Kinematic, e: usize) -> [usize; 30] {
 
 /// The equations of tet `e` on its 30 velocities, so weighted that the sum of their squares compares with strain energy: its
 /// change of volume if it is split, `tr ε` at its vertices if it is not, the whole strain there if it is rigid.
-fn equations(model: &AnalysisModel, yields: &[bool], weight: &[f64], split: bool, e: usize) -> Vec<[f64; 30]> {
+fn equations(
+    model: &AnalysisModel,
+    yields: &[bool],
+    weight: &[f64],
+    split: bool,
+    e: usize,
+) -> Vec<[f64; 30]> {
     let body = model.mesh.tet_body[e] as usize;
     let (corners, volume) = (model.mesh.corners(e), model.mesh.volume(e));
     if yields[body] && split {

@@ -43,10 +43,14 @@ pub fn plastic_motion(
     let inner = |e: usize| -> Option<InnerNodes> {
         let own = kinematic.own.get(e).copied()?..kinematic.own.get(e + 1).copied()?;
         // parameters of the stress come first; a plain element has nothing behind them
-        let values = solution.x[own].last_chunk::<INNER_UNKNOWNS>().filter(|_| kinematic.split[e])?;
+        let values =
+            solution.x[own].last_chunk::<INNER_UNKNOWNS>().filter(|_| kinematic.split[e])?;
         // they follow what the opening did to their corners
-        let shift = mean(model.mesh.tets[e].map(|n| vec3::sub(nodes.u[n as usize], given[n as usize])));
-        Some(std::array::from_fn(|i| vec3::add(shift, [values[3 * i], values[3 * i + 1], values[3 * i + 2]])))
+        let shift =
+            mean(model.mesh.tets[e].map(|n| vec3::sub(nodes.u[n as usize], given[n as usize])));
+        Some(std::array::from_fn(|i| {
+            vec3::add(shift, [values[3 * i], values[3 * i + 1], values[3 * i + 2]])
+        }))
     };
     let inner: Vec<Option<InnerNodes>> = (0..model.mesh.tets.len()).map(inner).collect();
     Ok(with_plastic_strain(model, nodes, |e| inner[e]))
@@ -60,10 +64,18 @@ pub fn yielding_stress(
     patterns: &Patterns,
 ) -> Result<StressField, RecoverError> {
     let parameters = statics.all_parameters(&solution.x)?;
-    balanced_stress(&Static::new(model)?, interface_tractions(statics, solution), parameters, patterns)
+    balanced_stress(
+        &Static::new(model)?,
+        interface_tractions(statics, solution),
+        parameters,
+        patterns,
+    )
 }
 
 /// The stress of a solution of the static program as the solver left it: no bound follows.
-pub fn approximate_stress(statics: &Static, solution: &Solution) -> Result<StressField, RecoverError> {
+pub fn approximate_stress(
+    statics: &Static,
+    solution: &Solution,
+) -> Result<StressField, RecoverError> {
     Ok(stress_field(&statics.elements, &statics.all_parameters(&solution.x)?)?)
 }

@@ -51,8 +51,13 @@ fn correct(corners: &[V3; 4], body: V3, s: &mut PointStress) {
     // the second round takes out the rounding of the first
     for _ in 0..2 {
         let rest: [f64; 96] = std::array::from_fn(|i| s[i / 24][i / 6 % 4][i % 6] - carried(i));
-        let mut y = Mat::from_fn(rows.len(), 1, |j, _| -(0..96).map(|i| rows[j][i] * rest[i]).sum::<f64>());
-        faer::linalg::triangular_solve::solve_lower_triangular_in_place(r.transpose(), y.as_mut(), faer::Par::Seq);
+        let mut y =
+            Mat::from_fn(rows.len(), 1, |j, _| -(0..96).map(|i| rows[j][i] * rest[i]).sum::<f64>());
+        faer::linalg::triangular_solve::solve_lower_triangular_in_place(
+            r.transpose(),
+            y.as_mut(),
+            faer::Par::Seq,
+        );
         let change = q.as_ref() * &y;
         (0..96).for_each(|i| s[i / 24][i / 6 % 4][i % 6] += change[(i, 0)]);
     }

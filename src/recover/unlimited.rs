@@ -45,9 +45,17 @@ pub struct UnlimitedCertificate {
 impl UnlimitedCertificate {
     /// True when every residual is within [`TOLERANCE`] and the dead loads are carried.
     pub fn is_strict(&self) -> bool {
-        let residuals =
-            [Some(self.equilibrium), Some(self.traction_jump), self.contact, Some(self.deviator), self.weld];
-        let dead = self.dead.as_ref().is_none_or(|d| crate::certify::LowerFactor::new(d.clone()).is_strict());
+        let residuals = [
+            Some(self.equilibrium),
+            Some(self.traction_jump),
+            self.contact,
+            Some(self.deviator),
+            self.weld,
+        ];
+        let dead = self
+            .dead
+            .as_ref()
+            .is_none_or(|d| crate::certify::LowerFactor::new(d.clone()).is_strict());
         residuals.into_iter().flatten().all(|r| r <= TOLERANCE) && dead && !self.unproved
     }
 }
@@ -72,8 +80,13 @@ pub fn certify_unlimited(
     let base = certify_stress(model, field, Loads::LIVE);
     let size = largest(field.points.iter().flatten().flatten().map(mandel::norm));
     let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
-    let of_tets = field.points.iter().zip(&model.mesh.tet_body).filter(|(_, body)| yields[**body as usize]);
-    let shear = largest(of_tets.flat_map(|(s, _)| s.iter().flatten()).map(|s| deviator(s).iter().map(|x| x * x).sum()));
+    let of_tets =
+        field.points.iter().zip(&model.mesh.tet_body).filter(|(_, body)| yields[**body as usize]);
+    let shear = largest(
+        of_tets
+            .flat_map(|(s, _)| s.iter().flatten())
+            .map(|s| deviator(s).iter().map(|x| x * x).sum()),
+    );
     let finite = field.points.iter().flatten().flatten().flatten().all(|x| x.is_finite());
     let loaded = model.has_dead_loads();
     let roles = roles(model, Loads::LIVE);
@@ -177,7 +190,11 @@ fn pressures(model: &AnalysisModel) -> StressField {
             match second.map(|s| s as usize) {
                 Some(other) if first as usize == e && piece[other] != piece[e] => {
                     for x in corners {
-                        normal.add(area, &[(piece[e], 1.0), (piece[other], -1.0)], own(other, x) - own(e, x));
+                        normal.add(
+                            area,
+                            &[(piece[e], 1.0), (piece[other], -1.0)],
+                            own(other, x) - own(e, x),
+                        );
                     }
                 }
                 Some(_) => {}
@@ -213,7 +230,8 @@ fn pressures(model: &AnalysisModel) -> StressField {
             let role = roles.get(&(side.tet, side.local));
             let tet = side.tet as usize;
             for x in f.corners(model) {
-                let load = sign * vec3::dot(role.map_or([0.0; 3], |r| r.load(x, vec3::scale(sign, n))), n);
+                let load =
+                    sign * vec3::dot(role.map_or([0.0; 3], |r| r.load(x, vec3::scale(sign, n))), n);
                 normal.add(area, &[(piece[tet], 1.0)], -own(tet, x) - load);
             }
         }
@@ -261,7 +279,10 @@ fn add_resultants(
         for (l, w) in TRIANGLE_4 {
             let x: V3 = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
             let carried = |t: V3| -> [f64; 6] {
-                let t: V3 = std::array::from_fn(|d| if rigid.components[d] { w * size * t[d] } else { 0.0 });
+                let t: V3 =
+                    std::array::from_fn(
+                        |d| if rigid.components[d] { w * size * t[d] } else { 0.0 },
+                    );
                 let m = vec3::cross(vec3::sub(x, rigid.at), t);
                 [t[0], t[1], t[2], m[0], m[1], m[2]]
             };

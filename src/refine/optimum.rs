@@ -64,7 +64,9 @@ impl Estimate {
 
     /// The parts that a price μ of a tet is worth.
     fn wanted(&self, mu: f64) -> Vec<f64> {
-        let one = |c: &f64, q: &f64| (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(PARTS[0], PARTS[1]);
+        let one = |c: &f64, q: &f64| {
+            (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(PARTS[0], PARTS[1])
+        };
         self.contributions.iter().zip(&self.rates).map(|(c, q)| one(c, q)).collect()
     }
 
@@ -102,7 +104,11 @@ impl Estimate {
         while points.len() < POINTS {
             let design = self.design(price.exp(), realised);
             points.push(Point { price, tets: design.tets, gap: design.gap });
-            let clipped = design.wanted.iter().zip(&self.contributions).all(|(n, c)| *c <= 0.0 || *n >= PARTS[1]);
+            let clipped = design
+                .wanted
+                .iter()
+                .zip(&self.contributions)
+                .all(|(n, c)| *c <= 0.0 || *n >= PARTS[1]);
             if design.tets > most || clipped {
                 break;
             }
@@ -112,7 +118,12 @@ impl Estimate {
     }
 
     /// The design with so many tets, as near as one pass can come.
-    pub fn with_tets(&self, curve: &Curve, tets: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Design {
+    pub fn with_tets(
+        &self,
+        curve: &Curve,
+        tets: f64,
+        realised: &dyn Fn(&[f64]) -> Vec<f64>,
+    ) -> Design {
         let mut curve = curve.clone();
         let mut best: Option<Design> = None;
         let miss = |d: &Design| (d.tets / tets).ln().abs();
@@ -140,11 +151,13 @@ impl Curve {
     /// A quantity of the points against their tets, straight between points on the scales given, constant beyond the ends.
     fn at(&self, tets: f64, quantity: impl Fn(&Point) -> f64) -> Option<f64> {
         let after = self.points.partition_point(|p| p.tets < tets);
-        let (a, b) = match (after.checked_sub(1).and_then(|i| self.points.get(i)), self.points.get(after)) {
-            (Some(a), Some(b)) => (a, b),
-            (a, b) => return a.or(b).map(quantity),
-        };
-        let share = if b.tets > a.tets { (tets / a.tets).ln() / (b.tets / a.tets).ln() } else { 0.0 };
+        let (a, b) =
+            match (after.checked_sub(1).and_then(|i| self.points.get(i)), self.points.get(after)) {
+                (Some(a), Some(b)) => (a, b),
+                (a, b) => return a.or(b).map(quantity),
+            };
+        let share =
+            if b.tets > a.tets { (tets / a.tets).ln() / (b.tets / a.tets).ln() } else { 0.0 };
         Some(quantity(a) + share * (quantity(b) - quantity(a)))
     }
 
@@ -188,7 +201,8 @@ mod tests {
         let e0 = (design.gap * total).sqrt();
         let sum: f64 = contributions.iter().map(|c| c.sqrt().powf(6.0 / (2.0 * q + 3.0))).sum();
         for (c, n) in contributions.iter().zip(&design.wanted) {
-            let ratio = e0.powf(1.0 / q) / (c.sqrt().powf(2.0 / (2.0 * q + 3.0)) * sum.powf(1.0 / (2.0 * q)));
+            let ratio = e0.powf(1.0 / q)
+                / (c.sqrt().powf(2.0 / (2.0 * q + 3.0)) * sum.powf(1.0 / (2.0 * q)));
             assert!((ratio.powi(-3) / n - 1.0).abs() < 1e-9, "{} {n}", ratio.powi(-3));
         }
     }
@@ -209,7 +223,8 @@ mod tests {
         let design = design(&estimate, 180.0);
         assert!(design.wanted.iter().all(|n| *n > PARTS[0] && *n < PARTS[1]), "not clipped");
         for _ in 0..200 {
-            let mut other: Vec<f64> = design.wanted.iter().map(|n| n * (1.0 + 0.2 * (random() - 0.5))).collect();
+            let mut other: Vec<f64> =
+                design.wanted.iter().map(|n| n * (1.0 + 0.2 * (random() - 0.5))).collect();
             let scale = design.tets / other.iter().sum::<f64>();
             other.iter_mut().for_each(|n| *n *= scale);
             assert!(estimate.gap_after(&other) >= design.gap * (1.0 - 1e-12));
@@ -223,7 +238,9 @@ mod tests {
         let curve = estimate.curve(1e9, &same);
         let [few, many] = curve.range().expect("a curve");
         assert!(few < 4.0 && many == 640.0, "{few} {many}");
-        assert!([4.0, 10.0, 40.0, 640.0, 1e9].map(|n| curve.gap_at(n)).windows(2).all(|g| g[1] <= g[0]));
+        assert!(
+            [4.0, 10.0, 40.0, 640.0, 1e9].map(|n| curve.gap_at(n)).windows(2).all(|g| g[1] <= g[0])
+        );
         // h^(2q) with twice the tets along each side
         assert!((curve.gap_at(80.0) - 0.5).abs() < 0.01, "{}", curve.gap_at(80.0));
         assert!(estimate.with_tets(&curve, 1e9, &same).wanted.iter().all(|n| *n == PARTS[1]));

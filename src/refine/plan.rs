@@ -124,15 +124,16 @@ impl<'a> Experience<'a> {
         let mut loss = (LOSS.ln(), 1.0);
         for pair in steps.windows(2) {
             let Some(p) = pair[1].predicted else { continue };
-            let found = (pair[1].gap / p.ideal_gap).ln() / growth(pair[0].tets as f64, pair[1].tets as f64).max(1.0);
+            let found = (pair[1].gap / p.ideal_gap).ln()
+                / growth(pair[0].tets as f64, pair[1].tets as f64).max(1.0);
             if found.is_finite() {
                 loss = (loss.0 + found, loss.1 + 1.0);
             }
         }
         let time_exponent = match steps {
-            [.., a, b] if b.tets as f64 > 1.2 * a.tets as f64 => {
-                ((b.seconds / a.seconds).ln() / (b.tets as f64 / a.tets as f64).ln()).clamp(1.0, 2.0)
-            }
+            [.., a, b] if b.tets as f64 > 1.2 * a.tets as f64 => ((b.seconds / a.seconds).ln()
+                / (b.tets as f64 / a.tets as f64).ln())
+            .clamp(1.0, 2.0),
             _ => TIME_EXPONENT,
         };
         Some(Self { last, loss: (loss.0 / loss.1).clamp(0.8f64.ln(), 2f64.ln()), time_exponent })
@@ -144,7 +145,8 @@ impl<'a> Experience<'a> {
 
     /// Tets of a pass of so many seconds.
     fn tets_in(&self, seconds: f64) -> f64 {
-        self.last.tets as f64 * (seconds / self.last.seconds.max(1e-3)).max(0.0).powf(1.0 / self.time_exponent)
+        self.last.tets as f64
+            * (seconds / self.last.seconds.max(1e-3)).max(0.0).powf(1.0 / self.time_exponent)
     }
 
     fn prediction(&self, curve: &Curve, tets: f64, from: f64) -> Prediction {
@@ -179,7 +181,8 @@ pub fn next(
         cap = (by_time, Stop::Time);
     }
     if let (Some(bytes), true) = (left.bytes, last.bytes > 0) {
-        let by_memory = last.tets as f64 * (CAUTION * bytes as f64 / last.bytes as f64).powf(1.0 / MEMORY_EXPONENT);
+        let by_memory = last.tets as f64
+            * (CAUTION * bytes as f64 / last.bytes as f64).powf(1.0 / MEMORY_EXPONENT);
         if by_memory < cap.0 {
             cap = (by_memory, Stop::Memory);
         }
@@ -192,7 +195,8 @@ pub fn next(
     }
     let present = last.tets as f64;
     let rungs = ((most / few).ln() / LADDER.ln()).ceil().max(1.0) as usize;
-    let ladder: Vec<f64> = (0..=rungs).map(|i| few * (most / few).powf(i as f64 / rungs as f64)).collect();
+    let ladder: Vec<f64> =
+        (0..=rungs).map(|i| few * (most / few).powf(i as f64 / rungs as f64)).collect();
     // the coarsest mesh that reaches the target, its map coming from a mesh of `from` tets
     let reaches = |from: f64| {
         let hit = |n: &&f64| experience.prediction(&curve, **n, from).gap <= limits.target_gap;
@@ -230,7 +234,13 @@ mod tests {
     const ENDLESS: Left = Left { seconds: f64::INFINITY, bytes: None };
 
     fn step(tets: usize, gap: f64) -> Step {
-        Step { tets, gap, seconds: 1e-3 * (tets as f64).powf(1.3), bytes: 100_000 * tets as u64, predicted: None }
+        Step {
+            tets,
+            gap,
+            seconds: 1e-3 * (tets as f64).powf(1.3),
+            bytes: 100_000 * tets as u64,
+            predicted: None,
+        }
     }
 
     /// A smooth problem on so many tets: the gap goes with N^(−4/3).
@@ -249,7 +259,9 @@ mod tests {
     #[test]
     fn the_target_is_reached_by_the_coarsest_mesh_that_can() {
         // twice the gap: 2^(3/4) times the tets and a bit for what the map misses
-        let Next::Refine(p) = decide(&[step(1000, 0.04)], &LIMITS, &ENDLESS) else { panic!("a pass") };
+        let Next::Refine(p) = decide(&[step(1000, 0.04)], &LIMITS, &ENDLESS) else {
+            panic!("a pass")
+        };
         assert!(p.gap <= 0.02 && p.tets > 1681.0 && p.tets < 2100.0, "{p:?}");
         assert!((p.seconds / (1.0e-3 * p.tets.powf(1.3)) - 1.0).abs() < 0.1, "{p:?}");
         assert_eq!(decide(&[step(1000, 0.019)], &LIMITS, &ENDLESS), Next::Stop(Stop::Target));
@@ -259,11 +271,15 @@ mod tests {
     #[test]
     fn a_long_way_is_gone_in_steps() {
         let limits = Limits { target_gap: 1e-3, ..LIMITS };
-        let Next::Refine(p) = decide(&[step(1000, 0.04)], &limits, &ENDLESS) else { panic!("a pass") };
+        let Next::Refine(p) = decide(&[step(1000, 0.04)], &limits, &ENDLESS) else {
+            panic!("a pass")
+        };
         assert!(p.gap > limits.target_gap && p.tets > 1500.0 && p.tets < 40_000.0, "{p:?}");
         // with one pass left it is gone at once
         let once = Limits { max_passes: 2, ..limits };
-        let Next::Refine(p) = decide(&[step(1000, 0.04)], &once, &ENDLESS) else { panic!("a pass") };
+        let Next::Refine(p) = decide(&[step(1000, 0.04)], &once, &ENDLESS) else {
+            panic!("a pass")
+        };
         assert!(p.gap <= limits.target_gap, "{p:?}");
     }
 
@@ -271,8 +287,14 @@ mod tests {
     fn every_limit_ends_it() {
         let first = step(1000, 0.04);
         let far = Limits { target_gap: 1e-5, ..LIMITS };
-        assert_eq!(decide(&[first], &Limits { max_passes: 1, ..far }, &ENDLESS), Next::Stop(Stop::Passes));
-        assert_eq!(decide(&[first], &Limits { max_macro_tets: 1050, ..far }, &ENDLESS), Next::Stop(Stop::Tets));
+        assert_eq!(
+            decide(&[first], &Limits { max_passes: 1, ..far }, &ENDLESS),
+            Next::Stop(Stop::Passes)
+        );
+        assert_eq!(
+            decide(&[first], &Limits { max_macro_tets: 1050, ..far }, &ENDLESS),
+            Next::Stop(Stop::Tets)
+        );
         let time = Left { seconds: first.seconds, bytes: None };
         assert_eq!(decide(&[first], &far, &time), Next::Stop(Stop::Time));
         let memory = Left { seconds: f64::INFINITY, bytes: Some(first.bytes) };
@@ -286,7 +308,10 @@ mod tests {
             let Next::Refine(p) = decide(&[first], &limits, &left) else { panic!("a pass") };
             assert!(p.tets <= 3000.0 * (1.0 + 1e-9) && p.seconds <= left.seconds, "{p:?}");
         }
-        let none = |_| Estimate { contributions: vec![0.0; 8], rates: vec![2.0; 8] }.curve(1e5, &|w| w.to_vec());
+        let none = |_| {
+            Estimate { contributions: vec![0.0; 8], rates: vec![2.0; 8] }
+                .curve(1e5, &|w| w.to_vec())
+        };
         let mut none = none;
         assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));
     }

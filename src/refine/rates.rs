@@ -9,8 +9,8 @@ use crate::certify::error::Contributions;
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;
-use crate::model::file::AnalysisKind;
 use crate::refine::optimum::Estimate;
+use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
 
 /// Rate of the energy's gap where the solution is smooth.
@@ -57,8 +57,11 @@ impl Stars {
 pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
     let stars = Stars::new(mesh);
     let volumes: Vec<f64> = (0..mesh.tets.len()).map(|e| mesh.volume(e)).collect();
-    let freed: Vec<f64> =
-        contributions.iter().zip(&volumes).map(|(c, v)| c.max(0.0) / regular_edge(*v).powi(4)).collect();
+    let freed: Vec<f64> = contributions
+        .iter()
+        .zip(&volumes)
+        .map(|(c, v)| c.max(0.0) / regular_edge(*v).powi(4))
+        .collect();
     let nodes: Vec<f64> = (0..mesh.nodes.len() as u32)
         .into_par_iter()
         .map(|node| {
@@ -76,7 +79,11 @@ pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
             };
             let ratio = density(inner) / density(&outer);
             // no ring beyond, or no contribution: nothing to tell
-            let steep = if ratio.is_finite() { (ratio / STEEP[0]).ln() / (STEEP[1] / STEEP[0]).ln() } else { 0.0 };
+            let steep = if ratio.is_finite() {
+                (ratio / STEEP[0]).ln() / (STEEP[1] / STEEP[0]).ln()
+            } else {
+                0.0
+            };
             SMOOTH * (SINGULAR / SMOOTH).powf(steep.clamp(0.0, 1.0))
         })
         .collect();
@@ -92,7 +99,11 @@ const BLUR: usize = 2;
 /// Contributions follow the mechanism: a tet at rest has none, whatever its stress. But the mechanism of the static program's multipliers may
 /// be another one (the paper's joint: its supports, plate and bolts, against the beam's end), and the lower bound rises only where that one
 /// is. The farther [`apart`] the two are, the more of the gap stands where the lower bound is held.
-pub fn estimate(model: &AnalysisModel, contributions: &Contributions, held: Option<&[f64]>) -> Estimate {
+pub fn estimate(
+    model: &AnalysisModel,
+    contributions: &Contributions,
+    yield_multiplier_share: Option<&[f64]>,
+) -> Estimate {
     let mut contributions = contributions.by_tet(model);
     let rates = match model.analysis {
         AnalysisKind::Limit => vec![PLASTIC; contributions.len()],
@@ -100,7 +111,9 @@ pub fn estimate(model: &AnalysisModel, contributions: &Contributions, held: Opti
     };
     let total = |x: &[f64]| x.iter().map(|c| c.max(0.0)).sum::<f64>();
     let gap = total(&contributions);
-    if let Some((held, all)) = held.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0 && gap > 0.0) {
+    if let Some((held, all)) =
+        yield_multiplier_share.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0 && gap > 0.0)
+    {
         // squared: two mechanisms in one place (C1: 0.2 to 0.4) are hardly told apart, two in different ones (the joint: 0.7) are
         let part = apart(&model.mesh, &contributions, held).powi(2);
         for (c, held) in contributions.iter_mut().zip(held) {
@@ -116,8 +129,10 @@ fn apart(mesh: &TetMesh, a: &[f64], b: &[f64]) -> f64 {
     let blurred = |x: &[f64]| {
         let mut x: Vec<f64> = x.iter().map(|c| c.max(0.0)).collect();
         for _ in 0..BLUR {
-            let mean =
-                |n: u32| 0.25 * stars.at(n).iter().map(|t| x[*t as usize]).sum::<f64>() / stars.at(n).len() as f64;
+            let mean = |n: u32| {
+                0.25 * stars.at(n).iter().map(|t| x[*t as usize]).sum::<f64>()
+                    / stars.at(n).len() as f64
+            };
             let nodes: Vec<f64> = (0..mesh.nodes.len() as u32).map(mean).collect();
             x = mesh.tets.iter().map(|t| t.iter().map(|n| nodes[*n as usize]).sum()).collect();
         }

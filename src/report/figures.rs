@@ -32,7 +32,11 @@ pub fn fixed(x: f64, decimals: i32, rounding: Rounding) -> String {
 }
 
 fn plain(scaled: f64, step: f64, places: usize) -> String {
-    let text = if step > 1.0 { format!("{:.0}", scaled.round() * step) } else { format!("{scaled:.places$}") };
+    let text = if step > 1.0 {
+        format!("{:.0}", scaled.round() * step)
+    } else {
+        format!("{scaled:.places$}")
+    };
     // no negative zero
     if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
         text.trim_start_matches('-').into()
@@ -72,7 +76,10 @@ pub fn significant(x: f64, digits: i32, rounding: Rounding) -> String {
         let last = 10.0_f64.powi(x.abs().log10().floor() as i32 + 1 - digits);
         let aside = if rounding == Rounding::Down { x - last } else { x + last };
         // rather all digits than a bound on the wrong side
-        return [written(x), written(aside)].into_iter().find(safe).unwrap_or_else(|| format!("{x:e}"));
+        return [written(x), written(aside)]
+            .into_iter()
+            .find(safe)
+            .unwrap_or_else(|| format!("{x:e}"));
     }
     fixed(x, digits - 1 - x.abs().log10().floor() as i32, rounding)
 }
@@ -88,7 +95,10 @@ pub fn bracket(lower: f64, upper: f64, gap_digits: i32) -> (String, String) {
     let gap = (upper - lower).abs().max(f64::MIN_POSITIVE);
     let digits = (power(size) - power(gap) + gap_digits).clamp(4, 12);
     if !(1e-4..1e9).contains(&size) {
-        return (significant(lower, digits, Rounding::Down), significant(upper, digits, Rounding::Up));
+        return (
+            significant(lower, digits, Rounding::Down),
+            significant(upper, digits, Rounding::Up),
+        );
     }
     let decimals = digits - 1 - power(size);
     (fixed(lower, decimals, Rounding::Down), fixed(upper, decimals, Rounding::Up))
@@ -107,7 +117,9 @@ impl CaseResult {
     /// positive.
     pub fn collapse_load(&self) -> Option<(String, String, &'static str)> {
         let (Quantity::LoadFactor, Some(load)) = (self.quantity, self.load) else { return None };
-        let (lower, Upper::Finite(upper)) = (self.lower.filter(|l| *l > 0.0)?, self.upper?) else { return None };
+        let (lower, Upper::Finite(upper)) = (self.lower.filter(|l| *l > 0.0)?, self.upper?) else {
+            return None;
+        };
         let size = load.value() * load.scale();
         let (low, high) = bracket((lower * size).next_down(), (upper * size).next_up(), 3);
         Some((low, high, load.unit()))
@@ -140,7 +152,11 @@ impl LoadSize {
 
     /// `351.4 kN`.
     pub fn words(self) -> String {
-        format!("{} {}", significant(self.value() * self.scale(), 4, Rounding::Nearest), self.unit())
+        format!(
+            "{} {}",
+            significant(self.value() * self.scale(), 4, Rounding::Nearest),
+            self.unit()
+        )
     }
 
     /// What it does work on, and the unit of that.
@@ -160,7 +176,11 @@ pub fn residual(x: f64) -> String {
     // of a positive number the second digit is raised when cutting lost something
     let text = format!("{x:.1e}");
     let printed = text.parse::<f64>().unwrap_or(x);
-    if printed >= x { text } else { format!("{:.1e}", x + 0.05 * 10.0_f64.powf(x.abs().log10().floor())) }
+    if printed >= x {
+        text
+    } else {
+        format!("{:.1e}", x + 0.05 * 10.0_f64.powf(x.abs().log10().floor()))
+    }
 }
 
 #[cfg(test)]
@@ -170,8 +190,14 @@ mod tests {
 
     #[test]
     fn bounds_are_rounded_outward() {
-        assert_eq!(bracket(-330_696.184, -322_744.743, 4), ("-330\u{a0}697".into(), "-322\u{a0}744".into()));
-        assert_eq!(bracket(5.831_930_787e-5, 6.000_1e-5, 3), ("5.831e-5".into(), "6.001e-5".into()));
+        assert_eq!(
+            bracket(-330_696.184, -322_744.743, 4),
+            ("-330\u{a0}697".into(), "-322\u{a0}744".into())
+        );
+        assert_eq!(
+            bracket(5.831_930_787e-5, 6.000_1e-5, 3),
+            ("5.831e-5".into(), "6.001e-5".into())
+        );
         assert_eq!(fixed(-330_696.184, -1, Down), "-330\u{a0}700");
         assert_eq!(fixed(0.123_41, 4, Down), "0.1234");
         assert_eq!(fixed(0.123_41, 4, Up), "0.1235");
@@ -185,7 +211,9 @@ mod tests {
     fn the_printed_bracket_always_contains_the_true_one() {
         let mut seed = 1_u64;
         let mut next = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (seed >> 11) as f64 / (1_u64 << 53) as f64
         };
         let back = |s: &str| s.replace('\u{a0}', "").parse::<f64>().expect("a number");
@@ -195,14 +223,25 @@ mod tests {
             let upper = size + size.abs() * 10.0_f64.powf(-9.0 * next());
             let (a, b) = bracket(lower, upper, 4);
             assert!(back(&a) <= lower && back(&b) >= upper, "{lower} {upper}: {a} {b}");
-            assert!(back(&b) - back(&a) <= 1.0021 * (upper - lower) + 1e-10 * size.abs(), "{lower} {upper}: {a} {b}");
+            assert!(
+                back(&b) - back(&a) <= 1.0021 * (upper - lower) + 1e-10 * size.abs(),
+                "{lower} {upper}: {a} {b}"
+            );
         }
     }
 
     #[test]
     fn loads_are_told_in_the_units_of_engineers() {
-        let told =
-            |l: LoadSize| format!("{}, {} in {}, {}/{}", l.words(), l.moves().0, l.moves().1, l.unit(), l.moves().1);
+        let told = |l: LoadSize| {
+            format!(
+                "{}, {} in {}, {}/{}",
+                l.words(),
+                l.moves().0,
+                l.moves().1,
+                l.unit(),
+                l.moves().1
+            )
+        };
         assert_eq!(told(LoadSize::Force(351_360.0)), "351.4 kN, displacement in mm, kN/mm");
         assert_eq!(told(LoadSize::Moment(12.5e6)), "12.50 kN m, rotation in rad, kN m/rad");
     }

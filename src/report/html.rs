@@ -57,9 +57,9 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
             }
             event => {
                 match &event {
-                    Event::Start(Tag::Heading { level: pulldown_cmark::HeadingLevel::H1, .. }) => {
-                        in_title = title.is_empty()
-                    }
+                    Event::Start(Tag::Heading {
+                        level: pulldown_cmark::HeadingLevel::H1, ..
+                    }) => in_title = title.is_empty(),
                     Event::End(TagEnd::Heading(_)) => in_title = false,
                     Event::Text(text) | Event::Code(text) if in_title => title.push_str(text),
                     _ => {}
@@ -68,7 +68,8 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
             }
         }
     }
-    let mut page = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    let mut page =
+        String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n<title>");
     // a text event is escaped where it is written
     push_html(&mut page, std::iter::once(Event::Text(title.into())));
@@ -81,7 +82,8 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
 /// Writes `report.html` beside `report.md`, with the pictures that are in the folder by now.
 pub fn write(folder: &ResultFolder, markdown: &str) -> Result<(), crate::diag::Diagnostics> {
     let inside = |name: &str| std::path::Path::new(name).components().count() == 1;
-    let read = |name: &str| inside(name).then(|| std::fs::read(folder.path().join(name)).ok()).flatten();
+    let read =
+        |name: &str| inside(name).then(|| std::fs::read(folder.path().join(name)).ok()).flatten();
     folder.write("report.html", report_html(markdown, read).as_bytes())?;
     Ok(())
 }
@@ -95,7 +97,8 @@ fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
-        let word = group.iter().enumerate().fold(0u32, |w, (i, &b)| w | u32::from(b) << (16 - 8 * i));
+        let word =
+            group.iter().enumerate().fold(0u32, |w, (i, &b)| w | u32::from(b) << (16 - 8 * i));
         for i in 0..4 {
             let digit = DIGITS[(word >> (18 - 6 * i)) as usize & 63];
             out.push(if i <= group.len() { char::from(digit) } else { '=' });
@@ -143,7 +146,10 @@ mod tests {
         ] {
             assert!(page.contains(words), "{words}: {page}");
         }
-        assert!(!page.contains("<script") && !page.contains("<img src=x") && !page.contains("http"), "{page}");
+        assert!(
+            !page.contains("<script") && !page.contains("<img src=x") && !page.contains("http"),
+            "{page}"
+        );
         assert_eq!(page.matches("<div").count(), page.matches("</div>").count());
     }
 }

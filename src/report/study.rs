@@ -4,9 +4,9 @@ use super::figures::{Rounding, fixed, percent_up};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::MesherError;
 use crate::mesh::msh_write::write_whole;
-use crate::model::file::AnalysisKind;
 use crate::report::draw::plot::{Plot, Series};
 use crate::result::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
+use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;
@@ -71,7 +71,8 @@ pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> 
     let strict = entry.certificate.is_some_and(|c| c.strict);
     let (mut lower, mut upper, mut total) = (None::<f64>, None::<f64>, 0.0);
     let mut one = |(i, h): (usize, &HistoryRow)| {
-        let own = h.kinematic.as_ref().map_or(0.0, |r| r.seconds) + h.static_.as_ref().map_or(0.0, |r| r.seconds);
+        let own = h.kinematic.as_ref().map_or(0.0, |r| r.seconds)
+            + h.static_.as_ref().map_or(0.0, |r| r.seconds);
         let seconds = h.seconds.unwrap_or(own);
         total += seconds;
         if strict {
@@ -115,8 +116,17 @@ impl Row {
 impl Study {
     /// The table, in Markdown.
     pub fn markdown(&self) -> String {
-        let head =
-            ["case", "meshes", "mesh", "macro tets", "unknowns", "gap", "this mesh [s]", "in all [s]", "memory [MiB]"];
+        let head = [
+            "case",
+            "meshes",
+            "mesh",
+            "macro tets",
+            "unknowns",
+            "gap",
+            "this mesh [s]",
+            "in all [s]",
+            "memory [MiB]",
+        ];
         let mut text = format!("| {} |\n|{}\n", head.join(" | "), " ---: |".repeat(head.len()));
         let dash = || "–".to_string();
         for r in &self.rows {
@@ -188,7 +198,9 @@ impl Study {
             for (name, x, of) in &abscissas {
                 let mut series: Vec<Series> = Vec::new();
                 for r in self.rows.iter().filter(|r| (&r.case[..], r.analysis.word()) == *case) {
-                    let Some(point) = of(r).zip(r.gap).map(|(x, g)| [x, 100.0 * g]) else { continue };
+                    let Some(point) = of(r).zip(r.gap).map(|(x, g)| [x, 100.0 * g]) else {
+                        continue;
+                    };
                     match series.iter_mut().find(|s| s.name == r.series()) {
                         Some(s) => s.points.push(point),
                         None => series.push(Series { name: r.series(), points: vec![point] }),
@@ -201,7 +213,8 @@ impl Study {
                     series,
                     level: Some((100.0 * self.target_gap, "target".into())),
                 };
-                let stem = if cases.len() == 1 { name.to_string() } else { format!("{name}_{}", i + 1) };
+                let stem =
+                    if cases.len() == 1 { name.to_string() } else { format!("{name}_{}", i + 1) };
                 plots.push((stem, plot));
             }
         }
@@ -219,7 +232,10 @@ impl Study {
             write_whole(&folder.join(format!("{stem}.svg")), &plot.svg())?;
             let path = folder.join(format!("{stem}.png"));
             let bytes = plot.picture().to_png().map_err(|e| {
-                Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}"))
+                Diagnostic::environment(
+                    "report/picture",
+                    format!("the picture cannot be encoded: {e}"),
+                )
             })?;
             std::fs::write(&path, bytes).map_err(|e| MesherError::write(&path, e))?;
             let _ = writeln!(page, "![Certified gap against {}]({stem}.png)\n", plot.x);

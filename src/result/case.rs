@@ -9,14 +9,14 @@ use crate::certify::welds::{Utilisation, demands};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{Traction, Weld};
-use crate::model::file::AnalysisKind;
 use crate::model::loads::face_corners;
 use crate::report::console::progress::refusal_words;
 use crate::result::data::{
-    self, CaseResult, Certificate, HistoryRow, LoadSize, PartYield, PeakPressure, Problem, Quantity, TraceRow, Upper,
-    WeldUse,
+    self, CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PartYield, PeakPressure,
+    Quantity, TraceRow, Upper, WeldUse,
 };
 use crate::solve::{Iteration, SolveStatus};
+use crate::spec::analysis::AnalysisKind;
 
 pub(crate) fn program_run(run: &ProgramRun) -> data::ProgramRun {
     data::ProgramRun {
@@ -53,12 +53,17 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
         return None;
     }
     let (sc, kc) = (l.map(|b| b.certificate()), u.map(|b| b.certificate()));
-    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)].into_iter().flatten().reduce(f64::max);
+    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)]
+        .into_iter()
+        .flatten()
+        .reduce(f64::max);
     Some(Certificate {
         strict: l.is_none_or(|b| b.is_strict()) && u.is_none_or(|b| b.is_strict()),
         equilibrium: sc.map(|c| c.equilibrium),
         traction_jump: sc.map(|c| c.traction_jump),
-        yield_: sc.and_then(|c| c.yields.into_iter().chain(c.weld.map(|used| used - 1.0)).reduce(f64::max)),
+        yield_: sc.and_then(|c| {
+            c.yields.into_iter().chain(c.weld.map(|used| used - 1.0)).reduce(f64::max)
+        }),
         contact,
         compatibility: kc.map(|c| c.compatibility),
         volume: None,
@@ -66,15 +71,20 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
 }
 
 /// Whose solution the bracket contains.
-pub(crate) fn problem(model: &AnalysisModel) -> Problem {
-    let laws: Vec<_> = contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
+pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
+    let laws: Vec<_> =
+        contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
-        Problem::Frictionless
+        FrictionModel::Frictionless
     } else if laws.iter().any(|l| l.is_coulomb()) {
         // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed point
-        if model.analysis == AnalysisKind::Limit { Problem::Coulomb } else { Problem::ShiftedCones }
+        if model.analysis == AnalysisKind::Limit {
+            FrictionModel::Coulomb
+        } else {
+            FrictionModel::ShiftedCones
+        }
     } else {
-        Problem::Associated
+        FrictionModel::Associated
     }
 }
 
@@ -83,7 +93,11 @@ pub(crate) fn problem(model: &AnalysisModel) -> Problem {
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
     let shifted = model.has_coulomb_friction() || model.has_preload();
-    let bent = model.has_dead_loads() || gaps || shifted || !model.body_loads.is_empty() || !model.welds.is_empty();
+    let bent = model.has_dead_loads()
+        || gaps
+        || shifted
+        || !model.body_loads.is_empty()
+        || !model.welds.is_empty();
     if bent { None } else { only_load(model) }
 }
 
@@ -95,18 +109,28 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     }
     let live: Vec<_> = model.surface_loads.iter().filter(|l| !l.dead).collect();
     let copies = f64::from(model.symmetry);
-    let actions = model.rigid.iter().flat_map(|r| r.action.into_iter().enumerate()).filter(|(_, a)| *a != 0.0);
+    let actions = model
+        .rigid
+        .iter()
+        .flat_map(|r| r.action.into_iter().enumerate())
+        .filter(|(_, a)| *a != 0.0);
     match (&live[..], &actions.collect::<Vec<_>>()[..]) {
         ([], [(0..3, force)]) => Some(LoadSize::Force(force.abs() * copies)),
         ([], [(_, moment)]) => Some(LoadSize::Moment(moment.abs() * copies)),
         ([load], []) => {
-            let areas: Vec<_> = load.faces.iter().map(|f| vec3::area_vector(&face_corners(&model.mesh, f))).collect();
+            let areas: Vec<_> = load
+                .faces
+                .iter()
+                .map(|f| vec3::area_vector(&face_corners(&model.mesh, f)))
+                .collect();
             let total: f64 = areas.iter().map(|a| vec3::norm(*a)).sum();
             let resultant = areas.iter().fold([0.0; 3], |s, a| vec3::add(s, *a));
             let plane = vec3::norm(resultant) > (1.0 - 1e-9) * total;
             let stress = match load.traction {
                 Traction::Pressure(p) if plane => p.abs(),
-                Traction::Linear { traction0, gradient } if gradient == [[0.0; 3]; 3] => vec3::norm(traction0),
+                Traction::Linear { traction0, gradient } if gradient == [[0.0; 3]; 3] => {
+                    vec3::norm(traction0)
+                }
                 _ => return None,
             };
             Some(LoadSize::Force(stress * total * copies))
@@ -148,9 +172,13 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
 /// Why a program that was interrupted, refused or not certified gave no bound; `None` for every other end.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<String> {
     Some(match (run.status, run) {
-        (_, ProgramRun { trouble: Some(t), .. }) => format!("the {name} solution could not be certified: {t}"),
+        (_, ProgramRun { trouble: Some(t), .. }) => {
+            format!("the {name} solution could not be certified: {t}")
+        }
         (SolveStatus::Interrupted, ProgramRun { iterations: 0, .. }) => {
-            format!("the {name} program was interrupted before its first iteration: no {bound} bound")
+            format!(
+                "the {name} program was interrupted before its first iteration: no {bound} bound"
+            )
         }
         (SolveStatus::Interrupted, run) => {
             let n = run.iterations;
@@ -158,7 +186,10 @@ pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<S
             format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
         }
         (SolveStatus::TooLarge, ProgramRun { refusal: Some(r), .. }) => {
-            format!("the {name} program was not started, so there is no {bound} bound: it {}", refusal_words(r))
+            format!(
+                "the {name} program was not started, so there is no {bound} bound: it {}",
+                refusal_words(r)
+            )
         }
         _ => return None,
     })
@@ -167,7 +198,11 @@ pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<S
 /// The warning that goes with a certificate that is not strict.
 pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<String> {
     let c = certificate.filter(|c| !c.strict)?;
-    let worst = c.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).max_by(|a, b| a.1.total_cmp(&b.1));
+    let worst = c
+        .residuals()
+        .into_iter()
+        .filter_map(|(n, _, v)| Some((n, v?)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
     worst.map(|(residual, value)| {
         format!(
             "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the tolerance {TOLERANCE:.0e}"
@@ -214,7 +249,12 @@ fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
 }
 
 /// The entry of a load case after one pass.
-pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds: Option<f64>) -> CaseResult {
+pub fn case_result(
+    name: &str,
+    model: &AnalysisModel,
+    pass: &Pass,
+    mesh_seconds: Option<f64>,
+) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());
     let upper = pass.upper.as_ref().map(|b| b.value());
     let gap = pass.bracket.as_ref().map(|b| b.gap());
@@ -222,7 +262,9 @@ pub fn case_result(name: &str, model: &AnalysisModel, pass: &Pass, mesh_seconds:
     let load = proportional_load(model).filter(|f| f.value() > 0.0 && strict);
     let elastic = model.analysis == AnalysisKind::Elastic;
     let load_displacement = match (lower, upper, load) {
-        (Some(l), Some(u), Some(f)) if elastic => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
+        (Some(l), Some(u), Some(f)) if elastic => {
+            Some([-2.0 * u / f.value(), -2.0 * l / f.value()])
+        }
         _ => None,
     };
     // −Π grows at least with the square of the load, for a part of a stress stays admissible: its slope is at least −2Π

@@ -1,7 +1,9 @@
 //! The result of several passes: the largest lower bound and the smallest upper one, each with all that belongs to it.
 
 use crate::certify::bracket::Contradiction;
-use crate::result::data::{CaseResult, Certificate, PartYield, PeakPressure, Problem, Quantity, RawBracket, Upper};
+use crate::result::data::{
+    CaseResult, Certificate, FrictionModel, PartYield, PeakPressure, Quantity, RawBracket, Upper,
+};
 
 /// The passes that give the best bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,11 +22,16 @@ pub fn best(entries: &[CaseResult]) -> Option<Best> {
     let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
     let any = entries.iter().any(strict);
     let counts = |c: &&CaseResult| !any || strict(c);
-    let apart = |c: &CaseResult| c.problem == Problem::ShiftedCones || !c.preload.is_empty();
+    let apart = |c: &CaseResult| c.problem == FrictionModel::ShiftedCones || !c.preload.is_empty();
     if entries.iter().any(apart) {
-        let gaps = entries.iter().enumerate().filter(|(_, c)| counts(c)).filter_map(|(i, c)| Some((c.gap?, i)));
+        let gaps = entries
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| counts(c))
+            .filter_map(|(i, c)| Some((c.gap?, i)));
         let narrowest = gaps.min_by(|a, b| a.0.total_cmp(&b.0)).map(|g| g.1);
-        let bounded = || entries.iter().rposition(|c| counts(&c) && (c.lower.is_some() || c.upper.is_some()));
+        let bounded =
+            || entries.iter().rposition(|c| counts(&c) && (c.lower.is_some() || c.upper.is_some()));
         let one = narrowest.or_else(bounded).or_else(|| entries.len().checked_sub(1))?;
         return Some(Best { lower: one, upper: one });
     }
@@ -78,18 +85,29 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
         }
         _ => None,
     };
-    let load_displacement = match (numbers, upper.load_displacement.or(lower.load_displacement), upper.load) {
-        ((Some(l), Some(u)), Some(_), Some(f)) => Some([-2.0 * u / f.value(), -2.0 * l / f.value()]),
-        _ => None,
-    };
+    let load_displacement =
+        match (numbers, upper.load_displacement.or(lower.load_displacement), upper.load) {
+            ((Some(l), Some(u)), Some(_), Some(f)) => {
+                Some([-2.0 * u / f.value(), -2.0 * l / f.value()])
+            }
+            _ => None,
+        };
     let peak = (upper.peak_contact_pressure, lower.peak_contact_pressure);
     let peak_contact_pressure = match peak {
         (None, None) => None,
-        (u, l) => Some(PeakPressure { kinematic: u.and_then(|p| p.kinematic), static_: l.and_then(|p| p.static_) }),
+        (u, l) => Some(PeakPressure {
+            kinematic: u.and_then(|p| p.kinematic),
+            static_: l.and_then(|p| p.static_),
+        }),
     };
     // what a stress tells is of the lower bound, what a motion tells of the upper one
-    let stress_of = |name: &str| lower.yielding.iter().find(|l| l.part == name).and_then(|l| l.utilisation);
-    let yielding = upper.yielding.into_iter().map(|u| PartYield { utilisation: stress_of(&u.part), ..u }).collect();
+    let stress_of =
+        |name: &str| lower.yielding.iter().find(|l| l.part == name).and_then(|l| l.utilisation);
+    let yielding = upper
+        .yielding
+        .into_iter()
+        .map(|u| PartYield { utilisation: stress_of(&u.part), ..u })
+        .collect();
     let mut warnings = upper.warnings;
     for w in lower.warnings {
         if !warnings.contains(&w) {

@@ -8,11 +8,11 @@ use crate::analysis::preload::Tightened;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, JointStiffness, Judgement};
 use crate::diag::Diagnostic;
-use crate::model::file::AnalysisKind;
 use crate::result::demand::Demand;
 use crate::result::forces::StaticForces;
 pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use crate::result::polygon::CapacityPolygon;
+use crate::spec::analysis::AnalysisKind;
 use serde::{Deserialize, Serialize};
 
 /// Version of the form of `result.json`.
@@ -82,7 +82,7 @@ pub enum Quantity {
 /// The problem whose solution the bracket contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Problem {
+pub enum FrictionModel {
     /// No friction anywhere (also: no contact at all).
     Frictionless,
     /// Associated friction: slip dilates.
@@ -151,7 +151,7 @@ pub struct CaseResult {
     /// What is bracketed.
     pub quantity: Quantity,
     /// Whose solution is bracketed.
-    pub problem: Problem,
+    pub problem: FrictionModel,
     /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the certificate is strict.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<f64>,
@@ -386,10 +386,12 @@ impl From<ResultError> for Diagnostic {
                 .path(path)
                 .help("no result was written; the analysis gave no usable number"),
             ResultError::NotStrict { .. } | ResultError::NoResidual { .. } => {
-                Diagnostic::undecided("report/not-strict", text).help("no result was written; please report this fault")
+                Diagnostic::undecided("report/not-strict", text)
+                    .help("no result was written; please report this fault")
             }
             ResultError::Form(_) | ResultError::Schema { .. } | ResultError::Tool { .. } => {
-                Diagnostic::input("report/not-a-result", text).help("name the folder of a finished `bracket` result")
+                Diagnostic::input("report/not-a-result", text)
+                    .help("name the folder of a finished `bracket` result")
             }
         }
     }
@@ -418,7 +420,8 @@ impl ResultFile {
     pub fn to_json(&self) -> Result<String, ResultError> {
         for case in &self.cases {
             let Some(certificate) = case.certificate.filter(|c| c.strict) else { continue };
-            let known: Vec<_> = certificate.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).collect();
+            let known: Vec<_> =
+                certificate.residuals().into_iter().filter_map(|(n, _, v)| Some((n, v?))).collect();
             if known.is_empty() {
                 return Err(ResultError::NoResidual { case: case.name.clone() });
             }
@@ -459,7 +462,9 @@ fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
     use serde_json::Value;
     match value {
         Value::Null => Some(path),
-        Value::Array(items) => items.iter().enumerate().find_map(|(i, v)| find_null(v, format!("{path}[{i}]"))),
+        Value::Array(items) => {
+            items.iter().enumerate().find_map(|(i, v)| find_null(v, format!("{path}[{i}]")))
+        }
         Value::Object(map) => map.iter().find_map(|(k, v)| {
             let dot = if path.is_empty() { "" } else { "." };
             find_null(v, format!("{path}{dot}{k}"))

@@ -5,7 +5,7 @@ use crate::checks::{Comparison, HandChecks, Judgement};
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::page::Table;
 use crate::report::markdown::text::{inline, strings, table};
-use crate::result::data::{CaseResult, Problem, Quantity, ResultFile, Upper};
+use crate::result::data::{CaseResult, FrictionModel, Quantity, ResultFile, Upper};
 use crate::spec::loads::Action;
 use serde::{Deserialize, Serialize};
 
@@ -32,7 +32,12 @@ pub struct Demand {
 impl Demand {
     /// The demand of a load case under one kind of analysis. In limit analysis strict bounds judge it; a joint that may not
     /// yield as limit analysis takes it to is at most undecided. `certified`: the analysis gave what was asked of it.
-    pub fn new(entry: &CaseResult, certified: bool, actions: Vec<EndAction>, checks: &HandChecks) -> Self {
+    pub fn new(
+        entry: &CaseResult,
+        certified: bool,
+        actions: Vec<EndAction>,
+        checks: &HandChecks,
+    ) -> Self {
         let (lower, upper) = entry.safe_bounds();
         let by_analysis = match (entry.quantity, Verdict::of(lower, upper)) {
             (Quantity::LoadFactor, Verdict::Ok) if checks.brittle.is_some() => Verdict::Undecided,
@@ -40,10 +45,18 @@ impl Demand {
             (Quantity::PotentialEnergy, _) if certified => Verdict::None,
             (Quantity::PotentialEnergy, _) => Verdict::Undecided,
         };
-        let component_method = checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
+        let component_method =
+            checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
         // the rule of rotation capacity is one of limit analysis
         let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
-        Self { verdict: by_analysis, by_code: Verdict::None, by_analysis, actions, component_method, brittle }
+        Self {
+            verdict: by_analysis,
+            by_code: Verdict::None,
+            by_analysis,
+            actions,
+            component_method,
+            brittle,
+        }
     }
 
     /// Takes the verdicts of the load case.
@@ -106,7 +119,7 @@ impl CaseResult {
             return (None, None);
         }
         let lower = match self.problem {
-            Problem::Associated => self.frictionless.and_then(|f| f.lower),
+            FrictionModel::Associated => self.frictionless.and_then(|f| f.lower),
             _ => self.lower,
         };
         let upper = match self.upper {
@@ -129,12 +142,19 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
             });
             vec![inline(&c.name), d.verdict.words().into(), between]
         });
-        table(page, &Table { columns: strings(["load case", "verdict", "utilisation"]), rows: rows.collect() });
+        table(
+            page,
+            &Table {
+                columns: strings(["load case", "verdict", "utilisation"]),
+                rows: rows.collect(),
+            },
+        );
     }
     let mut rows = Vec::new();
     for (case, demand) in &judged {
         // an energy bounds no multiple of the load
-        let bounds = if case.quantity == Quantity::LoadFactor { case.safe_bounds() } else { (None, None) };
+        let bounds =
+            if case.quantity == Quantity::LoadFactor { case.safe_bounds() } else { (None, None) };
         let (lower, upper) = bounds;
         for a in &demand.actions {
             let (value, unit) = a.value.shown();
@@ -144,7 +164,8 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
             };
             let (low, high) = match (lower, upper) {
                 (Some(l), Some(u)) if a.factored && value != 0.0 => {
-                    let (l, u) = bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
+                    let (l, u) =
+                        bracket((l * value.abs()).next_down(), (u * value.abs()).next_up(), 3);
                     let sign = if value < 0.0 { "−" } else { "" };
                     (format!("{sign}{l}"), format!("{sign}{u}"))
                 }
@@ -153,7 +174,9 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
                 (Some(l), None) if value != 0.0 => {
                     (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
                 }
-                (None, Some(u)) if value != 0.0 => ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up))),
+                (None, Some(u)) if value != 0.0 => {
+                    ("–".into(), format!("at most {}", size(u.next_up(), Rounding::Up)))
+                }
                 _ => ("–".into(), "–".into()),
             };
             let place = format!("{} at {}", a.end, a.at);
@@ -168,7 +191,8 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
         }
     }
     if !rows.is_empty() {
-        let columns = ["load case", "member end", "action", "given", "carried at least", "carried at most"];
+        let columns =
+            ["load case", "member end", "action", "given", "carried at least", "carried at most"];
         table(page, &Table { columns: strings(columns), rows });
     }
 }
@@ -181,7 +205,8 @@ mod tests {
     fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
         let mut case = crate::result::data::tests::case();
         case.quantity = Quantity::LoadFactor;
-        (case.problem, case.lower, case.upper) = (Problem::Frictionless, lower, upper.map(Upper::Finite));
+        (case.problem, case.lower, case.upper) =
+            (FrictionModel::Frictionless, lower, upper.map(Upper::Finite));
         case
     }
 
@@ -189,7 +214,8 @@ mod tests {
     /// Energies judge nothing, but an analysis without a certificate leaves the case open.
     #[test]
     fn a_brittle_joint_is_at_most_undecided() {
-        let brittle = HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
+        let brittle =
+            HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
         let verdict = |checks: &HandChecks, l, u| {
             Demand::new(&limit_case(Some(l), Some(u)), true, Vec::new(), checks).by_analysis
         };
@@ -197,10 +223,16 @@ mod tests {
         assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
         assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
         let elastic = |certified| {
-            let case = CaseResult { quantity: Quantity::PotentialEnergy, ..limit_case(Some(1.1), Some(1.2)) };
+            let case = CaseResult {
+                quantity: Quantity::PotentialEnergy,
+                ..limit_case(Some(1.1), Some(1.2))
+            };
             Demand::new(&case, certified, Vec::new(), &brittle)
         };
-        assert_eq!([true, false].map(|c| elastic(c).by_analysis), [Verdict::None, Verdict::Undecided]);
+        assert_eq!(
+            [true, false].map(|c| elastic(c).by_analysis),
+            [Verdict::None, Verdict::Undecided]
+        );
         assert_eq!(elastic(true).brittle, None);
     }
 
@@ -225,9 +257,15 @@ mod tests {
             page
         };
         let page = text(None, Some(1.2));
-        assert!(page.contains("| – | at most 48.1 |") && page.contains("| – | at most −12.1 |"), "{page}");
+        assert!(
+            page.contains("| – | at most 48.1 |") && page.contains("| – | at most −12.1 |"),
+            "{page}"
+        );
         let page = text(Some(0.8), None);
-        assert!(page.contains("| at least 31.9 | – |") && page.contains("| at least −7.99 | – |"), "{page}");
+        assert!(
+            page.contains("| at least 31.9 | – |") && page.contains("| at least −7.99 | – |"),
+            "{page}"
+        );
         let page = text(None, None);
         assert!(page.contains("| – | – |"), "{page}");
     }

@@ -60,7 +60,10 @@ pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<
             _ => false,
         };
         if !same {
-            out.push(format!("polygon: the unit of {} is not the load of {}", axis.action, case.entry.name));
+            out.push(format!(
+                "polygon: the unit of {} is not the load of {}",
+                axis.action, case.entry.name
+            ));
         }
     }
     for point in &claimed.points {
@@ -119,16 +122,26 @@ fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
     let found = CapacityPolygon::new(names, claimed.axes.clone(), claimed.points.clone());
     let units = claimed.axes.each_ref().map(|a| a.unit.value().abs());
     let same = |a: &[[f64; 2]], b: &[[f64; 2]]| {
-        let largest = b.iter().fold(1.0f64, |m, c| m.max(c[0].abs() / units[0]).max(c[1].abs() / units[1]));
-        let corner = |(a, b): (&[f64; 2], &[f64; 2])| (0..2).all(|k| near_beside(a[k], b[k], largest * units[k]));
+        let largest =
+            b.iter().fold(1.0f64, |m, c| m.max(c[0].abs() / units[0]).max(c[1].abs() / units[1]));
+        let corner = |(a, b): (&[f64; 2], &[f64; 2])| {
+            (0..2).all(|k| near_beside(a[k], b[k], largest * units[k]))
+        };
         a.len() == b.len() && a.iter().zip(b).all(corner)
     };
     let agree = [
         ("inner is not the hull of the lower points", same(&claimed.inner, &found.inner)),
         ("outer is not the intersection of the half planes", same(&claimed.outer, &found.outer)),
-        ("outer_bounded is not what the half planes say", claimed.outer_bounded == found.outer_bounded),
+        (
+            "outer_bounded is not what the half planes say",
+            claimed.outer_bounded == found.outer_bounded,
+        ),
     ];
-    agree.into_iter().filter(|(_, agrees)| !agrees).map(|(what, _)| format!("polygon: {what}")).collect()
+    agree
+        .into_iter()
+        .filter(|(_, agrees)| !agrees)
+        .map(|(what, _)| format!("polygon: {what}"))
+        .collect()
 }
 
 /// What a case claims of the joint's stiffness and of forces, against its bracket and the stress of its lower bound.
@@ -145,8 +158,11 @@ pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
 /// fields do not hold them.
 fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<String> {
     let told = claimed.joint_stiffness.as_ref()?;
-    let (Some(LoadSize::Moment(total)), Some(rotation)) = (found.load, found.load_displacement) else {
-        return Some("joint_stiffness is told, but the load is no moment whose rotation is bracketed".into());
+    let (Some(LoadSize::Moment(total)), Some(rotation)) = (found.load, found.load_displacement)
+    else {
+        return Some(
+            "joint_stiffness is told, but the load is no moment whose rotation is bracketed".into(),
+        );
     };
     let again = told.again(total, rotation);
     let same = again.is_some_and(|a| a.agrees(told, near));
@@ -165,18 +181,29 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
     }
     let line = |b: &BoltForce| {
         let place = b.place.clone()?;
-        Some(BoltLine { part: b.bolt.clone(), last: place.under, axis: place.axis, position: place.position })
+        Some(BoltLine {
+            part: b.bolt.clone(),
+            last: place.under,
+            axis: place.axis,
+            position: place.position,
+        })
     };
     // results of earlier versions do not tell where their bolts are
     let Some(lines) = told.bolts.iter().map(line).collect::<Option<Vec<_>>>() else { return out };
-    let mirror: Vec<usize> = (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
+    let mirror: Vec<usize> =
+        (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
     let found = static_forces(model, stress, *factor, &lines, &mirror);
-    let sizes =
-        found.bolts.iter().flat_map(|b| [b.tension, b.shear]).chain(found.contacts.iter().map(|c| c.compression));
+    let sizes = found
+        .bolts
+        .iter()
+        .flat_map(|b| [b.tension, b.shear])
+        .chain(found.contacts.iter().map(|c| c.compression));
     let size = sizes.fold(0.0f64, |m, f| m.max(f.abs()));
     let force = |a: f64, b: f64| near_beside(a, b, size);
     for b in &told.bolts {
-        let same = |f: &BoltForce| f.bolt == b.bolt && force(f.tension, b.tension) && force(f.shear, b.shear);
+        let same = |f: &BoltForce| {
+            f.bolt == b.bolt && force(f.tension, b.tension) && force(f.shear, b.shear)
+        };
         if !found.bolts.iter().any(same) {
             out.push(format!("the forces of bolt {} are not those of the stress", b.bolt));
         }

@@ -80,7 +80,9 @@ impl From<FolderError> for Diagnostic {
                 .file(path)
                 .help("choose another folder with --out, or move this one away"),
             FolderError::StandingInside { path } => {
-                Diagnostic::input("report/folder-current", text).file(path).help("choose another folder with --out")
+                Diagnostic::input("report/folder-current", text)
+                    .file(path)
+                    .help("choose another folder with --out")
             }
             FolderError::Busy { path } => Diagnostic::input("report/folder-busy", text)
                 .file(path)
@@ -90,19 +92,23 @@ impl From<FolderError> for Diagnostic {
                 .help("move it away or choose another --out"),
             FolderError::Name { .. } => Diagnostic::input("report/file-name", text)
                 .help("rename the load case: letters, digits, `-`, `_` and `.` make a file name"),
-            FolderError::Incomplete { .. } => {
-                Diagnostic::undecided("report/incomplete", text).help("no result was written; please report this fault")
-            }
+            FolderError::Incomplete { .. } => Diagnostic::undecided("report/incomplete", text)
+                .help("no result was written; please report this fault"),
             FolderError::Io { path, source, .. } => {
                 let (code, help) = match source.kind() {
-                    io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => (
+                    io::ErrorKind::StorageFull
+                    | io::ErrorKind::QuotaExceeded
+                    | io::ErrorKind::FileTooLarge => (
                         "report/disk-full",
                         "free some space or choose a folder on another disk with --out; nothing was left behind",
                     ),
                     io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
                         ("report/read-only", "choose a folder you may write to with --out")
                     }
-                    _ => ("report/io", "check the path and the disk, or choose another folder with --out"),
+                    _ => (
+                        "report/io",
+                        "check the path and the disk, or choose another folder with --out",
+                    ),
                 };
                 Diagnostic::environment(code, text).file(path).help(help)
             }
@@ -134,7 +140,9 @@ impl ResultFolder {
         check_replaceable(&target)?;
         let part = with_suffix(&target, ".part");
         let mut parents: Vec<PathBuf> = Vec::new();
-        for parent in target.ancestors().skip(1).take_while(|p| !p.as_os_str().is_empty() && !p.exists()) {
+        for parent in
+            target.ancestors().skip(1).take_while(|p| !p.as_os_str().is_empty() && !p.exists())
+        {
             parents.insert(0, parent.into());
         }
         let result = parents
@@ -183,7 +191,8 @@ impl ResultFolder {
     /// For a program that ends right after, from whatever thread: removes what is written so far. A folder that is finished is
     /// left alone, one that is being moved into place is waited for.
     pub fn give_up(&self) -> impl Fn() + Send + 'static {
-        let (finished, part, parents) = (self.finished.clone(), self.part.clone(), self.parents.clone());
+        let (finished, part, parents) =
+            (self.finished.clone(), self.part.clone(), self.parents.clone());
         move || {
             let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
             if !*finished {
@@ -299,7 +308,9 @@ fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
         let lock = File::open(&marker).map_err(|_| FolderError::InTheWay { path: part.into() })?;
         match lock.try_lock() {
             Ok(()) => fs::remove_dir_all(part).map_err(io_error("remove the unfinished", part))?,
-            Err(fs::TryLockError::WouldBlock) => return Err(FolderError::Busy { path: part.into() }),
+            Err(fs::TryLockError::WouldBlock) => {
+                return Err(FolderError::Busy { path: part.into() });
+            }
             Err(fs::TryLockError::Error(e)) => return Err(io_error("lock", &marker)(e)),
         }
     }
@@ -307,7 +318,8 @@ fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
         io::ErrorKind::AlreadyExists => FolderError::Busy { path: part.into() },
         _ => io_error("create the folder", target)(e),
     })?;
-    let made = File::create_new(&marker).and_then(|f| f.try_lock().map(|()| f).map_err(io::Error::from));
+    let made =
+        File::create_new(&marker).and_then(|f| f.try_lock().map(|()| f).map_err(io::Error::from));
     made.map_err(|e| {
         let _ = fs::remove_dir_all(part);
         io_error("create a file in", target)(e)

@@ -5,11 +5,11 @@ use crate::certify::fields::StressField;
 use crate::certify::resultants::contact_resultants;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
-use crate::model::file::AnalysisKind;
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::page::Table;
 use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::CaseResult;
+use crate::spec::analysis::AnalysisKind;
 use serde::{Deserialize, Serialize};
 
 /// Coordinates nearer to a plane of symmetry lie on it \[mm\].
@@ -96,7 +96,8 @@ pub fn static_forces(
         }
         let tension = vec3::dot(force, line.axis);
         let shear = vec3::norm(vec3::along(force, -tension, line.axis));
-        let place = BoltPlace { under: line.last.clone(), axis: line.axis, position: line.position };
+        let place =
+            BoltPlace { under: line.last.clone(), axis: line.axis, position: line.position };
         Some(BoltForce { bolt: line.part.clone(), tension, shear, place: Some(place) })
     });
     let is_bolt = |name: &String| lines.iter().any(|l| l.part == *name);

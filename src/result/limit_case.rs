@@ -6,9 +6,12 @@ use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program_run::Program;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{dissipation_densities, utilisation};
-use crate::result::case::{estimate_warning, only_load, problem, program_run, run_warning, weld_uses};
+use crate::result::case::{
+    estimate_warning, only_load, problem, program_run, run_warning, weld_uses,
+};
 use crate::result::data::{
-    CaseResult, Certificate, HistoryRow, PartShare, PeakPressure, Problem, Quantity, RawBracket, Upper,
+    CaseResult, Certificate, FrictionModel, HistoryRow, PartShare, PeakPressure, Quantity,
+    RawBracket, Upper,
 };
 
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor, welds};
@@ -18,9 +21,14 @@ use crate::solve::SolveStatus;
 
 /// The lower bound, the bracket and the static program that answer for the problem the user asked about: under Coulomb's law
 /// those without friction.
-fn answer(pass: &LimitPass, problem: Problem) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramRun>) {
+fn answer(
+    pass: &LimitPass,
+    problem: FrictionModel,
+) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramRun>) {
     match problem {
-        Problem::Coulomb => (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref()),
+        FrictionModel::Coulomb => {
+            (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref())
+        }
         _ => (pass.lower.as_ref(), pass.bracket.as_ref(), pass.statics.as_ref()),
     }
 }
@@ -44,7 +52,10 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
         return None;
     }
     let (sc, kc) = (lower.map(|b| b.certificate()), upper.map(|b| b.certificate()));
-    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)].into_iter().flatten().reduce(f64::max);
+    let contact = [sc.and_then(|c| c.contact), kc.and_then(|c| c.contact)]
+        .into_iter()
+        .flatten()
+        .reduce(f64::max);
     Some(Certificate {
         strict: lower.is_none_or(|b| b.is_strict()) && upper.is_none_or(|b| b.is_strict()),
         equilibrium: sc.map(|c| c.equilibrium),
@@ -62,9 +73,11 @@ fn unbounded(run: Option<&ProgramRun>) -> bool {
 }
 
 /// What the user must know of the programs: why one of them gave no bound.
-fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
-    let mut runs: Vec<(&str, &str, &ProgramRun)> =
-        pass.runs().map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run)).collect();
+fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
+    let mut runs: Vec<(&str, &str, &ProgramRun)> = pass
+        .runs()
+        .map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run))
+        .collect();
     runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
     let mut warnings: Vec<String> = Vec::new();
     let mut tell = |text: String| {
@@ -77,7 +90,9 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
             _ if run.trouble.is_some() => tell(run_warning(name, bound, run).unwrap_or_default()),
             SolveStatus::Optimal => {}
             SolveStatus::Infeasible if name == "frictionless static" => {
-                tell(format!("without friction {NO_LIMIT} (the solver says so, no certificate proves it)"));
+                tell(format!(
+                    "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"
+                ));
             }
             SolveStatus::Infeasible => tell(format!(
                 "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load that only presses the parts \
@@ -91,7 +106,10 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
                 ));
             }
             status => tell(run_warning(name, bound, run).unwrap_or_else(|| {
-                format!("the {name} program ended with status `{}`: no {bound} bound", status.words())
+                format!(
+                    "the {name} program ended with status `{}`: no {bound} bound",
+                    status.words()
+                )
             })),
         }
     }
@@ -99,11 +117,15 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
         tell(format!("the live loads move the structure freely: {parts}"));
     }
     if let Some(parts) = &pass.slides {
-        tell(format!("friction alone holds the structure, without it the load factor is 0: {parts}"));
+        tell(format!(
+            "friction alone holds the structure, without it the load factor is 0: {parts}"
+        ));
     }
     let alone = pass.frictionless.is_none() && pass.lower.is_some();
-    if problem == Problem::Coulomb && alone && pass.slides.is_none() {
-        tell("under Coulomb's law only the bound without friction is safe, and there is none".into());
+    if problem == FrictionModel::Coulomb && alone && pass.slides.is_none() {
+        tell(
+            "under Coulomb's law only the bound without friction is safe, and there is none".into(),
+        );
     }
     warnings
 }
@@ -112,7 +134,9 @@ fn program_warnings(pass: &LimitPass, problem: Problem) -> Vec<String> {
 fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
     let why = match &pass.coulomb_estimate {
         Some(e) => e.trouble.clone()?,
-        None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => return None,
+        None if !model.coulomb_estimate || pass.unlimited.is_some() || pass.free.is_some() => {
+            return None;
+        }
         None => "the program with associated friction has no answer to begin with".into(),
     };
     Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
@@ -122,7 +146,8 @@ fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
 fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
     let mesh = &model.mesh;
     let mut bodies = vec![Sum::default(); mesh.bodies.len()];
-    for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate() {
+    for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate()
+    {
         bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
     }
     let welds = welds::dissipations(model, &velocity.nodes.u);
@@ -134,7 +159,12 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, V
 }
 
 /// The entry of a load case after one pass of limit analysis.
-pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, mesh_seconds: Option<f64>) -> CaseResult {
+pub fn limit_case_result(
+    name: &str,
+    model: &AnalysisModel,
+    pass: &LimitPass,
+    mesh_seconds: Option<f64>,
+) -> CaseResult {
     let problem = problem(model);
     let (low, bracket, static_run) = answer(pass, problem);
     let lower = low.map(LowerFactor::value);
@@ -153,16 +183,24 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         c.strict = false;
     }
     // a raw value beside the answer has no certificate of its own there: it is told only where it is a bound
-    let strict = |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
-    let frictionless = strict(&pass.frictionless).map(|low| RawBracket { lower: Some(low), upper: None });
-    let associated = (problem == Problem::Coulomb && (pass.lower.is_some() || upper.is_some()))
-        .then(|| RawBracket { lower: strict(&pass.lower), upper });
-    let stress = if problem == Problem::Coulomb { &pass.frictionless_stress } else { &pass.stress };
+    let strict =
+        |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
+    let frictionless =
+        strict(&pass.frictionless).map(|low| RawBracket { lower: Some(low), upper: None });
+    let associated = (problem == FrictionModel::Coulomb
+        && (pass.lower.is_some() || upper.is_some()))
+    .then(|| RawBracket { lower: strict(&pass.lower), upper });
+    let stress =
+        if problem == FrictionModel::Coulomb { &pass.frictionless_stress } else { &pass.stress };
     let body = |tet: usize| model.mesh.bodies[model.mesh.tet_body[tet] as usize].clone();
     let used = stress.as_ref().map_or(Vec::new(), |s| welds::demands(model, s));
     let nearest = stress.as_ref().map(|s| utilisation(model, s));
-    let limiting_part = nearest.filter(|(most, _)| used.iter().all(|w| w.largest <= *most)).and_then(|n| n.1).map(body);
-    let (dissipation, weld_shares) = pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
+    let limiting_part = nearest
+        .filter(|(most, _)| used.iter().all(|w| w.largest <= *most))
+        .and_then(|n| n.1)
+        .map(body);
+    let (dissipation, weld_shares) =
+        pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
         name: name.into(),
@@ -178,7 +216,11 @@ pub fn limit_case_result(name: &str, model: &AnalysisModel, pass: &LimitPass, me
         associated,
         coulomb_estimate: pass.coulomb_estimate.as_ref().and_then(|e| e.factor),
         preload: Vec::new(),
-        fixed_point: pass.coulomb_estimate.as_ref().filter(|e| e.factor.is_some()).map(|e| e.run.clone()),
+        fixed_point: pass
+            .coulomb_estimate
+            .as_ref()
+            .filter(|e| e.factor.is_some())
+            .map(|e| e.run.clone()),
         load: only_load(model).filter(|l| l.value() > 0.0),
         load_displacement: None,
         load_displacement_at_least: None,

@@ -76,7 +76,11 @@ fn hulls(points: &[Point]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>, bool) {
     // without loads nothing is needed
     carried.push([0.0; 2]);
     let planes: Vec<HalfPlane> = points.iter().filter_map(|p| p.half_plane).collect();
-    let largest = points.iter().flat_map(|p| [p.lower, p.upper]).flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+    let largest = points
+        .iter()
+        .flat_map(|p| [p.lower, p.upper])
+        .flatten()
+        .fold(0.0f64, |m, x| m.max(x.abs()));
     let reach = FAR * if largest > 0.0 { largest } else { 1.0 };
     let far = |c: &[f64; 2]| c.iter().any(|x| x.abs() >= 0.999 * reach);
     let corners = clip(&frame([reach; 2]), &planes);
@@ -94,7 +98,9 @@ impl CapacityPolygon {
     pub fn new([end, at]: [String; 2], axes: [Axis; 2], points: Vec<Point>) -> Self {
         let (inner, outer, outer_bounded) = hulls(&points);
         let units = axes.each_ref().map(|a| a.unit.value());
-        let scaled = |corners: Vec<[f64; 2]>| corners.into_iter().map(|c| [c[0] * units[0], c[1] * units[1]]).collect();
+        let scaled = |corners: Vec<[f64; 2]>| {
+            corners.into_iter().map(|c| [c[0] * units[0], c[1] * units[1]]).collect()
+        };
         Self { end, at, axes, points, inner: scaled(inner), outer: scaled(outer), outer_bounded }
     }
 }
@@ -113,21 +119,32 @@ pub(crate) fn section(page: &mut String, result: &ResultFile) {
             second.action,
             inline(&polygon.end),
             inline(&polygon.at),
-            if polygon.outer_bounded { "" } else { " Not every side has such a bound: the outer hull is open." }
+            if polygon.outer_bounded {
+                ""
+            } else {
+                " Not every side has such a bound: the outer hull is open."
+            }
         ),
     );
     let shown = |axis: &Axis, factor: Option<f64>, part: f64, rounding: Rounding| {
         let size = |f: f64| significant(f * part.abs() * axis.unit.shown().0, 4, rounding);
         let sign = if part < 0.0 { "−" } else { "" };
-        factor.map_or("–".into(), |f| if part == 0.0 { "0".into() } else { format!("{sign}{}", size(f)) })
+        factor.map_or("–".into(), |f| {
+            if part == 0.0 { "0".into() } else { format!("{sign}{}", size(f)) }
+        })
     };
     let rows = polygon.points.iter().map(|p| {
-        let at = |bound, rounding| [0, 1].map(|k| shown(&polygon.axes[k], bound, p.direction[k], rounding));
-        let ([a, b], [c, d]) =
-            (at(p.lower.map(f64::next_down), Rounding::Down), at(p.upper.map(f64::next_up), Rounding::Up));
+        let at = |bound, rounding| {
+            [0, 1].map(|k| shown(&polygon.axes[k], bound, p.direction[k], rounding))
+        };
+        let ([a, b], [c, d]) = (
+            at(p.lower.map(f64::next_down), Rounding::Down),
+            at(p.upper.map(f64::next_up), Rounding::Up),
+        );
         vec![p.case.clone(), a, b, c, d]
     });
-    let name = |axis: &Axis, what: &str| format!("{} {what} [{}]", axis.action, axis.unit.shown().1);
+    let name =
+        |axis: &Axis, what: &str| format!("{} {what} [{}]", axis.action, axis.unit.shown().1);
     let mut columns = strings(["direction"]);
     for what in ["at least", "at most"] {
         columns.extend(polygon.axes.iter().map(|a| name(a, what)));
@@ -182,7 +199,9 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
         d.text([legend + 30.0, y + 6.0], Anchor::Start, text);
     }
     for (i, (fill, text)) in
-        [("#2e7d32", "lower bound of a direction"), ("#ffffff", "upper bound of a direction")].iter().enumerate()
+        [("#2e7d32", "lower bound of a direction"), ("#ffffff", "upper bound of a direction")]
+            .iter()
+            .enumerate()
     {
         let y = top + (5.5 + 1.5 * i as f64) * LINE;
         d.circle(Pen::Edge, fill, [legend + 11.0, y], 3.0);
@@ -201,13 +220,16 @@ mod tests {
             Axis { action: "My".into(), unit: ActionValue::Moment(1e8) },
             Axis { action: "N".into(), unit: ActionValue::Force(2e5) },
         ];
-        let points =
-            [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].into_iter().enumerate().map(|(k, direction)| Point {
+        let points = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]
+            .into_iter()
+            .enumerate()
+            .map(|(k, direction)| Point {
                 case: format!("polygon_{}", 90 * k),
                 direction,
                 lower: Some(0.9),
                 upper: Some(1.1),
-                half_plane: (bounds || k != 2).then_some(HalfPlane { normal: direction, offset: 1.1 }),
+                half_plane: (bounds || k != 2)
+                    .then_some(HalfPlane { normal: direction, offset: 1.1 }),
             });
         CapacityPolygon::new(["beam_right".into(), "column_face".into()], axes, points.collect())
     }
@@ -216,8 +238,13 @@ mod tests {
     fn inner_points_make_a_diamond_and_mechanisms_a_square() {
         let polygon = square(true);
         assert_eq!((polygon.inner.len(), polygon.outer.len(), polygon.outer_bounded), (4, 4, true));
-        let near = |c: &[f64; 2], x: f64, y: f64| (c[0] - x * 1e8).abs() < 1.0 && (c[1] - y * 2e5).abs() < 1e-3;
-        assert!(polygon.inner.iter().any(|c| near(c, 0.9, 0.0)) && polygon.outer.iter().any(|c| near(c, 1.1, -1.1)));
+        let near = |c: &[f64; 2], x: f64, y: f64| {
+            (c[0] - x * 1e8).abs() < 1.0 && (c[1] - y * 2e5).abs() < 1e-3
+        };
+        assert!(
+            polygon.inner.iter().any(|c| near(c, 0.9, 0.0))
+                && polygon.outer.iter().any(|c| near(c, 1.1, -1.1))
+        );
         let json = serde_json::to_string(&polygon).expect("plain data");
         assert_eq!(serde_json::from_str::<CapacityPolygon>(&json).expect("reads back"), polygon);
     }

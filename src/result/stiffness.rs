@@ -53,7 +53,10 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
         )),
     );
     if s.classes.is_empty() {
-        paragraph(page, "It has no class: EN 1993-1-8 5.2.2.5 has boundaries for joints of beams and columns only.");
+        paragraph(
+            page,
+            "It has no class: EN 1993-1-8 5.2.2.5 has boundaries for joints of beams and columns only.",
+        );
         return;
     }
     paragraph(
@@ -77,7 +80,10 @@ fn method(s: &JointStiffness) -> String {
         None => "above the lower bound",
     };
     let up = s.upper.map_or(String::new(), |u| format!(", FE_up/CM = {}", ratio(u, Rounding::Up)));
-    format!(". The component method gives {} (6.3), {place}: FE_low/CM = {low}{up}", Unit::Rotational.show(cm))
+    format!(
+        ". The component method gives {} (6.3), {place}: FE_low/CM = {low}{up}",
+        Unit::Rotational.show(cm)
+    )
 }
 
 fn row(c: &FrameClass) -> Vec<String> {
@@ -86,8 +92,11 @@ fn row(c: &FrameClass) -> Vec<String> {
         Frame::Braced => "braced, k_b = 8",
         Frame::Unbraced => "other, k_b = 25",
     };
-    let pinned = c.pinned_to.map_or("open".into(), |l| format!("beams up to {}", metres(l, Rounding::Down)));
-    let never = c.not_rigid_below.map_or(String::new(), |l| format!("; not rigid below {}", metres(l, Rounding::Down)));
+    let pinned =
+        c.pinned_to.map_or("open".into(), |l| format!("beams up to {}", metres(l, Rounding::Down)));
+    let never = c
+        .not_rigid_below
+        .map_or(String::new(), |l| format!("; not rigid below {}", metres(l, Rounding::Down)));
     let rigid = format!("beams from {}{never}", metres(c.rigid_from, Rounding::Up));
     let class = match c.class {
         None => "no `length` is given".into(),
@@ -120,11 +129,21 @@ mod tests {
     #[test]
     fn the_component_method_stands_beside_the_bracket() {
         let s = stiffness();
-        assert!(method(&s).ends_with("inside the bracket: FE_low/CM = 0.625, FE_up/CM = 1.25"), "{}", method(&s));
+        assert!(
+            method(&s).ends_with("inside the bracket: FE_low/CM = 0.625, FE_up/CM = 1.25"),
+            "{}",
+            method(&s)
+        );
         let softer = method(&JointStiffness { component_method: 0.9e10, ..s.clone() });
-        assert!(softer.contains("softer than the lower bound: FE_low/CM = 1.11, FE_up/CM = 2.23"), "{softer}");
+        assert!(
+            softer.contains("softer than the lower bound: FE_low/CM = 1.11, FE_up/CM = 2.23"),
+            "{softer}"
+        );
         let stiffer = method(&JointStiffness { component_method: 3e10, ..s.clone() });
-        assert!(stiffer.contains("30000 kN m/rad (6.3), stiffer than the upper bound"), "{stiffer}");
+        assert!(
+            stiffer.contains("30000 kN m/rad (6.3), stiffer than the upper bound"),
+            "{stiffer}"
+        );
         let open = method(&JointStiffness { upper: None, ..s });
         assert!(open.ends_with("above the lower bound: FE_low/CM = 0.625"), "{open}");
     }

@@ -10,7 +10,9 @@ use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
 use crate::programs::conic::{Cone, ConicProgram};
 use crate::programs::explicit::Explicit;
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use clarabel::solver::{
+    DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
 use std::time::Instant;
 
 /// Solves a program with at least one cone.
@@ -139,12 +141,23 @@ impl Minimum {
             }
             col_ptr.push(row_idx.len());
         }
-        let minus_g = (0..program.h.len()).map(|r| program.g.row(r).map(|(c, v)| (c, -v)).collect());
+        let minus_g =
+            (0..program.h.len()).map(|r| program.g.row(r).map(|(c, v)| (c, -v)).collect());
         rows.extend(minus_g);
         let maximised = |i: &usize| program.is_maximised(*i);
         let q = (0..n).map(|i| if maximised(&i) { 0.0 } else { program.q[i] }).collect();
-        let b = (0..n).filter(maximised).map(|i| -program.q[i]).chain(program.h.iter().copied()).collect();
-        Self { p: CscMatrix::new(n, n, col_ptr, row_idx, values), q, a: by_columns(&rows, n), b, equations }
+        let b = (0..n)
+            .filter(maximised)
+            .map(|i| -program.q[i])
+            .chain(program.h.iter().copied())
+            .collect();
+        Self {
+            p: CscMatrix::new(n, n, col_ptr, row_idx, values),
+            q,
+            a: by_columns(&rows, n),
+            b,
+            equations,
+        }
     }
 }
 
@@ -193,8 +206,12 @@ mod tests {
     #[test]
     fn multipliers_of_a_saddle() {
         for (f, floor, x0) in [(0.5, -1.0, 3.0), (0.0, -2.0, 2.5)] {
-            let p =
-                upper(&[&[-f, 1.0, 1.0, 0.0], &[1.0, 1.0, 0.0, 1.0], &[1.0, 0.0, 1.0, -1.0], &[0.0, 1.0, -1.0, 0.0]]);
+            let p = upper(&[
+                &[-f, 1.0, 1.0, 0.0],
+                &[1.0, 1.0, 0.0, 1.0],
+                &[1.0, 0.0, 1.0, -1.0],
+                &[0.0, 1.0, -1.0, 0.0],
+            ]);
             let mut g = Csr { ncols: 4, ..Csr::default() };
             g.push_row(&[(2, 1.0)]);
             let program = Explicit {
@@ -215,7 +232,12 @@ mod tests {
             let row = program.p.mul(&s.x);
             let z = program.g.mul_transpose(&s.z);
             for i in 0..4 {
-                assert!((row[i] + program.q[i] - z[i]).abs() < 1e-6, "row {i} at f = {f}: {:?} {:?}", s.x, s.z);
+                assert!(
+                    (row[i] + program.q[i] - z[i]).abs() < 1e-6,
+                    "row {i} at f = {f}: {:?} {:?}",
+                    s.x,
+                    s.z
+                );
             }
             assert!((f * y0 - if f > 0.0 { 1.0 } else { 0.0 }).abs() < 1e-6, "{y0} {y1}");
             assert!(s.z[0] >= -1e-9 && (s.z[0] * (x1 - floor)).abs() < 1e-6);

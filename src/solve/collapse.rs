@@ -15,13 +15,18 @@ const EXCESS: f64 = 1e-6;
 const VIOLATION: f64 = 1e-7;
 
 /// A direction along which the program falls without limit, among the given motions (`P m = 0`); `None` when none is found.
-pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOptions) -> Option<Vec<f64>> {
+pub fn direction(
+    program: &ConicProgram,
+    modes: &[Vec<f64>],
+    options: &SolveOptions,
+) -> Option<Vec<f64>> {
     // interfaces of finite strength resist as well, and are not among the cones
     if !program.elements.batches.is_empty() {
         return None;
     }
     let n = modes.len();
-    let q: Vec<f64> = modes.iter().map(|m| m.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
+    let q: Vec<f64> =
+        modes.iter().map(|m| m.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
     let size = q.iter().map(|x| x * x).sum::<f64>().sqrt();
     if size == 0.0 {
         return None;
@@ -35,8 +40,12 @@ pub fn direction(program: &ConicProgram, modes: &[Vec<f64>], options: &SolveOpti
         let row: Vec<(u32, f64)> = (0..n).map(|c| (c as u32, columns[c][r])).collect();
         g.push_row(&row);
     }
-    let identity =
-        SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n as u32).collect(), values: vec![1.0; n] };
+    let identity = SymmetricCsc {
+        n,
+        col_ptr: (0..=n).collect(),
+        row_idx: (0..n as u32).collect(),
+        values: vec![1.0; n],
+    };
     let small = ConicProgram {
         p: identity,
         q: q.iter().map(|x| x / size).collect(),

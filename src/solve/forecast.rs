@@ -49,7 +49,8 @@ impl Forecast {
     /// limit analysis directions are corrected and refined more often.
     pub(crate) fn all_iterations(flops: f64, entries: usize, rows: usize, limit: bool) -> f64 {
         let solves = if limit { LIMIT_SOLVES } else { SOLVES };
-        TYPICAL_ITERATIONS * (Self::iteration(flops, entries, solves) + ROW_WORK * rows as f64 / dense_rate())
+        TYPICAL_ITERATIONS
+            * (Self::iteration(flops, entries, solves) + ROW_WORK * rows as f64 / dense_rate())
     }
 
     /// One factor and some solves at this machine's measured rate.

@@ -52,7 +52,11 @@ enum Way {
 }
 
 /// Prepares a program; `block` gives the block (node or face) of each unknown, for orderings.
-pub fn prepare<'a>(program: &'a ConicProgram, block: &[u32], options: &SolveOptions) -> Prepared<'a> {
+pub fn prepare<'a>(
+    program: &'a ConicProgram,
+    block: &[u32],
+    options: &SolveOptions,
+) -> Prepared<'a> {
     let start = Instant::now();
     pages::keep();
     let way = if program.cones.is_empty() {
@@ -125,7 +129,8 @@ impl Prepared<'_> {
                 use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
                 let bytes = prepared.forecast().bytes;
                 let solution = prepared.solve_at(offsets.unwrap_or(&self.program.h), options);
-                let answered = matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
+                let answered =
+                    matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
                 // Clarabel takes about twice as much memory
                 let fits = available_memory().is_none_or(|there| there / CLARABEL_MEMORY > bytes);
                 (answered || !fits).then_some(solution)
@@ -136,7 +141,10 @@ impl Prepared<'_> {
             // frees the factor
             self.way = Way::Clarabel;
             match offsets {
-                Some(h) => clarabel::solve(&ConicProgram { h: h.to_vec(), ..self.program.clone() }, options),
+                Some(h) => clarabel::solve(
+                    &ConicProgram { h: h.to_vec(), ..self.program.clone() },
+                    options,
+                ),
                 None => clarabel::solve(self.program, options),
             }
         });

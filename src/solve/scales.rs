@@ -24,11 +24,18 @@ impl Scales {
     /// Chooses the scales.
     pub fn new(program: &ConicProgram) -> Self {
         // every unknown is measured in the give of its own stiffness: soft parts on hard ones are no trouble
-        let stiffness = if program.stiffness.is_empty() { program.p.diagonal() } else { program.stiffness.clone() };
+        let stiffness = if program.stiffness.is_empty() {
+            program.p.diagonal()
+        } else {
+            program.stiffness.clone()
+        };
         let shared = &stiffness[..program.shared()];
-        let least = 1e-14 * (shared.iter().sum::<f64>() / shared.len().max(1) as f64).max(f64::MIN_POSITIVE);
+        let least = 1e-14
+            * (shared.iter().sum::<f64>() / shared.len().max(1) as f64).max(f64::MIN_POSITIVE);
         let mut columns: Vec<f64> = stiffness.iter().map(|d| d.max(least).sqrt().recip()).collect();
-        let largest = |values: &[f64]| values.iter().zip(&columns).fold(0.0f64, |m, (q, c)| m.max((q * c).abs()));
+        let largest = |values: &[f64]| {
+            values.iter().zip(&columns).fold(0.0f64, |m, (q, c)| m.max((q * c).abs()))
+        };
         let load = largest(&program.q[..program.shared()]);
         let live = largest(&program.live);
         let mut rows = vec![1.0; program.h.len()];
@@ -45,7 +52,11 @@ impl Scales {
             rows[range].fill(if largest > 0.0 { 1.0 / largest } else { 1.0 });
         }
         let points = program.g.nrows();
-        let offset = program.h[..points].iter().zip(&rows).map(|(h, s)| (h * s).abs()).fold(0.0f64, f64::max);
+        let offset = program.h[..points]
+            .iter()
+            .zip(&rows)
+            .map(|(h, s)| (h * s).abs())
+            .fold(0.0f64, f64::max);
         // the scaled loads are 1, or the largest gap is when nothing is loaded
         let size = match (load > 0.0, offset > 0.0) {
             (true, _) => load,
@@ -68,7 +79,9 @@ impl Scales {
         let mut p = program.p.clone();
         for c in 0..p.n {
             for k in p.col_ptr[c]..p.col_ptr[c + 1] {
-                p.values[k] *= self.columns[c] * self.columns[p.row_idx[k] as usize] * (self.motion / self.force);
+                p.values[k] *= self.columns[c]
+                    * self.columns[p.row_idx[k] as usize]
+                    * (self.motion / self.force);
             }
         }
         let mut g = program.g.clone();
@@ -123,14 +136,20 @@ mod tests {
 
     fn diagonal(values: &[f64]) -> SymmetricCsc {
         let n = values.len();
-        SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n as u32).collect(), values: values.to_vec() }
+        SymmetricCsc {
+            n,
+            col_ptr: (0..=n).collect(),
+            row_idx: (0..n as u32).collect(),
+            values: values.to_vec(),
+        }
     }
 
     /// Nothing yields: the diagonal alone, as small as 1e-14 of its mean.
     #[test]
     fn plain_programs_are_measured_by_their_diagonal() {
         let values = [4.0, 1e6, 0.0, 25.0];
-        let program = ConicProgram { p: diagonal(&values), q: vec![1.0; 4], ..ConicProgram::default() };
+        let program =
+            ConicProgram { p: diagonal(&values), q: vec![1.0; 4], ..ConicProgram::default() };
         let mean = (4.0 + 1e6 + 0.0 + 25.0) / 4.0;
         let want = values.map(|d| 1.0 / f64::sqrt(d.max(1e-14 * mean)));
         assert_eq!(Scales::new(&program).columns, want);

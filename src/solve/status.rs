@@ -136,7 +136,11 @@ impl SolveOptions {
 
     /// The same limits for a solve for its stresses.
     pub fn for_resistance(&self) -> Self {
-        Self { gap: self.limit_gap, residual: self.residual.max(LIMIT_RESIDUAL * self.limit_gap), ..self.clone() }
+        Self {
+            gap: self.limit_gap,
+            residual: self.residual.max(LIMIT_RESIDUAL * self.limit_gap),
+            ..self.clone()
+        }
     }
 
     /// True once the user has asked to stop.

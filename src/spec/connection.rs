@@ -3,9 +3,12 @@
 //! The fixed part is the same for all templates; what a template needs beyond it stands under `parameters`. Values that
 //! may be left out are `Option`s here: their defaults are the template's, and depend on profiles.
 
+use super::analysis::AnalysisSpec;
+use super::code::Code;
+use super::friction::FrictionSpec;
 use super::loads::LoadSpec;
 use super::polygon::PolygonSpec;
-use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment, Seconds};
+use crate::units::{self, Force, INVALID_QUANTITY, Kind, Length, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::collections::BTreeMap;
@@ -37,7 +40,11 @@ pub struct ConnectionSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bolts: Option<BoltSpec>,
     /// Parameters of the template beyond the fixed part, by name.
-    #[serde(default, deserialize_with = "null_is_default", skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(
+        default,
+        deserialize_with = "null_is_default",
+        skip_serializing_if = "BTreeMap::is_empty"
+    )]
     pub parameters: BTreeMap<String, ParameterValue>,
     /// Friction on contact surfaces.
     #[serde(default, deserialize_with = "null_is_default")]
@@ -54,7 +61,9 @@ pub struct ConnectionSpec {
 }
 
 /// A key with nothing but comments below it, as in `parameters:`, says no more than one that is left out.
-fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(d: D) -> Result<T, D::Error> {
+fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(
+    d: D,
+) -> Result<T, D::Error> {
     Ok(Option::deserialize(d)?.unwrap_or_default())
 }
 
@@ -80,94 +89,6 @@ pub struct Project {
     /// Revision.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub revision: Option<String>,
-}
-
-/// Design code and its factors; left out: the recommended values.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct Code {
-    /// Edition of the code.
-    pub edition: Edition,
-    /// National annex whose partial factors apply where this spec gives none: `DE`, `UK` …
-    /// (`bracket catalog list annexes`); left out: the recommended values.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub annex: Option<String>,
-    /// Partial factor of cross-sections, 0.5 to 3.
-    #[serde(rename = "gamma_M0", skip_serializing_if = "Option::is_none")]
-    pub gamma_m0: Option<f64>,
-    /// Partial factor of members and web panels against instability, 0.5 to 3.
-    #[serde(rename = "gamma_M1", skip_serializing_if = "Option::is_none")]
-    pub gamma_m1: Option<f64>,
-    /// Partial factor of bolts, welds and net sections, 0.5 to 3.
-    #[serde(rename = "gamma_M2", skip_serializing_if = "Option::is_none")]
-    pub gamma_m2: Option<f64>,
-    /// Partial factor of slip at the ultimate limit state, 0.5 to 3.
-    #[serde(rename = "gamma_M3", skip_serializing_if = "Option::is_none")]
-    pub gamma_m3: Option<f64>,
-    /// Partial factor of slip at serviceability, 0.5 to 3.
-    #[serde(rename = "gamma_M3_ser", skip_serializing_if = "Option::is_none")]
-    pub gamma_m3_ser: Option<f64>,
-    /// Partial factor of the preload of bolts, 0.5 to 3.
-    #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
-    pub gamma_m7: Option<f64>,
-    /// Table the yield strengths come from.
-    pub fy_source: FySource,
-    /// Whether prying forces develop in T-stubs.
-    #[serde(skip_serializing_if = "PryingRule::is_default")]
-    pub prying: PryingRule,
-}
-
-/// Whether prying forces develop in T-stubs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum PryingRule {
-    /// Where the bolts are no longer than L_b* of EN 1993-1-8 Table 6.2.
-    #[default]
-    ByLength,
-    /// Everywhere, whatever the length of the bolts.
-    Always,
-}
-
-impl PryingRule {
-    fn is_default(&self) -> bool {
-        *self == Self::default()
-    }
-}
-
-impl Default for Code {
-    fn default() -> Self {
-        Self {
-            edition: Edition::Ec2005,
-            annex: None,
-            gamma_m0: None,
-            gamma_m1: None,
-            gamma_m2: None,
-            gamma_m3: None,
-            gamma_m3_ser: None,
-            gamma_m7: None,
-            fy_source: FySource::Table31,
-            prying: PryingRule::ByLength,
-        }
-    }
-}
-
-/// Edition of the code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Edition {
-    /// EN 1993-1-8:2005.
-    #[serde(rename = "EN 1993-1-8:2005")]
-    Ec2005,
-}
-
-/// Where yield strengths come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FySource {
-    /// EN 1993-1-1 Table 3.1: steps at 40 mm.
-    #[serde(rename = "table_3_1")]
-    Table31,
-    /// The product standard: steps from 16 mm up.
-    ProductStandard,
 }
 
 /// A member.
@@ -274,7 +195,9 @@ impl<'de> Deserialize<'de> for PreloadSpec {
                 }
                 let force = units::parse(v, Kind::Force).map(PreloadSpec::Force);
                 force.map_err(|e| {
-                    E::custom(format_args!("{INVALID_QUANTITY}{e}; or `none`, or a part of f_ub A_s: 0.7"))
+                    E::custom(format_args!(
+                        "{INVALID_QUANTITY}{e}; or `none`, or a part of f_ub A_s: 0.7"
+                    ))
                 })
             }
             fn visit_f64<E: de::Error>(self, v: f64) -> Result<PreloadSpec, E> {
@@ -310,202 +233,6 @@ impl JsonSchema for PreloadSpec {
         schemars::json_schema!({
             "description": "Preload of every bolt: `none`, a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force.",
             "anyOf": [{"const": "none"}, {"type": "number", "exclusiveMinimum": 0, "maximum": 1}, force],
-        })
-    }
-}
-
-/// Friction on contact surfaces; at most one of `mu` and `class`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct FrictionSpec {
-    /// Friction coefficient, ≥ 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mu: Option<f64>,
-    /// Friction class A–D of EN 1090-2.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub class: Option<String>,
-    /// Friction law.
-    pub law: FrictionLaw,
-}
-
-/// Friction law.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FrictionLaw {
-    /// Coulomb's law without dilation.
-    #[default]
-    Coulomb,
-    /// Slip dilates; both programs are convex duals of each other.
-    Associated,
-}
-
-/// What to compute and how far.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct AnalysisSpec {
-    /// Kinds of analysis: one, or a list.
-    pub kind: Kinds,
-    /// Relative gap at which to stop, 0 < target < 1.
-    pub target_gap: f64,
-    /// Number of meshes at most.
-    pub max_passes: u32,
-    /// Macro tets at most.
-    pub max_macro_tets: usize,
-    /// Wall time at most: `20 min`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub time_limit: Option<Seconds>,
-    /// Limit analysis: estimate the load factor under Coulomb's law as well, by a fixed point that solves the kinematic program up
-    /// to ten times more on every mesh; the directions of a polygon have none.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub coulomb_estimate: bool,
-    /// Mesh.
-    pub mesh: MeshSpec,
-}
-
-impl Default for AnalysisSpec {
-    fn default() -> Self {
-        Self {
-            kind: Kinds(vec![AnalysisKind::Elastic]),
-            target_gap: 0.05,
-            max_passes: 6,
-            max_macro_tets: 200_000,
-            time_limit: None,
-            coulomb_estimate: false,
-            mesh: MeshSpec::default(),
-        }
-    }
-}
-
-/// A kind of analysis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum AnalysisKind {
-    /// Linear elastic bodies with contact.
-    Elastic,
-    /// Elastic, perfectly plastic.
-    Elastoplastic,
-    /// Rigid, perfectly plastic: the load factor.
-    Limit,
-}
-
-/// One kind of analysis or a list of them.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(transparent)]
-#[schemars(transparent)]
-pub struct Kinds(
-    /// The kinds, in the order given.
-    #[schemars(with = "OneOrMany")]
-    pub Vec<AnalysisKind>,
-);
-
-/// Schema of [`Kinds`] only.
-#[derive(JsonSchema)]
-#[serde(untagged)]
-#[allow(dead_code)]
-enum OneOrMany {
-    /// One kind.
-    One(AnalysisKind),
-    /// Several kinds.
-    Many(Vec<AnalysisKind>),
-}
-
-impl<'de> Deserialize<'de> for Kinds {
-    // by hand: an untagged enum would lose the place and the list of known words
-    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-        struct V;
-        impl<'de> de::Visitor<'de> for V {
-            type Value = Kinds;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("elastic, elastoplastic, limit, or a list of them")
-            }
-            fn visit_str<E: de::Error>(self, v: &str) -> Result<Kinds, E> {
-                AnalysisKind::deserialize(de::value::StrDeserializer::new(v)).map(|k| Kinds(vec![k]))
-            }
-            fn visit_seq<A: de::SeqAccess<'de>>(self, mut seq: A) -> Result<Kinds, A::Error> {
-                let mut kinds = Vec::new();
-                while let Some(k) = seq.next_element()? {
-                    kinds.push(k);
-                }
-                if kinds.is_empty() { Err(de::Error::invalid_length(0, &self)) } else { Ok(Kinds(kinds)) }
-            }
-        }
-        d.deserialize_any(V)
-    }
-}
-
-/// Mesh of a spec.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct MeshSpec {
-    /// Element size of all parts, or `auto`: per part, as the template says.
-    pub size: MeshSize,
-    /// A mesh plane at mid-thickness of every plate, flange, web and stiffener.
-    pub layers: bool,
-    /// Sides of the meshed bolt circles, even, 12–48.
-    pub segments: u32,
-}
-
-impl Default for MeshSpec {
-    fn default() -> Self {
-        Self { size: MeshSize::Auto, layers: true, segments: 12 }
-    }
-}
-
-/// Element size.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum MeshSize {
-    /// Per part, as the template says.
-    Auto,
-    /// The same for all parts.
-    Fixed(Length),
-}
-
-impl<'de> Deserialize<'de> for MeshSize {
-    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
-        struct V;
-        impl de::Visitor<'_> for V {
-            type Value = MeshSize;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("`auto` or a length (mm, cm, m, in, or a bare number for mm)")
-            }
-            fn visit_str<E: de::Error>(self, v: &str) -> Result<MeshSize, E> {
-                match v {
-                    "auto" => Ok(MeshSize::Auto),
-                    _ => Length::deserialize(de::value::StrDeserializer::new(v)).map(MeshSize::Fixed),
-                }
-            }
-            fn visit_f64<E: de::Error>(self, v: f64) -> Result<MeshSize, E> {
-                Length::deserialize(de::value::F64Deserializer::new(v)).map(MeshSize::Fixed)
-            }
-            fn visit_i64<E: de::Error>(self, v: i64) -> Result<MeshSize, E> {
-                self.visit_f64(v as f64)
-            }
-            fn visit_u64<E: de::Error>(self, v: u64) -> Result<MeshSize, E> {
-                self.visit_f64(v as f64)
-            }
-        }
-        d.deserialize_any(V)
-    }
-}
-
-impl Serialize for MeshSize {
-    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        match self {
-            MeshSize::Auto => s.serialize_str("auto"),
-            MeshSize::Fixed(l) => l.serialize(s),
-        }
-    }
-}
-
-impl JsonSchema for MeshSize {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "MeshSize".into()
-    }
-    fn json_schema(g: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let length = g.subschema_for::<Length>();
-        schemars::json_schema!({
-            "description": "Element size: `auto`, or a length for all parts.",
-            "anyOf": [{"const": "auto"}, length],
         })
     }
 }
@@ -547,7 +274,10 @@ impl<'de> Deserialize<'de> for ParameterValue {
             fn visit_str<E>(self, v: &str) -> Result<ParameterValue, E> {
                 Ok(ParameterValue::Text(v.to_owned()))
             }
-            fn visit_seq<A: de::SeqAccess<'de>>(self, mut seq: A) -> Result<ParameterValue, A::Error> {
+            fn visit_seq<A: de::SeqAccess<'de>>(
+                self,
+                mut seq: A,
+            ) -> Result<ParameterValue, A::Error> {
                 let mut list = Vec::new();
                 while let Some(l) = seq.next_element()? {
                     list.push(l);

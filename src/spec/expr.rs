@@ -153,27 +153,41 @@ impl Expr {
     }
 
     /// Its value; `lookup` gives the values of names, or says why there is none.
-    pub fn eval(&self, lookup: &mut dyn FnMut(&str) -> Result<Value, String>) -> Result<Value, ExprError> {
+    pub fn eval(
+        &self,
+        lookup: &mut dyn FnMut(&str) -> Result<Value, String>,
+    ) -> Result<Value, ExprError> {
         Eval { text: &self.text, lookup }.node(&self.root)
     }
 
     /// Its value as a quantity of dimension `dim`; a bare number counts as mm where a length is wanted.
-    pub fn eval_as(&self, dim: Dim, lookup: &mut dyn FnMut(&str) -> Result<Value, String>) -> Result<f64, ExprError> {
+    pub fn eval_as(
+        &self,
+        dim: Dim,
+        lookup: &mut dyn FnMut(&str) -> Result<Value, String>,
+    ) -> Result<f64, ExprError> {
         match self.eval(lookup)? {
             Value::Quantity(q) if q.dim == dim || (self.bare && dim == Dim::LENGTH) => Ok(q.value),
             Value::Quantity(q) if q.dim == Dim::NONE => {
                 Err(self.whole(format!("a {dim} is wanted, this number has no unit")))
             }
-            Value::Quantity(q) => Err(self.whole(format!("a {dim} is wanted, this is a {}", q.dim))),
+            Value::Quantity(q) => {
+                Err(self.whole(format!("a {dim} is wanted, this is a {}", q.dim)))
+            }
             Value::Truth(_) => Err(self.whole(format!("a {dim} is wanted, this is true or false"))),
         }
     }
 
     /// Its value as a truth.
-    pub fn eval_truth(&self, lookup: &mut dyn FnMut(&str) -> Result<Value, String>) -> Result<bool, ExprError> {
+    pub fn eval_truth(
+        &self,
+        lookup: &mut dyn FnMut(&str) -> Result<Value, String>,
+    ) -> Result<bool, ExprError> {
         match self.eval(lookup)? {
             Value::Truth(t) => Ok(t),
-            Value::Quantity(_) => Err(self.whole("true or false is wanted, this is a number".into())),
+            Value::Quantity(_) => {
+                Err(self.whole("true or false is wanted, this is a number".into()))
+            }
         }
     }
 
@@ -191,7 +205,11 @@ impl<'de> Deserialize<'de> for Expr {
                 f.write_str("a number or an expression")
             }
             fn visit_f64<E: de::Error>(self, v: f64) -> Result<Expr, E> {
-                if v.is_finite() { Ok(Expr::number(v)) } else { Err(E::custom("a number must be finite")) }
+                if v.is_finite() {
+                    Ok(Expr::number(v))
+                } else {
+                    Err(E::custom("a number must be finite"))
+                }
             }
             fn visit_i64<E: de::Error>(self, v: i64) -> Result<Expr, E> {
                 Ok(Expr::number(v as f64))
@@ -240,7 +258,8 @@ struct Spanned {
     span: Range<usize>,
 }
 
-const SYMBOLS: [&str; 14] = ["<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ","];
+const SYMBOLS: [&str; 14] =
+    ["<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ","];
 
 fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
     let bytes = text.as_bytes();
@@ -253,7 +272,9 @@ fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
             i += 1;
             continue;
         }
-        let token = if b.is_ascii_digit() || (b == b'.' && bytes.get(i + 1).is_some_and(u8::is_ascii_digit)) {
+        let token = if b.is_ascii_digit()
+            || (b == b'.' && bytes.get(i + 1).is_some_and(u8::is_ascii_digit))
+        {
             while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'.') {
                 i += 1;
             }
@@ -267,7 +288,8 @@ fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
                     }
                 }
             }
-            let value: f64 = text[start..i].parse().map_err(|_| fault(text, start..i, "not a number"))?;
+            let value: f64 =
+                text[start..i].parse().map_err(|_| fault(text, start..i, "not a number"))?;
             if !value.is_finite() {
                 return Err(fault(text, start..i, "number too large"));
             }
@@ -275,7 +297,8 @@ fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
         } else if b.is_ascii_alphabetic() || b == b'_' {
             let word = |c: u8| c.is_ascii_alphanumeric() || c == b'_';
             while i < bytes.len()
-                && (word(bytes[i]) || (bytes[i] == b'.' && bytes.get(i + 1).is_some_and(|&c| word(c))))
+                && (word(bytes[i])
+                    || (bytes[i] == b'.' && bytes.get(i + 1).is_some_and(|&c| word(c))))
             {
                 i += 1;
             }
@@ -330,7 +353,9 @@ impl Parser<'_> {
     fn take(&mut self) -> Result<Spanned, ExprError> {
         let t = self.peek().cloned();
         self.next += 1;
-        t.ok_or_else(|| fault(self.text, self.text.len()..self.text.len(), "the expression ends too early"))
+        t.ok_or_else(|| {
+            fault(self.text, self.text.len()..self.text.len(), "the expression ends too early")
+        })
     }
 
     fn expect(&mut self, symbol: &'static str) -> Result<usize, ExprError> {
@@ -408,10 +433,15 @@ impl Parser<'_> {
         for n in (1..=3.min(rest.len())).rev() {
             let end = rest[n - 1].span.end;
             let starts_with_word = matches!(rest[0].token, Token::Word(_));
-            if let Some((factor, dim)) = units::unit(&self.text[rest[0].span.start..end]).filter(|_| starts_with_word) {
+            if let Some((factor, dim)) =
+                units::unit(&self.text[rest[0].span.start..end]).filter(|_| starts_with_word)
+            {
                 self.next += n;
                 let quantity = Quantity { value: value * factor, dim };
-                return Node { kind: Kind::Literal(Value::Quantity(quantity)), span: span.start..end };
+                return Node {
+                    kind: Kind::Literal(Value::Quantity(quantity)),
+                    span: span.start..end,
+                };
             }
         }
         Node { kind: Kind::Literal(Value::number(value)), span }
@@ -427,7 +457,9 @@ impl Eval<'_> {
     fn node(&mut self, node: &Node) -> Result<Value, ExprError> {
         let value = match &node.kind {
             Kind::Literal(v) => *v,
-            Kind::Name(name) => (self.lookup)(name).map_err(|m| fault(self.text, node.span.clone(), m))?,
+            Kind::Name(name) => {
+                (self.lookup)(name).map_err(|m| fault(self.text, node.span.clone(), m))?
+            }
             Kind::Unary('!', a) => Value::Truth(!self.truth(a)?),
             Kind::Unary(_, a) => {
                 let q = self.quantity(a)?;
@@ -437,9 +469,11 @@ impl Eval<'_> {
             Kind::Call(name, args) => self.call(name, args, node)?,
         };
         match value {
-            Value::Quantity(q) if !q.value.is_finite() => {
-                Err(fault(self.text, node.span.clone(), format!("the result is not finite ({})", q.value)))
-            }
+            Value::Quantity(q) if !q.value.is_finite() => Err(fault(
+                self.text,
+                node.span.clone(),
+                format!("the result is not finite ({})", q.value),
+            )),
             _ => Ok(value),
         }
     }
@@ -447,7 +481,9 @@ impl Eval<'_> {
     fn truth(&mut self, node: &Node) -> Result<bool, ExprError> {
         match self.node(node)? {
             Value::Truth(t) => Ok(t),
-            Value::Quantity(_) => Err(fault(self.text, node.span.clone(), "true or false is wanted here")),
+            Value::Quantity(_) => {
+                Err(fault(self.text, node.span.clone(), "true or false is wanted here"))
+            }
         }
     }
 
@@ -464,7 +500,11 @@ impl Eval<'_> {
         if p.dim == q.dim {
             Ok((p.value, q.value, p.dim))
         } else {
-            Err(fault(self.text, b.span.clone(), format!("units do not match: {} and {}", p.dim, q.dim)))
+            Err(fault(
+                self.text,
+                b.span.clone(),
+                format!("units do not match: {} and {}", p.dim, q.dim),
+            ))
         }
     }
 
@@ -477,7 +517,8 @@ impl Eval<'_> {
             "*" | "/" => {
                 let overflow = overflow();
                 let (p, q) = (self.quantity(a)?, self.quantity(b)?);
-                let (value, sign) = if op == "*" { (p.value * q.value, 1) } else { (p.value / q.value, -1) };
+                let (value, sign) =
+                    if op == "*" { (p.value * q.value, 1) } else { (p.value / q.value, -1) };
                 let dim = q.dim.power(sign).and_then(|d| p.dim.times(d)).ok_or(overflow)?;
                 Value::Quantity(Quantity { value, dim })
             }
@@ -549,8 +590,16 @@ impl Eval<'_> {
                 match name {
                     "abs" => Ok(Value::Quantity(Quantity { value: q.value.abs(), ..q })),
                     "ceil" if q.dim == Dim::NONE => Ok(Value::number(q.value.ceil())),
-                    "sqrt" if q.dim.length % 2 == 0 && q.dim.force % 2 == 0 && q.dim.angle % 2 == 0 => {
-                        let dim = Dim { length: q.dim.length / 2, force: q.dim.force / 2, angle: q.dim.angle / 2 };
+                    "sqrt"
+                        if q.dim.length % 2 == 0
+                            && q.dim.force % 2 == 0
+                            && q.dim.angle % 2 == 0 =>
+                    {
+                        let dim = Dim {
+                            length: q.dim.length / 2,
+                            force: q.dim.force / 2,
+                            angle: q.dim.angle / 2,
+                        };
                         Ok(Value::Quantity(Quantity { value: q.value.sqrt(), dim }))
                     }
                     "ceil" => Err(fault(
@@ -558,13 +607,21 @@ impl Eval<'_> {
                         node.span.clone(),
                         "`ceil` takes a number without unit; use round_up(x, step)",
                     )),
-                    _ => Err(fault(self.text, node.span.clone(), format!("`sqrt` of a {} has no unit", q.dim))),
+                    _ => Err(fault(
+                        self.text,
+                        node.span.clone(),
+                        format!("`sqrt` of a {} has no unit", q.dim),
+                    )),
                 }
             }
             "round_up" => {
                 let (x, step, dim) = self.pair(&args[0], &args[1])?;
                 if step <= 0.0 {
-                    return Err(fault(self.text, args[1].span.clone(), "the step of `round_up` must be positive"));
+                    return Err(fault(
+                        self.text,
+                        args[1].span.clone(),
+                        "the step of `round_up` must be positive",
+                    ));
                 }
                 // a hair below a multiple counts as the multiple: 0.1 + 0.2 is not 0.4
                 Ok(Value::Quantity(Quantity { value: (x / step - 1e-9).ceil() * step, dim }))

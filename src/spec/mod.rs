@@ -1,7 +1,10 @@
 //! What a user writes: YAML files, strictly read.
 
+pub mod analysis;
+pub mod code;
 pub mod connection;
 pub mod expr;
+pub mod friction;
 pub mod loads;
 pub mod polygon;
 pub mod yaml;

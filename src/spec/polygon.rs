@@ -114,13 +114,18 @@ impl PolygonSpec {
                     "`{0}` is {size:e} {unit}; the unit of an axis is positive, from {least} to {most}",
                     action.word()
                 );
-                fault(action.word(), problem, "write about what the joint carries of this action alone");
+                fault(
+                    action.word(),
+                    problem,
+                    "write about what the joint carries of this action alone",
+                );
             }
         }
         if given.len() != 2 {
             let words: Vec<&str> = given.iter().map(|(a, _)| a.word()).collect();
             let named = if words.is_empty() { "none".into() } else { words.join(", ") };
-            let problem = format!("a polygon is of two actions, {} are given: {named}", given.len());
+            let problem =
+                format!("a polygon is of two actions, {} are given: {named}", given.len());
             fault(
                 "",
                 problem,
@@ -128,10 +133,15 @@ impl PolygonSpec {
             );
         }
         if !(4..=MOST).contains(&self.directions) || !self.directions.is_multiple_of(4) {
-            let problem = format!("`directions` is {}, it must be a multiple of 4 from 4 to {MOST}", self.directions);
+            let problem = format!(
+                "`directions` is {}, it must be a multiple of 4 from 4 to {MOST}",
+                self.directions
+            );
             fault("directions", problem, "8 shows the shape; every direction is a limit analysis");
         }
-        let Some([first, second]) = self.axes().filter(|_| faults.is_empty()) else { return Err(faults) };
+        let Some([first, second]) = self.axes().filter(|_| faults.is_empty()) else {
+            return Err(faults);
+        };
         let mut out = Vec::new();
         for Direction { case, unit } in self.directions() {
             if let Some(i) = others.iter().position(|l| l.name == case) {
@@ -146,7 +156,9 @@ impl PolygonSpec {
                 of_polygon: true,
                 ..LoadSpec::default()
             };
-            for ((action, size), part) in [first, second].into_iter().zip(unit).filter(|(_, part)| *part != 0.0) {
+            for ((action, size), part) in
+                [first, second].into_iter().zip(unit).filter(|(_, part)| *part != 0.0)
+            {
                 load.set(action, part * size);
             }
             out.push(load);
@@ -165,7 +177,8 @@ mod tests {
     use super::*;
 
     fn polygon(rest: &str) -> PolygonSpec {
-        serde_yaml::from_str(&format!("{{end: beam_right, at: column_face, {rest}}}")).expect("reads")
+        serde_yaml::from_str(&format!("{{end: beam_right, at: column_face, {rest}}}"))
+            .expect("reads")
     }
 
     #[test]
@@ -174,20 +187,30 @@ mod tests {
             let p = polygon(&format!("N: 200 kN, My: 100 kN m, directions: {n}"));
             assert_eq!(p.axes().expect("two").map(|a| a.0), [Action::My, Action::N]);
             let d = p.directions();
-            let exact: Vec<[f64; 2]> = d.iter().map(|d| d.unit).filter(|u| u.contains(&0.0)).collect();
+            let exact: Vec<[f64; 2]> =
+                d.iter().map(|d| d.unit).filter(|u| u.contains(&0.0)).collect();
             assert_eq!(exact, [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]);
             for (k, d) in d.iter().enumerate() {
                 let angle = 2.0 * std::f64::consts::PI * k as f64 / f64::from(n);
-                assert!((d.unit[0] - angle.cos()).abs() < 1e-15 && (d.unit[1] - angle.sin()).abs() < 1e-15, "{d:?}");
+                assert!(
+                    (d.unit[0] - angle.cos()).abs() < 1e-15
+                        && (d.unit[1] - angle.sin()).abs() < 1e-15,
+                    "{d:?}"
+                );
             }
         }
         let loads = polygon("My: 100 kN m, N: 200 kN").loads(&[]).expect("sound");
         assert_eq!(loads.len(), 8);
-        assert_eq!((loads[0].name.as_str(), loads[0].actions()), ("polygon_0", vec![(Action::My, 1e8)]));
+        assert_eq!(
+            (loads[0].name.as_str(), loads[0].actions()),
+            ("polygon_0", vec![(Action::My, 1e8)])
+        );
         assert_eq!(loads[2].actions(), [(Action::N, 2e5)]);
         assert_eq!(loads[6].actions(), [(Action::N, -2e5)]);
         let half = 0.5f64.sqrt();
-        let [(first, n), (second, my)] = loads[3].actions()[..] else { panic!("two actions: {:?}", loads[3]) };
+        let [(first, n), (second, my)] = loads[3].actions()[..] else {
+            panic!("two actions: {:?}", loads[3])
+        };
         assert_eq!((first, second), (Action::N, Action::My));
         assert!((n / 2e5 - half).abs() < 1e-15 && (my / 1e8 + half).abs() < 1e-15, "{n} {my}");
     }
@@ -207,7 +230,10 @@ mod tests {
             ("My: 100 kN m, N: 1 kN, directions: 36", "polygon.directions", "from 4 to 32"),
         ] {
             let faults = polygon(rest).loads(&[]).expect_err(rest);
-            assert!(faults.iter().any(|f| f.path == path && f.problem.contains(words)), "{rest}: {faults:?}");
+            assert!(
+                faults.iter().any(|f| f.path == path && f.problem.contains(words)),
+                "{rest}: {faults:?}"
+            );
         }
         let mine = LoadSpec { name: "polygon_45".into(), ..LoadSpec::default() };
         let faults = polygon("My: 100 kN m, N: 1 kN").loads(&[mine]).expect_err("clash");

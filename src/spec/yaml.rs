@@ -56,7 +56,10 @@ fn tab(text: &str, file: &Path) -> Option<Diagnostic> {
         (!body.is_empty() && !body.starts_with('#')).then_some((i + 1, column + 1))
     });
     let (line, column) = at?;
-    let d = Diagnostic::input("yaml/tab", format!("line {line} is indented with a tab, which YAML does not allow"));
+    let d = Diagnostic::input(
+        "yaml/tab",
+        format!("line {line} is indented with a tab, which YAML does not allow"),
+    );
     Some(
         d.file(file)
             .at(line, column)
@@ -66,8 +69,9 @@ fn tab(text: &str, file: &Path) -> Option<Diagnostic> {
 
 /// Writes a value as a YAML document.
 pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostics> {
-    serde_yaml::to_string(value)
-        .map_err(|e| Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")).into())
+    serde_yaml::to_string(value).map_err(|e| {
+        Diagnostic::input("yaml/write", format!("this value cannot be written as YAML: {e}")).into()
+    })
 }
 
 /// Makes a diagnostic of a serde message: its kind becomes the code, its path the place.
@@ -105,13 +109,19 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         let key = rest.split('`').next().unwrap_or(rest);
         let within = if path.is_empty() { "the file".to_string() } else { format!("`{path}`") };
         let d = Diagnostic::input("yaml/missing-key", format!("{within} lacks the key `{key}`"));
-        return named(d.help(format!("add `{key}: …`; `bracket schema` lists every key with its unit")), path);
+        return named(
+            d.help(format!("add `{key}: …`; `bracket schema` lists every key with its unit")),
+            path,
+        );
     }
     if let Some((path, rest)) = split_at_marker(text, "unknown variant `") {
         let (word, known) = rest.split_once('`').unwrap_or((rest, ""));
         let known = backticked(known);
         let hint = did_you_mean(word, known.iter().copied());
-        let d = Diagnostic::input("yaml/unknown-value", format!("`{word}` is not a value known at `{path}`{hint}"));
+        let d = Diagnostic::input(
+            "yaml/unknown-value",
+            format!("`{word}` is not a value known at `{path}`{hint}"),
+        );
         return named(d.help(format!("write one of: {}", known.join(", "))), path);
     }
     for marker in ["invalid type: ", "invalid value: ", "invalid length ", "data did not match"] {
@@ -120,14 +130,18 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
             let d = Diagnostic::input("yaml/type", format!("{at}{marker}{}", in_words(rest)));
             let d = d.help(match rest.split('"').nth(1).and_then(crate::units::with_point) {
                 Some(number) => format!("a number has a point before its decimals: `{number}`"),
-                None => "write the kind of value that is expected here; `bracket schema` lists them".into(),
+                None => {
+                    "write the kind of value that is expected here; `bracket schema` lists them"
+                        .into()
+                }
             });
             return named(d, path);
         }
     }
-    for (code, marker) in
-        [("yaml/quantity", crate::units::INVALID_QUANTITY), ("yaml/expression", super::expr::INVALID_EXPRESSION)]
-    {
+    for (code, marker) in [
+        ("yaml/quantity", crate::units::INVALID_QUANTITY),
+        ("yaml/expression", super::expr::INVALID_EXPRESSION),
+    ] {
         if let Some((path, rest)) = split_at_marker(text, marker) {
             let at = if path.is_empty() { String::new() } else { format!("`{path}`: ") };
             let d = Diagnostic::input(code, format!("{at}{rest}"));
@@ -135,7 +149,10 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
         }
     }
     if text.contains("repetition limit") || text.contains(outline::TOO_LARGE) {
-        let d = Diagnostic::input("yaml/too-large", "the aliases of this file expand beyond a million values");
+        let d = Diagnostic::input(
+            "yaml/too-large",
+            "the aliases of this file expand beyond a million values",
+        );
         return named(d.help("write the values out instead of `*alias`"), "");
     }
     if text.contains("recursion limit") {
@@ -162,7 +179,9 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
 /// Cuts the trailing ` at line L column C`; the place is told separately.
 fn without_position(text: &str) -> &str {
     match text.rfind(" at line ") {
-        Some(i) if text[i + 9..].chars().all(|c| c.is_ascii_digit() || " column".contains(c)) => &text[..i],
+        Some(i) if text[i + 9..].chars().all(|c| c.is_ascii_digit() || " column".contains(c)) => {
+            &text[..i]
+        }
         _ => text,
     }
 }

@@ -74,14 +74,21 @@ fn refuses_wrong_and_missing_units_by_name() {
 
 #[test]
 fn inches_become_the_millimetres_that_people_print() {
-    for (text, mm) in [("0.75 in", "19.05"), ("1.1 in", "27.94"), ("13/16 in", "20.6375"), ("1/64 in", "0.396875")] {
+    for (text, mm) in [
+        ("0.75 in", "19.05"),
+        ("1.1 in", "27.94"),
+        ("13/16 in", "20.6375"),
+        ("1/64 in", "0.396875"),
+    ] {
         assert_eq!(parse(text, Kind::Length).map(|x| x.to_string()).as_deref(), Ok(mm), "{text}");
     }
 }
 
 #[test]
 fn a_comma_is_told_to_be_a_point_only_where_it_must_be() {
-    for (text, told) in [("0,3", Some("0.3")), ("+1,25 kN", Some("+1.25 kN")), ("1,5cm", Some("1.5cm"))] {
+    for (text, told) in
+        [("0,3", Some("0.3")), ("+1,25 kN", Some("+1.25 kN")), ("1,5cm", Some("1.5cm"))]
+    {
         assert_eq!(with_point(text).as_deref(), told, "{text}");
     }
     // thousands, two commas, no number
@@ -89,7 +96,10 @@ fn a_comma_is_told_to_be_a_point_only_where_it_must_be() {
         assert_eq!(with_point(text), None, "{text}");
     }
     let message = parse("1,200 mm", Kind::Length).expect_err("thousands").to_string();
-    assert!(message.contains("nothing between its thousands") && !message.contains("write"), "{message}");
+    assert!(
+        message.contains("nothing between its thousands") && !message.contains("write"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -103,7 +113,10 @@ fn times_need_a_unit() {
 #[test]
 fn forces_and_moments_are_written_in_the_unit_people_use() {
     fn text(value: impl serde::Serialize) -> String {
-        serde_json::to_value(value).ok().and_then(|v| v.as_str().map(str::to_owned)).expect("a text")
+        serde_json::to_value(value)
+            .ok()
+            .and_then(|v| v.as_str().map(str::to_owned))
+            .expect("a text")
     }
     for (newton, written) in
         [(80e3, "80 kN"), (-150.0, "-0.15 kN"), (99.0, "99 N"), (0.0, "0 N"), (98_700.0, "98.7 kN")]

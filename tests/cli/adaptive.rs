@@ -21,14 +21,25 @@ fn a_target_is_reached_and_verified() {
         expect(&first, &["analyse", "block.yaml", "--quiet"], 0);
         let gap = number(&case(&first.read("block/result.json"))["gap"]);
         let target = 0.6 * gap;
-        let adaptive = bench(&format!("{model}adapt: {{target_gap: {target}, max_macro_tets: 4000}}\n"));
+        let adaptive =
+            bench(&format!("{model}adapt: {{target_gap: {target}, max_macro_tets: 4000}}\n"));
         let (_, talk) = expect(&adaptive, &["analyse", "block.yaml"], 0);
         let c = case(&adaptive.read("block/result.json"));
         assert!(number(&c["gap"]) <= target, "{name}: {talk}");
         let history = c["history"].as_array().expect("rows");
-        assert!(history.len() > 1 && history[0]["gap"] == gap && talk.contains("the next one is to have"), "{talk}");
-        let best = |key: &str, better: fn(f64, f64) -> f64| history.iter().map(|h| number(&h[key])).reduce(better);
-        assert_eq!((best("lower", f64::max), best("upper", f64::min)), (c["lower"].as_f64(), c["upper"].as_f64()));
+        assert!(
+            history.len() > 1
+                && history[0]["gap"] == gap
+                && talk.contains("the next one is to have"),
+            "{talk}"
+        );
+        let best = |key: &str, better: fn(f64, f64) -> f64| {
+            history.iter().map(|h| number(&h[key])).reduce(better)
+        };
+        assert_eq!(
+            (best("lower", f64::max), best("upper", f64::min)),
+            (c["lower"].as_f64(), c["upper"].as_f64())
+        );
         for h in &history[1..] {
             let [found, told] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
             assert!((found / told - 1.0).abs() < 0.15, "{name}: {found} tets, {told} expected");
@@ -37,7 +48,8 @@ fn a_target_is_reached_and_verified() {
         assert!(found.contains("confirmed") && !found.contains("REFUTED"), "{found}");
         let report = adaptive.read("block/report.md");
         assert!(
-            report.contains("What was expected of each further mesh") && report.contains("convergence_"),
+            report.contains("What was expected of each further mesh")
+                && report.contains("convergence_"),
             "{report}"
         );
         // a tampered bound in the history is found
@@ -65,7 +77,13 @@ fn limits_are_told() {
         assert!(talk.contains(why), "{adapt}: {talk}");
         let c = case(&b.read("block/result.json"));
         assert_eq!(c["certificate"]["strict"], true);
-        assert!(c["history"].as_array().expect("rows").iter().all(|h| number(&h["gap"]) >= number(&c["gap"])));
+        assert!(
+            c["history"]
+                .as_array()
+                .expect("rows")
+                .iter()
+                .all(|h| number(&h["gap"]) >= number(&c["gap"]))
+        );
     }
 }
 
@@ -74,9 +92,21 @@ fn limits_are_told() {
 #[test]
 fn a_study_is_a_table_and_plots() {
     let b = bench(&opening());
-    let args = ["study", "block.yaml", "--solver", "condensed,clarabel", "--uniform", "2", "--target-gap", "0.006"];
+    let args = [
+        "study",
+        "block.yaml",
+        "--solver",
+        "condensed,clarabel",
+        "--uniform",
+        "2",
+        "--target-gap",
+        "0.006",
+    ];
     let (table, _) = expect(&b, &[&args[..], &["--max-macro-tets", "600"]].concat(), 0);
-    assert!(table.contains("uniform, clarabel") && table.contains("adaptive, condensed"), "{table}");
+    assert!(
+        table.contains("uniform, clarabel") && table.contains("adaptive, condensed"),
+        "{table}"
+    );
     let csv = b.read("block_study/study.csv");
     let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|l| l.split(',').collect()).collect();
     let gaps = |meshes: &str, solver: &str| -> Vec<f64> {
@@ -96,7 +126,13 @@ fn a_study_is_a_table_and_plots() {
     expect(&b, &["study", "block.yaml", "--uniform", "1", "--max-passes", "1", "--quiet"], 0);
     std::fs::create_dir(b.path().join("other")).expect("folder");
     let b = b.file("other/notes.txt", "mine");
-    let told = Told { exit: 2, code: "cli/out-exists", place: "", message: "was not written by", cure: "--out" };
+    let told = Told {
+        exit: 2,
+        code: "cli/out-exists",
+        place: "",
+        message: "was not written by",
+        cure: "--out",
+    };
     let mut run = b.command(&["study", "block.yaml", "--out", "other"]);
     refusal(&b, &mut run, &told).unwrap_or_else(|e| panic!("{e}"));
 }
@@ -123,6 +159,7 @@ fn wrong_options_of_a_study_are_refused() {
         let right = run.status.code() == Some(2) && talk.contains(message) && talk.contains(cure);
         results.push((args.join(" "), if right { None } else { Some(talk) }));
     }
-    let wrong: Vec<_> = results.into_iter().filter_map(|(args, talk)| Some((args, talk?))).collect();
+    let wrong: Vec<_> =
+        results.into_iter().filter_map(|(args, talk)| Some((args, talk?))).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -119,7 +119,11 @@ pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<
     let after = bench.everything();
     if after != before {
         let names: Vec<_> = after.keys().filter(|k| before.get(*k) != after.get(*k)).collect();
-        faults.push(format!("left {names:?}, {} entries before, {} after", before.len(), after.len()));
+        faults.push(format!(
+            "left {names:?}, {} entries before, {} after",
+            before.len(),
+            after.len()
+        ));
     }
     if faults.is_empty() { Ok(text) } else { Err(format!("{}:\n{text}", faults.join("; "))) }
 }
@@ -127,7 +131,9 @@ pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<
 /// Fails with all that is wrong in a table of cases.
 pub fn none_wrong(results: Vec<(String, Result<String, String>)>) {
     assert!(results.len() > 1, "an empty table proves nothing");
-    let wrong: Vec<String> =
-        results.into_iter().filter_map(|(name, r)| Some(format!("== {name}: {}", r.err()?))).collect();
+    let wrong: Vec<String> = results
+        .into_iter()
+        .filter_map(|(name, r)| Some(format!("== {name}: {}", r.err()?)))
+        .collect();
     assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
 }

@@ -27,7 +27,9 @@ fn last(err: &str) -> &str {
 /// An overload is refused by `check` without mesher, and by `run` whatever elastic analysis finds; a small load is OK by both.
 #[test]
 fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
-    let bench = Bench::new().file("over.yaml", joint(100.0, "elastic")).file("well.yaml", joint(20.0, "elastic"));
+    let bench = Bench::new()
+        .file("over.yaml", joint(100.0, "elastic"))
+        .file("well.yaml", joint(20.0, "elastic"));
     for (name, code, word, says) in [("over", 1, "not_ok", "NOT OK"), ("well", 0, "ok", "OK")] {
         let spec = format!("{name}.yaml");
         // no mesher is needed: one that is not there is not missed
@@ -37,19 +39,43 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
         let err = String::from_utf8_lossy(&ended.stderr).into_owned();
         assert_eq!(ended.status.code(), Some(code), "{err}");
         let line = last(&err);
-        assert!(line.starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")), "{line}");
-        assert!(line.contains("EN 1993-1-8") && line.contains(&format!("exit code {code}")), "{line}");
+        assert!(
+            line.starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")),
+            "{line}"
+        );
+        assert!(
+            line.contains("EN 1993-1-8") && line.contains(&format!("exit code {code}")),
+            "{line}"
+        );
         let checked = result(&bench, &format!("{name}_check"));
-        assert_eq!((&checked["verdict"], &checked["judgement"]["by_code"]), (&word.into(), &word.into()));
+        assert_eq!(
+            (&checked["verdict"], &checked["judgement"]["by_code"]),
+            (&word.into(), &word.into())
+        );
         assert_eq!(checked["cases"].as_array().map(Vec::len), Some(0));
-        for file in ["report.md", "report.html", "drawing.svg", "actions.svg", "moment_axial.svg", "log.txt"] {
+        for file in [
+            "report.md",
+            "report.html",
+            "drawing.svg",
+            "actions.svg",
+            "moment_axial.svg",
+            "log.txt",
+        ] {
             assert!(bench.path().join(format!("{name}_check/{file}")).is_file(), "{name}: {file}");
         }
-        assert!(bench.read(&format!("{name}_check/report.md")).contains(&format!("Verdict: **{says}**")));
+        assert!(
+            bench
+                .read(&format!("{name}_check/report.md"))
+                .contains(&format!("Verdict: **{says}**"))
+        );
         let (_, err) = expect(&bench, &["run", &spec, "--size-factor", "2"], code);
-        assert!(last(&err).starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")), "{err}");
+        assert!(
+            last(&err).starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")),
+            "{err}"
+        );
         // the verdict by code stands before anything is meshed
-        let early = err.lines().position(|l| l.starts_with(&format!("by code alone: {says}: ULS1")));
+        let early =
+            err.lines().position(|l| l.starts_with(&format!("by code alone: {says}: ULS1")));
         let meshed = err.lines().position(|l| l.contains("tets,"));
         assert!(early.is_some() && early < meshed, "{err}");
         let run = result(&bench, name);
@@ -100,9 +126,13 @@ fn check_writes_its_own_folder_and_nothing_else() {
 #[test]
 fn watch_repeats_on_every_change() {
     let bench = Bench::new().file("joint.yaml", joint(20.0, "limit"));
-    let mut watching =
-        bench.command(&["watch", "joint.yaml"]).stderr(Stdio::piped()).spawn().expect("the program starts");
-    let mut lines = BufReader::new(watching.stderr.take().expect("a pipe")).lines().map_while(Result::ok);
+    let mut watching = bench
+        .command(&["watch", "joint.yaml"])
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut lines =
+        BufReader::new(watching.stderr.take().expect("a pipe")).lines().map_while(Result::ok);
     let mut next = |words: &str| lines.by_ref().any(|l| l.contains(words));
     assert!(next("verdict: OK"));
     for (text, words) in [
@@ -112,7 +142,8 @@ fn watch_repeats_on_every_change() {
     ] {
         // written in one step, as editors do
         std::fs::write(bench.path().join("new"), text).expect("written");
-        std::fs::rename(bench.path().join("new"), bench.path().join("joint.yaml")).expect("renamed");
+        std::fs::rename(bench.path().join("new"), bench.path().join("joint.yaml"))
+            .expect("renamed");
         assert!(next(words), "{words}");
     }
     watching.kill().expect("it runs");
@@ -126,8 +157,16 @@ fn wrong_inputs_of_check_are_refused_with_place_and_cure() {
     let with = |old: &str, new: &str| sound.replacen(old, new, 1);
     let wrong = [
         (with("column: {profile", "column: {N_Ed: 800, profile"), "members.column.N_Ed", "kN"),
-        (with("column: {profile", "column: {N_Ed: -8000 kN, profile"), "yield strength", "larger column"),
-        (with("column: {profile", "column: {M_Ed: 500 kN m, profile"), "members.column.M_Ed", "larger column"),
+        (
+            with("column: {profile", "column: {N_Ed: -8000 kN, profile"),
+            "yield strength",
+            "larger column",
+        ),
+        (
+            with("column: {profile", "column: {M_Ed: 500 kN m, profile"),
+            "members.column.M_Ed",
+            "larger column",
+        ),
         (with("beam: {profile", "beam: {N_Ed: -80 kN, profile"), "members.beam.N_Ed", "loads"),
         (with("beam: {profile", "beam: {V_Ed: 80 kN, profile"), "members.beam.V_Ed", "loads"),
         (format!("code: {{prying: never}}\n{sound}"), "code.prying", "by_length"),

@@ -31,7 +31,8 @@ fn case(bench: &Bench) -> Value {
 /// Replaces the shift of the cones by a multiple of it.
 fn scale_shift(bench: &Bench, factor: f64) {
     let path = bench.path().join("block/fields/block_shift.vtu");
-    let mut grid = VtuGrid::from_bytes(&std::fs::read(&path).expect("written")).expect("our own file");
+    let mut grid =
+        VtuGrid::from_bytes(&std::fs::read(&path).expect("written")).expect("our own file");
     grid.cell_data[0].2.iter_mut().for_each(|s| *s *= factor);
     std::fs::write(&path, grid.to_bytes().expect("sound")).expect("written");
 }
@@ -44,18 +45,24 @@ fn the_bracket_is_one_of_shifted_cones_and_is_confirmed_from_the_files() {
     assert_eq!(c["certificate"]["strict"], true, "{c}");
     let run = &c["fixed_point"];
     assert!(
-        run["solves"].as_u64().expect("a number") > 1 && run["change"].as_f64().expect("a number") <= 1e-3,
+        run["solves"].as_u64().expect("a number") > 1
+            && run["change"].as_f64().expect("a number") <= 1e-3,
         "{run}"
     );
     // its energy says nothing rigorous of the load's displacement
     assert!(c.get("load_displacement").is_none() && c.get("load").is_none(), "{c}");
     let report = bench.read("block/report.md");
-    for words in
-        ["Coulomb's law was reached through", "strict for that last problem", "they are not bounds of Coulomb's"]
-    {
+    for words in [
+        "Coulomb's law was reached through",
+        "strict for that last problem",
+        "they are not bounds of Coulomb's",
+    ] {
         assert!(report.contains(words), "{words}: {report}");
     }
-    assert!(report.contains("with Coulomb friction it does not bracket a displacement"), "{report}");
+    assert!(
+        report.contains("with Coulomb friction it does not bracket a displacement"),
+        "{report}"
+    );
     let (out, _) = expect(&bench, &["verify", "block"], 0);
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
 }

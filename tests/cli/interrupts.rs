@@ -24,7 +24,8 @@ struct Running {
 
 impl Running {
     fn start(command: &mut Command) -> Self {
-        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+        let mut child =
+            command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
         let err = BufReader::new(child.stderr.take().expect("piped"));
         Self { child, err, said: String::new() }
     }
@@ -77,12 +78,19 @@ fn an_interrupted_solve_ends_in_order() {
         let case = &result["cases"][0];
         let history = &case["history"][0];
         assert_eq!(history["static"]["status"], "interrupted", "{history:#}");
-        assert!(case.get("lower").is_none() && case.get("gap").is_none(), "no bound of an unfinished solve: {case:#}");
+        assert!(
+            case.get("lower").is_none() && case.get("gap").is_none(),
+            "no bound of an unfinished solve: {case:#}"
+        );
         if history["kinematic"]["status"] == "interrupted" {
             assert!(case.get("upper").is_none() && case.get("certificate").is_none(), "{case:#}");
         }
         let report = bench.read("block/report.md");
-        assert!(report.contains("the static program was interrupted") && report.contains("no lower bound"), "{report}");
+        assert!(
+            report.contains("the static program was interrupted")
+                && report.contains("no lower bound"),
+            "{report}"
+        );
         assert!(bench.read("block/log.txt").contains("interrupted: the mesher ends now"));
         assert!(!bench.path().join("block.part").exists());
         expect(&bench, &["verify", "block"], 0);
@@ -139,7 +147,10 @@ fn an_earlier_result_outlives_an_interrupt() {
     running.send(Signal::SIGINT);
     let (status, _, err) = running.end();
     assert_eq!(status.code(), Some(3), "{err}");
-    assert!(err.contains("interrupted before anything was certified: block stays as it was"), "{err}");
+    assert!(
+        err.contains("interrupted before anything was certified: block stays as it was"),
+        "{err}"
+    );
     assert!(bench.everything() == before, "{err}");
 }
 
@@ -147,7 +158,8 @@ fn an_earlier_result_outlives_an_interrupt() {
 #[test]
 fn early_signals_end_at_once() {
     let bench = Bench::new().file("joint.yaml", JOINT);
-    std::fs::write(bench.path().join("mesher.sh"), "echo $$ > asked; exec sleep 600").expect("written");
+    std::fs::write(bench.path().join("mesher.sh"), "echo $$ > asked; exec sleep 600")
+        .expect("written");
     let mesher = serde_json::json!(["sh", bench.path().join("mesher.sh")]).to_string();
     let running = Running::start(bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", mesher));
     let mesher = appears(&bench, "asked");
@@ -179,12 +191,15 @@ fn appears(bench: &Bench, name: &str) -> String {
 /// The mesher dies with all it has started, whether a wrapper or the wrapped.
 #[test]
 fn an_interrupted_mesher_dies_with_its_children() {
-    for (command, signal) in [("run", Signal::SIGINT), ("mesh", Signal::SIGINT), ("run", Signal::SIGTERM)] {
+    for (command, signal) in
+        [("run", Signal::SIGINT), ("mesh", Signal::SIGINT), ("run", Signal::SIGTERM)]
+    {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let pids = bench.path().join("pids");
         let mesher = bench.mesher(&format!("sleep 600 &\necho $$ $! > '{}'\nwait", pids.display()));
         let before: Vec<_> = bench.everything().into_keys().collect();
-        let running = Running::start(bench.command(&[command, "joint.yaml"]).env("BRACKET_GMSH", mesher));
+        let running =
+            Running::start(bench.command(&[command, "joint.yaml"]).env("BRACKET_GMSH", mesher));
         let text = appears(&bench, "pids");
         running.send(signal);
         let (status, took, err) = running.end();
@@ -196,12 +211,19 @@ fn an_interrupted_mesher_dies_with_its_children() {
             let start = Instant::now();
             // init reaps the grandchild in its own time
             while alive(pid) {
-                assert!(start.elapsed() < Duration::from_secs(10), "{command}: process {pid} lives on");
+                assert!(
+                    start.elapsed() < Duration::from_secs(10),
+                    "{command}: process {pid} lives on"
+                );
                 std::thread::sleep(Duration::from_millis(5));
             }
         }
         std::fs::remove_file(pids).expect("it is there");
-        assert_eq!(bench.everything().into_keys().collect::<Vec<_>>(), before, "{command} left something");
+        assert_eq!(
+            bench.everything().into_keys().collect::<Vec<_>>(),
+            before,
+            "{command} left something"
+        );
     }
 }
 
@@ -209,7 +231,9 @@ fn an_interrupted_mesher_dies_with_its_children() {
 fn alive(pid: Pid) -> bool {
     let stat = std::fs::read_to_string(format!("/proc/{pid}/stat"));
     match stat {
-        Ok(text) => !text.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with(['Z', 'X'])),
+        Ok(text) => {
+            !text.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with(['Z', 'X']))
+        }
         Err(_) => kill(pid, None).is_ok() && !std::path::Path::new("/proc/self/stat").exists(),
     }
 }
@@ -219,8 +243,10 @@ fn alive(pid: Pid) -> bool {
 #[cfg(target_os = "linux")]
 fn a_run_under_nohup_outlives_its_terminal() {
     let bench = Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([6, 6, 6], 60.0));
-    let script = format!("trap '' HUP; exec '{}' analyse block.yaml", env!("CARGO_BIN_EXE_bracket"));
-    let mut running = Running::start(Command::new("sh").current_dir(bench.path()).args(["-c", &script]));
+    let script =
+        format!("trap '' HUP; exec '{}' analyse block.yaml", env!("CARGO_BIN_EXE_bracket"));
+    let mut running =
+        Running::start(Command::new("sh").current_dir(bench.path()).args(["-c", &script]));
     running.until("static program: ");
     running.send(Signal::SIGHUP);
     let (status, _, err) = running.end();

@@ -43,7 +43,11 @@ loads:
 ";
 
 fn bar_mesh() -> String {
-    msh_write::text(&Block::new([3, 2, 2], [30.0, 10.0, 12.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false))
+    msh_write::text(&Block::new([3, 2, 2], [30.0, 10.0, 12.0]).jittered(3).mesh(
+        &["B"],
+        |_| 0,
+        |_, _| false,
+    ))
 }
 
 fn bar(model: &str) -> Bench {
@@ -63,13 +67,18 @@ fn a_bar_collapses_where_it_must() {
     let bench = bar(BAR);
     let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 0);
     // rounded outwards, the exact 28.2 kN between
-    assert!(err.contains("bar: load factor between 2.3499") && err.contains("(certified)"), "{err}");
+    assert!(
+        err.contains("bar: load factor between 2.3499") && err.contains("(certified)"),
+        "{err}"
+    );
     assert!(err.contains("collapse load between 28.19") && err.contains(" and 28.20"), "{err}");
 
     let result = result(&bench, "bar");
     assert_eq!(result["verdict"], "none");
     let case = &result["cases"][0];
-    for (key, value) in [("analysis", "limit"), ("quantity", "load_factor"), ("problem", "frictionless")] {
+    for (key, value) in
+        [("analysis", "limit"), ("quantity", "load_factor"), ("problem", "frictionless")]
+    {
         assert_eq!(case[key], value);
     }
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
@@ -109,7 +118,8 @@ fn a_bar_collapses_where_it_must() {
     }
     assert!(bench.path().join("bar/mechanism_bar.png").is_file());
     let grid = |kind: &str| {
-        let bytes = std::fs::read(bench.path().join(format!("bar/fields/bar_{kind}.vtu"))).expect("field");
+        let bytes =
+            std::fs::read(bench.path().join(format!("bar/fields/bar_{kind}.vtu"))).expect("field");
         VtuGrid::from_bytes(&bytes).expect("our own file")
     };
     let (kinematic, stress) = (grid("kinematic"), grid("static"));
@@ -127,7 +137,8 @@ fn dissipated(grid: &VtuGrid) -> f64 {
     let volume = |cell: &[u32]| {
         let [a, b, c, d] = [0, 1, 2, 3].map(|i| grid.points[cell[i] as usize]);
         let [p, q, r] = [b, c, d].map(|x| [0, 1, 2].map(|k| x[k] - a[k]));
-        let cross = [q[1] * r[2] - q[2] * r[1], q[2] * r[0] - q[0] * r[2], q[0] * r[1] - q[1] * r[0]];
+        let cross =
+            [q[1] * r[2] - q[2] * r[1], q[2] * r[0] - q[0] * r[2], q[0] * r[1] - q[1] * r[0]];
         (0..3).map(|k| p[k] * cross[k]).sum::<f64>().abs() / 6.0
     };
     grid.cells.chunks_exact(10).zip(density).map(|(cell, d)| volume(cell) * d).sum()
@@ -143,7 +154,8 @@ fn power_of_the_pull(grid: &VtuGrid) -> f64 {
         let [a, b, c] = [0, 1, 2].map(|i| grid.points[cell[face[i]] as usize]);
         if [a, b, c].iter().all(|x| (x[0] - 30.0).abs() < 1e-9) {
             let area = 0.5 * ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])).abs();
-            power += 100.0 * area / 3.0 * (3..6).map(|i| v[3 * cell[face[i]] as usize]).sum::<f64>();
+            power +=
+                100.0 * area / 3.0 * (3..6).map(|i| v[3 * cell[face[i]] as usize]).sum::<f64>();
         }
     }
     power
@@ -168,15 +180,22 @@ fn dead_loads_are_not_multiplied() {
     expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
     let case = &result(&bench, "bar")["cases"][0];
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
-    assert!(lower <= EXACT - 1.0 && upper >= EXACT - 1.0 && upper - lower < 1e-4, "{lower} {upper}");
+    assert!(
+        lower <= EXACT - 1.0 && upper >= EXACT - 1.0 && upper - lower < 1e-4,
+        "{lower} {upper}"
+    );
 }
 
 #[test]
 fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
-    let bench =
-        bar(&format!("{BAR}dead:\n  - {{face: X1, traction: [0, 0, 0]}}\n  - {{face: Y1, traction: [0, 300, 0]}}\n"));
+    let bench = bar(&format!(
+        "{BAR}dead:\n  - {{face: X1, traction: [0, 0, 0]}}\n  - {{face: Y1, traction: [0, 300, 0]}}\n"
+    ));
     let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 3);
-    assert!(err.contains("the dead loads alone make it collapse") && !err.contains("(certified)"), "{err}");
+    assert!(
+        err.contains("the dead loads alone make it collapse") && !err.contains("(certified)"),
+        "{err}"
+    );
     let case = &result(&bench, "bar")["cases"][0];
     assert!(case.get("lower").is_none() && case.get("certificate").is_none(), "{case}");
 }
@@ -191,7 +210,9 @@ fn a_load_without_limit_is_proved_by_a_pressure() {
     let case = &result(&bench, "bar")["cases"][0];
     assert_eq!(case["upper"], "unbounded");
     assert!(
-        case["certificate"]["strict"] == true && case.get("gap").is_none() && case.get("lower").is_none(),
+        case["certificate"]["strict"] == true
+            && case.get("gap").is_none()
+            && case.get("lower").is_none(),
         "{case}"
     );
     let (found, _) = expect(&bench, &["verify", "bar"], 0);
@@ -229,8 +250,12 @@ fn what_moves_without_load_carries_nothing() {
         let path = bench.path().join("stack/fields").join(name);
         let mut bytes = std::fs::read(&path).expect("field");
         let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
-        let moved = grid.point_array("velocity").expect("velocities").2.iter().copied().fold(0.0, f64::max);
-        let at = bytes.windows(8).position(|w| w == moved.to_le_bytes()).expect("the value stands in the file");
+        let moved =
+            grid.point_array("velocity").expect("velocities").2.iter().copied().fold(0.0, f64::max);
+        let at = bytes
+            .windows(8)
+            .position(|w| w == moved.to_le_bytes())
+            .expect("the value stands in the file");
         bytes[at..at + 8].copy_from_slice(&(-moved).to_le_bytes());
         std::fs::write(&path, bytes).expect("written");
         expect(&bench, &["verify", "stack"], 1);
@@ -253,8 +278,15 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert_eq!(associated["problem"], "associated");
     let smooth = number(&associated["frictionless"]["lower"]);
     let [lower, upper] = ["lower", "upper"].map(|k| number(&associated[k]));
-    assert!(smooth > 2.0 && smooth <= lower * (1.0 + 1e-6) && lower < upper && upper < 4.0, "{associated}");
-    assert!(report.contains("Without dilation (Coulomb's law") && report.contains("static, frictionless"), "{report}");
+    assert!(
+        smooth > 2.0 && smooth <= lower * (1.0 + 1e-6) && lower < upper && upper < 4.0,
+        "{associated}"
+    );
+    assert!(
+        report.contains("Without dilation (Coulomb's law")
+            && report.contains("static, frictionless"),
+        "{report}"
+    );
 
     let (coulomb, report, _, found) = solved("friction: coulomb", "");
     assert_eq!(found.matches("confirmed").count(), 3, "{found}");
@@ -265,7 +297,10 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert_eq!(coulomb["certificate"]["strict"], true);
     assert!((number(&coulomb["gap"]) - (upper - smooth) / smooth).abs() < 1e-12);
     assert!(report.contains("Under Coulomb's law the load factor is at least"), "{report}");
-    assert!(!report.contains("Fixed point") && coulomb.get("coulomb_estimate").is_none(), "{report}");
+    assert!(
+        !report.contains("Fixed point") && coulomb.get("coulomb_estimate").is_none(),
+        "{report}"
+    );
 
     // what lies between them, where it is asked for; the bounds stay as they are
     let (estimated, report, err, found) = solved("friction: coulomb", "coulomb_estimate: true\n");
@@ -277,7 +312,8 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     assert!(number(&run["solves"]) <= 10.0 && number(&run["missing"]) < 0.02, "{run}");
     assert!(err.contains("Coulomb's law by a fixed point"), "{err}");
     assert!(
-        report.contains("Fixed point for Coulomb friction: ") && report.contains("an estimate, not a bound"),
+        report.contains("Fixed point for Coulomb friction: ")
+            && report.contains("an estimate, not a bound"),
         "{report}"
     );
 }
@@ -299,10 +335,20 @@ fn what_friction_alone_holds() {
     let (pressed, _) = solved("[0, 0, -100]", 0);
     // the free block yields at f_y, and no bound exceeds it by more than the mesh allows
     let [lower, upper] = ["lower", "upper"].map(|k| number(&pressed[k]));
-    assert!(lower > 0.999 * EXACT && lower <= EXACT && (EXACT..1.05 * EXACT).contains(&upper), "{pressed}");
+    assert!(
+        lower > 0.999 * EXACT && lower <= EXACT && (EXACT..1.05 * EXACT).contains(&upper),
+        "{pressed}"
+    );
     let (pushed, err) = solved("[2, 0, -100]", 3);
-    assert!(err.contains("friction alone holds the structure") && err.contains("part BLOCK can move along x"), "{err}");
-    assert!(pushed.get("lower").is_none() && number(&pushed["associated"]["lower"]) > 1.0, "{pushed}");
+    assert!(
+        err.contains("friction alone holds the structure")
+            && err.contains("part BLOCK can move along x"),
+        "{err}"
+    );
+    assert!(
+        pushed.get("lower").is_none() && number(&pushed["associated"]["lower"]) > 1.0,
+        "{pushed}"
+    );
 }
 
 /// A finished bar, changed by `tamper`: the exit code of `verify` and what it says.
@@ -311,7 +357,10 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
     tamper(&bench);
     let run = bench.run(&["verify", "bar"]);
-    (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr))
+    (
+        run.status.code(),
+        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr),
+    )
 }
 
 /// Changes a number of an array of a field file, in place.
@@ -320,8 +369,12 @@ fn edit_field(bench: &Bench, name: &str, array: &str, factor: f64) {
     let mut bytes = std::fs::read(&path).expect("field");
     let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
     let (_, _, values) = grid.point_array(array).or(grid.field_array(array)).expect("the array");
-    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
-    let at = bytes.windows(8).position(|w| w == largest.to_le_bytes()).expect("the value stands in the file");
+    let largest =
+        values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
+    let at = bytes
+        .windows(8)
+        .position(|w| w == largest.to_le_bytes())
+        .expect("the value stands in the file");
     bytes[at..at + 8].copy_from_slice(&(factor * largest).to_le_bytes());
     std::fs::write(&path, bytes).expect("written");
 }
@@ -336,8 +389,11 @@ fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
 fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let (code, text) = after(|_| {});
     assert_eq!((code, text.matches("confirmed").count()), (Some(0), 2), "{text}");
-    for (bound, factor) in [("lower", 1.000_001), ("lower", 0.999_999), ("upper", 0.999_999), ("upper", 2.0)] {
-        let (code, text) = after(|b| edit_result(b, |c| c[bound] = (factor * number(&c[bound])).into()));
+    for (bound, factor) in
+        [("lower", 1.000_001), ("lower", 0.999_999), ("upper", 0.999_999), ("upper", 2.0)]
+    {
+        let (code, text) =
+            after(|b| edit_result(b, |c| c[bound] = (factor * number(&c[bound])).into()));
         assert_eq!(code, Some(1), "{bound} × {factor}: {text}");
         assert!(text.contains("REFUTED"), "{text}");
     }
@@ -351,10 +407,11 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
         let (code, text) = after(|b| edit_field(b, file, array, 1.0001));
         assert_eq!(code, Some(1), "{file}: {text}");
     }
-    let shares: [&dyn Fn(&mut Value); 3] =
-        [&|c| c["dissipation"][0]["share"] = 0.5.into(), &|c| c["limiting_part"] = "A".into(), &|c| {
-            c["gap"] = 0.5.into()
-        }];
+    let shares: [&dyn Fn(&mut Value); 3] = [
+        &|c| c["dissipation"][0]["share"] = 0.5.into(),
+        &|c| c["limiting_part"] = "A".into(),
+        &|c| c["gap"] = 0.5.into(),
+    ];
     for edit in shares {
         let (code, text) = after(|b| edit_result(b, edit));
         assert_eq!(code, Some(1), "{text}");
@@ -364,7 +421,8 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let (code, text) = after(|b| {
         let model = b.read("bar/model.yaml");
         assert!(model.contains("235"), "{model}");
-        std::fs::write(b.path().join("bar/model.yaml"), model.replace("235", "230")).expect("written");
+        std::fs::write(b.path().join("bar/model.yaml"), model.replace("235", "230"))
+            .expect("written");
     });
     assert_eq!((code, text.matches("REFUTED").count() >= 2), (Some(1), true), "{text}");
 }
@@ -373,9 +431,27 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
 fn what_limit_analysis_cannot_take_is_refused_with_place_and_cure() {
     let body = "  - {body: B, force: [0.1, 0, 0]}\n";
     let rows = [
-        (BAR.replace(", fy: 235", ""), "model/never-yields", 3, "no body has a yield strength", "an `fy`"),
-        (format!("{BAR}{body}"), "model/live-body-force", 11, "a force in the body `B`", "under `dead`"),
-        (BAR.replace("loads:", "dead:"), "model/no-live-load", 1, "no load carries the load factor", "under `loads`"),
+        (
+            BAR.replace(", fy: 235", ""),
+            "model/never-yields",
+            3,
+            "no body has a yield strength",
+            "an `fy`",
+        ),
+        (
+            format!("{BAR}{body}"),
+            "model/live-body-force",
+            11,
+            "a force in the body `B`",
+            "under `dead`",
+        ),
+        (
+            BAR.replace("loads:", "dead:"),
+            "model/no-live-load",
+            1,
+            "no load carries the load factor",
+            "under `loads`",
+        ),
         (
             format!("{}dead:\n{body}", BAR.replace("[100, 0, 0]", "[0, 0, 0]")),
             "model/no-live-load",
@@ -383,8 +459,20 @@ fn what_limit_analysis_cannot_take_is_refused_with_place_and_cure() {
             "no load carries the load factor",
             "under `loads`",
         ),
-        (BAR.replace("fy: 235", "fy: -235"), "model/value", 3, "`fy` of material `steel` is -235", "never"),
-        (BAR.replace("  - {face: X0, fix: [x]}\n", ""), "model/loose-part", 0, "can move along x", "support"),
+        (
+            BAR.replace("fy: 235", "fy: -235"),
+            "model/value",
+            3,
+            "`fy` of material `steel` is -235",
+            "never",
+        ),
+        (
+            BAR.replace("  - {face: X0, fix: [x]}\n", ""),
+            "model/loose-part",
+            0,
+            "can move along x",
+            "support",
+        ),
     ];
     let results = rows.map(|(model, code, line, message, cure)| {
         let place = if line > 0 { format!("bar.yaml:{line}") } else { String::new() };

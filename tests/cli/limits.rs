@@ -11,7 +11,8 @@ fn larger() -> Bench {
 }
 
 fn case(bench: &Bench) -> Value {
-    serde_json::from_str::<Value>(&bench.read("block/result.json")).expect("JSON")["cases"][0].clone()
+    serde_json::from_str::<Value>(&bench.read("block/result.json")).expect("JSON")["cases"][0]
+        .clone()
 }
 
 #[test]
@@ -37,8 +38,10 @@ fn sizes_that_are_none_are_refused() {
             let cure = "--memory-limit 8GiB";
             let told = Told { exit: 2, code: "cli/value", place: "", message: words, cure };
             let mut run = bench.command(&command);
-            results
-                .push((format!("{} {size:?}", command[0]), refusal(&bench, run.args(["--memory-limit", size]), &told)));
+            results.push((
+                format!("{} {size:?}", command[0]),
+                refusal(&bench, run.args(["--memory-limit", size]), &told),
+            ));
         }
     }
     none_wrong(results);
@@ -74,37 +77,51 @@ fn what_fits_alone_gives_its_bound() {
     // what a process holds before it solves is known only to itself: the limit rises by what it says it lacks
     let mut limit = 64.0;
     let run = loop {
-        let run = bench.run(&["analyse", "block.yaml", "--memory-limit", &format!("{limit:.0}MiB")]);
+        let run =
+            bench.run(&["analyse", "block.yaml", "--memory-limit", &format!("{limit:.0}MiB")]);
         if run.status.code() != Some(4) {
             break run;
         }
         let err = String::from_utf8_lossy(&run.stderr).into_owned();
-        let (_, told) = err.split_once("the kinematic program needs ").unwrap_or_else(|| panic!("{err}"));
+        let (_, told) =
+            err.split_once("the kinematic program needs ").unwrap_or_else(|| panic!("{err}"));
         let words: Vec<&str> = told.split_whitespace().collect();
         // `0.053 GiB more memory, 0.041 GiB are left of …`
-        let [needed, left] = [words[0], words[4]].map(|w| w.parse::<f64>().unwrap_or_else(|_| panic!("{told}")));
+        let [needed, left] =
+            [words[0], words[4]].map(|w| w.parse::<f64>().unwrap_or_else(|_| panic!("{told}")));
         limit += (1024.0 * (needed - left)).max(2.0);
         assert!(limit < 1024.0, "a GiB is enough: {err}");
     };
     let err = String::from_utf8_lossy(&run.stderr).into_owned();
     assert_eq!(run.status.code(), Some(3), "{limit:.0} MiB: {err}");
-    for words in
-        ["the static program is not started: it needs", "so there is no lower bound: it needs", "a coarser mesh file"]
-    {
+    for words in [
+        "the static program is not started: it needs",
+        "so there is no lower bound: it needs",
+        "a coarser mesh file",
+    ] {
         assert!(err.contains(words), "{words:?} in {err}");
     }
     let case = case(&bench);
-    assert!(case["upper"].is_f64() && case.get("lower").is_none() && case.get("gap").is_none(), "{case:#}");
+    assert!(
+        case["upper"].is_f64() && case.get("lower").is_none() && case.get("gap").is_none(),
+        "{case:#}"
+    );
     assert_eq!(case["certificate"]["strict"], true);
     let history = &case["history"][0];
     assert_eq!(
         (&history["static"]["status"], &history["static"]["iterations"]),
         (&"too large for the memory".into(), &0.into())
     );
-    assert!(history["static"]["forecast_memory_mib"].as_u64() > history["kinematic"]["forecast_memory_mib"].as_u64());
+    assert!(
+        history["static"]["forecast_memory_mib"].as_u64()
+            > history["kinematic"]["forecast_memory_mib"].as_u64()
+    );
     assert!(history["static"].get("trace").is_none());
     let report = bench.read("block/report.md");
-    assert!(report.contains("the static program was not started, so there is no lower bound"), "{report}");
+    assert!(
+        report.contains("the static program was not started, so there is no lower bound"),
+        "{report}"
+    );
     let (out, _) = expect(&bench, &["verify", "block"], 0);
     assert!(out.contains("confirmed"), "{out}");
 }
@@ -114,13 +131,17 @@ fn costs_are_told_before_and_kept_after() {
     let bench = bench(MODEL);
     let (_, err) = expect(&bench, &["analyse", "block.yaml", "--memory-limit", "64 GiB"], 0);
     for program in ["kinematic", "static"] {
-        let line = err.lines().find(|l| l.contains(&format!("{program} program: "))).unwrap_or_else(|| panic!("{err}"));
+        let line = err
+            .lines()
+            .find(|l| l.contains(&format!("{program} program: ")))
+            .unwrap_or_else(|| panic!("{err}"));
         for words in ["unknowns", "million factor entries", "GiB of memory", "under 1 s"] {
             assert!(line.contains(words), "{words:?} in {line}");
         }
         let run = &case(&bench)["history"][0][program];
         assert!(
-            run["forecast_memory_mib"].as_u64() >= Some(1) && run["factor_entries"].as_u64() > Some(1000),
+            run["forecast_memory_mib"].as_u64() >= Some(1)
+                && run["factor_entries"].as_u64() > Some(1000),
             "{run:#}"
         );
         assert!(run["forecast_seconds"].as_f64() > Some(0.0));
@@ -143,7 +164,11 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
         let trace = run["trace"].as_array().expect("a trace");
         // numbers begin again where another solver took over; the count is of the one that gave the answer
         let last = trace.iter().rposition(|row| row["number"] == 0).expect("a start");
-        assert_eq!((trace.len() - last) as u64, run["iterations"].as_u64().expect("a count") + 1, "{run:#}");
+        assert_eq!(
+            (trace.len() - last) as u64,
+            run["iterations"].as_u64().expect("a count") + 1,
+            "{run:#}"
+        );
         for (k, row) in trace.iter().enumerate() {
             assert!(k < last || row["number"] == k - last, "{row}");
             for key in ["gap", "residual", "step", "seconds"] {
@@ -151,7 +176,8 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
             }
         }
         assert!(trace[trace.len() - 1]["gap"].as_f64() < Some(1e-7));
-        let lines = log.lines().filter(|l| l.contains(&format!("block: {program} iteration "))).count();
+        let lines =
+            log.lines().filter(|l| l.contains(&format!("block: {program} iteration "))).count();
         assert_eq!(lines, trace.len(), "{log}");
     }
 }
@@ -161,7 +187,10 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
 fn without_a_terminal_there_is_no_bar() {
     let bench = bench(MODEL);
     let (out, err) = expect(&bench, &["analyse", "block.yaml"], 0);
-    assert!(out.is_empty() && !err.contains(['\r', '\u{1b}']) && !err.contains("iteration"), "{err:?}");
+    assert!(
+        out.is_empty() && !err.contains(['\r', '\u{1b}']) && !err.contains("iteration"),
+        "{err:?}"
+    );
     assert_eq!(err.lines().count(), 6, "{err}");
 }
 
@@ -190,7 +219,10 @@ fn on_a_terminal_the_solve_shows_how_far_it_is() {
         assert!(text.contains(words), "{words:?} in {text:?}");
     }
     // nothing of a bar is left behind: what follows the last clearing of a line is empty
-    assert!(text.contains("result: block/report.md\r\n") && text.contains("exit code 0: certified\r\n"), "{text:?}");
+    assert!(
+        text.contains("result: block/report.md\r\n") && text.contains("exit code 0: certified\r\n"),
+        "{text:?}"
+    );
     assert_eq!(text.rsplit("\u{1b}[2K").next().map(str::trim), Some(""), "{text:?}");
     let run = on_terminal("--quiet").expect("as before");
     assert!(run.stdout.is_empty(), "{:?}", String::from_utf8_lossy(&run.stdout));

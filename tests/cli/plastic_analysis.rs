@@ -32,7 +32,8 @@ fn cube(model: &str) -> Bench {
 }
 
 fn case(bench: &Bench) -> Value {
-    serde_json::from_str::<Value>(&bench.read("cube/result.json")).expect("JSON")["cases"][0].clone()
+    serde_json::from_str::<Value>(&bench.read("cube/result.json")).expect("JSON")["cases"][0]
+        .clone()
 }
 
 fn number(value: &Value) -> f64 {
@@ -40,7 +41,8 @@ fn number(value: &Value) -> f64 {
 }
 
 fn grid(bench: &Bench, kind: &str) -> VtuGrid {
-    let bytes = std::fs::read(bench.path().join(format!("cube/fields/cube_{kind}.vtu"))).expect("field");
+    let bytes =
+        std::fs::read(bench.path().join(format!("cube/fields/cube_{kind}.vtu"))).expect("field");
     VtuGrid::from_bytes(&bytes).expect("our own file")
 }
 
@@ -50,11 +52,18 @@ fn a_clamped_cube_yields_at_its_foot() {
     let (_, err) = expect(&bench, &["analyse", "cube.yaml"], 0);
     assert!(err.contains("cube: potential energy between") && err.contains("(certified)"), "{err}");
     let case = case(&bench);
-    for (key, value) in [("analysis", "elastoplastic"), ("quantity", "potential_energy"), ("problem", "frictionless")] {
+    for (key, value) in [
+        ("analysis", "elastoplastic"),
+        ("quantity", "potential_energy"),
+        ("problem", "frictionless"),
+    ] {
         assert_eq!(case[key], value);
     }
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
-    assert!(lower < upper && upper < 0.0 && (upper - lower) / lower.abs() < 0.05, "{lower} {upper}");
+    assert!(
+        lower < upper && upper < 0.0 && (upper - lower) / lower.abs() < 0.05,
+        "{lower} {upper}"
+    );
     let certificate = &case["certificate"];
     assert_eq!(certificate["strict"], true);
     for key in ["equilibrium", "traction_jump", "compatibility"] {
@@ -76,7 +85,10 @@ fn a_clamped_cube_yields_at_its_foot() {
     for program in ["kinematic", "static"] {
         assert_eq!(row[program]["status"], "optimal");
         let tets = number(&row[program]["yielding_tets"]);
-        assert!(tets > 0.0 && tets < 162.0 && number(&row[program]["solves"]) >= 2.0, "{program} {tets}");
+        assert!(
+            tets > 0.0 && tets < 162.0 && number(&row[program]["solves"]) >= 2.0,
+            "{program} {tets}"
+        );
     }
     let report = bench.read("cube/report.md");
     for words in [
@@ -92,7 +104,8 @@ fn a_clamped_cube_yields_at_its_foot() {
     let (kinematic, stress) = (grid(&bench, "kinematic"), grid(&bench, "static"));
     let flow = &kinematic.cell_array("equivalent_plastic_strain").expect("plastic strain").2;
     assert!(flow.iter().any(|p| *p > 1e-6) && flow.contains(&0.0));
-    let gap: f64 = kinematic.cell_array("gap_contribution_N_mm").expect("contributions").2.iter().sum();
+    let gap: f64 =
+        kinematic.cell_array("gap_contribution_N_mm").expect("contributions").2.iter().sum();
     assert!((gap - (upper - lower)).abs() < 1e-8 * upper.abs(), "{gap}");
     let used = &stress.cell_array("utilisation").expect("utilisations").2;
     assert!(used.iter().all(|u| *u <= 1.0) && used.iter().any(|u| *u > 0.9999));
@@ -110,7 +123,11 @@ fn beyond_its_strength_nothing_balances_and_the_body_is_named() {
         assert!(err.contains(words), "lacks {words}: {err}");
     }
     let case = case(&bench);
-    assert!(case.get("lower").is_none() && case.get("upper").is_none() && case.get("certificate").is_none());
+    assert!(
+        case.get("lower").is_none()
+            && case.get("upper").is_none()
+            && case.get("certificate").is_none()
+    );
     for program in ["kinematic", "static"] {
         assert_eq!(case["history"][0][program]["status"], "unbounded");
     }
@@ -137,14 +154,21 @@ fn without_a_yield_strength_it_is_elastic_and_says_so() {
 /// Mesh after mesh: the bracket narrows, and what `verify` finds in the fields of the best bounds is what the result says.
 #[test]
 fn meshes_follow_the_gap() {
-    let bench = cube(&format!("{CUBE}adapt: {{target_gap: 0.005, max_passes: 2, max_macro_tets: 1500}}\n"));
+    let bench =
+        cube(&format!("{CUBE}adapt: {{target_gap: 0.005, max_passes: 2, max_macro_tets: 1500}}\n"));
     expect(&bench, &["analyse", "cube.yaml"], 0);
     let case = case(&bench);
     let rows = case["history"].as_array().expect("rows");
     let gaps: Vec<f64> = rows.iter().map(|r| number(&r["gap"])).collect();
-    assert!(gaps.len() == 2 && gaps[1] < 0.8 * gaps[0] && case["certificate"]["strict"] == true, "{gaps:?}");
+    assert!(
+        gaps.len() == 2 && gaps[1] < 0.8 * gaps[0] && case["certificate"]["strict"] == true,
+        "{gaps:?}"
+    );
     assert!(rows.iter().all(|r| number(&r["static"]["yielding_tets"]) > 0.0));
-    assert!(number(&case["yielding"][0]["utilisation"]) > 0.999 && number(&case["yielding"][0]["yielded"]) > 0.0);
+    assert!(
+        number(&case["yielding"][0]["utilisation"]) > 0.999
+            && number(&case["yielding"][0]["yielded"]) > 0.0
+    );
     let (out, _) = expect(&bench, &["verify", "cube"], 0);
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
 }
@@ -154,7 +178,8 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     expect(&bench, &["analyse", "cube.yaml", "-q"], 0);
     tamper(&bench);
     let run = bench.run(&["verify", "cube"]);
-    let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+    let text =
+        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
     assert!(!text.contains("panicked"), "{text}");
     (run.status.code(), text)
 }
@@ -169,7 +194,8 @@ fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
 fn edit_field(bench: &Bench, kind: &str, name: &str, factor: f64) {
     let mut grid = grid(bench, kind);
     let arrays = grid.point_data.iter_mut().chain(&mut grid.cell_data);
-    let array = arrays.into_iter().find(|a| a.0 == name).unwrap_or_else(|| panic!("no array {name}"));
+    let array =
+        arrays.into_iter().find(|a| a.0 == name).unwrap_or_else(|| panic!("no array {name}"));
     array.2.iter_mut().for_each(|x| *x *= factor);
     let path = bench.path().join(format!("cube/fields/cube_{kind}.vtu"));
     std::fs::write(path, grid.to_bytes().expect("writes")).expect("written");
@@ -180,7 +206,8 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let (code, text) = after(|_| {});
     assert_eq!((code, text.matches("confirmed").count()), (Some(0), 2), "{text}");
     for bound in ["lower", "upper"] {
-        let (code, text) = after(|b| edit_result(b, |c| c[bound] = (0.999_999 * number(&c[bound])).into()));
+        let (code, text) =
+            after(|b| edit_result(b, |c| c[bound] = (0.999_999 * number(&c[bound])).into()));
         assert_eq!((code, text.contains("REFUTED")), (Some(1), true), "{bound}: {text}");
     }
     for (kind, array, factor) in [
@@ -208,7 +235,8 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
     // a weaker steel: the stresses leave its yield surface, the plastic strain costs less
     let (code, text) = after(|b| {
         let model = b.read("cube/model.yaml");
-        std::fs::write(b.path().join("cube/model.yaml"), model.replace("235", "230")).expect("written");
+        std::fs::write(b.path().join("cube/model.yaml"), model.replace("235", "230"))
+            .expect("written");
     });
     assert_eq!((code, text.matches("REFUTED").count() >= 2), (Some(1), true), "{text}");
 }
@@ -231,11 +259,23 @@ fn wrong_inputs_are_refused_with_place_and_cure() {
             "`fy` of material `steel` is -235",
             "nothing yields",
         ),
-        (CUBE.replace("fy: 235", "fy: 0"), "model/value", "cube.yaml:3", "must be > 0 MPa", "nothing yields"),
+        (
+            CUBE.replace("fy: 235", "fy: 0"),
+            "model/value",
+            "cube.yaml:3",
+            "must be > 0 MPa",
+            "nothing yields",
+        ),
         (CUBE.replace("fy: 235", "fy: .inf"), "yaml/not-finite", "cube.yaml:3", "fy", "finite"),
         (CUBE.replace("fy: 235", "fy: 235 MPa"), "yaml/type", "cube.yaml:3", "without a unit", ""),
         (CUBE.replace("fix: [x, y, z]", "fix: [x, y]"), "model/loose-part", "", "can", "support"),
-        (CUBE.replace("[31.5, 0, -125.8]", "[0, 0, 0]"), "model/no-load", "", "every load is zero", "not zero"),
+        (
+            CUBE.replace("[31.5, 0, -125.8]", "[0, 0, 0]"),
+            "model/no-load",
+            "",
+            "every load is zero",
+            "not zero",
+        ),
         (
             CUBE.replace("supports:", &format!("{contact}supports:")),
             "model/interface",

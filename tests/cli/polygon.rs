@@ -27,9 +27,13 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     let number = |v: &Value| v.as_f64().expect("a number");
     let pair = |v: &Value| [number(&v[0]), number(&v[1])];
     for (point, case) in polygon["points"].as_array().expect("points").iter().zip(&cases[1..]) {
-        assert_eq!((&point["case"], &point["lower"], &point["upper"]), (&case["name"], &case["lower"], &case["upper"]));
+        assert_eq!(
+            (&point["case"], &point["lower"], &point["upper"]),
+            (&case["name"], &case["lower"], &case["upper"])
+        );
         assert_eq!(case["certificate"]["strict"], true);
-        let ([a, b], offset) = (pair(&point["half_plane"]["normal"]), number(&point["half_plane"]["offset"]));
+        let ([a, b], offset) =
+            (pair(&point["half_plane"]["normal"]), number(&point["half_plane"]["offset"]));
         let direction = pair(&point["direction"]);
         assert!((a * direction[0] + b * direction[1] - 1.0).abs() < 1e-6);
         // fibres in one-dimensional stress are admissible: |m| + n² = 1 lies within every half plane
@@ -48,7 +52,10 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     }
     assert_eq!(polygon["inner"].as_array().map(Vec::len), Some(4));
     let report = bench.read("joint/report.md");
-    assert!(report.contains("## Capacity in My and N") && report.contains("](polygon.svg)"), "{report}");
+    assert!(
+        report.contains("## Capacity in My and N") && report.contains("](polygon.svg)"),
+        "{report}"
+    );
     assert!(bench.read("joint/polygon.svg").contains("N [kN]"));
     let (out, _) = expect(&bench, &["verify", "joint"], 0);
     assert!(out.contains("polygon_90"), "{out}");
@@ -58,8 +65,10 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
 /// One number of the polygon after the other, changed: `verify` finds it in the stored mechanisms and models.
 fn refutes_every_change(bench: &Bench, result: &Value) {
     let scale = |v: &mut Value| *v = (v.as_f64().expect("a number") * 1.001).into();
-    let write =
-        |value: &Value| std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}")).expect("written");
+    let write = |value: &Value| {
+        std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}"))
+            .expect("written")
+    };
     for (pointer, words) in [
         ("/inner/0/0", "inner is not the hull"),
         ("/outer/1/0", "outer is not the intersection"),
@@ -73,7 +82,11 @@ fn refutes_every_change(bench: &Bench, result: &Value) {
         ("/points/2/direction/0", "not loaded in its direction"),
     ] {
         let mut changed = result.clone();
-        scale(changed.pointer_mut(&format!("/polygon{pointer}")).unwrap_or_else(|| panic!("no {pointer}")));
+        scale(
+            changed
+                .pointer_mut(&format!("/polygon{pointer}"))
+                .unwrap_or_else(|| panic!("no {pointer}")),
+        );
         write(&changed);
         let (out, _) = expect(bench, &["verify", "joint"], 1);
         assert!(out.contains("REFUTED: polygon") && out.contains(words), "{pointer}: {out}");
@@ -97,7 +110,13 @@ fn wrong_polygons_are_refused_with_place_and_cure() {
         ("at: node", "at: column_face", "spec/unknown-name", "no point `column_face`", "node"),
         ("at: node", "at: middle", "yaml/unknown-value", "middle", ""),
         ("end: tip, ", "", "yaml/missing-key", "end", ""),
-        (", N: 94 kN", "", "spec/value", "a polygon is of two actions, 1 are given", "My: 100 kN m, N: 200 kN"),
+        (
+            ", N: 94 kN",
+            "",
+            "spec/value",
+            "a polygon is of two actions, 1 are given",
+            "My: 100 kN m, N: 200 kN",
+        ),
         ("N: 94 kN", "My: 1 kN m", "yaml/duplicate-key", "`My`", "keep one"),
         ("N: 94 kN", "N: 94 kN, Vz: 1 kN", "spec/value", "3 are given", "give two"),
         ("N: 94 kN", "N: 0 kN", "spec/value", "`N` is 0e0 N", "of this action alone"),
@@ -109,8 +128,10 @@ fn wrong_polygons_are_refused_with_place_and_cure() {
         let text = format!("{HEAD}{}", POLYGON.replace(old, new));
         let bench = Bench::new().file("arm.yaml", TEMPLATE).file("joint.yaml", text);
         let told = Told { exit: 2, code, place: "joint.yaml:3:", message, cure };
-        results
-            .push((format!("`{old}` -> `{new}`"), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
+        results.push((
+            format!("`{old}` -> `{new}`"),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+        ));
     }
     none_wrong(results);
 }

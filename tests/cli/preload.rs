@@ -22,14 +22,23 @@ preload:
 ";
 
 fn bench(model: &str) -> Bench {
-    let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, 10.0], jitter: 0.2, seed: 3 };
+    let bolt =
+        Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, 10.0], jitter: 0.2, seed: 3 };
     let bolt = bolt.mesh(&["BOLT"], |_| 0, |axis, x| axis == 2 && x == 5.0);
     let mut bolt = renamed(bolt, "Z0", "FOOT");
     let triangles = triangles_where(&bolt, |x| x[2] == 5.0);
     bolt.faces.push(NamedFaces { name: "CUT".into(), triangles });
-    let sleeve = Block { cells: [2, 2, 3], min: [3.0, 0.0, 0.0], max: [5.0, 2.0, 10.0], jitter: 0.2, seed: 4 };
+    let sleeve = Block {
+        cells: [2, 2, 3],
+        min: [3.0, 0.0, 0.0],
+        max: [5.0, 2.0, 10.0],
+        jitter: 0.2,
+        seed: 4,
+    };
     let sleeve = renamed(sleeve.mesh(&["SLEEVE"], |_| 0, |_, _| false), "Z0", "GROUND");
-    Bench::new().file("sleeve.yaml", model).file("sleeve.msh", msh_write::text(&beside(bolt, sleeve)))
+    Bench::new()
+        .file("sleeve.yaml", model)
+        .file("sleeve.msh", msh_write::text(&beside(bolt, sleeve)))
 }
 
 fn solved(model: &str) -> Bench {
@@ -50,11 +59,18 @@ fn the_bracket_is_one_of_the_energy_and_is_confirmed_from_the_files() {
     assert_eq!(c["certificate"]["strict"], true, "{c}");
     let bolts = c["preload"].as_array().expect("bolts");
     let bolt = &bolts[0];
-    assert_eq!((bolts.len(), &bolt["body"], &bolt["cut"]), (1, &"BOLT".into(), &"CUT".into()), "{bolt}");
+    assert_eq!(
+        (bolts.len(), &bolt["body"], &bolt["cut"]),
+        (1, &"BOLT".into(), &"CUT".into()),
+        "{bolt}"
+    );
     assert_eq!(bolt["force"], 400.0, "{bolt}");
     // of the load the bolt takes more than nothing and less than all, the sleeve keeps pressing
     let tension = bolt["tension"].as_f64().expect("a number");
-    assert!(tension > 400.0 && tension < 550.0 && bolt["closure"].as_f64().expect("a number") > 0.0, "{bolt}");
+    assert!(
+        tension > 400.0 && tension < 550.0 && bolt["closure"].as_f64().expect("a number") > 0.0,
+        "{bolt}"
+    );
     assert!(c.get("load_displacement").is_none() && c.get("load").is_none(), "{c}");
     let report = bench.read("sleeve/report.md");
     for words in [
@@ -70,11 +86,14 @@ fn the_bracket_is_one_of_the_energy_and_is_confirmed_from_the_files() {
 
 #[test]
 fn another_closure_or_another_preload_is_refuted() {
-    for (key, factor, words) in
-        [("closure", 1.001, "REFUTED"), ("force", 2.0, "the preload of `BOLT` is not"), ("tension", 1.1, "preload")]
-    {
+    for (key, factor, words) in [
+        ("closure", 1.001, "REFUTED"),
+        ("force", 2.0, "the preload of `BOLT` is not"),
+        ("tension", 1.1, "preload"),
+    ] {
         let bench = solved(SLEEVE);
-        let mut result: Value = serde_json::from_str(&bench.read("sleeve/result.json")).expect("JSON");
+        let mut result: Value =
+            serde_json::from_str(&bench.read("sleeve/result.json")).expect("JSON");
         let told = &mut result["cases"][0]["preload"][0][key];
         *told = (factor * told.as_f64().expect("a number")).into();
         let bench = bench.file("sleeve/result.json", result.to_string());

@@ -39,7 +39,8 @@ fn the_result_holds_what_the_contract_promises() {
     assert_eq!(out, "");
     assert!(err.contains("potential energy between") && err.contains("(certified)"), "{err}");
 
-    let files: Vec<String> = bench.everything().keys().map(|p| p.to_string_lossy().into_owned()).collect();
+    let files: Vec<String> =
+        bench.everything().keys().map(|p| p.to_string_lossy().into_owned()).collect();
     let expected = [
         "block",
         "block/deformed_block.png",
@@ -67,9 +68,12 @@ fn the_result_holds_what_the_contract_promises() {
     assert_eq!((&result["symmetry"], &result["verdict"]), (&1.into(), &"none".into()));
     let case = &result["cases"][0];
     assert_eq!(result["cases"].as_array().map(Vec::len), Some(1));
-    for (key, value) in
-        [("name", "block"), ("analysis", "elastic"), ("quantity", "potential_energy"), ("problem", "associated")]
-    {
+    for (key, value) in [
+        ("name", "block"),
+        ("analysis", "elastic"),
+        ("quantity", "potential_energy"),
+        ("problem", "associated"),
+    ] {
         assert_eq!(case[key], value);
     }
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
@@ -77,22 +81,38 @@ fn the_result_holds_what_the_contract_promises() {
     assert!(lower < upper && upper < -85.0 && lower > -110.0, "{lower} {upper}");
     // MECHANICS: (Π_p + Π_c) over the larger size
     let gap = number(&case["gap"]);
-    assert!(gap > 0.0 && gap < 0.15 && (gap - (upper - lower) / lower.abs().max(upper.abs())).abs() < 0.01, "{gap}");
+    assert!(
+        gap > 0.0
+            && gap < 0.15
+            && (gap - (upper - lower) / lower.abs().max(upper.abs())).abs() < 0.01,
+        "{gap}"
+    );
     let [soft, stiff] = [1, 0].map(|i| number(&case["load_displacement"][i]));
     let force = 400.0 * 40.0f64.hypot(2.0);
     assert!((number(&case["load"]["force"]) - force).abs() < 1e-9);
-    assert!((soft + 2.0 * lower / force).abs() < 1e-12 && (stiff + 2.0 * upper / force).abs() < 1e-12);
+    assert!(
+        (soft + 2.0 * lower / force).abs() < 1e-12 && (stiff + 2.0 * upper / force).abs() < 1e-12
+    );
     let certificate = &case["certificate"];
     assert_eq!(certificate["strict"], true);
     for residual in ["equilibrium", "traction_jump", "contact", "compatibility"] {
-        assert!((0.0..=1e-9).contains(&number(&certificate[residual])), "{residual}: {certificate}");
+        assert!(
+            (0.0..=1e-9).contains(&number(&certificate[residual])),
+            "{residual}: {certificate}"
+        );
     }
-    assert!(certificate.get("yield").is_none(), "nothing yields in an elastic analysis: absent is absent");
+    assert!(
+        certificate.get("yield").is_none(),
+        "nothing yields in an elastic analysis: absent is absent"
+    );
     let history = &case["history"][0];
     assert_eq!((&history["macro_tets"], &history["lower"]), (&144.into(), &case["lower"]));
     for program in ["kinematic", "static"] {
         assert_eq!(history[program]["status"], "optimal");
-        assert!(number(&history[program]["seconds"]) > 0.0 && number(&history[program]["iterations"]) > 0.0);
+        assert!(
+            number(&history[program]["seconds"]) > 0.0
+                && number(&history[program]["iterations"]) > 0.0
+        );
         assert!(number(&history[format!("{program}_dofs")]) > 100.0);
     }
     assert!(!bench.read("block/result.json").contains("null"), "absent is absent");
@@ -150,7 +170,8 @@ fn two_runs_differ_in_seconds_and_memory_only() {
             }
             name @ ("report.md" | "report.html") => {
                 let heading = if name == "report.md" { "## " } else { "<h2>" };
-                let [a, b] = [a, b].map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes), heading));
+                let [a, b] = [a, b]
+                    .map(|bytes| report_without_costs(&String::from_utf8_lossy(bytes), heading));
                 assert_eq!(a, b);
             }
             name => {
@@ -173,7 +194,10 @@ fn json_goes_to_standard_output_and_nothing_else() {
     std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
     let (out, err) = expect(&bench, &["analyse", "block.yaml", "--format", "json"], 2);
     let fault: Value = serde_json::from_str(&err).expect("one object");
-    assert_eq!((out.as_str(), &fault["code"], &fault["place"]["line"]), ("", &"model/unknown-face".into(), &10.into()));
+    assert_eq!(
+        (out.as_str(), &fault["code"], &fault["place"]["line"]),
+        ("", &"model/unknown-face".into(), &10.into())
+    );
 }
 
 #[test]
@@ -185,11 +209,21 @@ fn an_earlier_result_is_replaced_and_a_foreign_folder_is_not() {
     std::fs::write(bench.path().join("block.yaml"), MODEL.replace("-40", "-20")).expect("written");
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     let after = bench.everything();
-    assert!(after.keys().eq(before.keys()), "the old folder is gone as a whole: {:?}", after.keys());
+    assert!(
+        after.keys().eq(before.keys()),
+        "the old folder is gone as a whole: {:?}",
+        after.keys()
+    );
     assert!(after[Path::new("block/result.json")] != before[Path::new("block/result.json")]);
     // a wrong model leaves the earlier result alone
     std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
-    let told = Told { exit: 2, code: "model/unknown-face", place: "block.yaml:10:", message: "`Z9`", cure: "Z0, Z1" };
+    let told = Told {
+        exit: 2,
+        code: "model/unknown-face",
+        place: "block.yaml:10:",
+        message: "`Z9`",
+        cure: "Z0, Z1",
+    };
     if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &told) {
         panic!("{e}");
     }
@@ -232,7 +266,10 @@ fn without_equilibrium_there_is_no_bound() {
         let warnings = case["warnings"].as_array().expect("warnings");
         assert_eq!(warnings.len(), 1, "{warnings:?}");
         let told = warnings[0].as_str().unwrap_or("");
-        assert!(told.starts_with("no equilibrium exists under these loads: part BLOCK moves along +x"), "{told}");
+        assert!(
+            told.starts_with("no equilibrium exists under these loads: part BLOCK moves along +x"),
+            "{told}"
+        );
         assert!(err.contains(told), "{err}");
         assert!(bench.read("block/report.md").contains(told));
         // what claims nothing cannot be refuted

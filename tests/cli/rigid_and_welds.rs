@@ -24,8 +24,13 @@ loads:
 ";
 
 fn bench(model: &str) -> Bench {
-    let shape = Block { cells: [4, 2, 2], min: [0.0; 3], max: [30.0, 10.0, 12.0], jitter: 0.2, seed: 3 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 15.0), |d, x| d == 0 && (x - 15.0).abs() < 1e-9);
+    let shape =
+        Block { cells: [4, 2, 2], min: [0.0; 3], max: [30.0, 10.0, 12.0], jitter: 0.2, seed: 3 };
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[0] > 15.0),
+        |d, x| d == 0 && (x - 15.0).abs() < 1e-9,
+    );
     Bench::new().file("bars.yaml", model).file("m.msh", msh_write::text(&mesh))
 }
 
@@ -53,14 +58,17 @@ fn a_weld_on_a_rigid_body_gives_way() {
     // the weld limits it, not the body
     assert!(case.get("limiting_part").is_none(), "{case}");
     let report = bench.read("bars/report.md");
-    for words in ["the body without `fy` is rigid: A", "| weld A-B |", "largest traction over strength"] {
+    for words in
+        ["the body without `fy` is rigid: A", "| weld A-B |", "largest traction over strength"]
+    {
         assert!(report.contains(words), "lacks {words}\n{report}");
     }
     let (out, _) = expect(&bench, &["verify", "bars"], 0);
     assert!(out.matches("confirmed").count() >= 2, "{out}");
     // a weaker weld than was analysed: the stress exceeds it, the mechanism costs less
     let model = bench.read("bars/model.yaml");
-    std::fs::write(bench.path().join("bars/model.yaml"), model.replace("200", "190")).expect("written");
+    std::fs::write(bench.path().join("bars/model.yaml"), model.replace("200", "190"))
+        .expect("written");
     let (out, _) = expect(&bench, &["verify", "bars"], 1);
     assert!(out.matches("REFUTED").count() >= 2, "{out}");
 }

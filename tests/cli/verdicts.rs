@@ -54,7 +54,8 @@ fn spec(factor: f64) -> String {
 fn answer(bench: &Bench, name: &str, factor: f64, code: i32) -> (String, [f64; 2]) {
     std::fs::write(bench.path().join(format!("{name}.yaml")), spec(factor)).expect("written");
     let (_, err) = expect(bench, &["run", &format!("{name}.yaml")], code);
-    let result: Value = serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
+    let result: Value =
+        serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
     let case = &result["cases"][0];
     assert_eq!(case["certificate"]["strict"], true, "{err}");
     assert_eq!(case["demand"]["verdict"], result["verdict"]);
@@ -69,11 +70,16 @@ fn a_demand_below_above_and_within_the_bracket_ends_with_0_1_and_3() {
     assert_eq!(verdict, "ok");
     // the hinge by hand, and what a clamped width may add
     let hand = 235.0 * 20.0 * 400.0 / 4.0 / 400e3;
-    assert!(upper >= hand && lower <= 1.155 * hand && lower > 0.85 * hand, "{lower} {upper} {hand}");
+    assert!(
+        upper >= hand && lower <= 1.155 * hand && lower > 0.85 * hand,
+        "{lower} {upper} {hand}"
+    );
     let middle = 0.5 * (lower + upper);
-    for (name, factor, code, word) in
-        [("below", 0.95 * lower, 0, "ok"), ("above", 1.05 * upper, 1, "not_ok"), ("within", middle, 3, "undecided")]
-    {
+    for (name, factor, code, word) in [
+        ("below", 0.95 * lower, 0, "ok"),
+        ("above", 1.05 * upper, 1, "not_ok"),
+        ("within", middle, 3, "undecided"),
+    ] {
         let (verdict, bounds) = answer(&bench, name, factor, code);
         assert_eq!(verdict, word, "{name} {bounds:?}");
         // the bracket of the scaled load, on the same mesh, is the scaled bracket
@@ -81,8 +87,9 @@ fn a_demand_below_above_and_within_the_bracket_ends_with_0_1_and_3() {
             assert!((found / wanted - 1.0).abs() < 1e-3, "{name}: {found} for {wanted}");
         }
         let report = bench.read(&format!("{name}/report.md"));
-        let words =
-            [("undecided", "UNDECIDED"), ("ok", "**OK**"), ("not_ok", "NOT OK")].into_iter().find(|w| w.0 == word);
+        let words = [("undecided", "UNDECIDED"), ("ok", "**OK**"), ("not_ok", "NOT OK")]
+            .into_iter()
+            .find(|w| w.0 == word);
         assert!(words.is_some_and(|w| report.contains(w.1)), "{name}: {report}");
     }
 }
@@ -95,5 +102,8 @@ fn a_mirrored_load_has_the_same_bracket() {
     let (_, down) = answer(&bench, "down", -1.0, 0);
     // the mesh is not its own mirror image: the brackets share the exact factor, not their digits
     assert!(up[0] <= down[1] && down[0] <= up[1], "{up:?} {down:?}");
-    assert!((up[0] / down[0] - 1.0).abs() < 0.05 && (up[1] / down[1] - 1.0).abs() < 0.05, "{up:?} {down:?}");
+    assert!(
+        (up[0] / down[0] - 1.0).abs() < 0.05 && (up[1] / down[1] - 1.0).abs() < 0.05,
+        "{up:?} {down:?}"
+    );
 }

@@ -11,7 +11,8 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     tamper(&bench);
     let run = bench.run(&["verify", "block"]);
-    let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
+    let text =
+        String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
     assert!(!text.contains("panicked"), "{text}");
     (run.status.code(), text)
 }
@@ -19,7 +20,8 @@ fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
 fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
     let mut result: Value = serde_json::from_str(&bench.read("block/result.json")).expect("JSON");
     edit(&mut result);
-    std::fs::write(bench.path().join("block/result.json"), format!("{result:#}\n")).expect("written");
+    std::fs::write(bench.path().join("block/result.json"), format!("{result:#}\n"))
+        .expect("written");
 }
 
 /// Changes the largest number of an array of a field file, in place.
@@ -28,9 +30,13 @@ fn edit_field(bench: &Bench, name: &str, array: &str, change: impl Fn(f64) -> f6
     let mut bytes = std::fs::read(&path).expect("field");
     let grid = VtuGrid::from_bytes(&bytes).expect("our own file");
     let (_, _, values) = grid.point_array(array).unwrap_or_else(|| panic!("no array {array}"));
-    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
+    let largest =
+        values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
     // the arrays are stored as they are in memory
-    let at = bytes.windows(8).position(|w| w == largest.to_le_bytes()).expect("the value stands in the file");
+    let at = bytes
+        .windows(8)
+        .position(|w| w == largest.to_le_bytes())
+        .expect("the value stands in the file");
     bytes[at..at + 8].copy_from_slice(&change(largest).to_le_bytes());
     std::fs::write(&path, bytes).expect("written");
 }
@@ -51,7 +57,9 @@ fn an_untouched_result_is_confirmed() {
 
 #[test]
 fn a_changed_claim_is_refuted() {
-    for (bound, factor) in [("lower", 0.999_999), ("lower", 1.000_001), ("upper", 1.000_001), ("upper", 0.5)] {
+    for (bound, factor) in
+        [("lower", 0.999_999), ("lower", 1.000_001), ("upper", 1.000_001), ("upper", 0.5)]
+    {
         let (code, text) = after(|b| {
             edit_result(b, |r| {
                 let value = &mut r["cases"][0][bound];
@@ -79,7 +87,9 @@ fn a_changed_load_is_refuted() {
 
 #[test]
 fn a_changed_field_is_refuted() {
-    for (file, array) in [("block_static.vtu", "stress_mandel"), ("block_kinematic.vtu", "displacement")] {
+    for (file, array) in
+        [("block_static.vtu", "stress_mandel"), ("block_kinematic.vtu", "displacement")]
+    {
         for factor in [1.0001, -1.0] {
             let (code, text) = after(|b| edit_field(b, file, array, |x| factor * x));
             assert_eq!(code, Some(1), "{file} × {factor}: {text}");
@@ -94,21 +104,27 @@ fn a_changed_field_is_refuted() {
 #[test]
 fn another_mesh_or_model_is_refuted_or_refused() {
     // the same connectivity, another height: the fields fit in number and are wrong in every place
-    let (code, text) = after(|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
+    let (code, text) =
+        after(|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
     assert_eq!(code, Some(2), "{text}");
     assert!(text.contains("is not where the mesh has it"), "{text}");
     // a mesh of another size
     let other = crate::common::Block::new([1, 1, 2], [20.0, 20.0, 60.0]);
-    let other =
-        bracket::mesh::msh_write::text(&other.mesh(&["BASE", "BLOCK"], |x| usize::from(x[2] > 30.0), |_, _| false));
-    let (code, text) = after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
+    let other = bracket::mesh::msh_write::text(&other.mesh(
+        &["BASE", "BLOCK"],
+        |x| usize::from(x[2] > 30.0),
+        |_, _| false,
+    ));
+    let (code, text) =
+        after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
     assert_eq!(code, Some(2), "{text}");
     // softer steel, more friction, another load: the stored fields do not solve that problem or have other energies
     for (old, new) in [("210000", "200000"), ("mu: 0.3", "mu: 0.01"), ("-40", "-41")] {
         let (code, text) = after(|b| {
             let model = b.read("block/model.yaml");
             assert!(model.contains(old), "{old} in {model}");
-            std::fs::write(b.path().join("block/model.yaml"), model.replacen(old, new, 1)).expect("written");
+            std::fs::write(b.path().join("block/model.yaml"), model.replacen(old, new, 1))
+                .expect("written");
         });
         assert_eq!(code, Some(1), "{old} -> {new}: {text}");
     }
@@ -122,7 +138,8 @@ fn what_is_missing_or_torn_is_named() {
         ("model.yaml", "model.yaml"),
         ("fields/block_static.vtu", "block_static.vtu"),
     ] {
-        let (code, text) = after(|b| std::fs::remove_file(b.path().join("block").join(file)).expect("removed"));
+        let (code, text) =
+            after(|b| std::fs::remove_file(b.path().join("block").join(file)).expect("removed"));
         assert_eq!(code, Some(2), "{file}: {text}");
         assert!(text.contains(words) && text.contains("help: "), "{file}: {text}");
         let (code, text) = after(|b| {
@@ -157,7 +174,8 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
     assert!(!out.contains("REFUTED"), "{out}");
     let result: Value = serde_json::from_str(&bench.read("joint/result.json")).expect("JSON");
     let write = |value: &Value| {
-        std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}")).expect("written");
+        std::fs::write(bench.path().join("joint/result.json"), format!("{value:#}"))
+            .expect("written");
     };
     for (pointer, words) in [
         ("/joint_stiffness/lower", "joint_stiffness is not what"),
@@ -171,7 +189,9 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         ("/static_forces/load_factor", "the load factor is not that of the stress"),
     ] {
         let mut changed = result.clone();
-        let value = changed.pointer_mut(&format!("/cases/0{pointer}")).unwrap_or_else(|| panic!("no {pointer}"));
+        let value = changed
+            .pointer_mut(&format!("/cases/0{pointer}"))
+            .unwrap_or_else(|| panic!("no {pointer}"));
         // a shear that is all but nothing beside the tension still counts
         *value = (value.as_f64().expect("a number") * 1.001 + 1e-3).into();
         write(&changed);

@@ -19,8 +19,20 @@ fn meshers_that_fail_are_told_apart() {
             "",
         ),
         ("exit code", "echo out of luck; exit 3", "mesher/failed", "exit code 3", ""),
-        ("full disk", "echo 'Error: No space left on device'", "mesher/disk", "no space is left", "--out"),
-        ("for ever", "exec sleep 60", "mesher/time", "after 1 s, the time limit", "analysis.time_limit"),
+        (
+            "full disk",
+            "echo 'Error: No space left on device'",
+            "mesher/disk",
+            "no space is left",
+            "--out",
+        ),
+        (
+            "for ever",
+            "exec sleep 60",
+            "mesher/time",
+            "after 1 s, the time limit",
+            "analysis.time_limit",
+        ),
     ];
     let spec = JOINT.replace("target_gap: 0.05", "target_gap: 0.05, time_limit: 1 s");
     let mut results = Vec::new();
@@ -33,7 +45,10 @@ fn meshers_that_fail_are_told_apart() {
                 run.args(["--time-limit", "1"]);
             }
             let told = Told { exit: 4, code, place: "", message, cure };
-            results.push((format!("{command}, {name}"), refusal(&bench, run.env("BRACKET_GMSH", &mesher), &told)));
+            results.push((
+                format!("{command}, {name}"),
+                refusal(&bench, run.env("BRACKET_GMSH", &mesher), &told),
+            ));
         }
     }
     none_wrong(results);
@@ -61,13 +76,25 @@ fn a_mesher_that_is_missing_or_odd_is_told() {
 fn an_output_folder_of_someone_else_stays_as_it_is() {
     let mut results = Vec::new();
     for (name, prepare, place) in [
-        ("a folder with other files", "mkdir joint && echo 'years of work' > joint/thesis.txt", "joint"),
+        (
+            "a folder with other files",
+            "mkdir joint && echo 'years of work' > joint/thesis.txt",
+            "joint",
+        ),
         ("a file", "echo 'years of work' > joint", "joint"),
-        ("another's result.json", "mkdir joint && echo '{\"schema\": 1}' > joint/result.json", "joint"),
+        (
+            "another's result.json",
+            "mkdir joint && echo '{\"schema\": 1}' > joint/result.json",
+            "joint",
+        ),
     ] {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let mesher = bench.mesher("exit 7");
-        let made = Command::new("sh").current_dir(bench.path()).args(["-c", prepare]).status().expect("sh starts");
+        let made = Command::new("sh")
+            .current_dir(bench.path())
+            .args(["-c", prepare])
+            .status()
+            .expect("sh starts");
         assert!(made.success());
         let told = Told {
             exit: 2,
@@ -99,7 +126,9 @@ fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
     let program = env!("CARGO_BIN_EXE_bracket");
     for blocks in [0, 1, 4, 16, 64] {
         let bench = block();
-        let script = format!("ulimit -f {blocks}; trap '' XFSZ; exec '{program}' analyse block.yaml --quiet");
+        let script = format!(
+            "ulimit -f {blocks}; trap '' XFSZ; exec '{program}' analyse block.yaml --quiet"
+        );
         let told = Told {
             exit: 4,
             code: "report/disk-full",
@@ -109,16 +138,27 @@ fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
         };
         let mut run = Command::new("sh");
         run.current_dir(bench.path()).args(["-c", &script]);
-        results.push((format!("files of at most {blocks} blocks"), refusal(&bench, &mut run, &told)));
+        results
+            .push((format!("files of at most {blocks} blocks"), refusal(&bench, &mut run, &told)));
     }
     for blocks in [0, 2] {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let mesher = bench.mesher("exit 7");
-        let script = format!("ulimit -f {blocks}; trap '' XFSZ; exec '{program}' mesh joint.yaml --quiet");
-        let told = Told { exit: 4, code: "mesher/disk", place: "joint/", message: "no space is left", cure: "--out" };
+        let script =
+            format!("ulimit -f {blocks}; trap '' XFSZ; exec '{program}' mesh joint.yaml --quiet");
+        let told = Told {
+            exit: 4,
+            code: "mesher/disk",
+            place: "joint/",
+            message: "no space is left",
+            cure: "--out",
+        };
         let mut run = Command::new("sh");
         run.current_dir(bench.path()).env("BRACKET_GMSH", &mesher).args(["-c", &script]);
-        results.push((format!("mesh, files of at most {blocks} blocks"), refusal(&bench, &mut run, &told)));
+        results.push((
+            format!("mesh, files of at most {blocks} blocks"),
+            refusal(&bench, &mut run, &told),
+        ));
     }
     none_wrong(results);
 }
@@ -130,9 +170,12 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
     let bench = block();
     let disk = bench.path().join("disk");
     std::fs::create_dir(&disk).expect("folder");
-    let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "tmpfs"]).arg(&disk).output();
+    let mounted =
+        Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "tmpfs"]).arg(&disk).output();
     if !mounted.is_ok_and(|o| o.status.success()) {
-        eprintln!("not run: this user may not mount a file system (the limit on file sizes stands for it)");
+        eprintln!(
+            "not run: this user may not mount a file system (the limit on file sizes stands for it)"
+        );
         return;
     }
     let told = Told {
@@ -142,7 +185,11 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
         message: "No space left on device",
         cure: "free some space or choose a folder on another disk with --out",
     };
-    let result = refusal(&bench, &mut bench.command(&["analyse", "block.yaml", "--out", "disk/result", "-q"]), &told);
+    let result = refusal(
+        &bench,
+        &mut bench.command(&["analyse", "block.yaml", "--out", "disk/result", "-q"]),
+        &told,
+    );
     let unmounted = Command::new("umount").arg(&disk).status().expect("umount starts");
     assert!(unmounted.success());
     if let Err(e) = result {
@@ -167,7 +214,9 @@ fn a_full_standard_output_is_exit_4() {
 #[cfg(target_os = "linux")]
 fn places_that_cannot_be_written_are_exit_4() {
     let mut results = Vec::new();
-    for (out, message) in [("/proc/bracket", "cannot create"), ("joint.yaml/result", "Not a directory")] {
+    for (out, message) in
+        [("/proc/bracket", "cannot create"), ("joint.yaml/result", "Not a directory")]
+    {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let mesher = bench.mesher("exit 7");
         let told = Told { exit: 4, code: "report/io", place: out, message, cure: "--out" };

@@ -19,26 +19,80 @@ loads:
 
 /// Three cubes in a row along x.
 fn row() -> TetMesh {
-    let mut mesh =
-        Block::new([3, 1, 1], [30.0, 10.0, 10.0]).mesh(&["A", "B", "C"], |x| (x[0] / 10.0) as usize, |_, _| false);
+    let mut mesh = Block::new([3, 1, 1], [30.0, 10.0, 10.0]).mesh(
+        &["A", "B", "C"],
+        |x| (x[0] / 10.0) as usize,
+        |_, _| false,
+    );
     let triangles = triangles_where(&mesh, |x| x[0] == 10.0);
     mesh.faces.push(NamedFaces { name: "JOINT".into(), triangles });
     mesh
 }
 
-fn told(results: &mut Vec<(String, Result<String, String>)>, name: &str, mesh: &[u8], model: &str, told: Told<'_>) {
+fn told(
+    results: &mut Vec<(String, Result<String, String>)>,
+    name: &str,
+    mesh: &[u8],
+    model: &str,
+    told: Told<'_>,
+) {
     let bench = Bench::new().file("model.yaml", model).file("m.msh", mesh);
-    results.push((name.into(), refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &told)));
+    results.push((
+        name.into(),
+        refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &told),
+    ));
 }
 
 /// Old text, new text, code, line, words of the message, words of the cure.
 const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
-    ("B: steel, ", "", "model/no-material", 4, "body `B` of the mesh has no material", "add `B: MATERIAL`"),
-    ("C: steel}", "C: steal}", "model/unknown-material", 4, "did you mean `steel`", "the materials are: steel"),
-    ("C: steel}", "C: steel, D: steel}", "model/unknown-body", 4, "no physical volume `D`", "A, B, C"),
-    ("[A, B]", "[A, C]", "model/no-contact", 6, "`A` and `C` have no face in common", "nodes: split"),
-    ("face: X1", "face: X11", "model/unknown-face", 10, "did you mean `X1`", "the physical surfaces are"),
-    ("face: X1", "face: JOINT", "model/not-outer", 10, "contact between `A` and `B`", "free outer faces"),
+    (
+        "B: steel, ",
+        "",
+        "model/no-material",
+        4,
+        "body `B` of the mesh has no material",
+        "add `B: MATERIAL`",
+    ),
+    (
+        "C: steel}",
+        "C: steal}",
+        "model/unknown-material",
+        4,
+        "did you mean `steel`",
+        "the materials are: steel",
+    ),
+    (
+        "C: steel}",
+        "C: steel, D: steel}",
+        "model/unknown-body",
+        4,
+        "no physical volume `D`",
+        "A, B, C",
+    ),
+    (
+        "[A, B]",
+        "[A, C]",
+        "model/no-contact",
+        6,
+        "`A` and `C` have no face in common",
+        "nodes: split",
+    ),
+    (
+        "face: X1",
+        "face: X11",
+        "model/unknown-face",
+        10,
+        "did you mean `X1`",
+        "the physical surfaces are",
+    ),
+    (
+        "face: X1",
+        "face: JOINT",
+        "model/not-outer",
+        10,
+        "contact between `A` and `B`",
+        "free outer faces",
+    ),
     ("E: 210000", "E: -210000", "model/value", 3, "`E` of material `steel`", "210000"),
     ("nu: 0.3}", "nu: .nan}", "yaml/not-finite", 3, "materials.steel.nu", "finite"),
     ("nu: 0.3}", "nu: 0.3, E: 1}", "yaml/duplicate-key", 3, "`E`", "keep one"),
@@ -52,7 +106,14 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "no body has a yield strength and no interface can open or slip",
         "bodies without one are rigid",
     ),
-    ("mesh: m.msh", "mesh: n.msh", "model/no-mesh", 1, "no mesh file `n.msh`", "relative to the model file"),
+    (
+        "mesh: m.msh",
+        "mesh: n.msh",
+        "model/no-mesh",
+        1,
+        "no mesh file `n.msh`",
+        "relative to the model file",
+    ),
     (
         "  - {face: X0, fix: [x, y, z]}",
         "  - {face: X0, fix: [y, z]}",
@@ -61,9 +122,23 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "can move along x",
         "support",
     ),
-    ("traction: [-1, 0, 0]", "traction: [0, 0, 0]", "model/no-load", 0, "every load is zero", "not zero"),
+    (
+        "traction: [-1, 0, 0]",
+        "traction: [0, 0, 0]",
+        "model/no-load",
+        0,
+        "every load is zero",
+        "not zero",
+    ),
     ("traction: [-1, 0, 0]", "traction: [-1 MPa, 0, 0]", "yaml/type", 10, "-1 MPa", ""),
-    ("traction: [-1, 0, 0]", "traction: -1", "yaml/type", 10, "expected an array of length 3", "schema"),
+    (
+        "traction: [-1, 0, 0]",
+        "traction: -1",
+        "yaml/type",
+        10,
+        "expected an array of length 3",
+        "schema",
+    ),
     ("E: 210000", "E: 210 GPa", "yaml/type", 3, "expected a number without a unit", "schema"),
     ("nu: 0.3}", "nu: -1.5}", "model/value", 3, "it must be > -1 and < 0.5", "steel: 0.3"),
     ("analysis: elastic\n", "", "yaml/missing-key", 1, "lacks the key `analysis`", "add `analysis"),
@@ -75,7 +150,14 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "`upper`",
         "both, kinematic, static",
     ),
-    ("mesh: m.msh", "mesh: .", "model/no-mesh", 1, "no mesh file `.`", "relative to the model file"),
+    (
+        "mesh: m.msh",
+        "mesh: .",
+        "model/no-mesh",
+        1,
+        "no mesh file `.`",
+        "relative to the model file",
+    ),
     ("face: X0", "face: 12", "model/unknown-face", 8, "no physical surface `12`", "X0"),
     (
         "supports:",
@@ -85,7 +167,14 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "already named by interfaces[0]",
         "once",
     ),
-    ("fix: [x, y, z]", "fix: []", "model/support", 8, "needs either `fix` or `law: contact`", "fix: [x, y, z]"),
+    (
+        "fix: [x, y, z]",
+        "fix: []",
+        "model/support",
+        8,
+        "needs either `fix` or `law: contact`",
+        "fix: [x, y, z]",
+    ),
     ("supports:", "symmetry: 8\nsupports:", "model/value", 7, "`symmetry` is 8", "1, 2 or 4"),
 ];
 
@@ -106,7 +195,8 @@ fn wrong_models_are_refused_with_place_and_cure() {
 #[test]
 fn wrong_meshes_are_refused_with_place_and_cure() {
     let good = msh_write::text(&row());
-    let line_of = |needle: &str| good[..good.find(needle).expect("found")].matches('\n').count() + 1;
+    let line_of =
+        |needle: &str| good[..good.find(needle).expect("found")].matches('\n').count() + 1;
     let first_tet = good.lines().position(|l| l.split(' ').nth(1) == Some("4")).expect("a tet") + 1;
     let tet: Vec<&str> = good.lines().nth(first_tet - 1).expect("a line").split(' ').collect();
     let tet_line = tet.join(" ");
@@ -131,27 +221,62 @@ fn wrong_meshes_are_refused_with_place_and_cure() {
     let second = at(first_tet);
     let version = at(2);
     let cases: Vec<(&str, String, &str, &str, &str, &str)> = vec![
-        ("second order", good.replace(&tet_line, &quadratic), "mesh/order", &second, "10-node", "ElementOrder = 1"),
+        (
+            "second order",
+            good.replace(&tet_line, &quadratic),
+            "mesh/order",
+            &second,
+            "10-node",
+            "ElementOrder = 1",
+        ),
         ("flat", flat, "mesh/flat", "m.msh:", "is flat", "remesh"),
         ("folded", folded, "mesh/folded", "m.msh:", "same side", "remesh"),
         ("cut off", cut.into(), "mesh/truncated", "m.msh", "ends inside `$Elements`", "again"),
         ("torn in a line", torn, "mesh/malformed", "m.msh:", "found `30 4`", "cut off"),
-        ("binary", good.replace("2.2 0 8", "2.2 1 8"), "mesh/binary", &version, "binary", "Mesh.Binary = 0"),
-        ("old version", good.replace("2.2 0 8", "1 0 8"), "mesh/version", &version, "format 1", "msh41"),
-        ("no mesh", "solid block\n".into(), "mesh/not-gmsh", "m.msh:1", "not a gmsh mesh", "gmsh -3"),
+        (
+            "binary",
+            good.replace("2.2 0 8", "2.2 1 8"),
+            "mesh/binary",
+            &version,
+            "binary",
+            "Mesh.Binary = 0",
+        ),
+        (
+            "old version",
+            good.replace("2.2 0 8", "1 0 8"),
+            "mesh/version",
+            &version,
+            "format 1",
+            "msh41",
+        ),
+        (
+            "no mesh",
+            "solid block\n".into(),
+            "mesh/not-gmsh",
+            "m.msh:1",
+            "not a gmsh mesh",
+            "gmsh -3",
+        ),
         ("empty", String::new(), "mesh/not-gmsh", "m.msh", "not a gmsh mesh", "gmsh -3"),
         ("surface only", surface_only(&good), "mesh/no-tets", "m.msh", "no tetrahedron", "gmsh -3"),
     ];
     let mut results = Vec::new();
     for (name, text, code, place, message, cure) in &cases {
         assert_ne!(text, &good, "{name}");
-        told(&mut results, name, text.as_bytes(), MODEL, Told { exit: 2, code, place, message, cure });
+        told(
+            &mut results,
+            name,
+            text.as_bytes(),
+            MODEL,
+            Told { exit: 2, code, place, message, cure },
+        );
     }
     let nan = line_of("$Nodes") + 2;
     let node = good.lines().nth(nan - 1).expect("a node").to_string();
     let spoilt = good.replacen(&format!("\n{node}\n"), "\n1 nan 0 0\n", 1);
     let place = at(nan);
-    let t = Told { exit: 2, code: "mesh/not-finite", place: &place, message: "node 1", cure: "gmsh" };
+    let t =
+        Told { exit: 2, code: "mesh/not-finite", place: &place, message: "node 1", cure: "gmsh" };
     told(&mut results, "NaN", spoilt.as_bytes(), MODEL, t);
     none_wrong(results);
 }
@@ -159,8 +284,13 @@ fn wrong_meshes_are_refused_with_place_and_cure() {
 #[test]
 fn a_spec_is_told_which_command_reads_it() {
     let bench = Bench::new().file("joint.yaml", crate::bench::JOINT);
-    let t =
-        Told { exit: 2, code: "yaml/unknown-key", place: "joint.yaml:", message: "", cure: "`bracket run` reads it" };
+    let t = Told {
+        exit: 2,
+        code: "yaml/unknown-key",
+        place: "joint.yaml:",
+        message: "",
+        cure: "`bracket run` reads it",
+    };
     if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "joint.yaml"]), &t) {
         panic!("{e}");
     }
@@ -169,7 +299,8 @@ fn a_spec_is_told_which_command_reads_it() {
 /// The file without its tets.
 fn surface_only(good: &str) -> String {
     let (head, elements) = good.split_once("$Elements\n").expect("elements");
-    let triangles: Vec<&str> = elements.lines().filter(|l| l.split(' ').nth(1) == Some("2")).collect();
+    let triangles: Vec<&str> =
+        elements.lines().filter(|l| l.split(' ').nth(1) == Some("2")).collect();
     format!("{head}$Elements\n{}\n{}\n$EndElements\n", triangles.len(), triangles.join("\n"))
 }
 
@@ -177,10 +308,16 @@ fn surface_only(good: &str) -> String {
 fn a_part_without_support_is_named_before_anything_is_solved() {
     let mesh = msh_write::text(&row());
     // pulled apart, nothing but contact between A and B+C: friction holds it in the check, so pull sideways without it
-    let model = MODEL.replace("mu: 0.3, friction: associated", "mu: 0").replace("[-1, 0, 0]", "[0, 0, -1]");
+    let model =
+        MODEL.replace("mu: 0.3, friction: associated", "mu: 0").replace("[-1, 0, 0]", "[0, 0, -1]");
     let bench = Bench::new().file("model.yaml", model).file("m.msh", mesh);
-    let t =
-        Told { exit: 2, code: "model/loose-part", place: "", message: "part B+C can move along z", cure: "support" };
+    let t = Told {
+        exit: 2,
+        code: "model/loose-part",
+        place: "",
+        message: "part B+C can move along z",
+        cure: "support",
+    };
     if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &t) {
         panic!("{e}");
     }

@@ -46,7 +46,14 @@ const ROWS: &[Row] = &[
         "`bolts.rows`: the list is empty",
         "at least one",
     ),
-    (", rows: [-215, -125, 110]", "", "spec/missing", "joint.yaml:7:", "`bolts.rows` is missing", "bracket new"),
+    (
+        ", rows: [-215, -125, 110]",
+        "",
+        "spec/missing",
+        "joint.yaml:7:",
+        "`bolts.rows` is missing",
+        "bracket new",
+    ),
     (
         "plate: {thickness: 15, width: 180, z: [-250, 200]}\n",
         "",
@@ -55,8 +62,22 @@ const ROWS: &[Row] = &[
         "`plate.thickness` is missing",
         "bracket new",
     ),
-    ("plate: {thickness: 15,", "plate: {thickness: -15,", "spec/range", "joint.yaml:6:", "is -15 mm", "4 mm to 100 mm"),
-    ("plate: {thickness: 15,", "plate: {thickness: 0,", "spec/range", "joint.yaml:6:", "is 0 mm", "4 mm to 100 mm"),
+    (
+        "plate: {thickness: 15,",
+        "plate: {thickness: -15,",
+        "spec/range",
+        "joint.yaml:6:",
+        "is -15 mm",
+        "4 mm to 100 mm",
+    ),
+    (
+        "plate: {thickness: 15,",
+        "plate: {thickness: 0,",
+        "spec/range",
+        "joint.yaml:6:",
+        "is 0 mm",
+        "4 mm to 100 mm",
+    ),
     (
         "plate: {thickness: 15,",
         "plate: {thickness: .nan,",
@@ -97,8 +118,22 @@ const ROWS: &[Row] = &[
         "`fifteen` is not a length",
         "a number and a unit (mm",
     ),
-    ("plate: {thickness: 15,", "plate: {thickness: [15],", "yaml/type", "joint.yaml:6:", "plate.thickness", ""),
-    ("pressure: 45 MPa", "pressure: 45", "yaml/quantity", "joint.yaml:10:", "needs a unit", "45 MPa"),
+    (
+        "plate: {thickness: 15,",
+        "plate: {thickness: [15],",
+        "yaml/type",
+        "joint.yaml:6:",
+        "plate.thickness",
+        "",
+    ),
+    (
+        "pressure: 45 MPa",
+        "pressure: 45",
+        "yaml/quantity",
+        "joint.yaml:10:",
+        "needs a unit",
+        "45 MPa",
+    ),
     (
         "plate: {thickness: 15,",
         "plate: {thickness: 15, thickness: 16,",
@@ -108,7 +143,14 @@ const ROWS: &[Row] = &[
         "keep one",
     ),
     ("width: 180", "widht: 180", "yaml/unknown-key", "joint.yaml:6:", "did you mean `width`", ""),
-    ("friction: ", "frictoin: ", "yaml/unknown-key", "joint.yaml:9:", "did you mean `friction`", ""),
+    (
+        "friction: ",
+        "frictoin: ",
+        "yaml/unknown-key",
+        "joint.yaml:9:",
+        "did you mean `friction`",
+        "",
+    ),
     (
         "template: double_sided_end_plate",
         "template: end_plate",
@@ -149,7 +191,14 @@ const ROWS: &[Row] = &[
         "`loads` is missing",
         "bracket new",
     ),
-    ("size: M18", "size: M80", "catalog/unknown-name", "joint.yaml:7:", "`M80`", "bracket catalog list"),
+    (
+        "size: M18",
+        "size: M80",
+        "catalog/unknown-name",
+        "joint.yaml:7:",
+        "`M80`",
+        "bracket catalog list",
+    ),
     (
         "kind: elastic",
         "kind: [elastoplastic, elastoplastic]",
@@ -158,7 +207,14 @@ const ROWS: &[Row] = &[
         "the same kind twice",
         "each kind once",
     ),
-    ("kind: elastic", "kind: [limit, limit]", "spec/value", "joint.yaml:11:", "the same kind twice", "each kind once"),
+    (
+        "kind: elastic",
+        "kind: [limit, limit]",
+        "spec/value",
+        "joint.yaml:11:",
+        "the same kind twice",
+        "each kind once",
+    ),
     ("law: associated", "law: columb", "yaml/unknown-value", "joint.yaml:9:", "columb", "coulomb"),
     (
         "section: column_top",
@@ -184,11 +240,32 @@ const ROWS: &[Row] = &[
         "`T P` and `T/P` would write the same files",
         "letters and digits",
     ),
-    ("{name: TOP,", "{name: \"\",", "spec/value", "joint.yaml:10:", "is empty", "letters and digits"),
+    (
+        "{name: TOP,",
+        "{name: \"\",",
+        "spec/value",
+        "joint.yaml:10:",
+        "is empty",
+        "letters and digits",
+    ),
     ("plate: {", "plate: [", "yaml/syntax", "joint.yaml:6:", "", ""),
     ("target_gap: 0.05", "target_gap: 5", "spec/range", "joint.yaml:11:", "target_gap", "0.05"),
-    ("45 MPa", "0 MPa", "model/no-load", "joint.yaml:10:", "nothing acts in the load case `TOP`", "not zero"),
-    ("45 MPa", "1e300 MPa", "spec/range", "joint.yaml:10:", "`loads[0].pressure` is 1e300 MPa", "its unit"),
+    (
+        "45 MPa",
+        "0 MPa",
+        "model/no-load",
+        "joint.yaml:10:",
+        "nothing acts in the load case `TOP`",
+        "not zero",
+    ),
+    (
+        "45 MPa",
+        "1e300 MPa",
+        "spec/range",
+        "joint.yaml:10:",
+        "`loads[0].pressure` is 1e300 MPa",
+        "its unit",
+    ),
     ("45 MPa", "1e-300 MPa", "spec/range", "joint.yaml:10:", "1e-9 MPa to 1e9 MPa", "its unit"),
     (
         ", pressure: 45 MPa",
@@ -198,8 +275,22 @@ const ROWS: &[Row] = &[
         "has `pressure` or `traction`, one of them",
         "pressure: 45 MPa",
     ),
-    ("pressure: 45 MPa", "traction: [0 MPa, 0 MPa]", "yaml/type", "joint.yaml:10:", "array of length 3", "schema"),
-    ("pressure: 45 MPa", "pressure: 45 kN", "yaml/quantity", "joint.yaml:10:", "`45 kN` is not a stress", "schema"),
+    (
+        "pressure: 45 MPa",
+        "traction: [0 MPa, 0 MPa]",
+        "yaml/type",
+        "joint.yaml:10:",
+        "array of length 3",
+        "schema",
+    ),
+    (
+        "pressure: 45 MPa",
+        "pressure: 45 kN",
+        "yaml/quantity",
+        "joint.yaml:10:",
+        "`45 kN` is not a stress",
+        "schema",
+    ),
     (
         "loads: [{name: TOP, section: column_top, pressure: 45 MPa}]",
         "loads: []",
@@ -256,9 +347,30 @@ const ROWS: &[Row] = &[
         "`parameters.head_contact`",
         "true or false",
     ),
-    ("gauge: 100", "gauge: 400", "spec/rule", "joint.yaml:7:", "leave the end plate (180 mm wide)", "at most 148 mm"),
-    ("size: M18", "size: M36", "spec/rule", "joint.yaml:7:", "nuts would sit in the root fillet", "at least 109 mm"),
-    ("rows: [-215, -125, 110]", "rows: 3", "yaml/type", "joint.yaml:7:", "expected a list", "schema"),
+    (
+        "gauge: 100",
+        "gauge: 400",
+        "spec/rule",
+        "joint.yaml:7:",
+        "leave the end plate (180 mm wide)",
+        "at most 148 mm",
+    ),
+    (
+        "size: M18",
+        "size: M36",
+        "spec/rule",
+        "joint.yaml:7:",
+        "nuts would sit in the root fillet",
+        "at least 109 mm",
+    ),
+    (
+        "rows: [-215, -125, 110]",
+        "rows: 3",
+        "yaml/type",
+        "joint.yaml:7:",
+        "expected a list",
+        "schema",
+    ),
     (
         "rows: [-215, -125, 110]",
         "rows: [-215, null, 110]",
@@ -276,7 +388,14 @@ const ROWS: &[Row] = &[
         "bracket new",
     ),
     ("mu: 0.3", "mu: -0.1", "spec/range", "joint.yaml:9:", "`friction.mu` is -0.1", "0 to 2"),
-    ("mu: 0.3", "mu: 0.3, class: B", "spec/value", "joint.yaml:9:", "`mu` and `class` are both given", "keep one"),
+    (
+        "mu: 0.3",
+        "mu: 0.3, class: B",
+        "spec/value",
+        "joint.yaml:9:",
+        "`mu` and `class` are both given",
+        "keep one",
+    ),
     (
         "target_gap: 0.05",
         "target_gap: 5 %",
@@ -309,7 +428,14 @@ const ROWS: &[Row] = &[
         "the law of friction is `associated`",
         "law: coulomb",
     ),
-    ("target_gap: 0.05", "coulomb_estimate: 1", "yaml/type", "joint.yaml:11:", "coulomb_estimate", "schema"),
+    (
+        "target_gap: 0.05",
+        "coulomb_estimate: 1",
+        "yaml/type",
+        "joint.yaml:11:",
+        "coulomb_estimate",
+        "schema",
+    ),
     (
         "target_gap: 0.05",
         "coulomb_estimat: true",
@@ -318,7 +444,14 @@ const ROWS: &[Row] = &[
         "did you mean `coulomb_estimate`",
         "",
     ),
-    ("target_gap: 0.05", "time_limit: 20", "yaml/type", "joint.yaml:11:", "expected a time with a unit", "schema"),
+    (
+        "target_gap: 0.05",
+        "time_limit: 20",
+        "yaml/type",
+        "joint.yaml:11:",
+        "expected a time with a unit",
+        "schema",
+    ),
     (
         "target_gap: 0.05",
         "mesh: {segments: 13}",
@@ -345,7 +478,11 @@ fn wrong_specs_are_refused_with_place_and_cure() {
         let bench = Bench::new().file("joint.yaml", JOINT.replace(old, new));
         let mesher = bench.mesher("exit 7");
         let told = Told { exit: 2, code, place, message, cure };
-        let result = refusal(&bench, bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", &mesher), &told);
+        let result = refusal(
+            &bench,
+            bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", &mesher),
+            &told,
+        );
         results.push((format!("`{old}` -> `{new}`"), result));
     }
     none_wrong(results);
@@ -358,7 +495,13 @@ fn what_is_no_spec_at_all_is_refused() {
         ("nothing", Vec::new(), "yaml/empty", "joint.yaml", "bracket new"),
         ("no text", vec![0xff, 0xfe, 0x00, 0xd8], "file/encoding", "joint.yaml:1:1", "UTF-8"),
         ("Latin-1", latin, "file/encoding", "joint.yaml:3:", "save the file as UTF-8"),
-        ("a folder's archive", b"PK\x03\x04\x00".to_vec(), "file/encoding", "joint.yaml:1:5", "UTF-8"),
+        (
+            "a folder's archive",
+            b"PK\x03\x04\x00".to_vec(),
+            "file/encoding",
+            "joint.yaml:1:5",
+            "UTF-8",
+        ),
         (
             "a model",
             b"mesh: block.msh\nanalysis: elastic\nmaterials: {}\nbodies: {}\n".to_vec(),
@@ -372,15 +515,33 @@ fn what_is_no_spec_at_all_is_refused() {
     for (name, bytes, code, place, cure) in cases {
         let bench = Bench::new().file("joint.yaml", bytes);
         let told = Told { exit: 2, code, place, message: "", cure };
-        results.push((name.to_string(), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
+        results.push((
+            name.to_string(),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+        ));
     }
     let bench = Bench::new();
     std::fs::create_dir(bench.path().join("joint.yaml")).expect("folder");
-    let told =
-        Told { exit: 2, code: "spec/read", place: "joint.yaml", message: "Is a directory", cure: "check the path" };
-    results.push(("a folder".into(), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
-    let told = Told { exit: 2, code: "spec/read", place: "joint.yml", message: "No such file", cure: "check the path" };
-    results.push(("absent".into(), refusal(&bench, &mut bench.command(&["run", "joint.yml"]), &told)));
+    let told = Told {
+        exit: 2,
+        code: "spec/read",
+        place: "joint.yaml",
+        message: "Is a directory",
+        cure: "check the path",
+    };
+    results.push((
+        "a folder".into(),
+        refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+    ));
+    let told = Told {
+        exit: 2,
+        code: "spec/read",
+        place: "joint.yml",
+        message: "No such file",
+        cure: "check the path",
+    };
+    results
+        .push(("absent".into(), refusal(&bench, &mut bench.command(&["run", "joint.yml"]), &told)));
     none_wrong(results);
 }
 
@@ -414,15 +575,28 @@ fn specs_and_tables_in_utf_16_are_read() {
     for (name, bytes) in [("UTF-16", utf16(&spec)), ("UTF-8 with a mark", marked)] {
         // read to its end: the fault told is the one of the profile
         let (code, message) = ("catalog/unknown-name", "did you mean `HEB200`");
-        let told = Told { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };
+        let told =
+            Told { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };
         let bench = Bench::new().file("joint.yaml", bytes);
-        results.push((name.into(), refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told)));
+        results.push((
+            name.into(),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+        ));
     }
     let bench = Bench::new().file("joint.yaml", JOINT);
     std::fs::create_dir(bench.path().join("mine")).expect("folder");
-    std::fs::write(bench.path().join("mine/f.csv"), b"class,slip_factor_mu,surface_treatment\nM,0.4,ges\xe4ubert\n")
-        .expect("table");
-    let told = Told { exit: 2, code: "file/encoding", place: "f.csv:2:", message: "Latin-1", cure: "UTF-8" };
+    std::fs::write(
+        bench.path().join("mine/f.csv"),
+        b"class,slip_factor_mu,surface_treatment\nM,0.4,ges\xe4ubert\n",
+    )
+    .expect("table");
+    let told = Told {
+        exit: 2,
+        code: "file/encoding",
+        place: "f.csv:2:",
+        message: "Latin-1",
+        cure: "UTF-8",
+    };
     let mut command = bench.command(&["run", "joint.yaml", "--catalog", "mine"]);
     results.push(("a table in Latin-1".into(), refusal(&bench, &mut command, &told)));
     none_wrong(results);

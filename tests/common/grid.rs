@@ -13,7 +13,8 @@ pub struct Grid {
 
 /// Planes ascending from `from` to `to` with the finest steps, of size `first`, at `to`.
 pub fn finer_at_end(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
-    let mut planes: Vec<f64> = super::graded(first, 1, ratio, to - from).iter().map(|d| to - d).collect();
+    let mut planes: Vec<f64> =
+        super::graded(first, 1, ratio, to - from).iter().map(|d| to - d).collect();
     planes.reverse();
     planes[0] = from;
     planes
@@ -21,7 +22,8 @@ pub fn finer_at_end(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
 
 /// Planes ascending from `from` to `to` with the finest steps, of size `first`, at `from`.
 pub fn finer_at_start(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
-    let mut planes: Vec<f64> = super::graded(first, 1, ratio, to - from).iter().map(|d| from + d).collect();
+    let mut planes: Vec<f64> =
+        super::graded(first, 1, ratio, to - from).iter().map(|d| from + d).collect();
     *planes.last_mut().unwrap() = to;
     planes
 }
@@ -62,7 +64,9 @@ impl Grid {
         let cells: [usize; 3] = std::array::from_fn(|d| self.planes[d].len() - 1);
         let of = |at: [isize; 3]| -> Option<usize> {
             let inside = (0..3).all(|d| at[d] >= 0 && at[d] < cells[d] as isize);
-            let centre = |d: usize| 0.5 * (self.planes[d][at[d] as usize] + self.planes[d][at[d] as usize + 1]);
+            let centre = |d: usize| {
+                0.5 * (self.planes[d][at[d] as usize] + self.planes[d][at[d] as usize + 1])
+            };
             if inside { body([centre(0), centre(1), centre(2)]) } else { None }
         };
         let id = |i: usize, j: usize, k: usize| i + (cells[0] + 1) * (j + (cells[1] + 1) * k);
@@ -95,7 +99,11 @@ impl Grid {
                 }
             }
         }
-        let mut mesh = TetMesh { nodes, bodies: bodies.iter().map(|b| b.to_string()).collect(), ..TetMesh::default() };
+        let mut mesh = TetMesh {
+            nodes,
+            bodies: bodies.iter().map(|b| b.to_string()).collect(),
+            ..TetMesh::default()
+        };
         for k in 0..cells[2] {
             for j in 0..cells[1] {
                 for i in 0..cells[0] {

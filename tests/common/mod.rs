@@ -38,7 +38,8 @@ impl Block {
         flat: impl Fn(usize, f64) -> bool,
     ) -> TetMesh {
         let [nx, ny, nz] = self.cells;
-        let h: [f64; 3] = std::array::from_fn(|d| (self.max[d] - self.min[d]) / self.cells[d] as f64);
+        let h: [f64; 3] =
+            std::array::from_fn(|d| (self.max[d] - self.min[d]) / self.cells[d] as f64);
         let id = |i: usize, j: usize, k: usize| (i + (nx + 1) * (j + (ny + 1) * k)) as u32;
         let mut state = self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         let mut random = || {
@@ -67,7 +68,8 @@ impl Block {
             for j in 0..ny {
                 for i in 0..nx {
                     let c = |a: usize, b: usize, c: usize| id(i + a, j + b, k + c);
-                    let centre: [f64; 3] = std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
+                    let centre: [f64; 3] =
+                        std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
                     for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
                         let mut at = [0; 3];
                         let mut t = [c(0, 0, 0); 4];
@@ -84,8 +86,13 @@ impl Block {
                 }
             }
         }
-        let mut mesh =
-            TetMesh { nodes, tets, tet_body, bodies: bodies.iter().map(|b| b.to_string()).collect(), faces: vec![] };
+        let mut mesh = TetMesh {
+            nodes,
+            tets,
+            tet_body,
+            bodies: bodies.iter().map(|b| b.to_string()).collect(),
+            faces: vec![],
+        };
         let names = [["X0", "X1"], ["Y0", "Y1"], ["Z0", "Z1"]];
         for d in 0..3 {
             for (side, value) in [self.min[d], self.max[d]].into_iter().enumerate() {

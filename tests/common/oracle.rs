@@ -2,7 +2,9 @@
 
 use bracket::programs::conic::ConicProgram;
 use bracket::solve::status::Iterations;
-use bracket::solve::{Iteration, Patterns, Solution, SolveOptions, SolveStatus, clarabel, condensed};
+use bracket::solve::{
+    Iteration, Patterns, Solution, SolveOptions, SolveStatus, clarabel, condensed,
+};
 use std::sync::{Arc, Mutex};
 
 /// Iterations an elastic or elastoplastic program may take, hard cases included.
@@ -14,8 +16,8 @@ pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let kept = trace.clone();
     let progress: Iterations = Arc::new(move |i| kept.lock().unwrap().push(*i));
     let options = SolveOptions { progress: Some(progress), ..SolveOptions::default() };
-    let prepared =
-        condensed::Prepared::new(program, block, &Patterns::default()).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let prepared = condensed::Prepared::new(program, block, &Patterns::default())
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let ours = prepared.solve(&options);
     assert_eq!(ours.status, SolveStatus::Optimal, "{name}: {:#?}", trace.lock().unwrap());
     let options = SolveOptions::default();
@@ -23,7 +25,10 @@ pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let theirs = clarabel::solve(program, &options);
     assert_eq!(theirs.status, SolveStatus::Optimal, "{name}: Clarabel");
     let [a, b] = [&ours, &theirs].map(|s| program.objective(&s.x, &s.z) - program.c);
-    println!("{name}: {a:.9e} in {} iterations, Clarabel {b:.9e} in {}", ours.iterations, theirs.iterations);
+    println!(
+        "{name}: {a:.9e} in {} iterations, Clarabel {b:.9e} in {}",
+        ours.iterations, theirs.iterations
+    );
     // without loads or gaps to close both are zero to rounding
     assert!((a - b).abs() <= 1e-6 * b.abs() + 1e-14, "{name}: {a:.9e} against {b:.9e}");
     ours

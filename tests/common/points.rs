@@ -66,7 +66,10 @@ impl<'a> Fields<'a> {
         let x = self.corners(e);
         let centre = combine(&x, &[0.25; 4]);
         let f = FACES[k];
-        ([x[f[0]], x[f[1]], x[f[2]], centre], std::array::from_fn(|p| matrix(&self.stress.points[e][k][p])))
+        (
+            [x[f[0]], x[f[1]], x[f[2]], centre],
+            std::array::from_fn(|p| matrix(&self.stress.points[e][k][p])),
+        )
     }
 
     /// Stress of subtet `k` of tet `e` at a point, by its linear field.
@@ -113,7 +116,9 @@ impl<'a> Fields<'a> {
         for load in self.model.surface_loads.iter().filter(|l| l.faces.contains(f)) {
             let more = match &load.traction {
                 Traction::Pressure(p) => n.map(|c| -p * c),
-                Traction::Linear { traction0, gradient } => std::array::from_fn(|i| traction0[i] + dot(gradient[i], x)),
+                Traction::Linear { traction0, gradient } => {
+                    std::array::from_fn(|i| traction0[i] + dot(gradient[i], x))
+                }
             };
             (0..3).for_each(|d| t[d] += more[d]);
         }
@@ -138,8 +143,14 @@ pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &Displa
     }
     let fields = Fields { model, stress, u, middle };
     let mut random = Random::new(2024);
-    let largest =
-        stress.points.iter().flatten().flatten().flatten().fold(0.0f64, |m, s| m.max(s.abs())).max(f64::MIN_POSITIVE);
+    let largest = stress
+        .points
+        .iter()
+        .flatten()
+        .flatten()
+        .flatten()
+        .fold(0.0f64, |m, s| m.max(s.abs()))
+        .max(f64::MIN_POSITIVE);
     let tolerance = 1e-9 * largest;
     volume(name, &fields, &mut random, tolerance);
     inner_faces(name, &fields, &mut random, tolerance);
@@ -150,14 +161,22 @@ pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &Displa
 }
 
 fn welds(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
-    let all: Vec<_> = f.model.welds.iter().flat_map(|w| w.faces.iter().map(move |p| (w, p))).collect();
+    let all: Vec<_> =
+        f.model.welds.iter().flat_map(|w| w.faces.iter().map(move |p| (w, p))).collect();
     for _ in 0..POINTS * usize::from(!all.is_empty()) {
         let (weld, p) = all[random.below(all.len())];
         let x = f.positions(p.nodes_a);
         let (at, n) = (combine(&x, &random.simplex::<3>()), outward(&x));
         let (a, b) = (f.traction(&p.a, at, n), f.traction(&p.b, at, n));
-        assert!(norm(sub(a, b)) <= tolerance, "{name}: {a:?} on one side of a weld, {b:?} on the other at {at:?}");
-        assert!(norm(a) <= weld.strength + tolerance, "{name}: {a:?} in a weld of {} at {at:?}", weld.strength);
+        assert!(
+            norm(sub(a, b)) <= tolerance,
+            "{name}: {a:?} on one side of a weld, {b:?} on the other at {at:?}"
+        );
+        assert!(
+            norm(a) <= weld.strength + tolerance,
+            "{name}: {a:?} in a weld of {} at {at:?}",
+            weld.strength
+        );
     }
 }
 
@@ -169,7 +188,8 @@ fn volume(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         // gradients of the barycentric coordinates from the inverse of the edge matrix
         let d = [sub(c[1], c[0]), sub(c[2], c[0]), sub(c[3], c[0])];
         let six = dot(cross(d[0], d[1]), d[2]);
-        let g = [cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1])].map(|x| x.map(|c| c / six));
+        let g =
+            [cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1])].map(|x| x.map(|c| c / six));
         let mut div = [0.0; 3];
         for b in f.model.body_loads.iter().filter(|b| b.body == f.model.mesh.tet_body[e]) {
             (0..3).for_each(|i| div[i] += b.force[i]);
@@ -203,7 +223,10 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let x = f.positions(*nodes);
         let (at, n) = (combine(&x, &random.simplex::<3>()), outward(&x));
         let [a, b] = [o[0], o[1]].map(|(e, k)| apply(&f.at(e, k, at), n));
-        assert!(norm(sub(a, b)) <= tolerance, "{name}: traction {a:?} against {b:?} across {nodes:?} at {at:?}");
+        assert!(
+            norm(sub(a, b)) <= tolerance,
+            "{name}: traction {a:?} against {b:?} across {nodes:?} at {at:?}"
+        );
     }
     for _ in 0..POINTS {
         let e = random.below(mesh.tets.len());
@@ -216,7 +239,10 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let x = [c[v[0]], c[v[1]], combine(&c, &[0.25; 4])];
         let (at, n) = (combine(&x, &random.simplex::<3>()), outward(&x));
         let [a, b] = [k, l].map(|k| apply(&f.at(e, k, at), n));
-        assert!(norm(sub(a, b)) <= tolerance, "{name}: traction {a:?} against {b:?} inside tet {e} at {at:?}");
+        assert!(
+            norm(sub(a, b)) <= tolerance,
+            "{name}: traction {a:?} against {b:?} inside tet {e} at {at:?}"
+        );
     }
     // outer faces: what is neither held, moved nor in contact carries its load and nothing else
     let outer: Vec<BoundaryFace> = owners
@@ -248,14 +274,25 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let d = sub(f.traction(b, at, n), f.load(b, at, n));
         let h = held.get(&(b.tet, b.local)).copied().unwrap_or_default();
         for c in (0..3).filter(|&c| !h[c]) {
-            assert!(d[c].abs() <= tolerance, "{name}: unasked traction {d:?} on a free face at {at:?}");
+            assert!(
+                d[c].abs() <= tolerance,
+                "{name}: unasked traction {d:?} on a free face at {at:?}"
+            );
         }
     }
 }
 
 fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
-    let pairs = f.model.interfaces.iter().flat_map(|i| i.faces.iter().map(move |p| (&i.law, p.a, p.nodes_a, Some(p))));
-    let ground = f.model.ground.iter().flat_map(|g| g.faces.iter().map(move |b| (&g.law, *b, f.face(b), None)));
+    let pairs = f
+        .model
+        .interfaces
+        .iter()
+        .flat_map(|i| i.faces.iter().map(move |p| (&i.law, p.a, p.nodes_a, Some(p))));
+    let ground = f
+        .model
+        .ground
+        .iter()
+        .flat_map(|g| g.faces.iter().map(move |b| (&g.law, *b, f.face(b), None)));
     let all: Vec<_> = pairs.chain(ground).collect();
     if all.is_empty() {
         return;
@@ -270,12 +307,18 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let r = sub(f.load(a, at, n), f.traction(a, at, n));
         let rn = dot(r, n);
         let rt = norm(sub(r, n.map(|c| rn * c)));
-        assert!(rn >= -tolerance && rt <= law.mu * rn + tolerance, "{name}: r_N {rn:e}, r_T {rt:e} at {at:?}");
+        assert!(
+            rn >= -tolerance && rt <= law.mu * rn + tolerance,
+            "{name}: r_N {rn:e}, r_T {rt:e} at {at:?}"
+        );
         let mut g = f.displacement(*nodes, l).map(|c| -c);
         if let Some(p) = pair {
             let back = n.map(|c| -c);
             let rb = sub(f.traction(&p.b, at, back), f.load(&p.b, at, back));
-            assert!(norm(sub(r, rb)) <= tolerance, "{name}: {r:?} on one side, {rb:?} on the other at {at:?}");
+            assert!(
+                norm(sub(r, rb)) <= tolerance,
+                "{name}: {r:?} on one side, {rb:?} on the other at {at:?}"
+            );
             let ub = f.displacement(p.nodes_b, l);
             (0..3).for_each(|d| g[d] += ub[d]);
         }
@@ -300,7 +343,8 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
 
 /// Across a preloaded cut the traction goes on, and the displacement jumps by the closure along the axis.
 fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
-    let all: Vec<_> = f.model.preload.iter().flat_map(|p| p.faces.iter().map(move |face| (p, face))).collect();
+    let all: Vec<_> =
+        f.model.preload.iter().flat_map(|p| p.faces.iter().map(move |face| (p, face))).collect();
     let size = f.u.u.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     for _ in 0..POINTS * usize::from(!all.is_empty()) {
         let (bolt, p) = all[random.below(all.len())];
@@ -309,7 +353,10 @@ fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
         let (at, n) = (combine(&x, &l), outward(&x));
         assert!(dot(n, bolt.axis) > 0.0, "{name}: side A of the cut");
         let (a, b) = (f.traction(&p.a, at, n), f.traction(&p.b, at, n));
-        assert!(norm(sub(a, b)) <= tolerance, "{name}: {a:?} on one side of the cut, {b:?} on the other at {at:?}");
+        assert!(
+            norm(sub(a, b)) <= tolerance,
+            "{name}: {a:?} on one side of the cut, {b:?} on the other at {at:?}"
+        );
         let closure = bolt.closure.unwrap();
         let jump = sub(f.displacement(p.nodes_b, l), f.displacement(p.nodes_a, l));
         let off = norm(sub(jump, bolt.axis.map(|c| -closure * c)));
@@ -322,7 +369,9 @@ fn supports(name: &str, f: &Fields, random: &mut Random) {
         for _ in 0..POINTS / 10 {
             let nodes = f.face(&s.faces[random.below(s.faces.len())]);
             let u = f.displacement(nodes, random.simplex::<3>());
-            (0..3).filter(|&d| s.fix[d]).for_each(|d| assert_eq!(u[d], 0.0, "{name}: support {}", s.name));
+            (0..3)
+                .filter(|&d| s.fix[d])
+                .for_each(|d| assert_eq!(u[d], 0.0, "{name}: support {}", s.name));
         }
     }
 }

@@ -14,7 +14,8 @@ impl Prism {
     /// Faces S0, S1, S2 lie opposite the triangle's corners; BOTTOM is t = 0, TOP t = 1. One body, `B`.
     pub fn mesh(&self, map: impl Fn([f64; 3], f64) -> [f64; 3]) -> TetMesh {
         let n = self.n;
-        let flat: Vec<[usize; 2]> = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j])).collect();
+        let flat: Vec<[usize; 2]> =
+            (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j])).collect();
         let index = |i: usize, j: usize| flat.iter().position(|p| *p == [i, j]).unwrap();
         let mut triangles = Vec::new();
         for i in 0..n {
@@ -30,7 +31,10 @@ impl Prism {
         for k in 0..=self.layers {
             for [i, j] in &flat {
                 let (a, b) = (*i as f64 / n as f64, *j as f64 / n as f64);
-                mesh.nodes.push(map([a, b, (n - i - j) as f64 / n as f64], k as f64 / self.layers as f64));
+                mesh.nodes.push(map(
+                    [a, b, (n - i - j) as f64 / n as f64],
+                    k as f64 / self.layers as f64,
+                ));
             }
         }
         for k in 0..self.layers {

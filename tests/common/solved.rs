@@ -41,9 +41,12 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
         Ok(model) => model,
         Err(e) => panic!("{e:?}"),
     };
-    let pass =
-        engine::run(&model, &PassOptions { solve: options.clone(), ..PassOptions::default() }, &engine::silent())
-            .unwrap();
+    let pass = engine::run(
+        &model,
+        &PassOptions { solve: options.clone(), ..PassOptions::default() },
+        &engine::silent(),
+    )
+    .unwrap();
     // the problem that the bounds belong to
     model.shift = pass.shift.clone();
     model.preload.iter_mut().zip(&pass.preload).for_each(|(p, t)| p.closure = Some(t.closure));
@@ -74,19 +77,34 @@ impl Solved {
             runs[0].iterations,
             runs[1].iterations
         );
-        assert!(b.is_strict(), "{name}: {:?} {:?}", b.lower().certificate(), b.upper().certificate());
+        assert!(
+            b.is_strict(),
+            "{name}: {:?} {:?}",
+            b.lower().certificate(),
+            b.upper().certificate()
+        );
         let c = p.contributions.as_ref().unwrap();
         let copies = f64::from(self.model.symmetry);
         let strain = b.lower().certificate().strain_energy.unwrap_or(0.0);
-        let scale = lower.abs().max(upper.abs()).max(b.upper().certificate().work.abs() * copies).max(strain * copies);
+        let scale = lower
+            .abs()
+            .max(upper.abs())
+            .max(b.upper().certificate().work.abs() * copies)
+            .max(strain * copies);
         let (total, gap) = (c.total() * copies, upper - lower);
         assert!(
             (total - gap).abs() <= 1e-8 * scale,
             "{name}: Σ contributions {total:e} against {gap:e}, scale {scale:e}"
         );
-        let least = c.elements.iter().chain(&c.contacts).chain(&c.welds).copied().fold(0.0, f64::min);
+        let least =
+            c.elements.iter().chain(&c.contacts).chain(&c.welds).copied().fold(0.0, f64::min);
         assert!(least >= -1e-12 * scale, "{name}: contribution {least:e}, scale {scale:e}");
-        points::check(name, &self.model, p.stress.as_ref().unwrap(), p.displacement.as_ref().unwrap());
+        points::check(
+            name,
+            &self.model,
+            p.stress.as_ref().unwrap(),
+            p.displacement.as_ref().unwrap(),
+        );
         [lower, upper]
     }
 
@@ -94,7 +112,8 @@ impl Solved {
     fn agree_with_clarabel(&self, name: &str) {
         let kinematic = Kinematic::new(&self.model).unwrap();
         let statics = Static::new(&self.model).unwrap();
-        let loaded = |p: &ConicProgram| !p.cones.is_empty() && p.p.n < 3000 && p.q.iter().any(|q| *q != 0.0);
+        let loaded =
+            |p: &ConicProgram| !p.cones.is_empty() && p.p.n < 3000 && p.q.iter().any(|q| *q != 0.0);
         // as a pass gives them to its solver
         let program = kinematic.program.measured_from(&kinematic.closed(&self.model));
         if loaded(&kinematic.program) {
@@ -109,9 +128,16 @@ impl Solved {
     /// A strict bracket with both ends at `exact` within `tolerance` (relative).
     pub fn exact(&self, name: &str, exact: f64, tolerance: f64) {
         let [lower, upper] = self.strict(name);
-        println!("{name}: exact {exact:.10e}, relative errors {:.1e} {:.1e}", lower / exact - 1.0, upper / exact - 1.0);
+        println!(
+            "{name}: exact {exact:.10e}, relative errors {:.1e} {:.1e}",
+            lower / exact - 1.0,
+            upper / exact - 1.0
+        );
         for x in [lower, upper] {
-            assert!((x - exact).abs() <= tolerance * exact.abs(), "{name}: {x:.12e} against {exact:.12e}");
+            assert!(
+                (x - exact).abs() <= tolerance * exact.abs(),
+                "{name}: {x:.12e} against {exact:.12e}"
+            );
         }
     }
 
@@ -119,13 +145,19 @@ impl Solved {
     pub fn contains(&self, name: &str, exact: f64) -> [f64; 2] {
         let [lower, upper] = self.strict(name);
         let slack = 1e-9 * exact.abs();
-        assert!(lower <= exact + slack && exact <= upper + slack, "{name}: {exact:e} outside [{lower:e}, {upper:e}]");
+        assert!(
+            lower <= exact + slack && exact <= upper + slack,
+            "{name}: {exact:e} outside [{lower:e}, {upper:e}]"
+        );
         [lower, upper]
     }
 
     /// No equilibrium: both programs unbounded, each naming `part`.
     pub fn no_equilibrium(&self, name: &str, part: &str) {
-        assert!(self.pass.bracket.is_none() && self.pass.lower.is_none() && self.pass.upper.is_none(), "{name}");
+        assert!(
+            self.pass.bracket.is_none() && self.pass.lower.is_none() && self.pass.upper.is_none(),
+            "{name}"
+        );
         for (which, r) in [("kinematic", &self.pass.kinematic), ("static", &self.pass.statics)] {
             // under Coulomb's law the static program waits for the slips of the kinematic one
             if which == "static" && self.model.has_coulomb_friction() {
@@ -135,7 +167,11 @@ impl Solved {
             let r = r.as_ref().unwrap();
             println!("{name}: {which} {:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
             assert_eq!(r.status, SolveStatus::Unbounded, "{name}: {which}");
-            assert!(r.iterations <= 15, "{name}: {which} took {} iterations to its certificate", r.iterations);
+            assert!(
+                r.iterations <= 15,
+                "{name}: {which} took {} iterations to its certificate",
+                r.iterations
+            );
             let mechanism = r.mechanism.as_deref().unwrap_or_default();
             assert!(mechanism.contains(part), "{name}: {which} {mechanism}");
         }

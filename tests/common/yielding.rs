@@ -14,7 +14,8 @@ pub const NU: f64 = 0.3;
 pub const FY: f64 = 235.0;
 
 /// Materials of the YAML: `s` yields, `r` never does.
-pub const MATERIALS: &str = "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\n";
+pub const MATERIALS: &str =
+    "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\n";
 
 /// A model from YAML without `mesh`, `analysis` and `materials`.
 pub fn model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
@@ -54,7 +55,8 @@ pub fn block(n: usize, factor: f64) -> AnalysisModel {
 pub fn plate(n: usize, factor: f64) -> AnalysisModel {
     let flat = |axis: usize, x: f64| axis == 2 && (x - 10.0).abs() < 1e-9;
     let layers = if n < 36 { 2 } else { 4 };
-    let mesh = Block::new([n, n, layers], [200.0, 200.0, 20.0]).jittered(1).mesh(&["B"], |_| 0, flat);
+    let mesh =
+        Block::new([n, n, layers], [200.0, 200.0, 20.0]).jittered(1).mesh(&["B"], |_| 0, flat);
     let t = FY * 20.0 / (4.0 * 200.0) * factor;
     let support = "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\n";
     model(&format!("{support}loads:\n- {{face: X1, traction: [0, 0, {:?}]}}\n", -t), mesh)
@@ -100,7 +102,8 @@ impl Built {
     pub fn flowing(&self, model: &AnalysisModel, solution: &Solution) -> f64 {
         let least = 0.01 * FY / E;
         let radius = bracket::math::mandel::yield_radius(FY);
-        let elements: Vec<usize> = (0..model.mesh.tets.len()).filter(|&e| self.own[e + 1] > self.own[e]).collect();
+        let elements: Vec<usize> =
+            (0..model.mesh.tets.len()).filter(|&e| self.own[e + 1] > self.own[e]).collect();
         let points = &solution.z[self.program.g.nrows()..];
         let per_element = points.len() / elements.len();
         let flows = |e: usize, z: &[f64]| {
@@ -108,7 +111,11 @@ impl Built {
             let largest = z.chunks_exact(6).fold(0.0f64, |m, z| m.max(z[0]));
             largest * (per_element / 6) as f64 / (radius * model.mesh.volume(e)) > least
         };
-        let count = elements.iter().zip(points.chunks_exact(per_element)).filter(|(e, z)| flows(**e, z)).count();
+        let count = elements
+            .iter()
+            .zip(points.chunks_exact(per_element))
+            .filter(|(e, z)| flows(**e, z))
+            .count();
         count as f64 / elements.len() as f64
     }
 }

@@ -4,9 +4,9 @@ use crate::built::{joint, model};
 use bracket::analysis::engine;
 use bracket::analysis::engine::{PassOptions, silent};
 use bracket::diag::Place;
-use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::result::forces::{StaticForces, static_forces};
+use bracket::spec::analysis::AnalysisKind;
 
 /// Forces of a T-stub with two bolts under the load, elastic; `mirror`: the planes of symmetry of its mesh.
 fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {

@@ -8,16 +8,18 @@ use bracket::catalog::Catalog;
 use bracket::diag::Place;
 use bracket::mesh::TetMesh;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
-use bracket::model::file::{AnalysisKind, ModelFile};
+use bracket::model::file::ModelFile;
 use bracket::model::from_joint::{cases, model_file};
 use bracket::model::resolve::resolve;
+use bracket::spec::analysis::AnalysisKind;
 use bracket::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
 /// What a spec describes.
 pub fn joint(spec: &str) -> Joint {
     let parsed = yaml::parse::<ConnectionSpec>(spec, Path::new("joint.yaml")).unwrap();
-    assembly::build(&parsed, Path::new("."), &Catalog::builtin().unwrap()).unwrap_or_else(|e| panic!("{e:#?}"))
+    assembly::build(&parsed, Path::new("."), &Catalog::builtin().unwrap())
+        .unwrap_or_else(|e| panic!("{e:#?}"))
 }
 
 /// Model file and mesh of the first load case, with elements `factor` times as large as usual; above 2 without planes at
@@ -35,7 +37,8 @@ pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (Mod
 
 /// Both strict bounds of the whole structure: energies \[N mm\] or load factors.
 pub fn bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
-    let model = resolve(file, mesh.clone(), &|_| Place::default()).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
+    let model = resolve(file, mesh.clone(), &|_| Place::default())
+        .unwrap_or_else(|e| panic!("{name}: {e:#?}"));
     let [lower, upper] = if file.analysis == AnalysisKind::Limit {
         let pass = limit::run(&model, &PassOptions::default(), &silent()).unwrap();
         let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));

@@ -15,10 +15,12 @@
 
 use crate::built::{bounds, joint, model};
 use bracket::mesh::TetMesh;
-use bracket::model::file::{AnalysisKind, Axis, ModelFile, Motion};
+use bracket::model::file::{Axis, ModelFile, Motion};
+use bracket::spec::analysis::AnalysisKind;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-const MOTIONS: [Motion; 6] = [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
+const MOTIONS: [Motion; 6] =
+    [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
 
 /// Ends of solves: twice the solver's gap, for each of the two has its own; the first for energies, the second for factors.
 const TOLERANCE: [f64; 2] = [2e-8, 2e-4];
@@ -58,10 +60,13 @@ fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, T
         mesh.tets.iter_mut().for_each(|t| t.swap(0, 1));
     }
     let image = |k: usize| -> usize {
-        (0..3).find(|&i| (r[i][k].abs() - 1.0).abs() < 1e-12).expect("a turn that takes axes to axes")
+        (0..3)
+            .find(|&i| (r[i][k].abs() - 1.0).abs() < 1e-12)
+            .expect("a turn that takes axes to axes")
     };
     for s in file.supports.iter_mut().filter(|s| s.fix.len() < 3) {
-        s.fix = s.fix.iter().map(|a| AXES[image(AXES.iter().position(|b| b == a).unwrap())]).collect();
+        s.fix =
+            s.fix.iter().map(|a| AXES[image(AXES.iter().position(|b| b == a).unwrap())]).collect();
     }
     for e in &mut file.rigid {
         e.at = point(e.at);
@@ -107,7 +112,9 @@ fn turn() -> M3 {
     let (s, c) = 0.7f64.sin_cos();
     let k = [1.0, 2.0, 3.0].map(|x: f64| x / 14f64.sqrt());
     let cross = [[0.0, -k[2], k[1]], [k[2], 0.0, -k[0]], [-k[1], k[0], 0.0]];
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| f64::from(i == j) * c + s * cross[i][j] + (1.0 - c) * k[i] * k[j]))
+    [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| f64::from(i == j) * c + s * cross[i][j] + (1.0 - c) * k[i] * k[j])
+    })
 }
 
 /// Fails unless both bounds agree within the tolerance of the kind of analysis.
@@ -122,7 +129,8 @@ fn same(name: &str, kind: AnalysisKind, a: [f64; 2], b: [f64; 2]) {
 #[test]
 fn energies_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Elastic;
-    let (file, mesh) = model(&joint(&spec("N: 30 kN, My: 0.4 kN m, Vz: 2 kN, Vy: 1 kN", 0.3)), 4.0, true, kind);
+    let (file, mesh) =
+        model(&joint(&spec("N: 30 kN, My: 0.4 kN m, Vz: 2 kN, Vy: 1 kN", 0.3)), 4.0, true, kind);
     assert_eq!(file.symmetry, 1);
     let base = bounds("as it is", &file, &mesh);
     let turned = moved(&file, &mesh, &turn(), [0.0; 3]);
@@ -147,10 +155,16 @@ fn energies_do_not_depend_on_axes_origin_or_order() {
 #[test]
 fn load_factors_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Limit;
-    let (file, mesh) = model(&joint(&spec("N: 60 kN, My: 0.05 kN m, Vz: 1 kN, factor: [N]", 0.0)), 4.0, false, kind);
+    let (file, mesh) = model(
+        &joint(&spec("N: 60 kN, My: 0.05 kN m, Vz: 1 kN, factor: [N]", 0.0)),
+        4.0,
+        false,
+        kind,
+    );
     assert_eq!(file.symmetry, 2);
     let base = bounds("as it is", &file, &mesh);
-    let (other, mirrored) = (moved(&file, &mesh, &CYCLE, [1.25, 0.0, -3.5]), moved(&file, &mesh, &MIRROR, [0.0; 3]));
+    let (other, mirrored) =
+        (moved(&file, &mesh, &CYCLE, [1.25, 0.0, -3.5]), moved(&file, &mesh, &MIRROR, [0.0; 3]));
     let strong = {
         let (mut file, mesh) = other;
         file.materials.values_mut().for_each(|m| m.fy = m.fy.map(|f| 2.0 * f));
@@ -183,6 +197,9 @@ fn specs_of_the_same_joint_share_its_energy() {
     for other in [of("[20, -40]", "0.2 kN m"), of("[-20, 40]", "-0.2 kN m")] {
         assert!(one[0] <= other[1] && other[0] <= one[1], "{one:?} and {other:?} share nothing");
         // and the meshes are alike
-        assert!((one[0] / other[0] - 1.0).abs() < 0.05 && (one[1] / other[1] - 1.0).abs() < 0.05, "{one:?} {other:?}");
+        assert!(
+            (one[0] / other[0] - 1.0).abs() < 0.05 && (one[1] / other[1] - 1.0).abs() < 0.05,
+            "{one:?} {other:?}"
+        );
     }
 }

@@ -5,8 +5,8 @@ use crate::built::{joint, model};
 use bracket::analysis::engine;
 use bracket::analysis::engine::{Pass, PassOptions, silent};
 use bracket::diag::Place;
-use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
+use bracket::spec::analysis::AnalysisKind;
 use serde_json::Value;
 
 /// 0.7 f_ub A_s of an M16 8.8 \[N\].
@@ -67,7 +67,8 @@ fn every_bolt_has_its_preload_whole_or_halved() {
 #[test]
 fn a_preloaded_bolt_feels_a_part_of_the_load() {
     let pulled = |preload: &str| solved(preload, 60.0, 2.5, false).0;
-    let [idle, loaded] = [0.01, 60.0].map(|n| solved("0.7", n, 2.5, false).0.preload[0].tension.unwrap());
+    let [idle, loaded] =
+        [0.01, 60.0].map(|n| solved("0.7", n, 2.5, false).0.preload[0].tension.unwrap());
     let rise = 2.0 * (loaded - idle);
     println!("the tension of a bolt rises by {rise:.0} N of 30 000 N");
     assert!(rise > 0.0 && rise < 0.5 * 30e3, "{rise}");
@@ -77,12 +78,16 @@ fn a_preloaded_bolt_feels_a_part_of_the_load() {
 /// Together with bodies that yield it is refused before anything is meshed.
 #[test]
 fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
-    let bench =
-        Bench::new().file("joint.yaml", spec("0.7", 40.0).replace("[elastic, limit]", "[elastic, elastoplastic]"));
+    let bench = Bench::new().file(
+        "joint.yaml",
+        spec("0.7", 40.0).replace("[elastic, limit]", "[elastic, elastoplastic]"),
+    );
     let run = bench.run(&["run", "joint.yaml"]);
     let told = String::from_utf8_lossy(&run.stderr).into_owned();
     assert_eq!(run.status.code(), Some(2), "{told}");
-    for words in ["model/unavailable", "joint.yaml:3:", "not available yet", "`limit`, where it drops out"] {
+    for words in
+        ["model/unavailable", "joint.yaml:3:", "not available yet", "`limit`, where it drops out"]
+    {
         assert!(told.contains(words), "{words}: {told}");
     }
     assert!(!told.contains("meshing"), "{told}");
@@ -112,7 +117,10 @@ fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
         "limit analysis: the preload of BOLT\\_1P drops out",
         "with preload it does not bracket a displacement",
     ] {
-        assert!(report.contains(words) || report.contains(&words.replace("\\_", "_")), "{words}: {report}");
+        assert!(
+            report.contains(words) || report.contains(&words.replace("\\_", "_")),
+            "{words}: {report}"
+        );
     }
     let verify = bench.run(&["verify", "joint"]);
     let out = String::from_utf8_lossy(&verify.stdout).into_owned();
@@ -120,8 +128,11 @@ fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
     // the same mesh without preload: remove what the model says of it
     let text = bench.read("joint/model_A_limit.yaml");
     let (before, after) = text.split_once("preload:\n").expect("a preload");
-    let rest: String =
-        after.lines().skip_while(|l| l.starts_with('-') || l.starts_with(' ')).map(|l| format!("{l}\n")).collect();
+    let rest: String = after
+        .lines()
+        .skip_while(|l| l.starts_with('-') || l.starts_with(' '))
+        .map(|l| format!("{l}\n"))
+        .collect();
     let bench = bench.file("joint/bare.yaml", format!("{before}{rest}"));
     let run = bench.run(&["analyse", "joint/bare.yaml", "--out", "bare", "--threads", "1"]);
     assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));

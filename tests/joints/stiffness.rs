@@ -5,10 +5,10 @@ use bracket::analysis::engine;
 use bracket::analysis::engine::{PassOptions, silent};
 use bracket::checks::{JointStiffness, hand_checks};
 use bracket::diag::Place;
-use bracket::model::file::AnalysisKind;
 use bracket::model::resolve::resolve;
 use bracket::result::case::case_result;
 use bracket::result::stiffness::joint_stiffness;
+use bracket::spec::analysis::AnalysisKind;
 
 /// What an elastic analysis on a coarse mesh says of the first load case's joint.
 fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
@@ -46,7 +46,8 @@ fn splice(length: u32, load: &str) -> String {
 /// cent that stress near the ends and another mesh make, and the brackets of S_j,ini share the joint's stiffness.
 #[test]
 fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
-    let [short, long] = [250, 500].map(|l| stiffness(&format!("stubs of {l}"), &splice(l, "My: 10 kN m")).unwrap());
+    let [short, long] =
+        [250, 500].map(|l| stiffness(&format!("stubs of {l}"), &splice(l, "My: 10 kN m")).unwrap());
     let beam = long.beam_rotation - short.beam_rotation;
     // two stubs, IPE200
     assert!((beam / (10e6 * 500.0 / (210e3 * 1943e4)) - 1.0).abs() < 1e-3, "{beam}");
@@ -64,9 +65,12 @@ fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
 fn a_shear_force_or_a_gap_gives_no_stiffness() {
     let of = |text: &str| hand_checks(joint(text).end_plate.as_ref().unwrap()).moments;
     assert_eq!(of(&splice(250, "My: 10 kN m")).len(), 1);
-    for load in
-        ["My: 10 kN m, Vz: 5 kN", "My: 10 kN m, N: 1 kN, factor: [My]", "Mz: 1 kN m", "My: 10 kN m, T: 0.1 kN m"]
-    {
+    for load in [
+        "My: 10 kN m, Vz: 5 kN",
+        "My: 10 kN m, N: 1 kN, factor: [My]",
+        "Mz: 1 kN m",
+        "My: 10 kN m, T: 0.1 kN m",
+    ] {
         assert!(of(&splice(250, load)).is_empty(), "{load}");
     }
     let gap = splice(250, "My: 10 kN m")

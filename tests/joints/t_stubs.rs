@@ -1,7 +1,7 @@
 //! B15, F1: T-stubs by their template, against the beam model of EN 1993-1-8 (6.2.4).
 
 use crate::built::{bounds, joint, model};
-use bracket::model::file::AnalysisKind;
+use bracket::spec::analysis::AnalysisKind;
 
 /// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235 (up to 40 mm), F_t = 100 kN a bolt: M16 8.8 with a
 /// γ_M2 that makes 0.9 · 800 · 157/γ_M2 = 100 kN.
@@ -35,12 +35,19 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
     let [one, two, three] = [(12.0, 1), (25.0, 2), (40.0, 3)].map(|(t, mode)| {
         let ([low, up], (beam, governs)) = (b15(t, 1.5), beam_model(t));
         assert_eq!(governs, mode);
-        println!("t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN", low / beam, up / beam);
+        println!(
+            "t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN",
+            low / beam,
+            up / beam
+        );
         let most = if mode < 3 { 1.35 } else { 1.0 };
         assert!(low <= most * beam && up >= beam, "t = {t}: [{low}, {up}] against {beam}");
         [low, up]
     });
-    assert!(one[1] < two[0] && two[0] < three[0] && two[1] < 1.02 * three[1], "{one:?} {two:?} {three:?}");
+    assert!(
+        one[1] < two[0] && two[0] < three[0] && two[1] < 1.02 * three[1],
+        "{one:?} {two:?} {three:?}"
+    );
     // the mechanism of mode 3 is exact on any mesh: both shanks at 100 kN
     assert!((three[1] / 200.0 - 1.0).abs() < 0.01, "{three:?}");
 }

@@ -13,10 +13,12 @@ fn answer(bench: &Bench, name: &str, n: f64, code: i32) -> (String, [f64; 2]) {
     std::fs::write(bench.path().join(format!("{name}.yaml")), spec).expect("written");
     let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "2.5"]);
     assert_eq!(run.status.code(), Some(code), "{name}: {}", String::from_utf8_lossy(&run.stderr));
-    let result: Value = serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
+    let result: Value =
+        serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
     let case = &result["cases"][0];
     assert_eq!(case["certificate"]["strict"], true);
-    let bounds = ["lower", "upper"].map(|key| case[key].as_f64().unwrap_or_else(|| panic!("{key}: {case}")));
+    let bounds =
+        ["lower", "upper"].map(|key| case[key].as_f64().unwrap_or_else(|| panic!("{key}: {case}")));
     // the utilisation is the interval [1/λ_up, 1/λ_low]
     for (k, bound) in [bounds[1], bounds[0]].into_iter().enumerate() {
         let u = case["utilisation"][k].as_f64().expect("utilisation");
@@ -34,14 +36,19 @@ fn a_bolted_joint_at_95_percent_of_the_lower_and_105_of_the_upper_bound() {
     let bolts = 2.0 * 0.9 * 800.0 * 157.0 / 1.25 / 1e3;
     assert!((100.0 * upper / bolts - 1.0).abs() < 0.01, "{upper} {bolts}");
     let middle = 50.0 * (lower + upper);
-    for (name, n, code, word) in
-        [("below", 95.0 * lower, 0, "ok"), ("above", 105.0 * upper, 1, "not_ok"), ("within", middle, 3, "undecided")]
-    {
+    for (name, n, code, word) in [
+        ("below", 95.0 * lower, 0, "ok"),
+        ("above", 105.0 * upper, 1, "not_ok"),
+        ("within", middle, 3, "undecided"),
+    ] {
         let (verdict, bounds) = answer(&bench, name, n, code);
         assert_eq!(verdict, word, "{name}: {bounds:?}");
         // the same mesh: the bracket of the force does not depend on the demand, within the solver's tolerance
         for (b, once) in bounds.into_iter().zip([lower, upper]) {
-            assert!((b * n / (100.0 * once) - 1.0).abs() < 2e-4, "{name}: {b} at {n} kN, {once} at 100 kN");
+            assert!(
+                (b * n / (100.0 * once) - 1.0).abs() < 2e-4,
+                "{name}: {b} at {n} kN, {once} at 100 kN"
+            );
         }
     }
 }

@@ -5,8 +5,9 @@ use bracket::analysis::engine::{PassOptions, silent};
 use bracket::analysis::limit;
 use bracket::certify::welds::demands;
 use bracket::diag::Place;
-use bracket::model::file::{AnalysisKind, Law, ModelFile};
+use bracket::model::file::{Law, ModelFile};
 use bracket::model::resolve::resolve;
+use bracket::spec::analysis::AnalysisKind;
 
 /// Two IPE 200 with thick plates, pulled; throats in mm.
 fn splice(flange: f64, web: f64, steel: &str) -> String {

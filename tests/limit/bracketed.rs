@@ -69,7 +69,11 @@ fn cube_between_rough_platens_fine() {
     let m = cube_between_platens(10);
     let [low, up] = factors("A33, fine", &m);
     assert!(low <= 1.0600 && up >= 1.0353, "[{low}, {up}]");
-    assert!(m.mesh.tets.len() <= 6000 && up / low - 1.0 <= 0.015, "[{low}, {up}] on {} tets", m.mesh.tets.len());
+    assert!(
+        m.mesh.tets.len() <= 6000 && up / low - 1.0 <= 0.015,
+        "[{low}, {up}] on {} tets",
+        m.mesh.tets.len()
+    );
 }
 
 /// A cube, clamped, pressed and sheared at its top (`common::yielding`).

@@ -30,7 +30,12 @@ pub fn sharp_factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
 /// The same of a pass that has run.
 pub fn factors_of(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
-        assert!(r.iterations <= MOST_ITERATIONS, "{name} {}: {} iterations", program.name(), r.iterations);
+        assert!(
+            r.iterations <= MOST_ITERATIONS,
+            "{name} {}: {} iterations",
+            program.name(),
+            r.iterations
+        );
     }
     strict(name, model, pass)
 }
@@ -45,12 +50,24 @@ pub fn strict(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
     assert!(bracket.is_strict(), "{name}: {bracket:?}");
     let [low, up] = [bracket.lower().value(), bracket.upper().value()];
     let iterations: Vec<u32> = pass.runs().map(|(_, r)| r.iterations).collect();
-    println!("{name}: [{:.8}, {:.8}], gap {:.2e}, iterations {iterations:?}", low / FY, up / FY, bracket.gap());
+    println!(
+        "{name}: [{:.8}, {:.8}], gap {:.2e}, iterations {iterations:?}",
+        low / FY,
+        up / FY,
+        bracket.gap()
+    );
     assert!(low <= up, "{name}");
     // the certificates again, from the stored fields alone
-    let again = certify_lower(model, pass.stress.as_ref().unwrap(), bracket.lower().certificate().factor);
-    assert!(again.utilisation <= 1.0 && again.equilibrium < 1e-9 && again.traction_jump < 1e-9, "{name}: {again:?}");
+    let again =
+        certify_lower(model, pass.stress.as_ref().unwrap(), bracket.lower().certificate().factor);
+    assert!(
+        again.utilisation <= 1.0 && again.equilibrium < 1e-9 && again.traction_jump < 1e-9,
+        "{name}: {again:?}"
+    );
     let again = certify_upper(model, pass.velocity.as_ref().unwrap(), 1);
-    assert!((again.factor - bracket.upper().certificate().factor).abs() <= 1e-12 * up.abs(), "{name}: {again:?}");
+    assert!(
+        (again.factor - bracket.upper().certificate().factor).abs() <= 1e-12 * up.abs(),
+        "{name}: {again:?}"
+    );
     [low / FY, up / FY]
 }

@@ -8,14 +8,14 @@ use bracket::analysis::coulomb_limit::CoulombEstimate;
 use bracket::analysis::limit::LimitPass;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
-use bracket::model::file::Friction;
 use bracket::programs::Kinematic;
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::spec::friction::FrictionLaw;
 
 /// The model under Coulomb's law, its load factor to be estimated.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {
-    m.interfaces.iter_mut().for_each(|i| i.law.friction = Friction::Coulomb);
-    m.ground.iter_mut().for_each(|g| g.law.friction = Friction::Coulomb);
+    m.interfaces.iter_mut().for_each(|i| i.law.friction = FrictionLaw::Coulomb);
+    m.ground.iter_mut().for_each(|g| g.law.friction = FrictionLaw::Coulomb);
     m.coulomb_estimate = true;
     m
 }
@@ -23,10 +23,13 @@ fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {
 /// λ_low(μ = 0), the estimate and λ_up(associated).
 fn three(name: &str, m: &AnalysisModel) -> (LimitPass, [f64; 3]) {
     let pass = run(m);
-    let CoulombEstimate { factor, run, iterations, trouble, .. } = pass.coulomb_estimate.clone().unwrap();
+    let CoulombEstimate { factor, run, iterations, trouble, .. } =
+        pass.coulomb_estimate.clone().unwrap();
     let up = pass.upper.as_ref().unwrap().value();
     let low = pass.frictionless.as_ref().map_or(0.0, |l| l.value());
-    println!("{name}: {low:.6} ≤ {factor:?} ≤ {up:.6}, {iterations} iterations, {run:?}, {trouble:?}");
+    println!(
+        "{name}: {low:.6} ≤ {factor:?} ≤ {up:.6}, {iterations} iterations, {run:?}, {trouble:?}"
+    );
     (pass.clone(), [low, factor.unwrap_or(f64::NAN), up])
 }
 
@@ -57,9 +60,11 @@ fn groove(mu: f64, pressures: [f64; 2], material: &str, cells: [usize; 3]) -> An
 
 #[test]
 fn block_in_a_groove() {
-    for (mu, p, material, cells) in
-        [(0.6, [1.0, 1.0], "r", [1, 1, 2]), (0.3, [1.0, 0.5], "r", [2, 2, 2]), (0.6, [1.0, 0.7], "s", [2, 2, 3])]
-    {
+    for (mu, p, material, cells) in [
+        (0.6, [1.0, 1.0], "r", [1, 1, 2]),
+        (0.3, [1.0, 0.5], "r", [2, 2, 2]),
+        (0.6, [1.0, 0.7], "s", [2, 2, 3]),
+    ] {
         let name = format!("groove, μ {mu}, material {material}");
         let (_, [_, estimate, up]) = three(&name, &groove(mu, p, material, cells));
         // walls of 10 × 30, an end of 10 × 10
@@ -73,7 +78,8 @@ fn block_in_a_groove() {
 /// A block on a plane under a dead pressure, pushed: what presses is known, and slip may dilate or not, `H = μ N`.
 #[test]
 fn pushed_block() {
-    let mesh = Block::new([2, 2, 1], [30.0, 20.0, 10.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
+    let mesh =
+        Block::new([2, 2, 1], [30.0, 20.0, 10.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
     let m = under_coulomb(model(
         "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: coulomb}\n\
          dead:\n- {face: Z1, traction: [0, 0, -5]}\nloads:\n- {face: X0, traction: [1, 0, 0]}\n",
@@ -81,13 +87,17 @@ fn pushed_block() {
     ));
     let (_, [_, estimate, up]) = three("pushed block", &m);
     let exact = 0.4 * 5.0 * 600.0 / 200.0;
-    assert!((estimate / exact - 1.0).abs() < 2e-3 && (up / exact - 1.0).abs() < 1e-3, "{estimate} and {up}, {exact}");
+    assert!(
+        (estimate / exact - 1.0).abs() < 2e-3 && (up / exact - 1.0).abs() < 1e-3,
+        "{estimate} and {up}, {exact}"
+    );
 }
 
 /// A block between two plates that cannot part: associated slip must crush it, Coulomb's need not.
 #[test]
 fn wedged_block() {
-    let mesh = Block::new([3, 2, 2], [30.0, 20.0, 20.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
+    let mesh =
+        Block::new([3, 2, 2], [30.0, 20.0, 20.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
     let m = under_coulomb(model(
         "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: coulomb}\n\
          - {face: Z1, law: contact, mu: 0.4, friction: coulomb}\nloads:\n- {face: X0, traction: [1, 0, 0]}\n",
@@ -102,7 +112,10 @@ fn wedged_block() {
 fn stacks(seeds: std::ops::Range<u64>) {
     let (mut found, mut apart, mut not_reached) = (0, 0, Vec::new());
     for seed in seeds {
-        let Some(m) = assembly(seed).map(under_coulomb).filter(AnalysisModel::has_coulomb_friction) else { continue };
+        let Some(m) = assembly(seed).map(under_coulomb).filter(AnalysisModel::has_coulomb_friction)
+        else {
+            continue;
+        };
         let pass = run(&m);
         let Some(estimate) = &pass.coulomb_estimate else { continue };
         let Some(factor) = estimate.factor else {
@@ -114,18 +127,30 @@ fn stacks(seeds: std::ops::Range<u64>) {
         let raw = estimate.raw.unwrap();
         // the program with associated friction itself: what it finds bounds what the fixed point finds on the same mesh
         let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-        let prepared = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default());
-        let associated = prepared.unwrap().solve(&SolveOptions { gap: 1e-7, ..SolveOptions::default() });
+        let prepared = condensed::Prepared::new(
+            &kinematic.program,
+            &kinematic.map.block,
+            &Patterns::default(),
+        );
+        let associated =
+            prepared.unwrap().solve(&SolveOptions { gap: 1e-7, ..SolveOptions::default() });
         assert_eq!(associated.status, SolveStatus::Optimal, "seed {seed}");
         let most = *associated.x.last().unwrap();
-        println!("seed {seed}: {low:.5} ≤ {factor:.5} (raw {raw:.5} ≤ {most:.5}) ≤ {up:.5}, {estimate:?}");
+        println!(
+            "seed {seed}: {low:.5} ≤ {factor:.5} (raw {raw:.5} ≤ {most:.5}) ≤ {up:.5}, {estimate:?}"
+        );
         assert!(low <= factor && factor <= up, "seed {seed}: {low} {factor} {up}");
-        assert!(low * (1.0 - 1e-3) <= raw && raw <= most * (1.0 + 1e-3), "seed {seed}: {low} {raw} {most}");
+        assert!(
+            low * (1.0 - 1e-3) <= raw && raw <= most * (1.0 + 1e-3),
+            "seed {seed}: {low} {raw} {most}"
+        );
         assert!(estimate.run.solves <= 10, "seed {seed}");
         found += 1;
         apart += usize::from(factor < 0.99 * up);
     }
-    println!("{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: {not_reached:#?}");
+    println!(
+        "{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: {not_reached:#?}"
+    );
     assert!(found >= 20 && not_reached.len() * 10 <= found, "{not_reached:#?}");
 }
 

@@ -23,9 +23,15 @@ fn cuboid(cells: [usize; 3], max: [f64; 3], seed: u64) -> TetMesh {
 fn exact(name: &str, want: f64, tolerance: f64, at: impl Fn(u64) -> AnalysisModel) {
     for seed in SEEDS {
         let [low, up] = sharp_factors(&format!("{name}, seed {seed}"), &at(seed));
-        assert!((low / want - 1.0).abs() < tolerance && (up / want - 1.0).abs() < tolerance, "{name}: [{low}, {up}]");
+        assert!(
+            (low / want - 1.0).abs() < tolerance && (up / want - 1.0).abs() < tolerance,
+            "{name}: [{low}, {up}]"
+        );
         // strict: neither side may pass the exact value by more than its own rounding
-        assert!(low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9), "{name}: [{low}, {up}] against {want}");
+        assert!(
+            low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9),
+            "{name}: [{low}, {up}] against {want}"
+        );
     }
 }
 
@@ -59,10 +65,16 @@ fn cube_in_shear() {
     exact("A3", 1.0 / 3.0f64.sqrt(), 1e-6, |seed| {
         let faces = ["X0", "X1", "Y0", "Y1"];
         let tractions = ["[0, -1, 0]", "[0, 1, 0]", "[-1, 0, 0]", "[1, 0, 0]"];
-        let loads: String =
-            faces.iter().zip(tractions).map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
+        let loads: String = faces
+            .iter()
+            .zip(tractions)
+            .map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n"))
+            .collect();
         let support = "supports:\n- {face: Z0, fix: [z]}\n- {face: Z1, fix: [z]}\n";
-        model(&format!("bodies: {{B: s}}\n{support}loads:\n{loads}"), cuboid([2, 2, 2], [10.0; 3], seed))
+        model(
+            &format!("bodies: {{B: s}}\n{support}loads:\n{loads}"),
+            cuboid([2, 2, 2], [10.0; 3], seed),
+        )
     });
 }
 
@@ -70,13 +82,18 @@ fn cube_in_shear() {
 #[test]
 fn beam_in_pure_bending() {
     let (b, h) = (8.0, 12.0);
-    for (name, plane, want) in [("A4", "", 1.0), ("A5", "- {face: Y1, fix: [y]}\n", 2.0 / 3.0f64.sqrt())] {
+    for (name, plane, want) in
+        [("A4", "", 1.0), ("A5", "- {face: Y1, fix: [y]}\n", 2.0 / 3.0f64.sqrt())]
+    {
         exact(name, want, 1e-5, |seed| {
-            let mesh = Block { cells: [3, 1, 2], min: [0.0, 0.0, -6.0], max: [30.0, b, 6.0], jitter: 0.2, seed }.mesh(
-                &["B"],
-                |_| 0,
-                |axis, z| axis == 2 && z.abs() < 1e-9,
-            );
+            let mesh = Block {
+                cells: [3, 1, 2],
+                min: [0.0, 0.0, -6.0],
+                max: [30.0, b, 6.0],
+                jitter: 0.2,
+                seed,
+            }
+            .mesh(&["B"], |_| 0, |axis, z| axis == 2 && z.abs() < 1e-9);
             // unit moment: the factor is then M/s0 over b h²/4
             let m = b * h * h / 4.0;
             model(
@@ -91,8 +108,9 @@ fn beam_in_pure_bending() {
 }
 
 fn pressed_all_round(seed: u64, more: &str) -> AnalysisModel {
-    let loads: String =
-        ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
+    let loads: String = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"]
+        .map(|f| format!("- {{face: {f}, pressure: 1}}\n"))
+        .concat();
     model(&format!("bodies: {{B: s}}\nloads:\n{loads}{more}"), cuboid([2, 1, 2], [10.0; 3], seed))
 }
 
@@ -106,15 +124,21 @@ fn cube_under_all_round_pressure() {
         let unlimited = pass.unlimited.as_ref().expect("proved");
         assert!(pass.upper.is_none() && pass.lower.is_none() && pass.runs().count() == 0);
         let again = certify_unlimited(&m, &unlimited.field, None);
-        assert!(again.is_strict() && again.deviator == 0.0 && again.traction_jump < 1e-12, "{again:?}");
+        assert!(
+            again.is_strict() && again.deviator == 0.0 && again.traction_jump < 1e-12,
+            "{again:?}"
+        );
         let pressure = unlimited.field.points.iter().flatten().flatten().map(|s| s[0] + 1.0);
         assert!(pressure.fold(0.0, |m: f64, p| m.max(p.abs())) < 1e-12);
         let statics = Static::limit(&m).unwrap();
         let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-        let programs = [(&statics.program, &statics.map.block), (&kinematic.program, &kinematic.map.block)];
+        let programs =
+            [(&statics.program, &statics.map.block), (&kinematic.program, &kinematic.map.block)];
         for (program, block) in programs {
             let options = SolveOptions::default();
-            let s = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
+            let s = condensed::Prepared::new(program, block, &Patterns::default())
+                .unwrap()
+                .solve(&options);
             assert_eq!(s.status, SolveStatus::Infeasible);
             assert!(s.iterations <= 15, "{}", s.iterations);
         }
@@ -125,13 +149,19 @@ fn cube_under_all_round_pressure() {
 #[test]
 fn all_round_pressure_beside_a_dead_pull() {
     let pull = |t: f64| {
-        format!("dead:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n- {{face: X0, traction: [{:?}, 0, 0]}}\n", -t)
+        format!(
+            "dead:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n- {{face: X0, traction: [{:?}, 0, 0]}}\n",
+            -t
+        )
     };
     let m = pressed_all_round(1, &pull(0.5 * FY));
     let unlimited = run(&m).unlimited.expect("proved");
     let dead = unlimited.certificate.dead.as_ref().expect("a field of the dead loads");
     assert!(dead.factor == 0.0 && dead.utilisation > 0.49 && dead.utilisation < 1.0, "{dead:?}");
-    assert!(!certify_unlimited(&m, &unlimited.field, None).is_strict(), "the dead loads need their own field");
+    assert!(
+        !certify_unlimited(&m, &unlimited.field, None).is_strict(),
+        "the dead loads need their own field"
+    );
     let pass = run(&pressed_all_round(1, &pull(1.5 * FY)));
     assert!(pass.unlimited.is_none() && pass.bracket.is_none() && pass.lower.is_none());
 }
@@ -152,15 +182,24 @@ fn what_proves_no_load_without_limit() {
     assert!(!changed(&|s| s[3] = f64::NAN).is_strict());
     assert!(!changed(&|s| *s = [0.0; 6]).is_strict());
     // pressed on every face but one: no pressure carries that
-    let loads: String = ["X1", "Y0", "Y1", "Z0"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
+    let loads: String =
+        ["X1", "Y0", "Y1", "Z0"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
     let supports = "supports:\n- {face: X0, fix: [x, y, z]}\n";
-    let open = model(&format!("bodies: {{B: s}}\n{supports}loads:\n{loads}"), cuboid([2, 1, 2], [10.0; 3], 1));
+    let open = model(
+        &format!("bodies: {{B: s}}\n{supports}loads:\n{loads}"),
+        cuboid([2, 1, 2], [10.0; 3], 1),
+    );
     assert!(run(&open).unlimited.is_none());
 }
 
 fn lifted(traction: &str, mu: f64, dead: &str) -> AnalysisModel {
-    let shape = Block { cells: [2, 2, 2], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.2, seed: 4 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 20.0), |d, x| d == 2 && (x - 20.0).abs() < 1e-9);
+    let shape =
+        Block { cells: [2, 2, 2], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.2, seed: 4 };
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[2] > 20.0),
+        |d, x| d == 2 && (x - 20.0).abs() < 1e-9,
+    );
     model(
         &format!(
             "bodies: {{A: s, B: s}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, friction: associated}}\n\
@@ -182,7 +221,10 @@ fn mechanisms_at_zero_load() {
         let lower = pass.lower.as_ref().unwrap();
         assert!(lower.value() == 0.0 && lower.is_strict() && pass.upper.is_none());
         let c = certify_free(&m, &free.field);
-        assert!(is_free(&c) && c.live_power > 0.0 && c.rigid < 1e-12 && c.contact.unwrap() < 1e-12, "{c:?}");
+        assert!(
+            is_free(&c) && c.live_power > 0.0 && c.rigid < 1e-12 && c.contact.unwrap() < 1e-12,
+            "{c:?}"
+        );
         // the general certificate agrees: nothing is dissipated
         let upper = certify_upper(&m, &free.field, 1);
         assert!(upper.factor.abs() < 1e-9, "{traction}: {upper:?}");
@@ -191,9 +233,13 @@ fn mechanisms_at_zero_load() {
         back.nodes.u.iter_mut().flatten().for_each(|u| *u = -*u);
         assert!(!is_free(&certify_free(&m, &back)));
         assert!(
-            run(&lifted(traction, 0.5, &format!("dead:\n- {{face: Z1, traction: [0, 0, {:?}]}}\n", -0.1 * FY)))
-                .free
-                .is_none()
+            run(&lifted(
+                traction,
+                0.5,
+                &format!("dead:\n- {{face: Z1, traction: [0, 0, {:?}]}}\n", -0.1 * FY)
+            ))
+            .free
+            .is_none()
         );
     }
     for traction in ["[0, 0, -1]", "[0.2, 0.1, -1]"] {
@@ -215,7 +261,13 @@ fn dead_load_beyond_the_limit() {
         cuboid([3, 2, 2], [30.0, 10.0, 12.0], 1),
     );
     for (program, r) in run(&m).runs() {
-        println!("dead {}: {} in {}, {:?}", program.name(), r.status.words(), r.iterations, r.mechanism);
+        println!(
+            "dead {}: {} in {}, {:?}",
+            program.name(),
+            r.status.words(),
+            r.iterations,
+            r.mechanism
+        );
         assert_eq!(r.status, SolveStatus::Unbounded, "{}", program.name());
     }
 }

@@ -18,7 +18,8 @@ use crate::common::yielding::model;
 
 fn sphere(segments: usize, layers: usize, facets: usize) -> [f64; 2] {
     let radius = |t: f64| 10.0 * 2f64.powf(t);
-    let mesh = Prism { n: segments, layers }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
+    let mesh = Prism { n: segments, layers }
+        .mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let tets = mesh.tets.len();
     let m = model(
         "bodies: {B: s}\nsupports:\n- {face: S0, fix: [x]}\n- {face: S1, fix: [y]}\n- {face: S2, fix: [z]}\n\

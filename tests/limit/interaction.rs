@@ -39,7 +39,11 @@ fn bar([m, n]: [f64; 2]) -> AnalysisModel {
 }
 
 fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
-    let text = format!("end: bar, at: node, My: {} kN m, N: {} kN, directions: {directions}", 1e-6 * M, 1e-3 * N);
+    let text = format!(
+        "end: bar, at: node, My: {} kN m, N: {} kN, directions: {directions}",
+        1e-6 * M,
+        1e-3 * N
+    );
     let spec: PolygonSpec = serde_yaml::from_str(&format!("{{{text}}}")).unwrap();
     let action = |d: [f64; 2]| bar(d).rigid.iter().map(|r| r.action).collect();
     let axes: Axes = [action([1.0, 0.0]), action([0.0, 1.0])];
@@ -52,13 +56,18 @@ fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
         let bracket = pass.bracket.as_ref().unwrap();
         assert!(bracket.is_strict(), "{}: {bracket:?}", d.case);
         let (velocity, upper) = (pass.velocity.as_ref().unwrap(), bracket.upper());
-        let plane = half_plane(&model, velocity, upper, &axes, d.unit).expect("a mechanism bounds a half plane");
+        let plane = half_plane(&model, velocity, upper, &axes, d.unit)
+            .expect("a mechanism bounds a half plane");
         // the point of the direction lies on its edge
         let outside = plane.outside(d.unit.map(|x| upper.value() * x));
         assert!(outside.abs() < 1e-8 * upper.value(), "{}: {outside}", d.case);
         // other loads than these two
         let twice = [axes[0].clone(), axes[1].iter().map(|a| a.map(|x| 2.0 * x)).collect()];
-        assert!(d.unit[1] == 0.0 || half_plane(&model, velocity, upper, &twice, d.unit).is_none(), "{}", d.case);
+        assert!(
+            d.unit[1] == 0.0 || half_plane(&model, velocity, upper, &twice, d.unit).is_none(),
+            "{}",
+            d.case
+        );
         Point {
             case: d.case,
             direction: d.unit,
@@ -98,7 +107,13 @@ fn rectangular_section() {
         println!("{}: normal {:.4?}, {:.5} of {exact:.5}", p.case, plane.normal, plane.offset);
         assert!(plane.offset >= exact * (1.0 - 1e-6), "{}: {} below {exact}", p.case, plane.offset);
         assert!(plane.offset <= 1.05 * exact, "{}: {} far above {exact}", p.case, plane.offset);
-        assert!(p.lower.unwrap() > 0.9 * p.upper.unwrap(), "{}: {:?} {:?}", p.case, p.lower, p.upper);
+        assert!(
+            p.lower.unwrap() > 0.9 * p.upper.unwrap(),
+            "{}: {:?} {:?}",
+            p.case,
+            p.lower,
+            p.upper
+        );
     }
     // tangents bound more than points: the outer hull is nowhere far from the curve
     outer.iter().for_each(|c| assert!(beyond(*c) >= -1e-6 && beyond(*c) < 0.35, "{c:?}"));

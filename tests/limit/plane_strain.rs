@@ -57,7 +57,10 @@ fn punch(first: f64, ratio: f64) -> AnalysisModel {
 
 fn contains(name: &str, m: &AnalysisModel, exact: f64, width: f64) {
     let [low, up] = factors(&format!("{name}, {} tets", m.mesh.tets.len()), m).map(|f| f / K);
-    println!("{name}: [{low:.5}, {up:.5}] k around {exact:.5} k, width {:.2} %", 100.0 * (up / low - 1.0));
+    println!(
+        "{name}: [{low:.5}, {up:.5}] k around {exact:.5} k, width {:.2} %",
+        100.0 * (up / low - 1.0)
+    );
     assert!(low <= exact && exact <= up, "{name}: {exact} outside [{low}, {up}]");
     assert!(up / low - 1.0 <= width, "{name}: [{low}, {up}]");
 }
@@ -107,7 +110,8 @@ fn platens(half: f64, x: Vec<f64>, z: Vec<f64>) -> AnalysisModel {
 fn square_between_platens() {
     for (half, n) in [(0.5, 5), (1.0, 8)] {
         let m = platens(half, even(0.0, half, n), even(0.0, 1.0, 8));
-        let [low, up] = factors(&format!("A22, w/h = {half}, {} tets", m.mesh.tets.len()), &m).map(|f| f / K);
+        let [low, up] =
+            factors(&format!("A22, w/h = {half}, {} tets", m.mesh.tets.len()), &m).map(|f| f / K);
         assert!((low / 2.0 - 1.0).abs() < 1e-4 && low <= 2.0 * (1.0 + 1e-9), "[{low}, {up}]");
         assert!((2.0..2.0 * 1.01).contains(&up), "[{low}, {up}]");
     }

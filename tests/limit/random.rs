@@ -37,7 +37,11 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
     let cells = [r.among(1, 2), r.among(1, 2), 2 * r.among(1, 2)];
     let middle = 0.5 * size[2];
     let shape = Block { cells, min: [0.0; 3], max: size, jitter: 0.2, seed };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > middle), |d, x| d == 2 && (x - middle).abs() < 1e-9);
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[2] > middle),
+        |d, x| d == 2 && (x - middle).abs() < 1e-9,
+    );
     let interface = match r.among(0, 3) {
         0 => String::new(),
         1 => "interfaces:\n- {between: [A, B], law: contact, mu: 0, gap: 0.1}\n".into(),
@@ -49,10 +53,16 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
         }
     };
     let foot = if r.next() < 0.7 { "[x, y, z]" } else { "[z]" };
-    let guide = if r.next() < 0.3 || foot == "[z]" { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" } else { "" };
+    let guide = if r.next() < 0.3 || foot == "[z]" {
+        "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n"
+    } else {
+        ""
+    };
     let t: [f64; 3] = [r.between(-1.0, 1.0), r.between(-1.0, 1.0), r.between(-2.0, 0.3)];
     let dead = match r.next() < 0.4 {
-        true => format!("dead:\n- {{face: Z1, traction: [0, 0, {:?}]}}\n", -r.between(0.01, 0.4) * FY),
+        true => {
+            format!("dead:\n- {{face: Z1, traction: [0, 0, {:?}]}}\n", -r.between(0.01, 0.4) * FY)
+        }
         false => String::new(),
     };
     let yaml = format!(
@@ -95,7 +105,9 @@ fn assemblies(seeds: std::ops::Range<u64>) {
                 ));
             }
             let trouble = if r.trouble.is_some() { ", not certified" } else { "" };
-            *ends.entry(format!("{}: {}{trouble}", program.name(), r.status.words())).or_default() += 1;
+            *ends
+                .entry(format!("{}: {}{trouble}", program.name(), r.status.words()))
+                .or_default() += 1;
         }
         if let Some(b) = &pass.bracket {
             assert!(b.lower().value() <= b.upper().value(), "seed {seed}");
@@ -106,12 +118,15 @@ fn assemblies(seeds: std::ops::Range<u64>) {
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-            let options = SolveOptions { max_iterations: 100, gap: 1e-8, ..SolveOptions::default() };
+            let options =
+                SolveOptions { max_iterations: 100, gap: 1e-8, ..SolveOptions::default() };
             for (name, program, block) in [
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
             ] {
-                let ours = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
+                let ours = condensed::Prepared::new(program, block, &Patterns::default())
+                    .unwrap()
+                    .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
                 if both != [SolveStatus::Optimal; 2] {

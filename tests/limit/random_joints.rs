@@ -27,8 +27,14 @@ fn stack(seed: u64) -> Option<AnalysisModel> {
     );
     let mut interface = |pair: &str| match between(0.0, 3.0) as usize {
         0 => String::new(),
-        1 => format!("- {{between: {pair}, law: weld, strength_traction: {:?}}}\n", between(20.0, 300.0)),
-        _ => format!("- {{between: {pair}, law: contact, mu: {:?}, friction: associated}}\n", between(0.05, 1.0)),
+        1 => format!(
+            "- {{between: {pair}, law: weld, strength_traction: {:?}}}\n",
+            between(20.0, 300.0)
+        ),
+        _ => format!(
+            "- {{between: {pair}, law: contact, mu: {:?}, friction: associated}}\n",
+            between(0.05, 1.0)
+        ),
     };
     let joints = format!("{}{}", interface("[A, B]"), interface("[C, B]"));
     let joints = if joints.is_empty() { joints } else { format!("interfaces:\n{joints}") };
@@ -83,15 +89,25 @@ fn stacks(seeds: std::ops::Range<u64>) {
         }
         for (program, r) in pass.runs() {
             let trouble = if r.trouble.is_some() { ", not certified" } else { "" };
-            *ends.entry(format!("{}: {}{trouble}", program.name(), r.status.words())).or_default() += 1;
+            *ends
+                .entry(format!("{}: {}{trouble}", program.name(), r.status.words()))
+                .or_default() += 1;
         }
         if let Some(b) = &pass.bracket {
             let [low, up] = [b.lower().value(), b.upper().value()];
             println!("seed {seed}: [{low:.6}, {up:.6}]");
             assert!(low <= up, "seed {seed}");
             assert!(b.is_strict(), "seed {seed}: {b:?}");
-            let s = sample_lower(&m, pass.stress.as_ref().unwrap(), b.lower().certificate().factor, 500);
-            assert!(s.utilisation <= 1.0 && s.traction_jump < 1e-9 && s.traction_cone < 1e-9, "seed {seed}: {s:?}");
+            let s = sample_lower(
+                &m,
+                pass.stress.as_ref().unwrap(),
+                b.lower().certificate().factor,
+                500,
+            );
+            assert!(
+                s.utilisation <= 1.0 && s.traction_jump < 1e-9 && s.traction_cone < 1e-9,
+                "seed {seed}: {s:?}"
+            );
             let s = sample_upper(&m, pass.velocity.as_ref().unwrap(), 500);
             assert!(s.strain < 1e-9 && s.gap_cone < 1e-9, "seed {seed}: {s:?}");
             brackets += 1;
@@ -99,12 +115,15 @@ fn stacks(seeds: std::ops::Range<u64>) {
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
-            let options = SolveOptions { max_iterations: 100, gap: 1e-7, ..SolveOptions::default() };
+            let options =
+                SolveOptions { max_iterations: 100, gap: 1e-7, ..SolveOptions::default() };
             for (name, program, block) in [
                 ("static", &statics.program, &statics.map.block),
                 ("kinematic", &kinematic.program, &kinematic.map.block),
             ] {
-                let ours = condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&options);
+                let ours = condensed::Prepared::new(program, block, &Patterns::default())
+                    .unwrap()
+                    .solve(&options);
                 let theirs = clarabel::solve(program, &options);
                 let both = [ours.status, theirs.status];
                 if both != [SolveStatus::Optimal; 2] {

@@ -30,7 +30,8 @@ fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
             }
         }
     }
-    mesh.tet_body = kept.iter().map(|&e| mesh.tet_body[e] - u32::from(mesh.tet_body[e] > gone)).collect();
+    mesh.tet_body =
+        kept.iter().map(|&e| mesh.tet_body[e] - u32::from(mesh.tet_body[e] > gone)).collect();
     mesh.tets = kept.iter().map(|&e| mesh.tets[e].map(|n| number[n as usize])).collect();
     mesh.nodes = nodes;
     mesh.bodies.remove(gone as usize);
@@ -55,16 +56,28 @@ fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
 fn platen(n: usize, body: bool) -> AnalysisModel {
     let sides = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n";
     if body {
-        let shape =
-            Block { cells: [n, n, n + 1], min: [0.0; 3], max: [1.0, 1.0, 1.0 + 1.0 / n as f64], jitter: 0.2, seed: 3 };
-        let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 1.0), |d, x| d == 2 && (x - 1.0).abs() < 1e-9);
+        let shape = Block {
+            cells: [n, n, n + 1],
+            min: [0.0; 3],
+            max: [1.0, 1.0, 1.0 + 1.0 / n as f64],
+            jitter: 0.2,
+            seed: 3,
+        };
+        let mesh = shape.mesh(
+            &["A", "B"],
+            |c| usize::from(c[2] > 1.0),
+            |d, x| d == 2 && (x - 1.0).abs() < 1e-9,
+        );
         model(
-            &format!("bodies: {{A: s, B: r}}\nsupports:\n{sides}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+            &format!(
+                "bodies: {{A: s, B: r}}\nsupports:\n{sides}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+            ),
             mesh,
         )
     } else {
         let mesh = Block::new([n; 3], [1.0; 3]).jittered(3).mesh(&["A"], |_| 0, |_, _| false);
-        let face = "- {face: Z1, components: [x, y, z], free: [uz], at: [0, 0, 1], force: [0, 0, -1]}\n";
+        let face =
+            "- {face: Z1, components: [x, y, z], free: [uz], at: [0, 0, 1], force: [0, 0, -1]}\n";
         model(&format!("bodies: {{A: s}}\nsupports:\n{sides}rigid:\n{face}"), mesh)
     }
 }
@@ -101,16 +114,31 @@ fn rigid_bodies_leave_the_programs() {
 fn strip_between_platens() {
     let n = 4;
     let top = 1.0 + 1.0 / n as f64;
-    let shape = Block { cells: [n, 1, n + 1], min: [0.0; 3], max: [1.0, 1.0 / n as f64, top], jitter: 0.2, seed: 3 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 1.0), |d, x| d == 2 && (x - 1.0).abs() < 1e-9);
+    let shape = Block {
+        cells: [n, 1, n + 1],
+        min: [0.0; 3],
+        max: [1.0, 1.0 / n as f64, top],
+        jitter: 0.2,
+        seed: 3,
+    };
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[2] > 1.0),
+        |d, x| d == 2 && (x - 1.0).abs() < 1e-9,
+    );
     let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [z]}\n";
     let m = model(
-        &format!("bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+        &format!(
+            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+        ),
         mesh,
     );
     let [low, up] = factors("A22", &m);
     let exact = 2.0 * K;
-    assert!((low / exact - 1.0).abs() < 2e-4 && (exact..1.06 * exact).contains(&up), "[{low}, {up}]");
+    assert!(
+        (low / exact - 1.0).abs() < 2e-4 && (exact..1.06 * exact).contains(&up),
+        "[{low}, {up}]"
+    );
 }
 
 /// A21: a rough rigid punch of half-width 1 on half of a block of 4 × 2, plane strain: (2 + π) k.
@@ -124,7 +152,13 @@ fn strip_between_platens() {
 /// ```
 #[test]
 fn punch() {
-    let shape = Block { cells: [16, 1, 9], min: [0.0, 0.0, -2.0], max: [4.0, 0.25, 0.25], jitter: 0.15, seed: 5 };
+    let shape = Block {
+        cells: [16, 1, 9],
+        min: [0.0, 0.0, -2.0],
+        max: [4.0, 0.25, 0.25],
+        jitter: 0.15,
+        seed: 5,
+    };
     let body = |c: [f64; 3]| {
         if c[2] < 0.0 {
             0
@@ -138,7 +172,9 @@ fn punch() {
     let mesh = hollow(shape.mesh(&["A", "B", "VOID"], body, flat));
     let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [x, z]}\n- {face: X1, fix: [x]}\n";
     let m = model(
-        &format!("bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"),
+        &format!(
+            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+        ),
         mesh,
     );
     let exact = (2.0 + std::f64::consts::PI) * K;
@@ -148,8 +184,15 @@ fn punch() {
 
 /// A block pressed on another by a dead load and pushed; shear on the sides keeps the stress uniform (B5): T = μ N.
 fn pushed(lower: &str, upper: &str) -> AnalysisModel {
-    let shape = Block { cells: [4, 2, 3], min: [0.0, 0.0, -5.0], max: [20.0, 8.0, 10.0], jitter: 0.2, seed: 7 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 0.0), |d, x| d == 2 && x.abs() < 1e-9);
+    let shape = Block {
+        cells: [4, 2, 3],
+        min: [0.0, 0.0, -5.0],
+        max: [20.0, 8.0, 10.0],
+        jitter: 0.2,
+        seed: 7,
+    };
+    let mesh =
+        shape.mesh(&["A", "B"], |c| usize::from(c[2] > 0.0), |d, x| d == 2 && x.abs() < 1e-9);
     model(
         &format!(
             "bodies: {{A: {lower}, B: {upper}}}\ninterfaces:\n\
@@ -168,7 +211,10 @@ fn pushed_block() {
     for (lower, upper) in [("s", "r"), ("r", "s"), ("r", "r")] {
         let name = format!("B5, {lower} {upper}");
         let [low, up] = sharp_factors(&name, &pushed(lower, upper)).map(|x| x * FY);
-        assert!((low / 3.0 - 1.0).abs() < 1e-5 && (up / 3.0 - 1.0).abs() < 1e-5, "{name}: [{low}, {up}]");
+        assert!(
+            (low / 3.0 - 1.0).abs() < 1e-5 && (up / 3.0 - 1.0).abs() < 1e-5,
+            "{name}: [{low}, {up}]"
+        );
         assert!(low <= 3.0 * (1.0 + 1e-9) && up >= 3.0 * (1.0 - 1e-9), "{name}: [{low}, {up}]");
     }
 }
@@ -185,7 +231,8 @@ fn pushed_block() {
 /// ```
 #[test]
 fn lapped_plates() {
-    let shape = Block { cells: [5, 3, 4], min: [0.0; 3], max: [5.0, 3.0, 4.0], jitter: 0.0, seed: 1 };
+    let shape =
+        Block { cells: [5, 3, 4], min: [0.0; 3], max: [5.0, 3.0, 4.0], jitter: 0.0, seed: 1 };
     let body = |c: [f64; 3]| match (c[0] as usize, c[1] as usize, c[2] as usize) {
         (0, _, _) | (_, _, 0 | 3) => 0,
         (2.., _, 1) => 1,
@@ -206,38 +253,61 @@ fn lapped_plates() {
     );
     let exact = 0.3 * FY / 6.0;
     let [low, up] = sharp_factors("B9", &m).map(|x| x * FY);
-    assert!((low / exact - 1.0).abs() < 1e-5 && (up / exact - 1.0).abs() < 1e-5, "[{low}, {up}] against {exact}");
+    assert!(
+        (low / exact - 1.0).abs() < 1e-5 && (up / exact - 1.0).abs() < 1e-5,
+        "[{low}, {up}] against {exact}"
+    );
 }
 
 /// A bar pressed by a rigid head that carries a rigid face: force and free motions of the face are the head's.
 #[test]
 fn rigid_face_on_a_rigid_body() {
-    let shape = Block { cells: [4, 2, 2], min: [0.0; 3], max: [40.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 30.0), |d, x| d == 0 && (x - 30.0).abs() < 1e-9);
+    let shape =
+        Block { cells: [4, 2, 2], min: [0.0; 3], max: [40.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[0] > 30.0),
+        |d, x| d == 0 && (x - 30.0).abs() < 1e-9,
+    );
     let yaml = "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0}\n\
          supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
          rigid:\n- {face: X1, components: [x, y, z], free: [ux], at: [40, 5, 6], force: [-12000, 0, 0]}\n";
     let [low, up] = sharp_factors("head", &model(yaml, mesh)).map(|x| x * FY);
     let exact = FY / 100.0;
-    assert!((low / exact - 1.0).abs() < 1e-6 && (up / exact - 1.0).abs() < 1e-6, "[{low}, {up}] against {exact}");
+    assert!(
+        (low / exact - 1.0).abs() < 1e-6 && (up / exact - 1.0).abs() < 1e-6,
+        "[{low}, {up}] against {exact}"
+    );
 }
 
 /// A rigid body whose supports leave it no motion holds what is tied to it; one whose load only it bears has no limit.
 #[test]
 fn held_rigid_bodies() {
-    let shape = Block { cells: [3, 2, 2], min: [0.0; 3], max: [30.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
-    let mesh = || shape.mesh(&["A", "B"], |c| usize::from(c[0] < 10.0), |d, x| d == 0 && (x - 10.0).abs() < 1e-9);
-    let clamped = "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n";
+    let shape =
+        Block { cells: [3, 2, 2], min: [0.0; 3], max: [30.0, 10.0, 12.0], jitter: 0.2, seed: 2 };
+    let mesh = || {
+        shape.mesh(
+            &["A", "B"],
+            |c| usize::from(c[0] < 10.0),
+            |d, x| d == 0 && (x - 10.0).abs() < 1e-9,
+        )
+    };
+    let clamped =
+        "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n";
     let a = factors("clamp body", &model(&format!("bodies: {{A: s, B: r}}\n{clamped}"), mesh()));
     // the same bar clamped in the plane x = 10
     let mut cut = mesh();
     let plane = triangles_where(&cut, |x| (x[0] - 10.0).abs() < 1e-9);
     cut.faces.push(NamedFaces { name: "CUT".into(), triangles: plane });
     let cut = without(cut, 1);
-    let b = factors("clamped", &model(&format!("bodies: {{A: s}}\n{}", clamped.replace("X0", "CUT")), cut));
+    let b = factors(
+        "clamped",
+        &model(&format!("bodies: {{A: s}}\n{}", clamped.replace("X0", "CUT")), cut),
+    );
     assert!((a[0] / b[0] - 1.0).abs() < 1e-3 && (a[1] / b[1] - 1.0).abs() < 1e-3, "{a:?} {b:?}");
     // pulled at the held rigid end alone
-    let pulled = "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: SIDE, traction: [0, 0, 1]}\n";
+    let pulled =
+        "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: SIDE, traction: [0, 0, 1]}\n";
     let mut mesh = mesh();
     let side = triangles_where(&mesh, |x| x[2] == 12.0 && x[0] <= 10.0 + 1e-9);
     mesh.faces.push(NamedFaces { name: "SIDE".into(), triangles: side });
@@ -261,13 +331,22 @@ fn wrong_rigid_bodies_are_refused() {
         ("r: {E: 210000, nu: 0.3}", "r: {E: 210000, nu: 0.3, rigid: true}", "unknown key `rigid`"),
         ("B: r", "C: r", "no physical volume `C`"),
         ("loads:", "dead:", "no load carries the load factor"),
-        ("face: X1, traction: [0, 0, 1]", "body: B, force: [0, 0, 1]", "force in the body `B` carries the load factor"),
+        (
+            "face: X1, traction: [0, 0, 1]",
+            "body: B, force: [0, 0, 1]",
+            "force in the body `B` carries the load factor",
+        ),
         ("face: X1, traction", "face: X1, force", "needs exactly one of `traction`"),
         ("interfaces: []", &format!("interfaces: {contact}"), "part B can move"),
         ("fix: [x, y, z]", "fix: [x, y]", "can move along z"),
-        ("loads:", "rigid: [{face: X0, components: [x], free: [ux]}]\nloads:", "is rigid and also fixed"),
+        (
+            "loads:",
+            "rigid: [{face: X0, components: [x], free: [ux]}]\nloads:",
+            "is rigid and also fixed",
+        ),
     ];
-    let shape = Block { cells: [2, 1, 1], min: [0.0; 3], max: [20.0, 10.0, 10.0], jitter: 0.0, seed: 1 };
+    let shape =
+        Block { cells: [2, 1, 1], min: [0.0; 3], max: [20.0, 10.0, 10.0], jitter: 0.0, seed: 1 };
     for (old, new, words) in rows {
         assert_eq!(good.matches(old).count(), 1, "{old}");
         let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);

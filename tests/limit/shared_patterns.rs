@@ -39,8 +39,10 @@ fn options(patterns: &Patterns) -> PassOptions {
 
 /// What a limit pass answers, bit by bit.
 fn answer(p: &LimitPass) -> (Vec<u64>, String) {
-    let stress = |s: &Option<bracket::certify::fields::StressField>| format!("{:?}", s.as_ref().unwrap());
-    let bounds = [p.bracket.as_ref().unwrap().lower(), p.frictionless.as_ref().unwrap()].map(|b| b.value().to_bits());
+    let stress =
+        |s: &Option<bracket::certify::fields::StressField>| format!("{:?}", s.as_ref().unwrap());
+    let bounds = [p.bracket.as_ref().unwrap().lower(), p.frictionless.as_ref().unwrap()]
+        .map(|b| b.value().to_bits());
     let upper = p.bracket.as_ref().unwrap().upper().value().to_bits();
     let fields = format!("{}{}{:?}", stress(&p.stress), stress(&p.frictionless_stress), p.velocity);
     (vec![bounds[0], bounds[1], upper], fields)
@@ -50,14 +52,18 @@ fn answer(p: &LimitPass) -> (Vec<u64>, String) {
 fn limit_cases_share_and_answer_as_alone() {
     let shared = Patterns::default();
     let cases = LOADS.map(|load| case("limit", load));
-    let together = cases.each_ref().map(|m| answer(&limit::run(m, &options(&shared), &silent()).unwrap()));
+    let together =
+        cases.each_ref().map(|m| answer(&limit::run(m, &options(&shared), &silent()).unwrap()));
     let (kept, found) = shared.count();
     // both programs, and both matrices that make their fields admissible
     assert!(kept <= 4, "{kept} patterns for one mesh");
     // the static program without friction and its projection in the first case, everything in the second
     assert!(found >= 8, "{found}");
     for (model, together) in cases.iter().zip(&together) {
-        assert!(answer(&limit::run(model, &options(&Patterns::default()), &silent()).unwrap()) == *together);
+        assert!(
+            answer(&limit::run(model, &options(&Patterns::default()), &silent()).unwrap())
+                == *together
+        );
     }
     assert!(together[0] != together[1], "two cases, two answers");
 }
@@ -67,7 +73,11 @@ fn elastic_and_limit_analysis_share_and_answer_as_alone() {
     let shared = Patterns::default();
     let energies = |p: &Pass| {
         let b = p.bracket.as_ref().unwrap();
-        (b.lower().value().to_bits(), b.upper().value().to_bits(), format!("{:?}{:?}", p.stress, p.displacement))
+        (
+            b.lower().value().to_bits(),
+            b.upper().value().to_bits(),
+            format!("{:?}{:?}", p.stress, p.displacement),
+        )
     };
     let run = |load: &str, patterns: &Patterns| {
         energies(&engine::run(&case("elastic", load), &options(patterns), &silent()).unwrap())

@@ -26,7 +26,10 @@ fn strip(radial: usize, around: usize, below: f64, above: f64) {
     let ratio = 1.25f64;
     let mut mesh = mapped(block, |x| {
         let angle = 0.5 * PI * x[1];
-        let (c, n) = (if x[1] == 1.0 { 0.0 } else { angle.cos() }, if x[1] == 0.0 { 0.0 } else { angle.sin() });
+        let (c, n) = (
+            if x[1] == 1.0 { 0.0 } else { angle.cos() },
+            if x[1] == 0.0 { 0.0 } else { angle.sin() },
+        );
         // from the circle to the square, steps growing outward
         let t = (ratio.powf(x[0] * radial as f64) - 1.0) / (ratio.powi(radial as i32) - 1.0);
         let outer = if x[1] == 0.5 {

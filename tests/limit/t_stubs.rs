@@ -16,8 +16,9 @@ use crate::common::solved;
 use crate::common::yielding::FY;
 use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};
 use bracket::assembly::Assembly;
-use bracket::assembly::joint::{
-    FaceRule, InterfaceRule, MidPlane, OutlineEdge, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane,
+use bracket::assembly::assembly::{
+    FaceRule, InterfaceRule, MidPlane, OutlineEdge, Part, PartMaterial, PartRole, Solid, Surface,
+    SymmetryPlane,
 };
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
@@ -38,9 +39,15 @@ fn forces(title: &str, m: &AnalysisModel, force: f64) -> ([f64; 2], f64) {
     let start = std::time::Instant::now();
     let pass = run(m);
     println!("{title}: {:.0} s", start.elapsed().as_secs_f64());
-    let f = strict(&format!("{title}, {} tets", m.mesh.tets.len()), m, &pass).map(|f| f * FY * force * 1e-3);
+    let f = strict(&format!("{title}, {} tets", m.mesh.tets.len()), m, &pass)
+        .map(|f| f * FY * force * 1e-3);
     let share = bolt_share(m, &pass);
-    println!("{title}: [{:.1}, {:.1}] kN, bolts {:.1} % of the dissipation", f[0], f[1], 100.0 * share);
+    println!(
+        "{title}: [{:.1}, {:.1}] kN, bolts {:.1} % of the dissipation",
+        f[0],
+        f[1],
+        100.0 * share
+    );
     (f, share)
 }
 
@@ -70,7 +77,8 @@ fn strip_t_stub(t: f64, n: usize, layers: usize) -> AnalysisModel {
             () => None,
         }
     };
-    let mut mesh = grid.mesh(&["T", "BOLT"], body, |axis, c| axis == 2 && (c - 0.5 * t).abs() < 1e-9);
+    let mut mesh =
+        grid.mesh(&["T", "BOLT"], body, |axis, c| axis == 2 && (c - 0.5 * t).abs() < 1e-9);
     name(&mut mesh, "X0", "T", |p| p[0] == 0.0);
     name(&mut mesh, "Y0", "T", |p| p[1] == 0.0);
     name(&mut mesh, "YB", "BOLT", |p| p[1] == 0.0);
@@ -107,19 +115,30 @@ fn mode(number: usize, t: f64, n: usize, layers: usize) -> [f64; 2] {
     assert!(modes(t).iter().all(|f| *f >= beam), "mode {number} governs at t = {t}");
     // unit traction on 10 × 100
     let ([low, up], bolts) = forces(&format!("B15, t = {t}"), &strip_t_stub(t, n, layers), 1000.0);
-    println!("B15, t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN", low / beam, up / beam);
+    println!(
+        "B15, t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN",
+        low / beam,
+        up / beam
+    );
     if number < 3 {
         assert!(low <= 1.35 * beam && up >= beam, "[{low}, {up}] against {beam}");
     } else {
-        assert!((low / beam - 1.0).abs() < 0.02 && (up / beam - 1.0).abs() < 0.02, "[{low}, {up}] against {beam}");
+        assert!(
+            (low / beam - 1.0).abs() < 0.02 && (up / beam - 1.0).abs() < 0.02,
+            "[{low}, {up}] against {beam}"
+        );
         assert!(bolts > 0.9, "bolts alone yield in mode 3: {bolts}");
     }
     [low, up]
 }
 
 fn three_modes(n: usize, layers: usize) {
-    let [one, two, three] = [(1, 12.0), (2, 25.0), (3, 40.0)].map(|(number, t)| mode(number, t, n, layers));
-    assert!(one[1] < two[0] && two[0] < three[0] && two[1] < 1.01 * three[1], "{one:?} {two:?} {three:?}");
+    let [one, two, three] =
+        [(1, 12.0), (2, 25.0), (3, 40.0)].map(|(number, t)| mode(number, t, n, layers));
+    assert!(
+        one[1] < two[0] && two[0] < three[0] && two[1] < 1.01 * three[1],
+        "{one:?} {two:?} {three:?}"
+    );
 }
 
 #[test]
@@ -137,7 +156,14 @@ const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-fn part(name: &str, role: PartRole, material: &str, solid: Solid, convex: Vec<Solid>, size: f64) -> Part {
+fn part(
+    name: &str,
+    role: PartRole,
+    material: &str,
+    solid: Solid,
+    convex: Vec<Solid>,
+    size: f64,
+) -> Part {
     Part {
         name: name.into(),
         label: name.to_lowercase(),
@@ -151,7 +177,8 @@ fn part(name: &str, role: PartRole, material: &str, solid: Solid, convex: Vec<So
 }
 
 fn bottom(name: &str, part: &str) -> FaceRule {
-    let surface = Surface::Plane { axis: 2, at: 0.0, min: [-75.0, -40.0, 0.0], max: [75.0, 40.0, 0.0] };
+    let surface =
+        Surface::Plane { axis: 2, at: 0.0, min: [-75.0, -40.0, 0.0], max: [75.0, 40.0, 0.0] };
     FaceRule { name: name.into(), part: part.into(), surface, imprint: false }
 }
 
@@ -172,9 +199,22 @@ fn bursi_jaspart(size: f64) -> Assembly {
         line(-b, tf),
         line(-b, 0.0),
     ];
-    let profile = Solid::Prism { origin: [0.0, 0.5 * length, 0.0], u: X, v: Z, start: [-b, 0.0], edges, length };
+    let profile = Solid::Prism {
+        origin: [0.0, 0.5 * length, 0.0],
+        u: X,
+        v: Z,
+        start: [-b, 0.0],
+        edges,
+        length,
+    };
     let places = [[45.0, 20.0], [45.0, -20.0], [-45.0, 20.0], [-45.0, -20.0]];
-    let shank = |x: f64, y: f64| Solid::Cylinder { base: [x, y, 0.0], axis: Z, radius: 6.0, length: tf, segments: 12 };
+    let shank = |x: f64, y: f64| Solid::Cylinder {
+        base: [x, y, 0.0],
+        axis: Z,
+        radius: 6.0,
+        length: tf,
+        segments: 12,
+    };
     let mut cut = vec![profile];
     cut.extend(places.map(|[x, y]| shank(x, y)));
     let boxed = |min, max| Solid::Box { min, max };
@@ -197,10 +237,23 @@ fn bursi_jaspart(size: f64) -> Assembly {
         let head = Solid::Prism { origin: [x, y, tf], u: X, v: Y, start: p[0], edges, length: 7.5 };
         let solids = vec![shank(x, y), head];
         let name = format!("BOLT_{i}");
-        parts.push(part(&name, PartRole::Bolt, "bolt", Solid::Union(solids.clone()), solids, size.min(8.0)));
+        parts.push(part(
+            &name,
+            PartRole::Bolt,
+            "bolt",
+            Solid::Union(solids.clone()),
+            solids,
+            size.min(8.0),
+        ));
         faces.push(bottom(&format!("FOOT_{i}"), &name));
         let between = [name, "T".to_string()];
-        interfaces.push(InterfaceRule { between, surface: None, mu: 0.0, associated: true, gap: 0.0 });
+        interfaces.push(InterfaceRule {
+            between,
+            surface: None,
+            mu: 0.0,
+            associated: true,
+            gap: 0.0,
+        });
     }
     let top = Surface::Plane { axis: 2, at: top, min: [-w, -40.0, 0.0], max: [w, 40.0, 0.0] };
     faces.push(FaceRule { name: "TOP".into(), part: "T".into(), surface: top, imprint: false });
@@ -208,7 +261,10 @@ fn bursi_jaspart(size: f64) -> Assembly {
     Assembly {
         name: "t1".into(),
         parts,
-        materials: BTreeMap::from([("flange".to_string(), steel(431.0)), ("bolt".to_string(), steel(640.0))]),
+        materials: BTreeMap::from([
+            ("flange".to_string(), steel(431.0)),
+            ("bolt".to_string(), steel(640.0)),
+        ]),
         interfaces,
         faces,
         supports: vec![],
@@ -229,7 +285,8 @@ fn bursi_jaspart(size: f64) -> Assembly {
 /// Tolerance: the range of the test; the bracket must overlap it, the bolts take only a part of the dissipation.
 fn t1(size: f64) {
     let folder = tempfile::tempdir().unwrap();
-    let meshed = mesh_joint(&bursi_jaspart(size), &MeshOptions::new(folder.path()), &mut |_| {}).unwrap();
+    let meshed =
+        mesh_joint(&bursi_jaspart(size), &MeshOptions::new(folder.path()), &mut |_| {}).unwrap();
     let yaml = "materials: {flange: {E: 210000, nu: 0.3, fy: 431}, bolt: {E: 210000, nu: 0.3, fy: 640}}\n\
          bodies: {T: flange, BOLT_0: bolt}\ninterfaces:\n- {between: [BOLT_0, T], law: contact, mu: 0}\n\
          supports:\n- {face: SYM_X0, fix: [x]}\n- {face: SYM_Y0, fix: [y]}\n\

@@ -13,7 +13,8 @@ const SEEDS: [u64; 3] = [1, 5, 9];
 
 /// Two cubes of 10 mm joined at x = 10.
 fn cubes(seed: u64) -> TetMesh {
-    let shape = Block { cells: [4, 2, 2], min: [0.0; 3], max: [20.0, 10.0, 10.0], jitter: 0.2, seed };
+    let shape =
+        Block { cells: [4, 2, 2], min: [0.0; 3], max: [20.0, 10.0, 10.0], jitter: 0.2, seed };
     shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |d, x| d == 0 && (x - 10.0).abs() < 1e-9)
 }
 
@@ -25,8 +26,14 @@ fn welded(mesh: TetMesh, weld: &str, rest: &str) -> AnalysisModel {
 fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
     for seed in SEEDS {
         let [low, up] = sharp_factors(&format!("{name}, seed {seed}"), &at(seed)).map(|x| x * FY);
-        assert!((low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6, "{name}: [{low}, {up}] for {want}");
-        assert!(low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9), "{name}: [{low}, {up}] for {want}");
+        assert!(
+            (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6,
+            "{name}: [{low}, {up}] for {want}"
+        );
+        assert!(
+            low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9),
+            "{name}: [{low}, {up}] for {want}"
+        );
     }
 }
 
@@ -37,25 +44,34 @@ fn cubes_in_tension() {
     let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
                 loads:\n- {face: X1, traction: [1, 0, 0]}\n";
     // 2 · 3 · 200/10 = 120 MPa
-    exact("weak in tension", 120.0, |seed| welded(cubes(seed), "throat: 3, thickness: 10, strength: 200", pull));
+    exact("weak in tension", 120.0, |seed| {
+        welded(cubes(seed), "throat: 3, thickness: 10, strength: 200", pull)
+    });
     exact("strong in tension", FY, |seed| welded(cubes(seed), "strength_traction: 300", pull));
 }
 
 /// In pure shear, the same strength: the weld's below k = f_y/√3, or k.
 #[test]
 fn cubes_in_shear() {
-    let faces = [("X0", "[0, -1, 0]"), ("X1", "[0, 1, 0]"), ("Y0", "[-1, 0, 0]"), ("Y1", "[1, 0, 0]")];
-    let loads: String = faces.iter().map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
-    let rest = format!("supports:\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\nloads:\n{loads}");
+    let faces =
+        [("X0", "[0, -1, 0]"), ("X1", "[0, 1, 0]"), ("Y0", "[-1, 0, 0]"), ("Y1", "[1, 0, 0]")];
+    let loads: String =
+        faces.iter().map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
+    let rest =
+        format!("supports:\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\nloads:\n{loads}");
     exact("weak in shear", 100.0, |seed| welded(cubes(seed), "strength_traction: 100", &rest));
-    exact("strong in shear", FY / 3.0f64.sqrt(), |seed| welded(cubes(seed), "strength_traction: 250", &rest));
+    exact("strong in shear", FY / 3.0f64.sqrt(), |seed| {
+        welded(cubes(seed), "strength_traction: 250", &rest)
+    });
 }
 
 /// Under a dead tension of 60 MPa a weld of 100 MPa bears 80 MPa of shear more.
 #[test]
 fn tension_and_shear() {
-    let faces = [("X0", "[0, -1, 0]"), ("X1", "[0, 1, 0]"), ("Y0", "[-1, 0, 0]"), ("Y1", "[1, 0, 0]")];
-    let loads: String = faces.iter().map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
+    let faces =
+        [("X0", "[0, -1, 0]"), ("X1", "[0, 1, 0]"), ("Y0", "[-1, 0, 0]"), ("Y1", "[1, 0, 0]")];
+    let loads: String =
+        faces.iter().map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
     let rest = format!(
         "supports:\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\nloads:\n{loads}dead:\n\
          - {{face: X0, traction: [-60, 0, 0]}}\n- {{face: X1, traction: [60, 0, 0]}}\n"
@@ -80,8 +96,13 @@ fn tension_and_shear() {
 #[test]
 fn pair_of_fillets() {
     let (t, a, f) = (8.0, 3.0, 100.0);
-    let shape = Block { cells: [1, 3, 4], min: [0.0; 3], max: [t, 30.0, 40.0], jitter: 0.2, seed: 3 };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] < 10.0), |d, x| d == 2 && (x - 10.0).abs() < 1e-9);
+    let shape =
+        Block { cells: [1, 3, 4], min: [0.0; 3], max: [t, 30.0, 40.0], jitter: 0.2, seed: 3 };
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[2] < 10.0),
+        |d, x| d == 2 && (x - 10.0).abs() < 1e-9,
+    );
     // in the plane of the web, σ and τ uniform: shear on its edges too
     let mut mesh = mesh;
     for (name, y) in [("EDGE0", 0.0), ("EDGE1", 30.0)] {
@@ -99,7 +120,10 @@ fn pair_of_fillets() {
     let want = 2.0 * a * f / t / 5.0;
     let [low, up] = sharp_factors("fillets", &m).map(|x| x * FY);
     // the strength of the web is far off: noise in its velocities costs more than the weld does
-    assert!((low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-4, "[{low}, {up}] for {want}");
+    assert!(
+        (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-4,
+        "[{low}, {up}] for {want}"
+    );
     assert!(low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9), "[{low}, {up}] for {want}");
 }
 
@@ -158,14 +182,19 @@ fn pressure_through_a_weld_is_limited() {
     let faces = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"];
     let loads: String = faces.iter().map(|f| format!("- {{face: {f}, pressure: 1}}\n")).collect();
     let m = welded(cubes(1), "strength_traction: 100", &format!("loads:\n{loads}"));
-    let field = StressField { points: vec![[[[-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]; 4]; 4]; m.mesh.tets.len()] };
+    let field = StressField {
+        points: vec![[[[-1.0, -1.0, -1.0, 0.0, 0.0, 0.0]; 4]; 4]; m.mesh.tets.len()],
+    };
     let certificate = certify_unlimited(&m, &field, None);
     assert!(certificate.traction_jump < 1e-12 && certificate.deviator == 0.0, "{certificate:?}");
     assert!(!certificate.is_strict() && certificate.weld.unwrap() > 0.5, "{certificate:?}");
     let pass = run(&m);
     assert!(pass.unlimited.is_none());
     let [low, up] = pass.bracket.map(|b| [b.lower().value(), b.upper().value()]).unwrap();
-    assert!(low <= 100.0 * (1.0 + 1e-9) && (100.0 * (1.0 - 1e-9)..101.0).contains(&up), "[{low}, {up}]");
+    assert!(
+        low <= 100.0 * (1.0 + 1e-9) && (100.0 * (1.0 - 1e-9)..101.0).contains(&up),
+        "[{low}, {up}]"
+    );
 }
 
 /// Welded cubes that stand on the ground are lifted together without any load; held beside, the weld holds both.
@@ -173,11 +202,16 @@ fn pressure_through_a_weld_is_limited() {
 fn what_a_weld_holds_is_no_mechanism() {
     let lifted = |support: &str| {
         let floor = "- {face: Z0, law: contact, mu: 0.3, friction: associated}\n";
-        let rest = format!("supports:\n{floor}{support}loads:\n- {{face: Z1, traction: [0, 0, 1]}}\n");
+        let rest =
+            format!("supports:\n{floor}{support}loads:\n- {{face: Z1, traction: [0, 0, 1]}}\n");
         run(&welded(cubes(1), "strength_traction: 100", &rest))
     };
     let free = lifted("").free.expect("nothing holds them");
-    assert!(free.certificate.rigid < 1e-12 && free.certificate.live_power > 0.0, "{:?}", free.certificate);
+    assert!(
+        free.certificate.rigid < 1e-12 && free.certificate.live_power > 0.0,
+        "{:?}",
+        free.certificate
+    );
     let held = lifted("- {face: X1, fix: [x, y, z]}\n");
     assert!(held.free.is_none() && held.lower.unwrap().value() > 1.0);
 }

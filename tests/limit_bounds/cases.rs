@@ -50,7 +50,11 @@ fn one(seed: u64) -> TetMesh {
 
 /// Two bodies, the second beyond the plane `x[axis] = at`.
 fn two(block: &Block, axis: usize, at: f64) -> TetMesh {
-    block.mesh(&["A", "B"], |c| usize::from(c[axis] > at), |d, x| d == axis && (x - at).abs() < 1e-9)
+    block.mesh(
+        &["A", "B"],
+        |c| usize::from(c[axis] > at),
+        |d, x| d == axis && (x - at).abs() < 1e-9,
+    )
 }
 
 pub fn bar(seed: u64) -> Case {
@@ -138,7 +142,9 @@ pub fn pressed(seed: u64) -> Case {
         factor: FY / 100.0,
         stress: |_, _| [-FY, 0.0, 0.0, 0.0, 0.0, 0.0],
         dead: None,
-        velocity: |body, x| if body == 0 { [-x[0], 0.5 * x[1], 0.5 * x[2]] } else { [-20.0, 0.0, 0.0] },
+        velocity: |body, x| {
+            if body == 0 { [-x[0], 0.5 * x[1], 0.5 * x[2]] } else { [-20.0, 0.0, 0.0] }
+        },
     }
 }
 
@@ -165,7 +171,8 @@ pub fn sliding(seed: u64) -> Case {
 /// stress linear: T/N = 0.2 λ = μ. Its stress of 5.6 MPa is near its strength
 /// of 6: noise in a stronger block at rest would dissipate more than friction allows for.
 pub fn own_weight(seed: u64) -> Case {
-    let mesh = block([4, 2, 2], [0.0; 3], [20.0, 8.0, 10.0], seed).mesh(&["A"], |_| 0, |_, _| false);
+    let mesh =
+        block([4, 2, 2], [0.0; 3], [20.0, 8.0, 10.0], seed).mesh(&["A"], |_| 0, |_, _| false);
     Case {
         name: "own weight",
         model: solved::resolve(
@@ -184,7 +191,8 @@ pub fn own_weight(seed: u64) -> Case {
 }
 
 pub fn all(seed: u64) -> Vec<Case> {
-    let makers = [bar, bar_under_dead_load, bar_with_rigid_end, cube, lid, pressed, sliding, own_weight];
+    let makers =
+        [bar, bar_under_dead_load, bar_with_rigid_end, cube, lid, pressed, sliding, own_weight];
     makers.into_iter().map(|make| make(seed)).collect()
 }
 
@@ -197,7 +205,13 @@ pub struct Approximate {
 
 impl Case {
     /// The exact stress at `factor` with relative noise; `bare` leaves bodies that never yield without any stress.
-    pub fn static_field(&self, factor: f64, noise: f64, bare: bool, random: &mut Random) -> Approximate {
+    pub fn static_field(
+        &self,
+        factor: f64,
+        noise: f64,
+        bare: bool,
+        random: &mut Random,
+    ) -> Approximate {
         self.static_field_of(self.stress, factor, noise, bare, random)
     }
 
@@ -252,9 +266,13 @@ impl Case {
         let space = bracket::elements::space::Tet10Space::new(&self.model.mesh);
         let mut body = vec![0; space.nodes.len()];
         for e in 0..self.model.mesh.tets.len() {
-            space.tet(&self.model.mesh, e).iter().for_each(|&n| body[n] = self.model.mesh.tet_body[e] as usize);
+            space
+                .tet(&self.model.mesh, e)
+                .iter()
+                .for_each(|&n| body[n] = self.model.mesh.tet_body[e] as usize);
         }
-        let mut u: Vec<V3> = space.nodes.iter().zip(body).map(|(x, b)| (self.velocity)(b, *x)).collect();
+        let mut u: Vec<V3> =
+            space.nodes.iter().zip(body).map(|(x, b)| (self.velocity)(b, *x)).collect();
         let largest = u.iter().flatten().fold(0.0f64, |m, a| m.max(a.abs()));
         u.iter_mut().flatten().for_each(|a| *a += noise * largest * (2.0 * random.unit() - 1.0));
         u
@@ -273,7 +291,10 @@ impl Case {
                 },
             };
         }
-        m.body_loads.iter_mut().filter(|l| !l.dead).for_each(|l| l.force = l.force.map(|x| factor * x));
+        m.body_loads
+            .iter_mut()
+            .filter(|l| !l.dead)
+            .for_each(|l| l.force = l.force.map(|x| factor * x));
         m.rigid.iter_mut().for_each(|r| r.action = r.action.map(|x| factor * x));
         m
     }
@@ -281,11 +302,19 @@ impl Case {
 
 fn traction(s: &[f64; 6], n: V3) -> V3 {
     let (yz, xz, xy) = (s[3] / R2, s[4] / R2, s[5] / R2);
-    [s[0] * n[0] + xy * n[1] + xz * n[2], xy * n[0] + s[1] * n[1] + yz * n[2], xz * n[0] + yz * n[1] + s[2] * n[2]]
+    [
+        s[0] * n[0] + xy * n[1] + xz * n[2],
+        xy * n[0] + s[1] * n[1] + yz * n[2],
+        xz * n[0] + yz * n[1] + s[2] * n[2],
+    ]
 }
 
 /// The parameters whose stress is the given one, by least squares over the element's 96 values.
-fn fit(element: &SuperElement, corners: &[V3; 4], stress: impl Fn(V3) -> [f64; 6]) -> [f64; PARAMETERS] {
+fn fit(
+    element: &SuperElement,
+    corners: &[V3; 4],
+    stress: impl Fn(V3) -> [f64; 6],
+) -> [f64; PARAMETERS] {
     use faer::prelude::SolveLstsq;
     let points = SuperElement::points(corners);
     let particular = element.particular();
@@ -305,6 +334,9 @@ fn fit(element: &SuperElement, corners: &[V3; 4], stress: impl Fn(V3) -> [f64; 6
     let x = qr.solve_lstsq(&b);
     let miss = &b - &a * &x;
     let size = (0..96).map(|r| miss[(r, 0)].abs()).fold(0.0, f64::max);
-    assert!(size < 1e-9 * (0..96).map(|r| b[(r, 0)].abs()).fold(1.0, f64::max), "the element does not hold it: {size}");
+    assert!(
+        size < 1e-9 * (0..96).map(|r| b[(r, 0)].abs()).fold(1.0, f64::max),
+        "the element does not hold it: {size}"
+    );
     std::array::from_fn(|i| x[(i, 0)])
 }

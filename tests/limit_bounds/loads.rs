@@ -36,7 +36,10 @@ fn model(seed: u64) -> AnalysisModel {
 fn close(name: &str, a: &[f64], b: &[f64]) {
     let scale = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let off = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(a.len() == b.len() && scale > 0.0 && off <= 1e-13 * scale, "{name}: {off:e} of {scale:e}");
+    assert!(
+        a.len() == b.len() && scale > 0.0 && off <= 1e-13 * scale,
+        "{name}: {off:e} of {scale:e}"
+    );
 }
 
 /// Forces of some loads.
@@ -46,11 +49,17 @@ type Forces<'a> = dyn Fn(Loads) -> Vec<f64> + 'a;
 fn live_and_dead_add_up() {
     let m = model(3);
     let minus = |v: &[f64]| -> Vec<f64> { v.iter().map(|x| -x).collect() };
-    let sum = |a: f64, x: &[f64], y: &[f64]| -> Vec<f64> { x.iter().zip(y).map(|(x, y)| a * x + y).collect() };
+    let sum = |a: f64, x: &[f64], y: &[f64]| -> Vec<f64> {
+        x.iter().zip(y).map(|(x, y)| a * x + y).collect()
+    };
     let statics = Static::new(&m).unwrap();
     let kinematic = Kinematic::new(&m).unwrap();
     assert_eq!(statics.forces(Loads::ALL), statics.loads);
-    close("kinematic", &minus(&kinematic.limit_forces(&m, Flow::Plain, Loads::ALL)), &kinematic.program.q);
+    close(
+        "kinematic",
+        &minus(&kinematic.limit_forces(&m, Flow::Plain, Loads::ALL)),
+        &kinematic.program.q,
+    );
     let forms: [(&str, &Forces); 4] = [
         ("static", &|l| statics.forces(l)),
         ("particular", &|l| statics.particular_forces(l).unwrap()),
@@ -72,15 +81,29 @@ fn power_by_quadrature() {
         let kinematic = Kinematic::new(&m).unwrap();
         let mut random = Random::new(seed);
         let x: Vec<f64> = (0..kinematic.map.n).map(|_| random.unit() - 0.5).collect();
-        let u: Vec<[f64; 3]> = kinematic.map.expand(&x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        let u: Vec<[f64; 3]> =
+            kinematic.map.expand(&x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
         for flow in [Flow::Plain, Flow::Split] {
-            let c = certify_upper(&m, &VelocityField { nodes: DisplacementField { u: u.clone() }, flow }, 0);
-            let power =
-                |loads| -> f64 { kinematic.limit_forces(&m, flow, loads).iter().zip(&x).map(|(f, u)| f * u).sum() };
+            let c = certify_upper(
+                &m,
+                &VelocityField { nodes: DisplacementField { u: u.clone() }, flow },
+                0,
+            );
+            let power = |loads| -> f64 {
+                kinematic.limit_forces(&m, flow, loads).iter().zip(&x).map(|(f, u)| f * u).sum()
+            };
             let (live, dead) = (power(Loads::LIVE), power(Loads::DEAD));
             println!("{flow:?}: {live:e} {dead:e}");
-            assert!((c.live_power - live).abs() < 1e-10 * live.abs(), "{flow:?}: {:e} {live:e}", c.live_power);
-            assert!((c.dead_power - dead).abs() < 1e-10 * dead.abs(), "{flow:?}: {:e} {dead:e}", c.dead_power);
+            assert!(
+                (c.live_power - live).abs() < 1e-10 * live.abs(),
+                "{flow:?}: {:e} {live:e}",
+                c.live_power
+            );
+            assert!(
+                (c.dead_power - dead).abs() < 1e-10 * dead.abs(),
+                "{flow:?}: {:e} {dead:e}",
+                c.dead_power
+            );
         }
     }
 }

@@ -37,20 +37,31 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
     assert_eq!(s.status, SolveStatus::Optimal, "{name}");
     let parameters = stress_parameters(at, &statics, &s.x);
     let contact = &s.z[..Static::new(at).unwrap().program.g.nrows()];
-    let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor: 1.0 };
+    let approximate =
+        ApproximateStress { parameters: &parameters, contact, welds: &[], factor: 1.0 };
     let lower = limit_lower::project(at, &approximate, None, &Patterns::default()).unwrap();
     println!("{name}: {:?}", lower.certificate);
     let kinematic = Kinematic::with_plasticity(further, Flow::Split).unwrap();
-    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
-        .unwrap()
-        .solve(&SolveOptions::default());
+    let k =
+        condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
+            .unwrap()
+            .solve(&SolveOptions::default());
     assert_eq!(k.status, SolveStatus::Optimal, "{name}");
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
     let upper = limit_upper::project(at, &field, 1, &Patterns::default()).unwrap();
     println!("{name}: {:?}", upper.certificate);
-    let bracket = FactorBracket::new(LowerFactor::new(lower.certificate), UpperFactor::new(upper.certificate)).unwrap();
-    println!("{name}: [{}, {}], gap {:.4}", bracket.lower().value(), bracket.upper().value(), bracket.gap());
+    let bracket = FactorBracket::new(
+        LowerFactor::new(lower.certificate),
+        UpperFactor::new(upper.certificate),
+    )
+    .unwrap();
+    println!(
+        "{name}: [{}, {}], gap {:.4}",
+        bracket.lower().value(),
+        bracket.upper().value(),
+        bracket.gap()
+    );
     assert!(bracket.is_strict(), "{name}");
     bracket
 }
@@ -64,7 +75,8 @@ fn clamped_block() {
 
 /// Two blocks with friction between them, the upper one held by nothing else, pressed and pushed.
 fn stacked(factor: f64) -> AnalysisModel {
-    let shape = Block { cells: [2, 2, 4], min: [0.0; 3], max: [50.0, 50.0, 100.0], jitter: 0.2, seed: 3 };
+    let shape =
+        Block { cells: [2, 2, 4], min: [0.0; 3], max: [50.0, 50.0, 100.0], jitter: 0.2, seed: 3 };
     let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 50.0), |d, x| d == 2 && x == 50.0);
     let (t, p) = (10.0 * factor, 200.0 * factor);
     model(
@@ -88,23 +100,39 @@ fn block_on_block() {
 fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBracket {
     let options = SolveOptions { gap: 1e-6, ..SolveOptions::default() };
     let statics = Static::limit(m).unwrap();
-    let s =
-        condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default()).unwrap().solve(&options);
+    let s = condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default())
+        .unwrap()
+        .solve(&options);
     let (parameters, factor) = (stress_parameters(m, &statics, &s.x), s.x[s.x.len() - 1]);
     let contact = &s.z[..statics.program.g.nrows()];
     let approximate = ApproximateStress { parameters: &parameters, contact, welds: &[], factor };
     let lower = limit_lower::project(m, &approximate, dead, &Patterns::default()).unwrap();
     let kinematic = Kinematic::limit(m, Flow::Split).unwrap();
-    let k = condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
-        .unwrap()
-        .solve(&options);
+    let k =
+        condensed::Prepared::new(&kinematic.program, &kinematic.map.block, &Patterns::default())
+            .unwrap()
+            .solve(&options);
     let u = kinematic.map.expand(&k.x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
     let upper = limit_upper::project(m, &field, 0, &Patterns::default()).unwrap();
-    println!("{name}: solver {} {factor:.9} and {} {:.9}", s.status.words(), k.status.words(), k.x[k.x.len() - 1]);
+    println!(
+        "{name}: solver {} {factor:.9} and {} {:.9}",
+        s.status.words(),
+        k.status.words(),
+        k.x[k.x.len() - 1]
+    );
     println!("{name}: {:?}\n{name}: {:?}", lower.certificate, upper.certificate);
-    let bracket = FactorBracket::new(LowerFactor::new(lower.certificate), UpperFactor::new(upper.certificate)).unwrap();
-    println!("{name}: [{}, {}], gap {:.4}", bracket.lower().value(), bracket.upper().value(), bracket.gap());
+    let bracket = FactorBracket::new(
+        LowerFactor::new(lower.certificate),
+        UpperFactor::new(upper.certificate),
+    )
+    .unwrap();
+    println!(
+        "{name}: [{}, {}], gap {:.4}",
+        bracket.lower().value(),
+        bracket.upper().value(),
+        bracket.gap()
+    );
     assert!(bracket.is_strict(), "{name}");
     bracket
 }
@@ -114,7 +142,11 @@ fn limit_programs() {
     for seed in [1, 7] {
         for case in [cases::bar(seed), cases::bar_with_rigid_end(seed), cases::cube(seed)] {
             let b = limit(case.name, &case.model, None);
-            assert!(b.gap() < 1e-3 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
+            assert!(
+                b.gap() < 1e-3
+                    && b.lower().value() <= case.factor
+                    && b.upper().value() >= case.factor
+            );
         }
     }
     limit("block", &block(3, 1.0), None);
@@ -129,9 +161,12 @@ fn limit_programs_under_dead_load() {
         case.model.materials.iter_mut().for_each(|m| m.fy = Some(FY));
         let alone = case.model.without_live_loads();
         let statics = Static::new(&alone).unwrap();
-        let elastic = bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
+        let elastic =
+            bracket::solve::solve(&statics.program, &statics.map.block, &SolveOptions::default());
         let dead = elastic::stress(&statics, &elastic, &Patterns::default()).unwrap();
         let b = limit("sliding", &case.model, Some(&dead));
-        assert!(b.gap() < 1e-2 && b.lower().value() <= case.factor && b.upper().value() >= case.factor);
+        assert!(
+            b.gap() < 1e-2 && b.lower().value() <= case.factor && b.upper().value() >= case.factor
+        );
     }
 }

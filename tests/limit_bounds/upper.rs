@@ -16,7 +16,8 @@ use bracket::recover::limit_upper::{Upper, UpperError};
 use bracket::solve::Patterns;
 
 fn project(case: &Case, flow: Flow, noise: f64, random: &mut Random) -> Result<Upper, UpperError> {
-    let field = VelocityField { nodes: DisplacementField { u: case.velocities(noise, random) }, flow };
+    let field =
+        VelocityField { nodes: DisplacementField { u: case.velocities(noise, random) }, flow };
     limit_upper::project(&case.model, &field, 0, &Patterns::default())
 }
 
@@ -28,7 +29,8 @@ fn exact_fields_with_noise() {
                 for (noise, within) in [(0.0, 1e-9), (NOISE, 1e-3)] {
                     let name = format!("{} {seed} {flow:?} noise {noise:e}", case.name);
                     let mut random = Random::new(seed);
-                    let upper = project(&case, flow, noise, &mut random).unwrap_or_else(|e| panic!("{name}: {e}"));
+                    let upper = project(&case, flow, noise, &mut random)
+                        .unwrap_or_else(|e| panic!("{name}: {e}"));
                     let c = &upper.certificate;
                     println!("{name}: off {:.2e}, {c:?}", c.factor / case.factor - 1.0);
                     let bound = UpperFactor::new(c.clone());
@@ -62,7 +64,10 @@ fn everywhere(case: &Case, u: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> Vec<[f64;
     let space = Tet10Space::new(&case.model.mesh);
     let mut body = vec![0; space.nodes.len()];
     for e in 0..case.model.mesh.tets.len() {
-        space.tet(&case.model.mesh, e).iter().for_each(|&n| body[n] = case.model.mesh.tet_body[e] as usize);
+        space
+            .tet(&case.model.mesh, e)
+            .iter()
+            .for_each(|&n| body[n] = case.model.mesh.tet_body[e] as usize);
     }
     space.nodes.iter().zip(body).map(|(x, b)| u(b, *x)).collect()
 }
@@ -83,18 +88,24 @@ fn admissible_by_other_code() {
                 unloaded.body_loads.clear();
                 points::check(case.name, &unloaded, &zero, &upper.field.nodes);
                 let space = Tet10Space::new(mesh);
-                let scale = upper.field.nodes.u.iter().flatten().fold(0.0f64, |m, u| m.max(u.abs()));
+                let scale =
+                    upper.field.nodes.u.iter().flatten().fold(0.0f64, |m, u| m.max(u.abs()));
                 for _ in 0..2000 {
                     let e = random.below(mesh.tets.len());
-                    let yields =
-                        case.model.materials[case.model.body_material[mesh.tet_body[e] as usize] as usize].fy.is_some();
+                    let yields = case.model.materials
+                        [case.model.body_material[mesh.tet_body[e] as usize] as usize]
+                        .fy
+                        .is_some();
                     let outer = space.tet(mesh, e).map(|n| upper.field.nodes.u[n]);
                     let (corners, nodes) = match (yields, flow) {
                         (true, Flow::Split) => {
-                            let all =
-                                split_flow::velocities(&mesh.corners(e), &std::array::from_fn(|i| outer[i / 3][i % 3]));
+                            let all = split_flow::velocities(
+                                &mesh.corners(e),
+                                &std::array::from_fn(|i| outer[i / 3][i % 3]),
+                            );
                             let k = random.below(4);
-                            let at = split_tet10::subtet_nodes(k).map(|n| [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
+                            let at = split_tet10::subtet_nodes(k)
+                                .map(|n| [all[3 * n], all[3 * n + 1], all[3 * n + 2]]);
                             (split_tet10::subtet_corners(&mesh.corners(e), k), at)
                         }
                         _ => (mesh.corners(e), outer),
@@ -104,9 +115,16 @@ fn admissible_by_other_code() {
                     let worst = if yields {
                         (grad[0][0] + grad[1][1] + grad[2][2]).abs()
                     } else {
-                        (0..9).map(|i| (grad[i / 3][i % 3] + grad[i % 3][i / 3]).abs()).fold(0.0, f64::max)
+                        (0..9)
+                            .map(|i| (grad[i / 3][i % 3] + grad[i % 3][i / 3]).abs())
+                            .fold(0.0, f64::max)
                     };
-                    assert!(worst * h < 1e-11 * scale, "{} {flow:?}: {:e}", case.name, worst * h / scale);
+                    assert!(
+                        worst * h < 1e-11 * scale,
+                        "{} {flow:?}: {:e}",
+                        case.name,
+                        worst * h / scale
+                    );
                 }
             }
         }
@@ -117,7 +135,8 @@ fn admissible_by_other_code() {
 fn gradient(x: &[[f64; 3]; 4], u: &[[f64; 3]; 10], l: [f64; 4]) -> [[f64; 3]; 3] {
     let sub = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let det = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0])
     };
     let six = det(sub(x[1], x[0]), sub(x[2], x[0]), sub(x[3], x[0]));
     let velocity = |p: [f64; 3]| -> [f64; 3] {
@@ -128,7 +147,11 @@ fn gradient(x: &[[f64; 3]; 4], u: &[[f64; 3]; 10], l: [f64; 4]) -> [[f64; 3]; 3]
         });
         let mut v = [0.0; 3];
         for i in 0..10 {
-            let n = if i < 4 { l[i] * (2.0 * l[i] - 1.0) } else { 4.0 * l[EDGES[i - 4][0]] * l[EDGES[i - 4][1]] };
+            let n = if i < 4 {
+                l[i] * (2.0 * l[i] - 1.0)
+            } else {
+                4.0 * l[EDGES[i - 4][0]] * l[EDGES[i - 4][1]]
+            };
             (0..3).for_each(|d| v[d] += n * u[i][d]);
         }
         v
@@ -162,8 +185,12 @@ fn wrong_fields() {
         add("support moved", cases::bar(1), &|_, x| [x[0] + 1.0, -0.5 * x[1], -0.5 * x[2]]);
         add("rigid end bent", cases::bar_with_rigid_end(1), &|_, x| [x[0] * x[0], 0.0, 0.0]);
         add("rigid body strained", cases::lid(1), &|_, x| [x[1], 0.0, 0.0]);
-        add("penetrating", cases::sliding(1), &|b, _| if b == 1 { [1.0, 0.0, -0.5] } else { [0.0; 3] });
-        add("slip without dilation", cases::sliding(1), &|b, _| if b == 1 { [1.0, 0.0, 0.0] } else { [0.0; 3] });
+        add("penetrating", cases::sliding(1), &|b, _| {
+            if b == 1 { [1.0, 0.0, -0.5] } else { [0.0; 3] }
+        });
+        add("slip without dilation", cases::sliding(1), &|b, _| {
+            if b == 1 { [1.0, 0.0, 0.0] } else { [0.0; 3] }
+        });
         add("into the ground", cases::own_weight(1), &|_, x| [1.0, 0.0, 0.3 - 0.1 * x[0]]);
         for case in cases::all(1) {
             let u = everywhere(&case, |b, x| (case.velocity)(b, x)).into_iter();
@@ -179,19 +206,31 @@ fn wrong_fields() {
                 Err(e) => println!("{name}: {e}"),
                 Ok(upper) => {
                     let bound = UpperFactor::new(upper.certificate);
-                    println!("{name}: {} of {}, strict {}", bound.value(), case.factor, bound.is_strict());
-                    assert!(bound.is_strict() && bound.value() >= case.factor, "{name}: {:?}", bound.certificate());
+                    println!(
+                        "{name}: {} of {}, strict {}",
+                        bound.value(),
+                        case.factor,
+                        bound.is_strict()
+                    );
+                    assert!(
+                        bound.is_strict() && bound.value() >= case.factor,
+                        "{name}: {:?}",
+                        bound.certificate()
+                    );
                 }
             }
         }
         // backwards: the loads are driven
         let case = cases::bar(1);
         let back = everywhere(&case, |_, x| [-x[0], 0.5 * x[1], 0.5 * x[2]]);
-        let refused = limit_upper::project(&case.model, &raw(&case, back, flow), 0, &Patterns::default());
+        let refused =
+            limit_upper::project(&case.model, &raw(&case, back, flow), 0, &Patterns::default());
         assert!(matches!(refused, Err(UpperError::NoPower { .. })), "{refused:?}");
         let mut nan = everywhere(&case, |b, x| (case.velocity)(b, x));
         nan[3][1] = f64::NAN;
-        assert!(!UpperFactor::new(certify_upper(&case.model, &raw(&case, nan, flow), 0)).is_strict());
+        assert!(
+            !UpperFactor::new(certify_upper(&case.model, &raw(&case, nan, flow), 0)).is_strict()
+        );
     }
 }
 
@@ -200,7 +239,8 @@ fn wrong_fields() {
 fn finer_rules() {
     let case = cases::bar(7);
     let upper = project(&case, Flow::Split, 1e-2, &mut Random::new(7)).unwrap();
-    let bounds: Vec<f64> = (0..4).map(|n| certify_upper(&case.model, &upper.field, n).factor).collect();
+    let bounds: Vec<f64> =
+        (0..4).map(|n| certify_upper(&case.model, &upper.field, n).factor).collect();
     println!("{bounds:?}");
     assert!(bounds.windows(2).all(|b| b[1] < b[0]) && bounds[3] > case.factor, "{bounds:?}");
 }

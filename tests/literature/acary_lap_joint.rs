@@ -31,9 +31,15 @@ const KN: f64 = 500.0;
 
 /// A jittered box whose faces carry the name of the body, one of them called HEAD.
 fn part(name: &'static str, min: [f64; 3], max: [f64; 3], head: &str, seed: u64) -> TetMesh {
-    let mut mesh =
-        Block { cells: [2, 1, 2], min, max, jitter: 0.2, seed }.mesh(&[name], |_| 0, |d, x| d == 2 && x == 1.0);
-    mesh.faces.iter_mut().filter(|f| f.name != head).for_each(|f| f.name = format!("{name}_{}", f.name));
+    let mut mesh = Block { cells: [2, 1, 2], min, max, jitter: 0.2, seed }.mesh(
+        &[name],
+        |_| 0,
+        |d, x| d == 2 && x == 1.0,
+    );
+    mesh.faces
+        .iter_mut()
+        .filter(|f| f.name != head)
+        .for_each(|f| f.name = format!("{name}_{}", f.name));
     renamed(mesh, head, "HEAD")
 }
 
@@ -68,7 +74,8 @@ fn held_down(t: f64, kt: f64, friction: &str, preload: bool, seed: u64) -> Solve
 /// Displacement of the head along x: that of its first node.
 fn slip(s: &Solved) -> f64 {
     let head = s.model.rigid[0].faces[0];
-    let node = s.model.mesh.tets[head.tet as usize][bracket::mesh::tet::FACES[head.local as usize][0]];
+    let node =
+        s.model.mesh.tets[head.tet as usize][bracket::mesh::tet::FACES[head.local as usize][0]];
     s.pass.displacement.as_ref().expect("optimal").u[node as usize][0]
 }
 
@@ -84,7 +91,10 @@ fn b8_coulomb_carries_30_and_the_associated_law_52_5() {
             s.strict(&name);
             // what the law carries at this very slip
             let expected = if friction == "coulomb" { MU * N0 } else { MU * (N0 + KN * MU * w) };
-            assert!((carried - expected).abs() < 1e-3 * force, "{name}: {carried} against {expected} at slip {w}");
+            assert!(
+                (carried - expected).abs() < 1e-3 * force,
+                "{name}: {carried} against {expected} at slip {w}"
+            );
             assert!((w - 0.5).abs() < 1e-3 * force / kt, "{name}: slip {w}");
         }
     }
@@ -121,7 +131,8 @@ fn a_slow_fixed_point_is_accelerated() {
 fn what_sticks_needs_one_solve() {
     let coulomb = joint(20.0, 100.0, "coulomb", 9);
     let associated = joint(20.0, 100.0, "associated", 9);
-    let run = coulomb.pass.fixed_point.as_ref().unwrap_or_else(|| panic!("{:?}", coulomb.pass.kinematic));
+    let run =
+        coulomb.pass.fixed_point.as_ref().unwrap_or_else(|| panic!("{:?}", coulomb.pass.kinematic));
     assert_eq!(run.solves, 1, "{run:?}");
     let (a, b) = (coulomb.strict("sticking, Coulomb"), associated.strict("sticking, associated"));
     (0..2).for_each(|i| assert!((a[i] - b[i]).abs() < 1e-9 * b[i].abs(), "{a:?} against {b:?}"));
@@ -136,16 +147,38 @@ fn b8_with_a_preloaded_bolt() {
             let name = format!("B8 preloaded, {friction} k_t {kt}");
             let w = slip(&s);
             let carried = force + 0.5 * kt - kt * w;
-            println!("{name}: slip {w:.7}, friction {carried:.6}, {:?} {:?}", s.pass.preload, s.pass.fixed_point);
+            println!(
+                "{name}: slip {w:.7}, friction {carried:.6}, {:?} {:?}",
+                s.pass.preload, s.pass.fixed_point
+            );
             // all that `strict` asks but the condensed method alone: on the static program of this joint, soft bolt and hard plate, it
             // stalls and Clarabel takes over
             let p = &s.pass;
-            let b = p.bracket.as_ref().unwrap_or_else(|| panic!("{name}: {:?} {:?}", p.kinematic, p.statics));
-            println!("{name}: [{:.9e}, {:.9e}] gap {:.2e}", b.lower().value(), b.upper().value(), b.gap());
-            assert!(b.is_strict(), "{name}: {:?} {:?}", b.lower().certificate(), b.upper().certificate());
-            let least = p.contributions.as_ref().unwrap().elements.iter().copied().fold(0.0, f64::min);
+            let b = p
+                .bracket
+                .as_ref()
+                .unwrap_or_else(|| panic!("{name}: {:?} {:?}", p.kinematic, p.statics));
+            println!(
+                "{name}: [{:.9e}, {:.9e}] gap {:.2e}",
+                b.lower().value(),
+                b.upper().value(),
+                b.gap()
+            );
+            assert!(
+                b.is_strict(),
+                "{name}: {:?} {:?}",
+                b.lower().certificate(),
+                b.upper().certificate()
+            );
+            let least =
+                p.contributions.as_ref().unwrap().elements.iter().copied().fold(0.0, f64::min);
             assert!(least >= -1e-12 * b.lower().value().abs(), "{name}: contribution {least:e}");
-            points::check(&name, &s.model, p.stress.as_ref().unwrap(), p.displacement.as_ref().unwrap());
+            points::check(
+                &name,
+                &s.model,
+                p.stress.as_ref().unwrap(),
+                p.displacement.as_ref().unwrap(),
+            );
             assert!((carried - force).abs() < 1e-3 * force, "{name}: {carried} at slip {w}");
             // the bolt stretches with the dilation of the associated law, and not at all under Coulomb's
             let tension = if friction == "coulomb" { N0 } else { N0 + KN * MU * w };

@@ -31,7 +31,9 @@ const NU: f64 = 0.3;
 fn block(xy: &[f64], z: &[f64]) -> TetMesh {
     let cells = [xy.len() - 1, xy.len() - 1, z.len() - 1];
     let mesh = Block::new(cells, cells.map(|n| n as f64)).mesh(&["B"], |_| 0, |_, _| false);
-    mapped(mesh, |x| [xy[x[0].round() as usize], xy[x[1].round() as usize], z[x[2].round() as usize]])
+    mapped(mesh, |x| {
+        [xy[x[0].round() as usize], xy[x[1].round() as usize], z[x[2].round() as usize]]
+    })
 }
 
 fn quarter(law: &str, load: &str, top: f64) -> String {
@@ -45,7 +47,8 @@ fn quarter(law: &str, load: &str, top: f64) -> String {
 /// Compliance \[mm/N\] of the finite block beyond the half-space, for a force on the whole block (four quarters).
 fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
     let mut mesh = block(xy, z);
-    let patch = crate::common::triangles_where(&mesh, |x| x[2] == 0.0 && x[0] <= square && x[1] <= square);
+    let patch =
+        crate::common::triangles_where(&mesh, |x| x[2] == 0.0 && x[0] <= square && x[1] <= square);
     mesh.faces.push(NamedFaces { name: "PATCH".into(), triangles: patch });
     let p = 1000.0;
     let yaml = quarter("", &format!("loads:\n- {{face: PATCH, pressure: {p:?}}}\n"), 0.0);
@@ -59,8 +62,9 @@ fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
 
 fn hertz(xy: &[f64], z: &[f64]) -> Solved {
     let k = 0.5 / R;
-    let law =
-        format!("- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, 0]}}}}\n");
+    let law = format!(
+        "- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, 0]}}}}\n"
+    );
     solve_to(&quarter(&law, "", -F / 4.0), block(xy, z), &SolveOptions::default())
 }
 
@@ -70,11 +74,16 @@ fn pressure(s: &Solved) -> (f64, f64, f64) {
     let mesh = &s.model.mesh;
     let (mut force, mut moment, mut peak) = (0.0, 0.0, 0.0f64);
     for f in &s.model.ground[0].faces {
-        let nodes = bracket::mesh::tet::FACES[f.local as usize].map(|i| mesh.tets[f.tet as usize][i] as usize);
+        let nodes = bracket::mesh::tet::FACES[f.local as usize]
+            .map(|i| mesh.tets[f.tet as usize][i] as usize);
         let x = nodes.map(|n| mesh.nodes[n]);
-        let p: [f64; 3] =
-            std::array::from_fn(|i| -s.pass.stress.as_ref().unwrap().points[f.tet as usize][f.local as usize][i][2]);
-        let area = 0.5 * ((x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1])).abs();
+        let p: [f64; 3] = std::array::from_fn(|i| {
+            -s.pass.stress.as_ref().unwrap().points[f.tet as usize][f.local as usize][i][2]
+        });
+        let area = 0.5
+            * ((x[1][0] - x[0][0]) * (x[2][1] - x[0][1])
+                - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]))
+                .abs();
         for (l, w) in bracket::math::quadrature::TRIANGLE_4 {
             let at = |d: usize| (0..3).map(|i| l[i] * x[i][d]).sum::<f64>();
             let here: f64 = (0..3).map(|i| l[i] * p[i]).sum();
@@ -93,7 +102,10 @@ fn check(xy: &[f64], z: &[f64], square: f64) {
     let mean_extra = 0.5 * (extra[0] + extra[1]);
     let delta = [upper, lower].map(|e| (-4.0 * e - 0.5 * F * F * mean_extra) / (0.6 * F));
     let (force, a, p0) = pressure(&s);
-    println!("B1: D {extra:?} ({:.3e} of δ/F), δ in {delta:?}, F {force}, a {a}, p0 {p0}", mean_extra * F / 0.021_941);
+    println!(
+        "B1: D {extra:?} ({:.3e} of δ/F), δ in {delta:?}, F {force}, a {a}, p0 {p0}",
+        mean_extra * F / 0.021_941
+    );
     let mean = 0.5 * (delta[0] + delta[1]);
     println!(
         "B1: δ {mean} error {:+.3e}, a {:+.3e}, p0 {:+.3e}",

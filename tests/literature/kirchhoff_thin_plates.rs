@@ -29,7 +29,8 @@ const T: f64 = 1.0;
 const SIDES: &str = "- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n";
 
 fn plate(cells: [usize; 3], width: f64, seed: u64) -> TetMesh {
-    let block = Block { cells, min: [0.0, 0.0, -T / 2.0], max: [L, width, T / 2.0], jitter: 0.2, seed };
+    let block =
+        Block { cells, min: [0.0, 0.0, -T / 2.0], max: [L, width, T / 2.0], jitter: 0.2, seed };
     block.mesh(&["P"], |_| 0, |_, _| false)
 }
 
@@ -67,20 +68,26 @@ fn a_moment_bends_it_along_a_circle() {
 /// `Π` \[N mm\] as `energy` × width, inside a bracket narrower than 3 %.
 fn holds(name: &str, yaml: &str, mesh: TetMesh, exact: f64) {
     let [lower, upper] = solve(yaml, mesh).contains(name, exact);
-    println!("{name}: ends {:+.2e} {:+.2e} from the closed form", lower / exact - 1.0, upper / exact - 1.0);
+    println!(
+        "{name}: ends {:+.2e} {:+.2e} from the closed form",
+        lower / exact - 1.0,
+        upper / exact - 1.0
+    );
     assert!(upper - lower < 0.03 * -lower, "{name}: [{lower}, {upper}]");
 }
 
 #[test]
 fn clamped_on_one_side_and_pressed() {
     let p = 1e-3;
-    for (name, nu, sides) in [("ν 0", 0.0, ""), ("ν 0.3 between plane-strain sides", 0.3, SIDES)] {
+    for (name, nu, sides) in [("ν 0", 0.0, ""), ("ν 0.3 between plane-strain sides", 0.3, SIDES)]
+    {
         let yaml = format!(
             "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}loads:\n- {{face: Z1, pressure: {p:?}}}\n",
             steel(nu)
         );
         let shear = E / (2.0 * (1.0 + nu));
-        let energy = p * p * L.powi(5) / (40.0 * stiffness(nu)) + p * p * L.powi(3) / (5.0 * shear * T);
+        let energy =
+            p * p * L.powi(5) / (40.0 * stiffness(nu)) + p * p * L.powi(3) / (5.0 * shear * T);
         holds(name, &yaml, plate([24, 8, 1], L, 3), -L * energy);
     }
 }
@@ -110,7 +117,12 @@ fn pressed_down_until_its_end_lies_on_the_ground() {
         let a = (72.0 * d * gap / p).powf(0.25);
         assert!(a < 0.85 * L);
         let energy = p * p * a.powi(5) * (1.0 / 540.0 - 1.0 / 120.0) / d - p * gap * (L - a);
-        holds(&format!("gap {gap}, ν {nu}"), &lowered(gap, nu, sides), plate([24, 8, 1], L, 3), L * energy);
+        holds(
+            &format!("gap {gap}, ν {nu}"),
+            &lowered(gap, nu, sides),
+            plate([24, 8, 1], L, 3),
+            L * energy,
+        );
     }
     // free sides curl up: no closed form
     solve(&lowered(0.5, 0.3, ""), plate([20, 10, 1], L, 3)).strict("gap 0.5, free sides");

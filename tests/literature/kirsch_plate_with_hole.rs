@@ -28,7 +28,11 @@ fn a29_plate_with_a_hole() {
         let (c, n) = (if x[1] == 1.0 { 0.0 } else { angle.cos() }, angle.sin());
         // from the circle to the square, steps growing outward
         let t = (ratio.powf(x[0] * radial as f64) - 1.0) / (ratio.powi(14) - 1.0);
-        let outer = if x[1] <= 0.5 { [w, w * angle.tan()] } else { [if c == 0.0 { 0.0 } else { w * c / n }, w] };
+        let outer = if x[1] <= 0.5 {
+            [w, w * angle.tan()]
+        } else {
+            [if c == 0.0 { 0.0 } else { w * c / n }, w]
+        };
         let outer = if x[1] == 0.5 { [w, w] } else { outer };
         [a * c + t * (outer[0] - a * c), a * n + t * (outer[1] - a * n), x[2]]
     });

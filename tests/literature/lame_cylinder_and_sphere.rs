@@ -59,7 +59,8 @@ fn on_polygon(s: f64, n: usize) -> [f64; 2] {
 fn a17_thick_cylinder() {
     let (segments, length) = (8, 2.0);
     let run = |facets: usize| {
-        let block = Block::new([6, segments, 1], [1.0, 1.0, length]).mesh(&["B"], |_| 0, |_, _| false);
+        let block =
+            Block::new([6, segments, 1], [1.0, 1.0, length]).mesh(&["B"], |_| 0, |_, _| false);
         let mesh = mapped(block, |x| {
             let c = on_polygon(x[1], facets);
             [radius(x[0]) * c[0], radius(x[0]) * c[1], x[2]]
@@ -79,7 +80,8 @@ fn a17_thick_cylinder() {
 fn a13_hollow_sphere() {
     let segments = 6;
     let run = |facets: usize| {
-        let mesh = Prism { n: segments, layers: 4 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
+        let mesh = Prism { n: segments, layers: 4 }
+            .mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
         let yaml = format!(
             "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n\
              - {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\nloads:\n- {{face: BOTTOM, pressure: {P:?}}}\n"

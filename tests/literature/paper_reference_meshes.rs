@@ -25,7 +25,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 fn model(folder: &str) -> AnalysisModel {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder).join("model.yaml");
+    let path =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder).join("model.yaml");
     bracket::model::resolve::load_model(&path).unwrap()
 }
 
@@ -63,7 +64,9 @@ fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     program.h.clear();
     program.cones.clear();
     let mut seen = BTreeSet::new();
-    for ((point, start), cone) in full.points.iter().zip(full.program.cone_starts()).zip(&full.program.cones) {
+    for ((point, start), cone) in
+        full.points.iter().zip(full.program.cone_starts()).zip(&full.program.cones)
+    {
         if !seen.insert((point.b.map(|b| b[0]), point.normal.map(|n| (n * 1e3).round() as i64))) {
             continue;
         }
@@ -77,7 +80,12 @@ fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     assert_eq!(full.program.cones.len() - program.cones.len(), lost);
     let solution = solve::solve(&program, &full.map.block, &Default::default());
     assert_eq!(solution.status, SolveStatus::Optimal);
-    println!("{} cones, {} lost: {}", program.cones.len(), lost, program.objective(&solution.x, &solution.z));
+    println!(
+        "{} cones, {} lost: {}",
+        program.cones.len(),
+        lost,
+        program.objective(&solution.x, &solution.z)
+    );
     close(program.objective(&solution.x, &solution.z), upper);
 }
 

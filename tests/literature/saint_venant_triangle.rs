@@ -34,7 +34,11 @@ fn gap_and_both_errors_fall_with_the_fourth_power() {
                 [at(0), at(1), t * length]
             });
             let [lower, upper] = solve(&yaml, mesh).contains("triangle", exact);
-            [(upper - lower) / exact.abs(), (exact - lower) / exact.abs(), (upper - exact) / exact.abs()]
+            [
+                (upper - lower) / exact.abs(),
+                (exact - lower) / exact.abs(),
+                (upper - exact) / exact.abs(),
+            ]
         })
         .to_vec();
     for (what, i) in [("gap", 0), ("lower", 1), ("upper", 2)] {

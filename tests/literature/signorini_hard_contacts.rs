@@ -22,7 +22,11 @@ const L: f64 = 60.0;
 const A: f64 = 10.0 * 12.0;
 
 fn column(seed: u64) -> TetMesh {
-    Block { cells: [2, 2, 4], min: [0.0; 3], max: [10.0, 12.0, L], jitter: 0.2, seed }.mesh(&["B"], |_| 0, |_, _| false)
+    Block { cells: [2, 2, 4], min: [0.0; 3], max: [10.0, 12.0, L], jitter: 0.2, seed }.mesh(
+        &["B"],
+        |_| 0,
+        |_, _| false,
+    )
 }
 
 fn hanging(b: f64, gap: f64, seed: u64) -> (Solved, f64) {
@@ -66,7 +70,8 @@ fn a_loose_block_falls_through_its_gap_and_is_pressed() {
     let p = 50.0;
     for seed in [1, 7, 42] {
         for (gap, mu) in [(0.01, 0.0), (0.01, 0.3), (5.0, 0.3), (1e-6, 0.3)] {
-            let guide = if mu > 0.0 { "" } else { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" };
+            let guide =
+                if mu > 0.0 { "" } else { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" };
             let law = if mu > 0.0 { ", friction: associated" } else { "" };
             let yaml = format!(
                 "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n{guide}\
@@ -81,7 +86,13 @@ fn a_loose_block_falls_through_its_gap_and_is_pressed() {
 #[test]
 fn a_quadratic_gap_closes_from_its_middle() {
     for seed in [1, 7, 42] {
-        let mesh = Block { cells: [4, 4, 3], min: [-5.0, -5.0, 0.0], max: [5.0, 5.0, 6.0], jitter: 0.2, seed };
+        let mesh = Block {
+            cells: [4, 4, 3],
+            min: [-5.0, -5.0, 0.0],
+            max: [5.0, 5.0, 6.0],
+            jitter: 0.2,
+            seed,
+        };
         let yaml = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n\
                     - {face: Y0, fix: [y]}\n- {face: Z0, law: contact, mu: 0.3, friction: associated, \
                     gap: {quadratic: [0.001, 0, 0, 0, 0.0002, 0.0001, 0, 0, 0, 0]}}\nloads:\n\
@@ -146,7 +157,8 @@ fn no_load_no_energy() {
 fn energy_goes_with_the_square_of_the_load() {
     let one = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0).strict("load × 1");
     for scale in [1e-9, 1e9] {
-        let other = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, scale).strict(&format!("load × {scale:e}"));
+        let other =
+            pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, scale).strict(&format!("load × {scale:e}"));
         for (a, b) in one.iter().zip(other) {
             let ratio = b / (a * scale * scale);
             println!("scale {scale:e}: ratio − 1 = {:.2e}", ratio - 1.0);
@@ -158,7 +170,8 @@ fn energy_goes_with_the_square_of_the_load() {
 #[test]
 fn nearly_incompressible() {
     pushed("{E: 210000, nu: 0.4999}", 0.3, 0.5, 1.0).strict("ν 0.4999 in contact");
-    let mesh = Block::new([4, 3, 3], [10.0, 8.0, 6.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
+    let mesh =
+        Block::new([4, 3, 3], [10.0, 8.0, 6.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
     let yaml = "materials: {s: {E: 210000, nu: 0.4999}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\n\
                 loads:\n- {face: X1, traction: [0, 0, -10]}\n";
     solve(yaml, mesh).strict("ν 0.4999 cantilever");
@@ -196,7 +209,13 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
     // B is pressed on the ground beside C, which only stands there
     for mu in ["0", "0.3, friction: associated"] {
         let b = Block::new([2, 2, 2], [10.0; 3]).jittered(1).mesh(&["B"], |_| 0, |_, _| false);
-        let c = Block { cells: [2, 2, 2], min: [20.0, 0.0, 0.0], max: [30.0, 10.0, 10.0], jitter: 0.2, seed: 2 };
+        let c = Block {
+            cells: [2, 2, 2],
+            min: [20.0, 0.0, 0.0],
+            max: [30.0, 10.0, 10.0],
+            jitter: 0.2,
+            seed: 2,
+        };
         let c = crate::common::renamed(c.mesh(&["C"], |_| 0, |_, _| false), "Z1", "TOP_C");
         let guide = if mu == "0" { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" } else { "" };
         let yaml = format!(
@@ -209,9 +228,16 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
 
 /// A plate with a square hole and, filling it on the mesh, a pin; faces PULL on the plate's side and PIN0, PIN1 on the pin's ends.
 fn pin_in_plate(with_pin: bool) -> TetMesh {
-    let block = Block { cells: [4, 4, 2], min: [-10.0, -10.0, 0.0], max: [10.0, 10.0, 6.0], jitter: 0.2, seed: 5 };
+    let block = Block {
+        cells: [4, 4, 2],
+        min: [-10.0, -10.0, 0.0],
+        max: [10.0, 10.0, 6.0],
+        jitter: 0.2,
+        seed: 5,
+    };
     let pin = |x: [f64; 3]| x[0].abs() < 5.0 && x[1].abs() < 5.0;
-    let mut mesh = block.mesh(&["PLATE", "PIN"], |x| usize::from(pin(x)), |d, x| d < 2 && x.abs() == 5.0);
+    let mut mesh =
+        block.mesh(&["PLATE", "PIN"], |x| usize::from(pin(x)), |d, x| d < 2 && x.abs() == 5.0);
     let ends = |z: f64| {
         let on = |x: [f64; 3]| x[2] == z && x[0].abs() <= 5.0 && x[1].abs() <= 5.0;
         crate::common::triangles_where(&mesh, on)
@@ -224,7 +250,8 @@ fn pin_in_plate(with_pin: bool) -> TetMesh {
         return mesh;
     }
     // without the pin and the nodes inside it
-    let kept: Vec<[u32; 4]> = mesh.tets.iter().zip(&mesh.tet_body).filter(|(_, b)| **b == 0).map(|(t, _)| *t).collect();
+    let kept: Vec<[u32; 4]> =
+        mesh.tets.iter().zip(&mesh.tet_body).filter(|(_, b)| **b == 0).map(|(t, _)| *t).collect();
     let mut index = vec![None; mesh.nodes.len()];
     let mut nodes = Vec::new();
     for n in kept.iter().flatten().map(|n| *n as usize) {
@@ -264,10 +291,13 @@ fn a_bolt_loose_in_its_hole() {
         }
         // the plate hangs on the bolt: it comes to bear after the clearance, which the pull works on
         let work = 50.0 * 20.0 * 6.0 * 0.5;
-        let bears =
-            bolted(0.5, "- {face: PIN0, fix: [x, y, z]}\n- {face: PIN1, fix: [x, y, z]}\n- {face: Y0, fix: [y]}\n");
+        let bears = bolted(
+            0.5,
+            "- {face: PIN0, fix: [x, y, z]}\n- {face: PIN1, fix: [x, y, z]}\n- {face: Y0, fix: [y]}\n",
+        );
         let bears = bears.replace("50, 10, 0", "50, 0, 0");
-        let [lower, upper] = solve(&bears, pin_in_plate(true)).strict(&format!("bearing bolt, μ {mu}"));
+        let [lower, upper] =
+            solve(&bears, pin_in_plate(true)).strict(&format!("bearing bolt, μ {mu}"));
         assert!(upper < -work && lower > -1.1 * work, "[{lower}, {upper}] against {work}");
     }
 }
@@ -276,8 +306,10 @@ fn a_bolt_loose_in_its_hole() {
 fn the_random_points_find_faulty_fields() {
     let s = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0);
     let (stress, u) = (s.pass.stress.clone().unwrap(), s.pass.displacement.clone().unwrap());
-    let refused = |stress: &bracket::certify::fields::StressField, u: &bracket::certify::fields::DisplacementField| {
-        std::panic::catch_unwind(|| crate::common::points::check("faulty", &s.model, stress, u)).is_err()
+    let refused = |stress: &bracket::certify::fields::StressField,
+                   u: &bracket::certify::fields::DisplacementField| {
+        std::panic::catch_unwind(|| crate::common::points::check("faulty", &s.model, stress, u))
+            .is_err()
     };
     assert!(!refused(&stress, &u));
     // one stress value off by a millionth of the largest

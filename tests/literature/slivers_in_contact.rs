@@ -59,7 +59,8 @@ fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
         mesh.nodes[node] = std::array::from_fn(|d| x[d] + line[d]);
         let after = volumes(&mesh);
         let shrinks = before.iter().zip(&after).filter(|(b, a)| a < b);
-        let far = shrinks.map(|(b, a)| (b - least) / (b - a)).fold(f64::INFINITY, f64::min).max(0.0);
+        let far =
+            shrinks.map(|(b, a)| (b - least) / (b - a)).fold(f64::INFINITY, f64::min).max(0.0);
         mesh.nodes[node] = std::array::from_fn(|d| x[d] + far * line[d]);
     }
     mesh
@@ -69,7 +70,8 @@ fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
 /// `worst` degrees, and that all are sound.
 fn bad(least: f64, worst: f64) -> TetMesh {
     let mesh = slivered(blocks(), least, 7);
-    let angles: Vec<f64> = (0..mesh.tets.len()).map(|e| smallest_dihedral(&mesh.corners(e))).collect();
+    let angles: Vec<f64> =
+        (0..mesh.tets.len()).map(|e| smallest_dihedral(&mesh.corners(e))).collect();
     let below = angles.iter().filter(|a| **a < 1.0).count();
     let smallest = angles.iter().copied().fold(f64::INFINITY, f64::min);
     println!("{below} of {} tets below 1°, the worst {smallest:.4}°", angles.len());
@@ -102,10 +104,17 @@ fn constant_stress_through_a_contact_of_slivers() {
 fn weight_on_a_contact_of_slivers() {
     let mesh = bad(0.01, 0.05);
     let b = 10.0;
-    let yaml =
-        model(0.0, "0", &["LOWER", "UPPER"].map(|n| format!("- {{body: {n}, force: [0, 0, {:?}]}}\n", -b)).concat());
+    let yaml = model(
+        0.0,
+        "0",
+        &["LOWER", "UPPER"].map(|n| format!("- {{body: {n}, force: [0, 0, {:?}]}}\n", -b)).concat(),
+    );
     // the contact transfers what lies above it: as without it, b²AL³/6E
-    solve(&yaml, mesh).exact("slivers, weight", -b * b * SIDE * SIDE * TOP.powi(3) / (6.0 * E), 1e-6);
+    solve(&yaml, mesh).exact(
+        "slivers, weight",
+        -b * b * SIDE * SIDE * TOP.powi(3) / (6.0 * E),
+        1e-6,
+    );
 }
 
 #[test]
@@ -113,7 +122,9 @@ fn brackets_on_slivers_and_on_good_tets_overlap() {
     let mesh = bad(0.01, 0.05);
     for (mu, push) in [("0.3, friction: associated", -15.0), ("0", 0.0)] {
         // a pull at x = 0 that turns into pressure, and a push: the contact opens along the edge
-        let growing = format!("{{traction0: [{push:?}, 0, 40], gradient: [[0, 0, 0], [0, 0, 0], [-20, 0, 0]]}}");
+        let growing = format!(
+            "{{traction0: [{push:?}, 0, 40], gradient: [[0, 0, 0], [0, 0, 0], [-20, 0, 0]]}}"
+        );
         let yaml = model(0.3, mu, &format!("- {{face: Z1, linear: {growing}}}\n"));
         let good = solve(&yaml, blocks()).strict(&format!("good tets, μ {mu}"));
         let on_slivers = solve(&yaml, mesh.clone());
@@ -129,7 +140,9 @@ fn tets_too_flat_for_a_number_are_named() {
     let mesh = bad(0.001, 0.005);
     let yaml = model(0.3, "0", "- {face: Z1, pressure: 100}\n");
     let model = resolve(&yaml, mesh.clone()).unwrap();
-    let Err(e) = engine::run(&model, &PassOptions::default(), &engine::silent()) else { panic!("a result") };
+    let Err(e) = engine::run(&model, &PassOptions::default(), &engine::silent()) else {
+        panic!("a result")
+    };
     println!("{e}");
     let PassError::Model(ModelError::FlatTet { tet, .. }) = e else { panic!("{e:?}") };
     assert!(smallest_dihedral(&mesh.corners(tet)) < 0.05);

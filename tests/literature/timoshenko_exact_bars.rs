@@ -62,8 +62,9 @@ fn a7_cube_under_all_round_pressure() {
     let (p, a) = (120.0, 10.0f64);
     for seed in SEEDS {
         let mesh = block([3, 3, 3], [0.0; 3], [a; 3], seed);
-        let loads: String =
-            ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n")).concat();
+        let loads: String = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"]
+            .map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n"))
+            .concat();
         let k = E / (3.0 * (1.0 - 0.6));
         let s = solve(&format!("{STEEL}loads:\n{loads}"), mesh);
         assert_eq!(s.model.free_modes.len(), 6);

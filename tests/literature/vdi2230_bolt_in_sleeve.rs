@@ -32,7 +32,13 @@ fn run(force: f64, seed: u64) -> Solved {
 /// Force on the top, preload of the bolt if there is one.
 fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, L], jitter: 0.2, seed };
-    let sleeve = Block { cells: [2, 2, 3], min: [3.0, 0.0, 0.0], max: [5.0, 2.0, L], jitter: 0.2, seed: seed + 1 };
+    let sleeve = Block {
+        cells: [2, 2, 3],
+        min: [3.0, 0.0, 0.0],
+        max: [5.0, 2.0, L],
+        jitter: 0.2,
+        seed: seed + 1,
+    };
     let middle = |d: usize, x: f64| d == 2 && x == L / 2.0;
     let mut bolt = renamed(bolt.mesh(&["BOLT"], |_| 0, middle), "Z0", "BOLT_END");
     let triangles = triangles_where(&bolt, |x| x[2] == L / 2.0);
@@ -47,8 +53,9 @@ fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     );
     // the axis may point either way
     let axis = if seed.is_multiple_of(2) { "[0, 0, 1]" } else { "[0, 0, -1]" };
-    let bolts = preload
-        .map_or(String::new(), |f| format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n"));
+    let bolts = preload.map_or(String::new(), |f| {
+        format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n")
+    });
     // an energy known to 1e-8 takes a gap below that
     solve_to(&(yaml + &bolts), mesh, &SolveOptions { gap: 1e-11, ..SolveOptions::default() })
 }
@@ -102,7 +109,8 @@ fn preloaded(force: f64, preload: f64) -> [f64; 3] {
 /// Displacement of the rigid top along z \[mm\].
 fn top(s: &Solved) -> f64 {
     let face = s.model.rigid[0].faces[0];
-    let node = s.model.mesh.tets[face.tet as usize][bracket::mesh::tet::FACES[face.local as usize][0]];
+    let node =
+        s.model.mesh.tets[face.tet as usize][bracket::mesh::tet::FACES[face.local as usize][0]];
     s.pass.displacement.as_ref().unwrap().u[node as usize][2]
 }
 
@@ -119,8 +127,14 @@ fn b12_the_preloaded_bolt_takes_a_fifth_until_the_sleeve_lifts_at_five_quarters(
             s.exact(&name, energy, 1e-8);
             let bolt = &s.pass.preload[0];
             println!("{name}: {bolt:?}, sleeve {}", axial_force(&s, 1, 4.0));
-            assert!((bolt.closure - FP * 1.25 / KB).abs() < 1e-8 * bolt.closure, "{name}: {bolt:?}");
-            assert!((bolt.tension.unwrap() - tension).abs() < 1e-6 * FP, "{name}: {bolt:?} against {tension}");
+            assert!(
+                (bolt.closure - FP * 1.25 / KB).abs() < 1e-8 * bolt.closure,
+                "{name}: {bolt:?}"
+            );
+            assert!(
+                (bolt.tension.unwrap() - tension).abs() < 1e-6 * FP,
+                "{name}: {bolt:?} against {tension}"
+            );
             assert!((axial_force(&s, 0, 1.0) - tension).abs() < 1e-6 * FP, "{name}");
             assert!((top(&s) - u).abs() < 1e-6 * FP / KB, "{name}: {} against {u}", top(&s));
             // the sleeve carries what the bolt holds down beyond the load: nothing once it has lifted

@@ -21,7 +21,8 @@ const L: f64 = 10.0;
 const AREA: f64 = 12.0;
 
 fn bars(seed: u64) -> TetMesh {
-    let shape = Block { cells: [4, 2, 2], min: [0.0; 3], max: [2.0 * L, 3.0, 4.0], jitter: 0.2, seed };
+    let shape =
+        Block { cells: [4, 2, 2], min: [0.0; 3], max: [2.0 * L, 3.0, 4.0], jitter: 0.2, seed };
     shape.mesh(&["A", "B"], |c| usize::from(c[0] > L), |d, x| d == 0 && (x - L).abs() < 1e-9)
 }
 
@@ -34,7 +35,10 @@ fn yaml(strength: f64, rest: &str) -> String {
 
 fn pulled(p: f64, strength: f64, seed: u64) -> Solved {
     let held = "supports:\n- {face: X0, fix: [x, y, z]}\n";
-    solve(&yaml(strength, &format!("{held}loads:\n- {{face: X1, traction: [{p:?}, 0, 0]}}\n")), bars(seed))
+    solve(
+        &yaml(strength, &format!("{held}loads:\n- {{face: X1, traction: [{p:?}, 0, 0]}}\n")),
+        bars(seed),
+    )
 }
 
 #[test]
@@ -57,7 +61,11 @@ fn pulled_beyond_the_strength() {
     for r in [solved.pass.kinematic.as_ref().unwrap(), solved.pass.statics.as_ref().unwrap()] {
         println!("{:?} after {}: {:?}", r.status, r.iterations, r.mechanism);
         assert_eq!(r.status, SolveStatus::Unbounded);
-        assert!(r.mechanism.as_ref().is_some_and(|m| m.contains("part B moves along +x")), "{:?}", r.mechanism);
+        assert!(
+            r.mechanism.as_ref().is_some_and(|m| m.contains("part B moves along +x")),
+            "{:?}",
+            r.mechanism
+        );
     }
 }
 
@@ -91,8 +99,16 @@ fn between_walls_tied_and_giving_way() {
 #[test]
 fn welded_and_in_contact() {
     let at = |n: usize| {
-        let shape = Block { cells: [2, 1, 2 * n], min: [0.0; 3], max: [20.0, 10.0, 20.0], jitter: 0.15, seed: 6 };
-        let flat = |d: usize, x: f64| (d == 2 && (x - 10.0).abs() < 1e-9) || (d == 0 && (x - 10.0).abs() < 1e-9);
+        let shape = Block {
+            cells: [2, 1, 2 * n],
+            min: [0.0; 3],
+            max: [20.0, 10.0, 20.0],
+            jitter: 0.15,
+            seed: 6,
+        };
+        let flat = |d: usize, x: f64| {
+            (d == 2 && (x - 10.0).abs() < 1e-9) || (d == 0 && (x - 10.0).abs() < 1e-9)
+        };
         let mut mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > 10.0), flat);
         let half = crate::common::triangles_where(&mesh, |x| x[2] == 10.0 && x[0] <= 10.0);
         mesh.faces.push(bracket::mesh::NamedFaces { name: "HALF".into(), triangles: half });
@@ -130,7 +146,8 @@ fn wrong_welds_are_refused() {
         ("strength_traction: 100 MPa", "a number without a unit"),
         ("throat: 1.0e200, thickness: 1.0e-200, strength: 1.0e200", "out of all range"),
     ];
-    let rest = "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let rest =
+        "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
     for (weld, words) in rows {
         let text = yaml(1.0, rest).replace("strength_traction: 1.0", weld);
         let d = resolve(&text, bars(1)).expect_err(weld);

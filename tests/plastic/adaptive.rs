@@ -8,9 +8,9 @@ use bracket::analysis::engine::{Pass, PassOptions, silent};
 use bracket::analysis::{engine, limit};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
-use bracket::model::file::AnalysisKind;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
+use bracket::spec::analysis::AnalysisKind;
 
 fn elastic(model: &AnalysisModel) -> Pass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };
@@ -23,11 +23,13 @@ fn block(n: usize, factor: f64) -> AnalysisModel {
 
 /// Two blocks with friction and an initial gap beside, pressed and pushed.
 fn stacked(pressure: f64) -> AnalysisModel {
-    let mesh = Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }.mesh(
-        &["LOW", "HIGH"],
-        |c| usize::from(c[2] > 20.0),
-        |axis, z| axis == 2 && (z - 20.0).abs() < 1e-9,
-    );
+    let mesh =
+        Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }
+            .mesh(
+                &["LOW", "HIGH"],
+                |c| usize::from(c[2] > 20.0),
+                |axis, z| axis == 2 && (z - 20.0).abs() < 1e-9,
+            );
     let (p, t) = (pressure, 0.1 * pressure);
     plastic_model(
         &format!(
@@ -50,7 +52,10 @@ fn below_first_yield_it_is_the_elastic_analysis() {
         assert!(pass.runs().all(|(_, r)| r.yielding == Some(0)));
         let elastic = elastic(&model).bracket.unwrap();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-8 * b.abs();
-        assert!(near(low, elastic.lower().value()) && near(up, elastic.upper().value()), "{name}: {low} {up}");
+        assert!(
+            near(low, elastic.lower().value()) && near(up, elastic.upper().value()),
+            "{name}: {low} {up}"
+        );
     }
 }
 
@@ -64,8 +69,9 @@ fn nothing_is_lost() {
         assert!(pass.runs().any(|(_, r)| r.yielding.is_some_and(|n| n > 0)));
         let statics = Static::with_plasticity(&model).unwrap();
         let full = |program: &_, block: &[u32]| {
-            let s =
-                condensed::Prepared::new(program, block, &Patterns::default()).unwrap().solve(&SolveOptions::default());
+            let s = condensed::Prepared::new(program, block, &Patterns::default())
+                .unwrap()
+                .solve(&SolveOptions::default());
             assert_eq!(s.status, SolveStatus::Optimal);
             s
         };
@@ -76,7 +82,9 @@ fn nothing_is_lost() {
             let s = full(&k.program, &k.map.block);
             k.program.objective(&s.x, &s.z)
         });
-        println!("{name}: all conditions {all:.9e} {split:.9e}, plain {plain:.9e}; here {low:.9e} {up:.9e}");
+        println!(
+            "{name}: all conditions {all:.9e} {split:.9e}, plain {plain:.9e}; here {low:.9e} {up:.9e}"
+        );
         let slack = 1e-6 * low.abs();
         assert!((low - all).abs() <= slack, "{name}: {low} {all}");
         assert!(up <= plain + slack && up >= split - slack, "{name}: {up} {plain} {split}");
@@ -91,7 +99,8 @@ fn beyond_the_limit_load_nothing_balances() {
     let bracket = limit::run(&at_one, &PassOptions::default(), &silent()).unwrap().bracket.unwrap();
     let [low, up] = [bracket.lower().value(), bracket.upper().value()];
     println!("limit load between {low} and {up} times the block's");
-    let [a, b] = [0.9 * low, 0.995 * low].map(|f| strict(&format!("block at {f:.4}"), &block(2, f)));
+    let [a, b] =
+        [0.9 * low, 0.995 * low].map(|f| strict(&format!("block at {f:.4}"), &block(2, f)));
     assert!(b[0] < a[0] && b[1] < a[1]);
     let pass = run(&block(2, 1.005 * low));
     assert_eq!(pass.statics.as_ref().unwrap().status, SolveStatus::Unbounded);
@@ -101,7 +110,11 @@ fn beyond_the_limit_load_nothing_balances() {
     for (program, r) in pass.runs() {
         println!("{}: {:?} after {} solves: {:?}", program.name(), r.status, r.rounds, r.mechanism);
         assert_eq!(r.status, SolveStatus::Unbounded);
-        assert!(r.mechanism.as_ref().is_some_and(|m| m.contains("body `B` (100 % of the dissipation) yields")));
+        assert!(
+            r.mechanism
+                .as_ref()
+                .is_some_and(|m| m.contains("body `B` (100 % of the dissipation) yields"))
+        );
     }
     assert!(pass.lower.is_none() && pass.upper.is_none());
 }
@@ -109,10 +122,14 @@ fn beyond_the_limit_load_nothing_balances() {
 /// A dead load counts as any other, and a force per volume works in split tets too.
 #[test]
 fn dead_loads_and_body_forces_count() {
-    let mesh = || Block::new([2, 2, 4], [20.0, 20.0, 40.0]).jittered(2).mesh(&["B"], |_| 0, |_, _| false);
+    let mesh =
+        || Block::new([2, 2, 4], [20.0, 20.0, 40.0]).jittered(2).mesh(&["B"], |_| 0, |_, _| false);
     let support = "bodies: {B: s}\nsupports:\n- {face: Z0, fix: [x, y, z]}\n";
     let (p, t) = (-0.6 * FY, 0.03 * FY);
-    let live = plastic_model(&format!("{support}loads:\n- {{face: Z1, traction: [{t:?}, 0, {p:?}]}}\n"), mesh());
+    let live = plastic_model(
+        &format!("{support}loads:\n- {{face: Z1, traction: [{t:?}, 0, {p:?}]}}\n"),
+        mesh(),
+    );
     let both = plastic_model(
         &format!(
             "{support}dead:\n- {{face: Z1, traction: [0, 0, {p:?}]}}\nloads:\n- {{face: Z1, traction: [{t:?}, 0, 0]}}\n"
@@ -121,7 +138,10 @@ fn dead_loads_and_body_forces_count() {
     );
     let [a, b] = [strict("live", &live), strict("dead and live", &both)];
     assert!((0..2).all(|i| (a[i] - b[i]).abs() < 1e-9 * a[i].abs()), "{a:?} {b:?}");
-    let pushed = plastic_model(&format!("{support}loads:\n- {{body: B, force: [{:?}, 0, 0]}}\n", 0.005 * FY), mesh());
+    let pushed = plastic_model(
+        &format!("{support}loads:\n- {{body: B, force: [{:?}, 0, 0]}}\n", 0.005 * FY),
+        mesh(),
+    );
     let pass = run(&pushed);
     let [low, up] = strict_pass("body force", &pushed, &pass);
     assert!(pass.runs().any(|(_, r)| r.yielding.is_some_and(|n| n > 0)) && low < up);

@@ -9,8 +9,8 @@ use bracket::certify::fields::StressField;
 use bracket::certify::plastic_field::PlasticTet;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::model::file::AnalysisKind;
 use bracket::solve::SolveStatus;
+use bracket::spec::analysis::AnalysisKind;
 
 /// A model from YAML without `mesh`, `analysis` and `materials`.
 pub fn plastic_model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
@@ -60,7 +60,8 @@ pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &Pass) -> [f64; 2] {
 fn inside_everywhere(name: &str, model: &AnalysisModel, stress: &StressField) {
     let mut random = Random::new(99);
     for (e, subtets) in stress.points.iter().enumerate() {
-        let material = &model.materials[model.body_material[model.mesh.tet_body[e] as usize] as usize];
+        let material =
+            &model.materials[model.body_material[model.mesh.tet_body[e] as usize] as usize];
         let Some(fy) = material.fy else { continue };
         for at in subtets {
             let l: [f64; 4] = random.simplex();

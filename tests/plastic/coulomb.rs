@@ -56,9 +56,17 @@ fn mesh(seed: u64) -> TetMesh {
             ("BACK", &|x| x[1] == 0.0),
         ],
     );
-    let bolt = block([1, 1, 2], [10.0, 0.0, 0.0], [11.0, 1.0, 2.0], seed + 1).mesh(&["BOLT"], |_| 0, |_, _| false);
+    let bolt = block([1, 1, 2], [10.0, 0.0, 0.0], [11.0, 1.0, 2.0], seed + 1).mesh(
+        &["BOLT"],
+        |_| 0,
+        |_, _| false,
+    );
     let bolt = named(bolt, &[("HEAD", &|x| x[2] == 2.0), ("BOLT_END", &|x| x[2] == 0.0)]);
-    let spring = block([2, 1, 1], [20.0, 0.0, 0.0], [22.0, 1.0, 1.0], seed + 2).mesh(&["SPRING"], |_| 0, |_, _| false);
+    let spring = block([2, 1, 1], [20.0, 0.0, 0.0], [22.0, 1.0, 1.0], seed + 2).mesh(
+        &["SPRING"],
+        |_| 0,
+        |_, _| false,
+    );
     let spring = named(spring, &[("HEAD", &|x| x[0] == 20.0), ("SPRING_END", &|x| x[0] == 22.0)]);
     beside(beside(plate, bolt), spring)
 }
@@ -80,7 +88,8 @@ fn yaml(t: f64, kt: f64, friction: &str) -> String {
 
 /// The model with the shift that the bounds belong to, and its pass.
 fn solved(t: f64, kt: f64, friction: &str, seed: u64) -> (AnalysisModel, Pass) {
-    let mut model = resolve_as("elastoplastic", &yaml(t, kt, friction), mesh(seed)).unwrap_or_else(|e| panic!("{e:?}"));
+    let mut model = resolve_as("elastoplastic", &yaml(t, kt, friction), mesh(seed))
+        .unwrap_or_else(|e| panic!("{e:?}"));
     let pass = run(&model);
     model.shift = pass.shift.clone();
     (model, pass)
@@ -89,7 +98,8 @@ fn solved(t: f64, kt: f64, friction: &str, seed: u64) -> (AnalysisModel, Pass) {
 /// Displacement of the head along x: that of its first node.
 fn slip(model: &AnalysisModel, pass: &Pass) -> f64 {
     let head = model.rigid[0].faces[0];
-    let node = model.mesh.tets[head.tet as usize][bracket::mesh::tet::FACES[head.local as usize][0]];
+    let node =
+        model.mesh.tets[head.tet as usize][bracket::mesh::tet::FACES[head.local as usize][0]];
     pass.displacement.as_ref().expect("optimal").u[node as usize][0]
 }
 
@@ -105,12 +115,16 @@ fn coulomb_s_law_holds_beside_a_strut_that_yields() {
             let carried = t - FY * AREA - kt * w;
             println!("{name}: slip {w:.7}, friction {carried:.6}, {:?}", pass.fixed_point);
             let expected = if friction == "coulomb" { MU * N0 } else { MU * (N0 + KN * MU * w) };
-            assert!((carried - expected).abs() < 1e-3 * force, "{name}: {carried} against {expected} at slip {w}");
+            assert!(
+                (carried - expected).abs() < 1e-3 * force,
+                "{name}: {carried} against {expected} at slip {w}"
+            );
             assert!((w - 0.5).abs() < 1e-3 * force / kt, "{name}: slip {w}");
             // the strut has yielded, and the shift is that of the slips
             assert!(pass.runs().all(|(_, r)| r.yielding.unwrap() > 0), "{name}");
             assert_eq!(pass.fixed_point.is_some(), friction == "coulomb", "{name}");
-            let off = distance_from_coulomb(&model, &pass.shift, pass.displacement.as_ref().unwrap());
+            let off =
+                distance_from_coulomb(&model, &pass.shift, pass.displacement.as_ref().unwrap());
             assert!(friction != "coulomb" || off < 2e-3, "{name}: {off:e}");
         }
     }
@@ -127,5 +141,8 @@ fn below_first_yield_the_problem_is_the_elastic_one() {
     let elastic = solve_to(&yaml(t, kt, "coulomb"), mesh(7), &SolveOptions::default());
     let [a, b] = elastic.strict("elastic strut");
     // two fixed points, each to a thousandth of the slips
-    assert!((low - a).abs() < 1e-4 * a.abs() && (up - b).abs() < 1e-4 * b.abs(), "[{low}, {up}] against [{a}, {b}]");
+    assert!(
+        (low - a).abs() < 1e-4 * a.abs() && (up - b).abs() < 1e-4 * b.abs(),
+        "[{low}, {up}] against [{a}, {b}]"
+    );
 }

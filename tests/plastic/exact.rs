@@ -28,10 +28,16 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
     for seed in SEEDS {
         let [low, up] = strict(&format!("{name}, seed {seed}"), &at(seed));
         println!("{name}: {:.1e} {:.1e}", low / want - 1.0, up / want - 1.0);
-        assert!((low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6, "{name}: [{low}, {up}], {want}");
+        assert!(
+            (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6,
+            "{name}: [{low}, {up}], {want}"
+        );
         // strict: neither may pass the exact value
         let rounding = 1e-11 * want.abs();
-        assert!(low <= want + rounding && up >= want - rounding, "{name}: [{low:e}, {up:e}] against {want:e}");
+        assert!(
+            low <= want + rounding && up >= want - rounding,
+            "{name}: [{low:e}, {up:e}] against {want:e}"
+        );
     }
 }
 
@@ -95,9 +101,13 @@ fn a7_cube_under_all_round_pressure() {
     let p = 3.0 * FY;
     let bulk = E / (3.0 * (1.0 - 2.0 * NU));
     let at = |seed| {
-        let loads: String =
-            ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n")).concat();
-        plastic_model(&format!("bodies: {{B: s}}\nloads:\n{loads}"), cuboid([2, 1, 2], [0.0; 3], [10.0; 3], seed, "B"))
+        let loads: String = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"]
+            .map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n"))
+            .concat();
+        plastic_model(
+            &format!("bodies: {{B: s}}\nloads:\n{loads}"),
+            cuboid([2, 1, 2], [0.0; 3], [10.0; 3], seed, "B"),
+        )
     };
     exact("A7", -p * p * 1000.0 / (2.0 * bulk), at);
     assert!(run(&at(1)).runs().all(|(_, r)| r.yielding == Some(0) && r.rounds == 1));
@@ -122,10 +132,19 @@ fn bar_below_and_beyond_its_strength() {
         let pass = run(&bar(1.001, seed));
         assert!(pass.lower.is_none() && pass.upper.is_none());
         for (program, r) in pass.runs() {
-            println!("bar {}: {:?} after {}: {:?}", program.name(), r.status, r.iterations, r.mechanism);
+            println!(
+                "bar {}: {:?} after {}: {:?}",
+                program.name(),
+                r.status,
+                r.iterations,
+                r.mechanism
+            );
             assert_eq!(r.status, SolveStatus::Unbounded, "{}", program.name());
             let words = r.mechanism.as_deref().unwrap_or_default();
-            assert!(words.contains("body `B` (100 % of the dissipation) yields without end"), "{words}");
+            assert!(
+                words.contains("body `B` (100 % of the dissipation) yields without end"),
+                "{words}"
+            );
             assert!(words.contains("part B moves along +x"), "{words}");
         }
     }

@@ -14,7 +14,7 @@ use crate::common::yielding::{E, FY};
 use crate::common::{Block, solved};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::model::file::AnalysisKind;
+use bracket::spec::analysis::AnalysisKind;
 
 const SIZE: [f64; 3] = [10.0, 8.0, 12.0];
 
@@ -66,14 +66,21 @@ fn loads_that_cannot_be_carried() {
         let model = pressed(STEEL, 0.3, 0.0, ROLLER, &format!("pressure: {p:?}"));
         let pass = run(&model);
         assert!(pass.bracket.is_none() && pass.lower.is_none() && pass.upper.is_none(), "p {p}");
-        assert!(pass.runs().any(|(_, r)| r.mechanism.is_some()), "p {p}: {:?} {:?}", pass.kinematic, pass.statics);
+        assert!(
+            pass.runs().any(|(_, r)| r.mechanism.is_some()),
+            "p {p}: {:?} {:?}",
+            pass.kinematic,
+            pass.statics
+        );
     }
 }
 
 /// Yield next to a clamped foot, in a material that hardly changes its volume, and under one a million times as stiff.
 #[test]
 fn extreme_materials() {
-    for (name, material) in [("ν 0.4999", "{E: 210000, nu: 0.4999, fy: 235}"), ("soft", "{E: 0.21, nu: 0.3}")] {
+    for (name, material) in
+        [("ν 0.4999", "{E: 210000, nu: 0.4999, fy: 235}"), ("soft", "{E: 0.21, nu: 0.3}")]
+    {
         let model = pressed(material, 0.3, 0.0, CLAMPED, "traction: [12.0, 0.0, -200.0]");
         let pass = run(&model);
         let [low, up] = strict_pass(name, &model, &pass);

@@ -16,7 +16,8 @@ fn assembly(seed: u64) -> AnalysisModel {
     let mut between = |a: f64, b: f64| a + (b - a) * r.unit();
     let size = [between(5.0, 40.0), between(5.0, 40.0), between(10.0, 60.0)];
     let share = between(0.2, 0.9);
-    let t = [between(-0.15, 0.15), between(-0.15, 0.15), between(-1.0, -0.3)].map(|t| t * share * FY);
+    let t =
+        [between(-0.15, 0.15), between(-0.15, 0.15), between(-1.0, -0.3)].map(|t| t * share * FY);
     let (mu, gap) = (between(0.05, 1.0), if between(0.0, 1.0) < 0.3 { 0.01 } else { 0.0 });
     let interface = match (between(0.0, 3.0)) as usize {
         0 => String::new(),
@@ -28,7 +29,11 @@ fn assembly(seed: u64) -> AnalysisModel {
     let (other, middle) = (if between(0.0, 1.0) < 0.3 { "r" } else { "s" }, 0.5 * size[2]);
     let cells = [1 + r.below(2), 1 + r.below(2), 2 + 2 * r.below(2)];
     let shape = Block { cells, min: [0.0; 3], max: size, jitter: 0.2, seed };
-    let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[2] > middle), |d, x| d == 2 && (x - middle).abs() < 1e-9);
+    let mesh = shape.mesh(
+        &["A", "B"],
+        |c| usize::from(c[2] > middle),
+        |d, x| d == 2 && (x - middle).abs() < 1e-9,
+    );
     plastic_model(
         &format!(
             "bodies: {{A: s, B: {other}}}\n{interface}supports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X0, fix: [x]}}\n\
@@ -52,7 +57,11 @@ fn random_assemblies() {
         }
         if pass.bracket.is_none() {
             // a load that cannot be carried is a result, and told as one
-            assert!(pass.runs().any(|(_, r)| r.mechanism.is_some()), "seed {seed}: {:?}", pass.statics);
+            assert!(
+                pass.runs().any(|(_, r)| r.mechanism.is_some()),
+                "seed {seed}: {:?}",
+                pass.statics
+            );
             continue;
         }
         let [low, _] = strict_pass(&format!("seed {seed}"), &m, &pass);
@@ -68,6 +77,8 @@ fn random_assemblies() {
             }
         }
     }
-    println!("{ends:?}; {brackets} strict brackets, {yielded} with yield, {compared} compared with Clarabel");
+    println!(
+        "{ends:?}; {brackets} strict brackets, {yielded} with yield, {compared} compared with Clarabel"
+    );
     assert!(brackets >= 10 && yielded >= 5 && compared >= 2);
 }

@@ -24,7 +24,8 @@ const A: f64 = 10.0;
 fn bore(c: f64) -> f64 {
     let b = 2.0;
     // u(r) = s0 [ (1 − ν) c³/r² − ⅔ (1 − 2ν) r (3 ln(c/r) + 1 − c³/b³) ] / E for a ≤ r ≤ c, at r = a = 1
-    (1.0 - NU) * c.powi(3) - 2.0 / 3.0 * (1.0 - 2.0 * NU) * (3.0 * c.ln() + 1.0 - c.powi(3) / (b * b * b))
+    (1.0 - NU) * c.powi(3)
+        - 2.0 / 3.0 * (1.0 - 2.0 * NU) * (3.0 * c.ln() + 1.0 - c.powi(3) / (b * b * b))
 }
 
 fn pressure(c: f64) -> f64 {
@@ -49,7 +50,8 @@ fn radius(t: f64) -> f64 {
 }
 
 fn bracket(p: f64, facets: usize) -> [f64; 2] {
-    let mesh = Prism { n: 6, layers: 5 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
+    let mesh =
+        Prism { n: 6, layers: 5 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let m = plastic_model(
         &format!(
             "bodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n- {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\n\
@@ -64,7 +66,11 @@ fn bracket(p: f64, facets: usize) -> [f64; 2] {
 #[test]
 fn a11_hollow_sphere() {
     assert!((pressure(1.0) - 0.583_333).abs() < 1e-6 && (pressure(1.5) - 1.196_347).abs() < 1e-6);
-    assert!((bore(1.5) - 1.883_96).abs() < 1e-5 && (energy(1.5) - 0.723_19).abs() < 1e-5, "{}", energy(1.5));
+    assert!(
+        (bore(1.5) - 1.883_96).abs() < 1e-5 && (energy(1.5) - 0.723_19).abs() < 1e-5,
+        "{}",
+        energy(1.5)
+    );
     let unit = 4.0 * PI * A.powi(3) * FY * FY / E / 8.0;
     for c in [1.0, 1.5] {
         let exact = -energy(c) * unit;
@@ -77,7 +83,10 @@ fn a11_hollow_sphere() {
             fine[1] / exact - 1.0,
             facet / exact.abs()
         );
-        assert!(fine[0] - 0.5 * facet <= exact && exact <= fine[1] + 0.5 * facet, "{fine:?} {exact} {facet}");
+        assert!(
+            fine[0] - 0.5 * facet <= exact && exact <= fine[1] + 0.5 * facet,
+            "{fine:?} {exact} {facet}"
+        );
         assert!(facet < 0.1 * exact.abs(), "the facets are no small matter: {facet}");
     }
 }

@@ -41,7 +41,8 @@ fn a_weld_or_the_bodies_beside_it_give_way() {
     let strain = 3.0 * FY / E;
     for (strength, seed) in [(120.0, 1), (120.0, 5), (300.0, 1), (300.0, 9)] {
         let s = FY.min(strength);
-        let energy = 0.5 * E * strain * strain * 120.0 + (s * s / (2.0 * E) + s * (strain - s / E)) * 96.0;
+        let energy =
+            0.5 * E * strain * strain * 120.0 + (s * s / (2.0 * E) + s * (strain - s / E)) * 96.0;
         let force = E * strain * 120.0 + s * 96.0;
         let want = LENGTH * (energy - force * strain);
         let name = format!("weld of {strength} MPa, seed {seed}");
@@ -49,14 +50,21 @@ fn a_weld_or_the_bodies_beside_it_give_way() {
         let pass = run(&model);
         let [low, up] = strict_pass(&name, &model, &pass);
         println!("{name}: {:.1e} {:.1e}", low / want - 1.0, up / want - 1.0);
-        assert!((low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6, "{name}: [{low}, {up}], {want}");
+        assert!(
+            (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6,
+            "{name}: [{low}, {up}], {want}"
+        );
         let rounding = 1e-11 * want.abs();
-        assert!(low <= want + rounding && up >= want - rounding, "{name}: [{low:e}, {up:e}] against {want:e}");
+        assert!(
+            low <= want + rounding && up >= want - rounding,
+            "{name}: [{low:e}, {up:e}] against {want:e}"
+        );
         // the weld is used up, or the bars are
         let used = pass.lower.as_ref().unwrap().certificate().weld.unwrap();
         assert!(used <= 1.0 && (used - s / strength).abs() < 1e-5, "{name}: {used}");
         let work = pass.upper.as_ref().unwrap().certificate().welds[0];
-        let opened = if strength < FY { strength * 96.0 * LENGTH * (strain - strength / E) } else { 0.0 };
+        let opened =
+            if strength < FY { strength * 96.0 * LENGTH * (strain - strength / E) } else { 0.0 };
         assert!((work - opened).abs() < 1e-5 * want.abs(), "{name}: {work} {opened}");
     }
 }

@@ -3,13 +3,15 @@
 //! After a wanted change: `BRACKET_UPDATE_GOLDEN=1 cargo test --test report golden`, then read the difference.
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
-use bracket::model::file::AnalysisKind;
-use bracket::report::markdown::page::{CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table};
+use bracket::report::markdown::page::{
+    CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table,
+};
 use bracket::report::markdown::text::report_markdown;
 use bracket::result::data::{
-    CaseResult, Certificate, HistoryRow, LoadSize, PeakPressure, Problem, ProgramRun, Quantity, RawBracket, ResultFile,
-    Tool, Upper, Verdict,
+    CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PeakPressure, ProgramRun,
+    Quantity, RawBracket, ResultFile, Tool, Upper, Verdict,
 };
+use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 
 fn compare(name: &str, text: &str) {
@@ -18,7 +20,9 @@ fn compare(name: &str, text: &str) {
         std::fs::write(&path, text).expect("golden files can be written");
     }
     let wanted = std::fs::read_to_string(&path).unwrap_or_default();
-    if let Some((i, (a, b))) = text.lines().zip(wanted.lines()).enumerate().find(|(_, (a, b))| a != b) {
+    if let Some((i, (a, b))) =
+        text.lines().zip(wanted.lines()).enumerate().find(|(_, (a, b))| a != b)
+    {
         panic!("{name}, line {}:\n  is     {a}\n  wanted {b}", i + 1);
     }
     assert_eq!(text, wanted, "{name} ends differently");
@@ -41,7 +45,7 @@ fn case(name: &str) -> CaseResult {
         name: name.into(),
         analysis: AnalysisKind::Elastic,
         quantity: Quantity::PotentialEnergy,
-        problem: Problem::Associated,
+        problem: FrictionModel::Associated,
         lower: Some(-334_201.713),
         upper: Some(Upper::Finite(-318_891.744)),
         gap: Some(0.045_810_6),
@@ -94,13 +98,42 @@ fn checks() -> Vec<Check> {
     let table = |title| ("EN 1993-1-8:2005 Table 3.3", title);
     let plate = (Topic::Detailing, "end plate");
     let formula = "F_t,Rd = k2 f_ub A_s / γ_M2 = 0.9 · 800 · 192 / 1.25";
-    let tension =
-        Worked::new("EN 1993-1-8:2005 Table 3.4", "tension resistance of a bolt", 110_592.0, Unit::Force, formula);
+    let tension = Worked::new(
+        "EN 1993-1-8:2005 Table 3.4",
+        "tension resistance of a bolt",
+        110_592.0,
+        Unit::Force,
+        formula,
+    );
     vec![
-        Check::at_least(plate, table("edge distance"), "e2", (24.0, "1.2 d0 = 1.2 · 20"), 22.0, Status::Failed),
-        Check::at_least(plate, table("pitch of the rows"), "p1", (44.0, "2.2 d0 = 2.2 · 20"), 90.0, Status::Failed),
-        Check::at_most(plate, table("exposed steel"), "p1", (200.0, "min(14 t, 200 mm)"), 235.0, Status::Warning),
-        tension.with("k2", 0.9, Unit::Number).with("A_s", 192.0, Unit::Area).information(Topic::Bolts, "M18 8.8"),
+        Check::at_least(
+            plate,
+            table("edge distance"),
+            "e2",
+            (24.0, "1.2 d0 = 1.2 · 20"),
+            22.0,
+            Status::Failed,
+        ),
+        Check::at_least(
+            plate,
+            table("pitch of the rows"),
+            "p1",
+            (44.0, "2.2 d0 = 2.2 · 20"),
+            90.0,
+            Status::Failed,
+        ),
+        Check::at_most(
+            plate,
+            table("exposed steel"),
+            "p1",
+            (200.0, "min(14 t, 200 mm)"),
+            235.0,
+            Status::Warning,
+        ),
+        tension
+            .with("k2", 0.9, Unit::Number)
+            .with("A_s", 192.0, Unit::Area)
+            .information(Topic::Bolts, "M18 8.8"),
     ]
 }
 
@@ -108,7 +141,7 @@ fn result() -> ResultFile {
     let mut limit = case("ULS1");
     limit.analysis = AnalysisKind::Limit;
     limit.quantity = Quantity::LoadFactor;
-    limit.problem = Problem::Coulomb;
+    limit.problem = FrictionModel::Coulomb;
     limit.lower = Some(1.234_56);
     limit.upper = Some(Upper::Finite(1.301_23));
     limit.gap = Some((1.301_23 - 1.234_56) / 1.234_56);
@@ -118,8 +151,10 @@ fn result() -> ResultFile {
     limit.coulomb_estimate = Some(1.2744);
     limit.load = None;
     limit.load_displacement = None;
-    limit.certificate = Some(Certificate { strict: false, yield_: Some(2.5e-7), ..Default::default() });
-    limit.history = vec![HistoryRow { macro_tets: 120, upper: Some(Upper::UNBOUNDED), ..Default::default() }];
+    limit.certificate =
+        Some(Certificate { strict: false, yield_: Some(2.5e-7), ..Default::default() });
+    limit.history =
+        vec![HistoryRow { macro_tets: 120, upper: Some(Upper::UNBOUNDED), ..Default::default() }];
     limit.peak_contact_pressure = None;
     limit.warnings = vec!["the yield residual is above its tolerance".into()];
     ResultFile {
@@ -249,7 +284,10 @@ fn golden_result_has_the_keys_of_the_contract_in_its_order() {
     let mut at = 0;
     for key in keys {
         let quoted = format!("\"{key}\":");
-        at += text[at..].find(&quoted).unwrap_or_else(|| panic!("`{key}` is missing or out of order")) + quoted.len();
+        at += text[at..]
+            .find(&quoted)
+            .unwrap_or_else(|| panic!("`{key}` is missing or out of order"))
+            + quoted.len();
     }
 }
 
@@ -261,7 +299,12 @@ fn estimates_are_never_called_bounds() {
     }
     let page = report_markdown(&data);
     assert!(page.contains("estimates, not bounds"));
-    for claim in ["lies between", "is at least **", "can be carried by the model;", "bounds are of the whole"] {
+    for claim in [
+        "lies between",
+        "is at least **",
+        "can be carried by the model;",
+        "bounds are of the whole",
+    ] {
         assert!(!page.contains(claim), "{claim}");
     }
 }

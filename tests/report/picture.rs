@@ -10,12 +10,15 @@ use bracket::report::draw::surface::Surface;
 /// A box of `n` cells along each axis, five tets a cell, as body `body`.
 fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [usize; 3]) {
     let first = mesh.nodes.len();
-    let index = |i: usize, j: usize, k: usize| (first + (k * (n[1] + 1) + j) * (n[0] + 1) + i) as u32;
+    let index =
+        |i: usize, j: usize, k: usize| (first + (k * (n[1] + 1) + j) * (n[0] + 1) + i) as u32;
     for k in 0..=n[2] {
         for j in 0..=n[1] {
             for i in 0..=n[0] {
                 let at = [i, j, k];
-                mesh.nodes.push([0, 1, 2].map(|a| low[a] + (high[a] - low[a]) * at[a] as f64 / n[a] as f64));
+                mesh.nodes.push(
+                    [0, 1, 2].map(|a| low[a] + (high[a] - low[a]) * at[a] as f64 / n[a] as f64),
+                );
             }
         }
     }
@@ -23,7 +26,8 @@ fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [us
     for k in 0..n[2] {
         for j in 0..n[1] {
             for i in 0..n[0] {
-                let c: Vec<u32> = (0..8).map(|b| index(i + (b & 1), j + (b >> 1 & 1), k + (b >> 2))).collect();
+                let c: Vec<u32> =
+                    (0..8).map(|b| index(i + (b & 1), j + (b >> 1 & 1), k + (b >> 2))).collect();
                 // Kuhn's six tets: all share the main diagonal and match across cells
                 for [a, b] in [[1, 3], [3, 2], [2, 6], [6, 4], [4, 5], [5, 1]] {
                     mesh.tets.push([c[0], c[a], c[b], c[7]]);
@@ -47,7 +51,8 @@ fn quarter() -> TetMesh {
 fn keep(picture: &Picture, name: &str) {
     if let Some(folder) = std::env::var_os("BRACKET_TEST_PICTURES") {
         let path = std::path::Path::new(&folder).join(name);
-        std::fs::write(path, picture.to_png().expect("encodes")).expect("the folder can be written");
+        std::fs::write(path, picture.to_png().expect("encodes"))
+            .expect("the folder can be written");
     }
 }
 
@@ -66,7 +71,9 @@ fn border_is_white(picture: &Picture) -> bool {
 #[test]
 fn the_whole_shape_is_in_the_picture() {
     let mesh = quarter();
-    for (name, mirror) in [("quarter.png", &[][..]), ("half.png", &[1][..]), ("whole.png", &[0, 1][..])] {
+    for (name, mirror) in
+        [("quarter.png", &[][..]), ("half.png", &[1][..]), ("whole.png", &[0, 1][..])]
+    {
         let options = PictureOptions { width: 700, max_height: 600, mirror, ..Default::default() };
         let picture = draw(&mesh, &options);
         keep(&picture, name);
@@ -82,7 +89,8 @@ fn the_whole_shape_is_in_the_picture() {
 fn a_flat_shape_makes_a_flat_picture() {
     let mut mesh = TetMesh::default();
     add_box(&mut mesh, "BEAM", [0.0, 0.0, 0.0], [1000.0, 20.0, 20.0], [20, 1, 1]);
-    let picture = draw(&mesh, &PictureOptions { eye: Some([0.0, -1.0, 0.2]), ..Default::default() });
+    let picture =
+        draw(&mesh, &PictureOptions { eye: Some([0.0, -1.0, 0.2]), ..Default::default() });
     assert_eq!(picture.width, 1600);
     assert!(picture.height < 400, "{}", picture.height);
     assert!(border_is_white(&picture));
@@ -91,8 +99,10 @@ fn a_flat_shape_makes_a_flat_picture() {
 #[test]
 fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
     let mesh = quarter();
-    let values: Vec<f64> = mesh.nodes.iter().map(|p| if p[2] < -100.0 { f64::NAN } else { p[2] * 1.7 }).collect();
-    let displacement: Vec<[f64; 3]> = mesh.nodes.iter().map(|p| [0.0, 0.0, -1e-4 * p[0] * p[0]]).collect();
+    let values: Vec<f64> =
+        mesh.nodes.iter().map(|p| if p[2] < -100.0 { f64::NAN } else { p[2] * 1.7 }).collect();
+    let displacement: Vec<[f64; 3]> =
+        mesh.nodes.iter().map(|p| [0.0, 0.0, -1e-4 * p[0] * p[0]]).collect();
     let field = Field { name: "von Mises stress", unit: "MPa", values: &values, range: None };
     let options = PictureOptions {
         width: 800,
@@ -114,8 +124,11 @@ fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
 fn close_up_is_larger_than_the_whole() {
     let mesh = quarter();
     // the bolt is the third group of bodies: amber
-    let amber = |p: &Picture| p.rgb.chunks(3).filter(|c| c[0] > 130 && c[2] < c[0] / 2 && c[1] > c[2]).count();
-    let base = PictureOptions { width: 700, max_height: 600, mirror: &[0, 1], ..Default::default() };
+    let amber = |p: &Picture| {
+        p.rgb.chunks(3).filter(|c| c[0] > 130 && c[2] < c[0] / 2 && c[1] > c[2]).count()
+    };
+    let base =
+        PictureOptions { width: 700, max_height: 600, mirror: &[0, 1], ..Default::default() };
     let far = draw(&mesh, &base);
     let near = draw(&mesh, &PictureOptions { focus: &["BOLT_R1"], ..base });
     keep(&near, "near.png");

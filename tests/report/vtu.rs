@@ -32,19 +32,27 @@ fn grid(cell_type: u8) -> VtuGrid {
             ("displacement".into(), 3, (0..3 * n).map(|i| (i as f64 + 0.5).ln()).collect()),
             ("p & <q>".into(), 1, (0..n).map(|i| 1.0 / (i as f64 + 3.0)).collect()),
         ],
-        cell_data: vec![("stress".into(), 6, (0..6).map(|i| -1e5 / (f64::from(i) + 7.0)).collect())],
+        cell_data: vec![(
+            "stress".into(),
+            6,
+            (0..6).map(|i| -1e5 / (f64::from(i) + 7.0)).collect(),
+        )],
         field_data: vec![("bound".into(), 1, vec![-330_696.123_456_789])],
     }
 }
 
 /// All doubles as hexadecimal bits, one array a line: no rounding can hide.
 fn listing(grid: &VtuGrid) -> String {
-    let bits = |values: &[f64]| values.iter().map(|v| format!("{:016x}", v.to_bits())).collect::<Vec<_>>().join(" ");
+    let bits = |values: &[f64]| {
+        values.iter().map(|v| format!("{:016x}", v.to_bits())).collect::<Vec<_>>().join(" ")
+    };
     let mut out = format!("points 3 {}\n", bits(grid.points.as_flattened()));
     let kind = if grid.cell_type == QUADRATIC_TETRA { "tetra10" } else { "tetra" };
     let nodes: Vec<String> = grid.cells.iter().map(u32::to_string).collect();
     out += &format!("cells {kind} {}\n", nodes.join(" "));
-    for (word, arrays) in [("point", &grid.point_data), ("cell", &grid.cell_data), ("field", &grid.field_data)] {
+    for (word, arrays) in
+        [("point", &grid.point_data), ("cell", &grid.cell_data), ("field", &grid.field_data)]
+    {
         for (name, components, values) in arrays {
             out += &format!("{word} {name:?} {components} {}\n", bits(values));
         }

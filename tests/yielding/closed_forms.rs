@@ -57,7 +57,9 @@ fn bars(seed: u64) -> AnalysisModel {
 #[test]
 fn bar_beyond_yield_in_parallel_with_an_elastic_bar() {
     for seed in SEEDS {
-        let energy = 30.0 * (0.5 * E * STRAIN * STRAIN * 120.0 + (FY * FY / (2.0 * E) + FY * (STRAIN - FY / E)) * 96.0);
+        let energy = 30.0
+            * (0.5 * E * STRAIN * STRAIN * 120.0
+                + (FY * FY / (2.0 * E) + FY * (STRAIN - FY / E)) * 96.0);
         let work = (E * STRAIN * 120.0 + FY * 96.0) * STRAIN * 30.0;
         exact("bars", &bars(seed), energy - work);
     }
@@ -72,7 +74,8 @@ fn multipliers_are_the_plastic_strain() {
     let (built, s) = optimal("bars", Form::Static, &model);
     let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let flow = (STRAIN - FY / E) * 1.5f64.sqrt() * 96.0 * 30.0;
-    let direction = bracket::math::mandel::deviator(&[1.0, -0.5, -0.5, 0.0, 0.0, 0.0]).map(|x| x / 1.5f64.sqrt());
+    let direction = bracket::math::mandel::deviator(&[1.0, -0.5, -0.5, 0.0, 0.0, 0.0])
+        .map(|x| x / 1.5f64.sqrt());
     let radius = bracket::math::mandel::yield_radius(FY);
     let (mut sum, slack) = (0.0, built.program.slack(&s.x));
     for (start, _) in built.program.cone_starts().into_iter().zip(&built.program.cones) {
@@ -118,8 +121,9 @@ fn cube_in_shear_beyond_yield() {
 fn cube_under_all_round_pressure() {
     let p = 3.0 * FY;
     let mesh = cuboid([2, 1, 2], [0.0; 3], [10.0; 3], 3, "B");
-    let loads: String =
-        ["X0", "X1", "Y0", "Y1", "Z0", "Z1"].map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n")).concat();
+    let loads: String = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"]
+        .map(|f| format!("- {{face: {f}, pressure: {p:?}}}\n"))
+        .concat();
     let m = model(&format!("bodies: {{B: s}}\nloads:\n{loads}"), mesh);
     assert_eq!(m.free_modes.len(), 6);
     let bulk = E / (3.0 * (1.0 - 2.0 * NU));
@@ -163,7 +167,9 @@ fn column_sheared_by_a_body_force() {
     exact("column", &column(t), -t * t * 120.0 * 60.0 / (6.0 * g));
     let above = column(1.01 * k);
     let statics = Static::with_plasticity(&above).unwrap();
-    let prepared = condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default()).unwrap();
+    let prepared =
+        condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default())
+            .unwrap();
     let s = prepared.solve(&SolveOptions::default());
     assert_eq!(s.status, SolveStatus::Unbounded);
     assert!(s.iterations <= 15, "{} iterations", s.iterations);

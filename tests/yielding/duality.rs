@@ -20,12 +20,17 @@ pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solutio
 
 /// `P x + q = ± Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones, and complementary.
 fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
-    let ([px], gz, slack) = (program.quadratic([&s.x]), program.rows_transposed(&s.z), program.slack(&s.x));
+    let ([px], gz, slack) =
+        (program.quadratic([&s.x]), program.rows_transposed(&s.z), program.slack(&s.x));
     // each row against the largest of its terms, in the work of the unknown's own size
     let energy = program.objective(&s.x, &s.z).abs();
     for i in 0..program.unknowns() {
         let residual = px[i] + program.q[i] - gz[i];
-        assert!((residual * s.x[i]).abs() <= 1e-6 * energy, "{name}: row {i} {residual:e} × {:e}", s.x[i]);
+        assert!(
+            (residual * s.x[i]).abs() <= 1e-6 * energy,
+            "{name}: row {i} {residual:e} × {:e}",
+            s.x[i]
+        );
     }
     let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     for (start, cone) in program.cone_starts().into_iter().zip(&program.cones) {
@@ -49,7 +54,10 @@ fn bracket(name: &str, model: &AnalysisModel) -> [f64; 3] {
         (split - lower) / lower.abs()
     );
     let slack = 1e-7 * lower.abs();
-    assert!(lower <= split + slack && split <= plain + slack, "{name}: {lower:e} {split:e} {plain:e}");
+    assert!(
+        lower <= split + slack && split <= plain + slack,
+        "{name}: {lower:e} {split:e} {plain:e}"
+    );
     [plain, split, lower]
 }
 
@@ -105,7 +113,11 @@ fn far_below_yield_everything_is_elastic() {
 #[test]
 fn elastic_stress_is_stationary() {
     let mut model = block(2, 0.1);
-    model.body_loads.push(bracket::model::analysis::BodyLoad { body: 0, dead: false, force: [0.02, -0.01, 0.03] });
+    model.body_loads.push(bracket::model::analysis::BodyLoad {
+        body: 0,
+        dead: false,
+        force: [0.02, -0.01, 0.03],
+    });
     let elastic = Static::new(&model).unwrap();
     let v = solve(&elastic.program, &elastic.map.block, &SolveOptions::default()).x;
     let yielding = Static::with_plasticity(&model).unwrap();
@@ -134,16 +146,23 @@ fn elastic_stress_is_stationary() {
     for e in 0..model.mesh.tets.len() {
         let own = yielding.own[e]..yielding.own[e + 1];
         let size = strain[own.clone()].iter().fold(0.0f64, |m, s| m.max(s.abs()));
-        assert!(size > 0.0 && rows[own].iter().all(|r| r.abs() < 1e-9 * size), "compatibility of tet {e}");
+        assert!(
+            size > 0.0 && rows[own].iter().all(|r| r.abs() < 1e-9 * size),
+            "compatibility of tet {e}"
+        );
         for point in 0..16 {
             let s = bracket::math::mandel::deviator(&stresses[e][point / 4][point % 4]);
             let slack = &slack[6 * (16 * e + point)..][..6];
             assert!((slack[0] - 1.0).abs() < 1e-9);
-            assert!((0..5).all(|i| (slack[1 + i] * radius - s[i]).abs() < 1e-9 * radius), "yield condition");
+            assert!(
+                (0..5).all(|i| (slack[1 + i] * radius - s[i]).abs() < 1e-9 * radius),
+                "yield condition"
+            );
             assert!(cone_margin(slack) > 0.5);
         }
     }
-    let (a, b) = (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&v, &[]));
+    let (a, b) =
+        (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&v, &[]));
     assert!((a - b).abs() < 1e-10 * b.abs(), "{a} {b}");
 }
 
@@ -169,7 +188,9 @@ fn elastic_displacements_are_stationary() {
         for i in 0..4 {
             for a in 0..5 {
                 // ∫ λ_i of a linear field: (its value at i + the sum of all four) V/20
-                let share = (stress[i][a] + (0..4).map(|j| stress[j][a]).sum::<f64>()) * model.mesh.volume(e) / 20.0;
+                let share = (stress[i][a] + (0..4).map(|j| stress[j][a]).sum::<f64>())
+                    * model.mesh.volume(e)
+                    / 20.0;
                 x[yielding.own[e] + 5 * i + a] = share / radius;
             }
         }
@@ -187,18 +208,21 @@ fn elastic_displacements_are_stationary() {
         assert!(size > 0.0 && rows[own].iter().all(|r| r.abs() < 1e-9 * size), "strain of tet {e}");
     }
     assert!(program.slack(&x).chunks_exact(6).all(|s| s[0] == 1.0 && cone_margin(s) > 0.5));
-    let (a, b) = (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&u, &[]));
+    let (a, b) =
+        (program.objective(&x, &vec![0.0; program.h.len()]), elastic.program.objective(&u, &[]));
     assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
 }
 
 /// Two blocks, one of which never yields, pressed and pushed over a contact with friction, with an initial gap on rigid
 /// ground beside: contact cones and yield cones in one program.
 fn blocks_in_contact(pressure: f64) -> AnalysisModel {
-    let mesh = Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }.mesh(
-        &["LOW", "HIGH"],
-        |c| usize::from(c[2] > 20.0),
-        |axis, z| axis == 2 && (z - 20.0).abs() < 1e-9,
-    );
+    let mesh =
+        Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }
+            .mesh(
+                &["LOW", "HIGH"],
+                |c| usize::from(c[2] > 20.0),
+                |axis, z| axis == 2 && (z - 20.0).abs() < 1e-9,
+            );
     let (p, t) = (pressure, 0.1 * pressure);
     model(
         &format!(
@@ -219,17 +243,24 @@ fn contact_and_yield_in_one_program() {
     let kinematic = Kinematic::new(&model).unwrap();
     let statics = Static::new(&model).unwrap();
     let elastic =
-        [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)].map(|(p, b)| linear(p, b));
+        [(&kinematic.program, &kinematic.map.block), (&statics.program, &statics.map.block)]
+            .map(|(p, b)| linear(p, b));
     let [plain, split, lower] = bracket("contact, elastic", &model);
     println!("contact: elastic {elastic:?}");
-    assert!((plain - elastic[0]).abs() < 1e-7 * plain.abs() && (lower - elastic[1]).abs() < 1e-7 * lower.abs());
+    assert!(
+        (plain - elastic[0]).abs() < 1e-7 * plain.abs()
+            && (lower - elastic[1]).abs() < 1e-7 * lower.abs()
+    );
     assert!(split < plain);
     // beyond first yield: more energy is released than elastic bodies could
     let model = blocks_in_contact(225.0);
     let [plain, split, lower] = bracket("contact, yielding", &model);
     let elastic = Kinematic::new(&model).unwrap();
     let stiff = linear(&elastic.program, &elastic.map.block);
-    assert!(plain < 1.001 * stiff && split < plain && lower < split, "{stiff} {plain} {split} {lower}");
+    assert!(
+        plain < 1.001 * stiff && split < plain && lower < split,
+        "{stiff} {plain} {split} {lower}"
+    );
     let built = Form::Split.build(&model);
     assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 3).count(), 25);
     assert_eq!(built.program.cones.iter().filter(|c| c.dim() == 6).count(), 16 * 48);

@@ -28,12 +28,17 @@ fn every_unknown_has_its_place() {
             for (o, r) in batch.own.iter().zip(&batch.rows).filter(|(o, _)| **o != NONE) {
                 let e = built.own.binary_search(&(*o as usize)).unwrap();
                 assert_eq!(built.own[e + 1] - built.own[e], own, "{form:?}");
-                seen[*o as usize..][..own].iter_mut().for_each(|s| assert!(!std::mem::replace(s, true)));
-                rows[*r as usize..][..6 * points].iter_mut().for_each(|s| assert!(!std::mem::replace(s, true)));
+                seen[*o as usize..][..own]
+                    .iter_mut()
+                    .for_each(|s| assert!(!std::mem::replace(s, true)));
+                rows[*r as usize..][..6 * points]
+                    .iter_mut()
+                    .for_each(|s| assert!(!std::mem::replace(s, true)));
             }
         }
         assert!(
-            seen[program.shared()..].iter().all(|s| *s) && rows[program.g.nrows()..].iter().all(|s| *s),
+            seen[program.shared()..].iter().all(|s| *s)
+                && rows[program.g.nrows()..].iter().all(|s| *s),
             "{form:?}"
         );
         well_formed(&Explicit::new(program));
@@ -53,7 +58,9 @@ fn well_formed(program: &Explicit) {
     assert_eq!(program.g.ncols, p.n);
     assert_eq!(program.g.nrows(), program.h.len());
     assert_eq!(program.h.len(), program.cones.iter().map(|c| c.dim()).sum::<usize>());
-    assert!((0..program.g.nrows()).all(|r| program.g.row(r).all(|(c, _)| !program.is_maximised(c))));
+    assert!(
+        (0..program.g.nrows()).all(|r| program.g.row(r).all(|(c, _)| !program.is_maximised(c)))
+    );
 }
 
 /// Products with the elements as they are and written out agree, scaled or not; so do rows and their transposes.
@@ -64,22 +71,32 @@ fn written_out_is_the_same() {
         let mut program = form.build(&model).program;
         for scaled in [false, true] {
             if scaled {
-                program.elements.scale = (0..program.unknowns()).map(|i| 1.0 + 0.3 * (i as f64).sin()).collect();
+                program.elements.scale =
+                    (0..program.unknowns()).map(|i| 1.0 + 0.3 * (i as f64).sin()).collect();
             }
             let explicit = Explicit::new(&program);
             let n = program.unknowns();
             let x: Vec<f64> = (0..explicit.p.n).map(|i| (1.7 * i as f64).cos()).collect();
             let (own, multipliers) = x.split_at(n);
-            let z: Vec<f64> = vec![0.0; program.g.nrows()].into_iter().chain(multipliers.iter().copied()).collect();
+            let z: Vec<f64> = vec![0.0; program.g.nrows()]
+                .into_iter()
+                .chain(multipliers.iter().copied())
+                .collect();
             let [mut rows] = program.quadratic([own]);
             // maximised rows carry the multipliers of their points
             rows.iter_mut().zip(program.rows_transposed(&z)).for_each(|(r, g)| *r -= g);
             let written = explicit.p.mul(&x);
             let largest = rows.iter().fold(0.0f64, |m, r| m.max(r.abs()));
-            assert!(rows.iter().zip(&written).all(|(a, b)| (a - b).abs() < 1e-12 * largest), "{form:?} {scaled}");
+            assert!(
+                rows.iter().zip(&written).all(|(a, b)| (a - b).abs() < 1e-12 * largest),
+                "{form:?} {scaled}"
+            );
             let points = program.rows(own);
             let behind = &written[n..];
-            assert!(points[program.g.nrows()..].iter().zip(behind).all(|(a, b)| (a - b).abs() < 1e-12), "{form:?}");
+            assert!(
+                points[program.g.nrows()..].iter().zip(behind).all(|(a, b)| (a - b).abs() < 1e-12),
+                "{form:?}"
+            );
         }
     }
 }
@@ -113,7 +130,11 @@ fn blocks_are_definite() {
         let program = Explicit::new(&built.program);
         let minimised = eigenvalues(&program.p, |i| !program.is_maximised(i))[0];
         let maximised = eigenvalues(&program.p, |i| program.is_maximised(i));
-        println!("{form:?}: {minimised:e}, maximised {:e} to {:e}", maximised[0], maximised[maximised.len() - 1]);
+        println!(
+            "{form:?}: {minimised:e}, maximised {:e} to {:e}",
+            maximised[0],
+            maximised[maximised.len() - 1]
+        );
         assert!(minimised > -1e-12, "{form:?}: {minimised:e}");
         assert!(maximised[maximised.len() - 1] < -1e-4, "{form:?}");
     }
@@ -138,7 +159,11 @@ fn elastic_programs_stay_as_they_are() {
 /// Only the elements of bodies with a yield strength have unknowns of their own.
 #[test]
 fn elastic_bodies_stay_elastic() {
-    let mesh = Block::new([2, 1, 1], [20.0, 10.0, 10.0]).mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| false);
+    let mesh = Block::new([2, 1, 1], [20.0, 10.0, 10.0]).mesh(
+        &["A", "B"],
+        |c| usize::from(c[0] > 10.0),
+        |_, _| false,
+    );
     let model = model(
         "bodies: {A: r, B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
         mesh,
@@ -146,7 +171,11 @@ fn elastic_bodies_stay_elastic() {
     for (form, size) in [(Form::Plain, 20), (Form::Split, 95), (Form::Static, 30)] {
         let built = form.build(&model);
         for (e, body) in model.mesh.tet_body.iter().enumerate() {
-            assert_eq!(built.own[e + 1] - built.own[e], if *body == 1 { size } else { 0 }, "{form:?} tet {e}");
+            assert_eq!(
+                built.own[e + 1] - built.own[e],
+                if *body == 1 { size } else { 0 },
+                "{form:?} tet {e}"
+            );
         }
         well_formed(&Explicit::new(&built.program));
     }

@@ -1,7 +1,7 @@
 //! Forces and moments at member ends: statics, symmetry, and what is refused.
 
 use crate::assembly::Joint;
-use crate::assembly::joint::{Action, FaceLoad};
+use crate::assembly::assembly::{Action, FaceLoad};
 use crate::assembly::tests::{joint, ok};
 use crate::math::vec3;
 
@@ -16,9 +16,12 @@ fn spec(loads: &str) -> String {
 }
 
 fn resultant(j: &Joint, face: &str, dead: bool) -> ([f64; 3], [f64; 3], [f64; 3]) {
-    let all: Vec<&FaceLoad> = j.assembly.loads.iter().filter(|l| l.face == face && l.dead == dead).collect();
+    let all: Vec<&FaceLoad> =
+        j.assembly.loads.iter().filter(|l| l.face == face && l.dead == dead).collect();
     match all[..] {
-        [FaceLoad { action: Action::Resultant { at, force, moment }, .. }] => (*at, *force, *moment),
+        [FaceLoad { action: Action::Resultant { at, force, moment }, .. }] => {
+            (*at, *force, *moment)
+        }
         _ => panic!("{all:#?}"),
     }
 }
@@ -45,7 +48,8 @@ fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
 
 #[test]
 fn factor_parts_what_grows_from_what_stays() {
-    let load = "[{name: A, end: beam_right, at: node, N: 3 kN, Vz: -2 kN, My: 7 kN m, factor: [My, Vz]}]";
+    let load =
+        "[{name: A, end: beam_right, at: node, N: 3 kN, Vz: -2 kN, My: 7 kN m, factor: [My, Vz]}]";
     let j = ok(&spec(load));
     assert_eq!(resultant(&j, "BEAM_RIGHT", false), ([0.0; 3], [0.0, 0.0, -2e3], [0.0, 7e6, 0.0]));
     assert_eq!(resultant(&j, "BEAM_RIGHT", true), ([0.0; 3], [3e3, 0.0, 0.0], [0.0; 3]));
@@ -56,7 +60,9 @@ fn factor_parts_what_grows_from_what_stays() {
 
 #[test]
 fn symmetry_knows_moments_from_forces() {
-    let axes = |loads: &str| -> Vec<usize> { ok(&spec(loads)).assembly.symmetry.iter().map(|s| s.axis).collect() };
+    let axes = |loads: &str| -> Vec<usize> {
+        ok(&spec(loads)).assembly.symmetry.iter().map(|s| s.axis).collect()
+    };
     let pair = |right: &str, left: &str| {
         format!(
             "[{{name: A, end: beam_right, at: column_face, {right}}}, {{name: A, end: beam_left, at: column_face, {left}}}]"
@@ -92,8 +98,16 @@ const WRONG: &[(&str, &str, &[&str])] = &[
         "loads[0].factor",
         &["`Vz` carries the load factor but is not given"],
     ),
-    ("end: beam_right, at: node, My: 7 kN m, factor: [My, My]", "loads[0].factor", &["`My` stands twice"]),
-    ("end: beam_right, at: node, My: 7 kN m, factor: [My], dead: true", "loads[0].factor", &["dead: true"]),
+    (
+        "end: beam_right, at: node, My: 7 kN m, factor: [My, My]",
+        "loads[0].factor",
+        &["`My` stands twice"],
+    ),
+    (
+        "end: beam_right, at: node, My: 7 kN m, factor: [My], dead: true",
+        "loads[0].factor",
+        &["dead: true"],
+    ),
     (
         "end: beam_right, at: node, My: 7 kN m, section: column_top",
         "loads[0]",
@@ -108,7 +122,8 @@ const WRONG: &[(&str, &str, &[&str])] = &[
 fn wrong_actions_are_told_with_place_and_cure() {
     let mut wrong = Vec::new();
     for (load, path, words) in WRONG {
-        let d = joint(&spec(&format!("[{{name: A, {load}}}]"))).map(drop).expect_err(load).0.remove(0);
+        let d =
+            joint(&spec(&format!("[{{name: A, {load}}}]"))).map(drop).expect_err(load).0.remove(0);
         let told = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
         let lacks: Vec<_> = words.iter().filter(|w| !told.contains(**w)).collect();
         if d.place.path.as_deref() != Some(*path) || !lacks.is_empty() || d.help.is_none() {
@@ -116,11 +131,14 @@ fn wrong_actions_are_told_with_place_and_cure() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
-    let one_sided =
-        spec("[{name: A, end: beam_left, at: node, My: 7 kN m}]").replace("double_sided: true", "double_sided: false");
+    let one_sided = spec("[{name: A, end: beam_left, at: node, My: 7 kN m}]")
+        .replace("double_sided: true", "double_sided: false");
     let d = joint(&one_sided).map(drop).expect_err("there is no left beam").0.remove(0);
     assert!(d.message.contains("no member end `beam_left`"), "{d:#?}");
-    assert!(d.message.contains("`beam_to_column_end_plate` has it only where `double_sided`"), "{d:#?}");
+    assert!(
+        d.message.contains("`beam_to_column_end_plate` has it only where `double_sided`"),
+        "{d:#?}"
+    );
     assert!(d.help.as_ref().is_some_and(|h| h.contains("known here: beam_right")), "{d:#?}");
     let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, at: node, N: 7 kN}]";
     let d = joint(&spec(twice)).map(drop).expect_err("twice").0.remove(0);

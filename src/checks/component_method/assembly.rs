@@ -198,7 +198,15 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     }
     let moment = moment(&found);
     let stiffness = stiffness::initial(joint, &rows)?;
-    Ok(Assessment { rows: found, limits, panel: resistance, moment, beam_moment, stability, stiffness })
+    Ok(Assessment {
+        rows: found,
+        limits,
+        panel: resistance,
+        moment,
+        beam_moment,
+        stability,
+        stiffness,
+    })
 }
 
 /// The least limit so far and what it is.
@@ -259,11 +267,23 @@ pub(super) fn zone_width(joint: &EndPlateJoint, c: &Column) -> f64 {
     let (s, b) = (&c.section, &joint.beam);
     // the plate reaches below the compressed flange
     let overhang = -0.5 * b.section.h - joint.plate.bottom;
-    column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, joint.plate.thickness, overhang)
+    column_web::compressed_width(
+        b.section.tf,
+        b.flange_throat,
+        s.tf,
+        s.root,
+        joint.plate.thickness,
+        overhang,
+    )
 }
 
 /// A zone of the column web in compression, `width` \[mm\].
-pub(super) fn zone(joint: &EndPlateJoint, c: &Column, width: f64, shear_area: f64) -> CompressedWeb {
+pub(super) fn zone(
+    joint: &EndPlateJoint,
+    c: &Column,
+    width: f64,
+    shear_area: f64,
+) -> CompressedWeb {
     let s = &c.section;
     CompressedWeb {
         effective_width: width,
@@ -280,7 +300,11 @@ pub(super) fn zone(joint: &EndPlateJoint, c: &Column, width: f64, shear_area: f6
 
 /// Resistance of a zone, with the stiffeners of the column.
 pub(super) fn compressed(zone: &CompressedWeb, c: &Column) -> Worked {
-    if c.stiffener > 0.0 { zone.stiffened(0.5 * (c.section.b - c.section.tw), c.stiffener) } else { zone.resistance() }
+    if c.stiffener > 0.0 {
+        zone.stiffened(0.5 * (c.section.b - c.section.tw), c.stiffener)
+    } else {
+        zone.resistance()
+    }
 }
 
 /// The zone below the compressed flange, cut where the column ends.
@@ -292,7 +316,12 @@ fn cut_zone(joint: &EndPlateJoint, c: &Column, shear_area: f64) -> CompressedWeb
 }
 
 /// What the compressed and the sheared components leave of the sum of the rows.
-fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64, panel: Option<&Worked>) -> Vec<Limit> {
+fn limits(
+    joint: &EndPlateJoint,
+    rows: &Rows<'_>,
+    beam_moment: f64,
+    panel: Option<&Worked>,
+) -> Vec<Limit> {
     let b = &joint.beam;
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
@@ -305,7 +334,8 @@ fn limits(joint: &EndPlateJoint, rows: &Rows<'_>, beam_moment: f64, panel: Optio
         let mut worked = panel.clone();
         if joint.beta != 1.0 {
             worked.value /= joint.beta;
-            worked.formula += &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(worked.value));
+            worked.formula +=
+                &format!("; over β = {}: {}", number(joint.beta), Unit::Force.show(worked.value));
         }
         out.push(Limit { of: Summed::Panel, worked });
     }
@@ -328,8 +358,10 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
         }
         let of_cross = compressed(&web, c);
         if let Some(chi) = of_cross.steps.iter().find(|s| s.symbol == "χ" && s.value < 1.0) {
-            let why =
-                format!("the stiffened column web buckles under the compressed flange: χ = {}", number(chi.value));
+            let why = format!(
+                "the stiffened column web buckles under the compressed flange: χ = {}",
+                number(chi.value)
+            );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2(4)", covered: true });
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);

@@ -45,7 +45,8 @@ pub fn class(beam: &Section, fy: f64) -> Class {
 /// # Source
 /// EN 1993-1-1:2005 6.2.6(2) and (3), formula 6.18.
 pub fn plastic_shear(beam: &Section, fy: f64, gamma_m0: f64) -> f64 {
-    shear_area(beam.area, beam.b, beam.h, beam.tf, beam.tw, beam.r, 0.0) * fy / (3f64.sqrt() * gamma_m0)
+    shear_area(beam.area, beam.b, beam.h, beam.tf, beam.tw, beam.r, 0.0) * fy
+        / (3f64.sqrt() * gamma_m0)
 }
 
 /// Design moment resistance of the beam's cross-section \[N mm\] beside a shear force \[N\]: plastic in classes 1 and 2, elastic in
@@ -61,10 +62,16 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
         Class::Slender => fy * (14.0 / flange).powi(2).min((124.0 / web).powi(2)).min(1.0),
         _ => fy,
     };
-    let (symbol, modulus) = if class == Class::Plastic { ("W_pl", beam.w_pl) } else { ("W_el", beam.w_el) };
+    let (symbol, modulus) =
+        if class == Class::Plastic { ("W_pl", beam.w_pl) } else { ("W_el", beam.w_el) };
     let whole = modulus * stress / gamma_m0;
     let strength = if class == Class::Slender { "σ" } else { "f_y" };
-    let mut formula = format!("M_c,Rd = {symbol} {strength}/γ_M0 = {} · {}/{}", n(modulus), n(stress), n(gamma_m0));
+    let mut formula = format!(
+        "M_c,Rd = {symbol} {strength}/γ_M0 = {} · {}/{}",
+        n(modulus),
+        n(stress),
+        n(gamma_m0)
+    );
     let ratio = shear / plastic_shear(beam, fy, gamma_m0);
     let mut value = whole;
     if ratio > 0.5 {
@@ -90,10 +97,15 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
             }
         };
     }
-    let mut worked =
-        Worked::new("EN 1993-1-1:2005 6.2.5", "moment resistance of the beam", value, Unit::Moment, formula)
-            .with("c/(t ε) of the flange", flange, Unit::Number)
-            .with("c/(t ε) of the web", web, Unit::Number);
+    let mut worked = Worked::new(
+        "EN 1993-1-1:2005 6.2.5",
+        "moment resistance of the beam",
+        value,
+        Unit::Moment,
+        formula,
+    )
+    .with("c/(t ε) of the flange", flange, Unit::Number)
+    .with("c/(t ε) of the web", web, Unit::Number);
     if shear > 0.0 {
         worked = worked.with("V_Ed/V_pl,Rd", ratio, Unit::Number);
     }
@@ -109,11 +121,23 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
 pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -> Worked {
     let lever = beam.h - beam.tf;
     let whole = moment / lever;
-    let limit = if beam.h > DEEP { beam.b * beam.tf * fy / (0.8 * gamma_m0) } else { f64::INFINITY };
+    let limit =
+        if beam.h > DEEP { beam.b * beam.tf * fy / (0.8 * gamma_m0) } else { f64::INFINITY };
     let formula = if limit < whole {
-        format!("F_c,fb,Rd = b t_f f_y/(0.8 γ_M0) = {} · {} · {}/(0.8 · {})", n(beam.b), n(beam.tf), n(fy), n(gamma_m0))
+        format!(
+            "F_c,fb,Rd = b t_f f_y/(0.8 γ_M0) = {} · {} · {}/(0.8 · {})",
+            n(beam.b),
+            n(beam.tf),
+            n(fy),
+            n(gamma_m0)
+        )
     } else {
-        format!("F_c,fb,Rd = M_c,Rd/(h − t_fb) = {}/({} − {})", Unit::Moment.show(moment), n(beam.h), n(beam.tf))
+        format!(
+            "F_c,fb,Rd = M_c,Rd/(h − t_fb) = {}/({} − {})",
+            Unit::Moment.show(moment),
+            n(beam.h),
+            n(beam.tf)
+        )
     };
     let title = "beam flange and web in compression";
     Worked::new("EN 1993-1-8:2005 6.2.6.7", title, whole.min(limit), Unit::Force, formula)
@@ -128,11 +152,13 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
 /// EN 1993-1-8:2005 6.2.6.8(1), formula 6.22.
 pub fn web_tension(effective_width: f64, web: f64, fy: f64, gamma_m0: f64) -> Worked {
     let value = effective_width * web * fy / gamma_m0;
-    let formula =
-        format!("F_t,wb,Rd = b_eff t_wb f_y/γ_M0 = {} · {} · {}/{}", n(effective_width), n(web), n(fy), n(gamma_m0));
-    Worked::new("EN 1993-1-8:2005 6.2.6.8", "beam web in tension", value, Unit::Force, formula).with(
-        "b_eff",
-        effective_width,
-        Unit::Length,
-    )
+    let formula = format!(
+        "F_t,wb,Rd = b_eff t_wb f_y/γ_M0 = {} · {} · {}/{}",
+        n(effective_width),
+        n(web),
+        n(fy),
+        n(gamma_m0)
+    );
+    Worked::new("EN 1993-1-8:2005 6.2.6.8", "beam web in tension", value, Unit::Force, formula)
+        .with("b_eff", effective_width, Unit::Length)
 }

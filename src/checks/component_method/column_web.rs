@@ -114,7 +114,8 @@ impl ShearPanel {
         let (mut clause, mut value) = ("EN 1993-1-8:2005 6.2.6.1", plastic);
         if self.slender() {
             let (_, chi) = shear_buckling(self.web_depth, self.web, self.fy);
-            let buckling = 0.9 * chi * self.web_depth * self.web * self.fy / (root3 * self.gamma_m1);
+            let buckling =
+                0.9 * chi * self.web_depth * self.web * self.fy / (root3 * self.gamma_m1);
             if buckling < plastic {
                 (clause, value) = ("EN 1993-1-5:2006 5.2", buckling);
                 formula = format!(
@@ -173,7 +174,14 @@ pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f6
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
-pub fn compressed_width(tfb: f64, throat: f64, tfc: f64, rc: f64, plate: f64, overhang: f64) -> f64 {
+pub fn compressed_width(
+    tfb: f64,
+    throat: f64,
+    tfc: f64,
+    rc: f64,
+    plate: f64,
+    overhang: f64,
+) -> f64 {
     let leg = std::f64::consts::SQRT_2 * throat;
     let spread = plate + (overhang - leg).clamp(0.0, plate);
     tfb + 2.0 * leg + 5.0 * (tfc + rc) + spread
@@ -208,7 +216,10 @@ impl CompressedWeb {
     /// # Source
     /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.13c.
     pub fn slenderness(&self) -> f64 {
-        0.932 * (self.effective_width * self.clear_depth * self.fy / (self.young * self.web * self.web)).sqrt()
+        0.932
+            * (self.effective_width * self.clear_depth * self.fy
+                / (self.young * self.web * self.web))
+                .sqrt()
     }
 
     /// Reduction ρ for plate buckling: 1 up to λ̄_p = 0.72, then (λ̄_p − 0.2)/λ̄_p².
@@ -237,7 +248,8 @@ impl CompressedWeb {
     pub fn resistance(&self) -> Worked {
         let (rho, kwc) = (self.buckling(), self.longitudinal_factor());
         let crush = self.omega * kwc * self.effective_width * self.web * self.fy / self.gamma_m0;
-        let buckle = self.omega * kwc * rho * self.effective_width * self.web * self.fy / self.gamma_m1;
+        let buckle =
+            self.omega * kwc * rho * self.effective_width * self.web * self.fy / self.gamma_m1;
         let numbers = |extra: &str, gamma: f64| {
             format!(
                 "{} · {} · {extra}{} · {} · {}/{}",
@@ -250,7 +262,10 @@ impl CompressedWeb {
             )
         };
         let formula = if buckle < crush {
-            format!("F_c,wc,Rd = ω k_wc ρ b_eff t_wc f_y/γ_M1 = {}", numbers(&format!("{} · ", n(rho)), self.gamma_m1))
+            format!(
+                "F_c,wc,Rd = ω k_wc ρ b_eff t_wc f_y/γ_M1 = {}",
+                numbers(&format!("{} · ", n(rho)), self.gamma_m1)
+            )
         } else {
             format!("F_c,wc,Rd = ω k_wc b_eff t_wc f_y/γ_M0 = {}", numbers("", self.gamma_m0))
         };
@@ -274,7 +289,8 @@ impl CompressedWeb {
         let reach = 30.0 * epsilon * self.web + thickness;
         let area = 2.0 * outstand * thickness + reach * self.web;
         let width = 2.0 * outstand + self.web;
-        let inertia = thickness * width.powi(3) / 12.0 + (reach - thickness) * self.web.powi(3) / 12.0;
+        let inertia =
+            thickness * width.powi(3) / 12.0 + (reach - thickness) * self.web.powi(3) / 12.0;
         let radius = (inertia / area).sqrt();
         let lambda1 = std::f64::consts::PI * (self.young / self.fy).sqrt();
         let slenderness = 0.75 * self.clear_depth / (radius * lambda1);
@@ -290,12 +306,24 @@ impl CompressedWeb {
         if bare.value >= value {
             return bare;
         }
-        let formula = format!("F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}", n(chi), n(area), n(self.fy), n(gamma));
+        let formula = format!(
+            "F_c,wc,Rd = χ A_eff f_y/γ = {} · {} · {}/{}",
+            n(chi),
+            n(area),
+            n(self.fy),
+            n(gamma)
+        );
         let title = "stiffened column web in compression";
-        Worked::new("EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4", title, value, Unit::Force, formula)
-            .with("A_eff", area, Unit::Area)
-            .with("λ̄", slenderness, Unit::Number)
-            .with("χ", chi, Unit::Number)
+        Worked::new(
+            "EN 1993-1-8:2005 6.2.6.2(4), EN 1993-1-5:2006 9.4",
+            title,
+            value,
+            Unit::Force,
+            formula,
+        )
+        .with("A_eff", area, Unit::Area)
+        .with("λ̄", slenderness, Unit::Number)
+        .with("χ", chi, Unit::Number)
     }
 }
 

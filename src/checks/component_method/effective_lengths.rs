@@ -80,8 +80,10 @@ pub fn end_beside_stiffener(m: f64, e: f64, e1: f64, alpha: f64) -> Lengths {
 /// min(4mx + 1.25ex, e + 2mx + 0.625ex, 0.5bp, 0.5w + 2mx + 0.625ex).
 pub fn outside_flange(mx: f64, ex: f64, e: f64, w: f64, bp: f64) -> Lengths {
     let circular = (2.0 * PI * mx).min(PI * mx + w).min(PI * mx + 2.0 * e);
-    let straight =
-        (4.0 * mx + 1.25 * ex).min(e + 2.0 * mx + 0.625 * ex).min(0.5 * bp).min(0.5 * w + 2.0 * mx + 0.625 * ex);
+    let straight = (4.0 * mx + 1.25 * ex)
+        .min(e + 2.0 * mx + 0.625 * ex)
+        .min(0.5 * bp)
+        .min(0.5 * w + 2.0 * mx + 0.625 * ex);
     Lengths { circular, straight }
 }
 
@@ -99,7 +101,10 @@ pub fn inner_of_group(above: f64, below: f64) -> Lengths {
 /// EN 1993-1-8:2005 Tables 6.4 to 6.6, "other end bolt-row": min(πm + p, 2e1 + p); min(2m + 0.625e + 0.5p, e1 + 0.5p).
 pub fn end_of_group(m: f64, e: f64, p: f64, e1: Option<f64>) -> Lengths {
     let e1 = e1.unwrap_or(f64::INFINITY);
-    Lengths { circular: (PI * m + p).min(2.0 * e1 + p), straight: (2.0 * m + 0.625 * e + 0.5 * p).min(e1 + 0.5 * p) }
+    Lengths {
+        circular: (PI * m + p).min(2.0 * e1 + p),
+        straight: (2.0 * m + 0.625 * e + 0.5 * p).min(e1 + 0.5 * p),
+    }
 }
 
 /// What the first or last row adds to a group when it stands next to a stiffener.
@@ -144,5 +149,9 @@ pub fn alpha(m: f64, e: f64, m2: f64) -> f64 {
 fn curve(alpha: f64, lambda2: f64) -> f64 {
     let l1 = 1.25 / (alpha - 2.75);
     let l2 = 0.5 * alpha * l1;
-    if lambda2 >= l2 { l1 } else { l1 + (1.0 - l1) * ((l2 - lambda2) / l2).powf(0.185 * alpha.powf(1.785)) }
+    if lambda2 >= l2 {
+        l1
+    } else {
+        l1 + (1.0 - l1) * ((l2 - lambda2) / l2).powf(0.185 * alpha.powf(1.785))
+    }
 }

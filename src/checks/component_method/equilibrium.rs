@@ -158,7 +158,8 @@ impl RowSet {
         let compression = Some(Compression::new(joint, found.beam_moment.value, shear_area));
         let panel = found.panel.as_ref().map(|p| p.value / joint.beta);
         let elastic = found.rows.iter().enumerate().map(|(r, row)| {
-            let above = found.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
+            let above =
+                found.rows[..r].iter().filter(|a| a.grouped > NEARLY_BOLTS * joint.bolts.tension);
             above.map(|a: &RowForce| a.grouped * row.lever / a.lever).fold(f64::INFINITY, f64::min)
         });
         let elastic = elastic.collect();
@@ -166,7 +167,8 @@ impl RowSet {
         for (r, row) in found.rows.iter().enumerate() {
             limits.push((r, r, row.single.max(0.0)));
             // rows so close that the lengths of a group turn negative carry nothing
-            limits.extend(row.groups.iter().map(|g| (g.first, r, g.component.worked.value.max(0.0))));
+            limits
+                .extend(row.groups.iter().map(|g| (g.first, r, g.component.worked.value.max(0.0))));
         }
         let prying = found.rows.iter().map(|row| prying(&row.alone)).collect();
         let z = found.rows.iter().map(|r| r.z).collect();
@@ -188,7 +190,15 @@ impl RowSet {
             }
         }
         let (z, elastic) = (rows.z.clone(), vec![f64::INFINITY; count]);
-        Some(Self { sign: 1.0, z, prying: ratios, limits: tightest(limits), elastic, compression: None, panel })
+        Some(Self {
+            sign: 1.0,
+            z,
+            prying: ratios,
+            limits: tightest(limits),
+            elastic,
+            compression: None,
+            panel,
+        })
     }
 
     /// The largest factor, at most `most`.
@@ -209,7 +219,8 @@ impl RowSet {
             p.add_constraint(&sum, ComparisonOp::Le, limit * KILO);
         }
         let mut force: Vec<(Variable, f64)> = rows.iter().map(|v| (*v, 1.0)).collect();
-        let mut turning: Vec<(Variable, f64)> = rows.iter().zip(&self.z).map(|(v, z)| (*v, z * KILO)).collect();
+        let mut turning: Vec<(Variable, f64)> =
+            rows.iter().zip(&self.z).map(|(v, z)| (*v, z * KILO)).collect();
         let mut shear = match self.compression {
             Some(_) => force.clone(),
             None => rows.iter().zip(&self.z).map(|(v, z)| (*v, z.signum())).collect(),
@@ -217,7 +228,11 @@ impl RowSet {
         let pushed = self.compression.map(|c| {
             let [upper, lower] = [0, 1].map(|_| p.add_var(0.0, (0.0, c.flange * KILO)));
             let web = p.add_var(0.0, (0.0, c.web * KILO));
-            p.add_constraint([(upper, 1.0), (web, 1.0), (lower, 1.0)], ComparisonOp::Le, c.total * KILO);
+            p.add_constraint(
+                [(upper, 1.0), (web, 1.0), (lower, 1.0)],
+                ComparisonOp::Le,
+                c.total * KILO,
+            );
             force.extend([upper, web, lower].map(|v| (v, -1.0)));
             turning.extend([(upper, -c.lever * KILO), (lower, c.lever * KILO)]);
             shear.extend([(upper, -1.0), (lower, 1.0)]);
@@ -225,7 +240,8 @@ impl RowSet {
         });
         if let Some(panel) = self.panel {
             for sign in [1.0, -1.0] {
-                let half: Vec<(Variable, f64)> = shear.iter().map(|(v, c)| (*v, 0.5 * sign * c)).collect();
+                let half: Vec<(Variable, f64)> =
+                    shear.iter().map(|(v, c)| (*v, 0.5 * sign * c)).collect();
                 p.add_constraint(&half, ComparisonOp::Le, panel * KILO);
             }
         }
@@ -243,7 +259,11 @@ impl RowSet {
         if self.sign < 0.0 {
             compression.reverse();
         }
-        Some(Carried { factor: value(factor) / size, rows: rows.iter().enumerate().map(pull).collect(), compression })
+        Some(Carried {
+            factor: value(factor) / size,
+            rows: rows.iter().enumerate().map(pull).collect(),
+            compression,
+        })
     }
 
     /// Half of the distance over which forces act \[mm\].
@@ -279,7 +299,11 @@ impl Compression {
         let web = zone(joint, c, width.max(0.0), 1.0);
         let (lambda, rho) = (web.slenderness(), web.buckling());
         (rho < 1.0).then(|| {
-            format!("the column web buckles under the compressed beam: λ̄_p = {} > 0.72, ρ = {}", n(lambda), n(rho))
+            format!(
+                "the column web buckles under the compressed beam: λ̄_p = {} > 0.72, ρ = {}",
+                n(lambda),
+                n(rho)
+            )
         })
     }
 
@@ -294,13 +318,18 @@ impl Compression {
         let width = zone_width(joint, c);
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
         // half a zone beyond either flange, as far as the column reaches
-        let beyond = [c.above, c.below].map(|end| end.map_or(0.5 * width, |end| (end - lever).clamp(0.0, 0.5 * width)));
+        let beyond = [c.above, c.below]
+            .map(|end| end.map_or(0.5 * width, |end| (end - lever).clamp(0.0, 0.5 * width)));
         let least = 0.5 * width + beyond[0].min(beyond[1]);
         let flange = compressed(&zone(joint, c, least, shear_area), c).value;
         let between = (2.0 * lever - width).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
         // without stiffeners the two zones and what lies between buckle together
-        let total = if c.stiffener > 0.0 { f64::INFINITY } else { bare(beyond[0] + beyond[1] + 2.0 * lever) };
+        let total = if c.stiffener > 0.0 {
+            f64::INFINITY
+        } else {
+            bare(beyond[0] + beyond[1] + 2.0 * lever)
+        };
         Self { flange: of_beam.min(flange), web: web_of_beam.min(between), total, lever }
     }
 }

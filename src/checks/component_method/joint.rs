@@ -99,7 +99,11 @@ impl Column {
             return Ok(());
         }
         let quantity = "longitudinal stress of the column [MPa]";
-        Err(CheckError::OutOfRange { quantity, value: self.longitudinal, limit: "it must be at most f_y" })
+        Err(CheckError::OutOfRange {
+            quantity,
+            value: self.longitudinal,
+            limit: "it must be at most f_y",
+        })
     }
 }
 
@@ -216,18 +220,29 @@ impl EndPlateJoint {
         ] {
             positive(name, value)?;
         }
-        for (name, value) in
-            [("weld of the beam flange [mm]", b.flange_throat), ("weld of the beam web [mm]", b.web_throat)]
-        {
+        for (name, value) in [
+            ("weld of the beam flange [mm]", b.flange_throat),
+            ("weld of the beam web [mm]", b.web_throat),
+        ] {
             not_negative(name, value)?;
         }
         let range = |quantity, value: f64, ok: bool, limit| {
             if ok { Ok(()) } else { Err(CheckError::OutOfRange { quantity, value, limit }) }
         };
-        range("beta", self.beta, (0.0..=2.0).contains(&self.beta), "it lies between 0 and 2 (5.3(7))")?;
+        range(
+            "beta",
+            self.beta,
+            (0.0..=2.0).contains(&self.beta),
+            "it lies between 0 and 2 (5.3(7))",
+        )?;
         c.map_or(Ok(()), Column::check)?;
         let half = 0.5 * b.section.h;
-        range("upper edge of the plate [mm]", p.top, p.top.is_finite() && p.top >= half, "it must cover the beam")?;
+        range(
+            "upper edge of the plate [mm]",
+            p.top,
+            p.top.is_finite() && p.top >= half,
+            "it must cover the beam",
+        )?;
         range(
             "lower edge of the plate [mm]",
             p.bottom,
@@ -241,10 +256,17 @@ impl EndPlateJoint {
             k.gauge < width,
             "it must be less than plate and column flange are wide",
         )?;
-        range("number of rows", k.rows.len() as f64, !k.rows.is_empty(), "there must be one row at least")?;
+        range(
+            "number of rows",
+            k.rows.len() as f64,
+            !k.rows.is_empty(),
+            "there must be one row at least",
+        )?;
         for (i, &z) in k.rows.iter().enumerate() {
             range("row of bolts [mm]", z, z > p.bottom && z < p.top, "it must lie on the plate")?;
-            let on_column = c.is_none_or(|c| c.below.is_none_or(|end| -end < z) && c.above.is_none_or(|end| z < end));
+            let on_column = c.is_none_or(|c| {
+                c.below.is_none_or(|end| -end < z) && c.above.is_none_or(|end| z < end)
+            });
             range("row of bolts [mm]", z, on_column, "it must lie on the column")?;
             range("row of bolts [mm]", z, !k.rows[..i].contains(&z), "the same row stands twice")?;
         }

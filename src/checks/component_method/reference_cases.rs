@@ -9,7 +9,10 @@ use crate::checks::eurocode::bolts::tension_resistance;
 use std::f64::consts::SQRT_2;
 
 fn close(name: &str, got: f64, want: f64, tolerance: f64) {
-    assert!((got / want - 1.0).abs() <= tolerance, "{name}: {got} instead of {want}, tolerance {tolerance}");
+    assert!(
+        (got / want - 1.0).abs() <= tolerance,
+        "{name}: {got} instead of {want}, tolerance {tolerance}"
+    );
 }
 
 pub(super) fn column(profile: &str, fy: f64) -> Column {
@@ -29,7 +32,8 @@ pub(super) fn column(profile: &str, fy: f64) -> Column {
 
 pub(super) fn bolts(size: &str, grip: f64, gauge: f64, rows: &[f64]) -> Bolts {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
-    let (bolt, grade) = (catalog.bolt(size).expect("size"), catalog.bolt_grade("8.8").expect("grade"));
+    let (bolt, grade) =
+        (catalog.bolt(size).expect("size"), catalog.bolt_grade("8.8").expect("grade"));
     Bolts {
         gauge,
         rows: rows.to_vec(),
@@ -56,7 +60,10 @@ fn sci() -> EndPlateJoint {
         column: Some(column("UC254x254x107", 265.0)),
         beam: beam("UB533x210x92", 275.0, 12.0 / SQRT_2, 8.0 / SQRT_2),
         plate: Plate { thickness: 25.0, width: 250.0, bottom: top - 670.0, top, fy: 265.0 },
-        bolts: Bolts { always_prying: true, ..bolts("M24", 45.5, 100.0, &[top - 50.0, top - 150.0, top - 240.0]) },
+        bolts: Bolts {
+            always_prying: true,
+            ..bolts("M24", 45.5, 100.0, &[top - 50.0, top - 150.0, top - 240.0])
+        },
         beta: 0.0,
         young: 210_000.0,
         gamma_m0: 1.0,
@@ -91,8 +98,9 @@ fn sci_p398_double_sided_extended_end_plate() {
     let a = done(&sci());
     close("M_j,Rd", a.moment.value, 424e6, 0.02);
     let flange = |c: &super::rows::Component| c.name == "column flange";
-    let alone =
-        |r: usize, name: &str| a.rows[r].alone.iter().find(|c| c.name == name).map_or(f64::NAN, |c| c.worked.value);
+    let alone = |r: usize, name: &str| {
+        a.rows[r].alone.iter().find(|c| c.name == name).map_or(f64::NAN, |c| c.worked.value)
+    };
     close("row 1, end plate", alone(0, "end plate"), 377.3e3, 0.002);
     close("row 1, column flange", alone(0, "column flange"), 398e3, 0.002);
     let group = |r: usize| {
@@ -143,11 +151,18 @@ fn one_sided_extended_end_plate_row_by_row() {
     }
     let group = |r: usize| {
         let of = |g: &&super::assembly::Group| g.first == 0;
-        a.rows[r].groups.iter().filter(of).map(|g| g.component.worked.value).fold(f64::INFINITY, f64::min)
+        a.rows[r]
+            .groups
+            .iter()
+            .filter(of)
+            .map(|g| g.component.worked.value)
+            .fold(f64::INFINITY, f64::min)
     };
     kn("rows 1 and 2", group(1), 240.8);
     kn("rows 1 to 3", group(2), 265.2);
-    for (r, (grouped, force)) in [(137.9, 137.9), (102.9, 48.9), (24.4, 0.0)].into_iter().enumerate() {
+    for (r, (grouped, force)) in
+        [(137.9, 137.9), (102.9, 48.9), (24.4, 0.0)].into_iter().enumerate()
+    {
         kn("after groups", a.rows[r].grouped, grouped);
         kn("after compression", a.rows[r].force, force);
     }

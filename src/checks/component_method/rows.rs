@@ -95,7 +95,8 @@ impl<'a> Rows<'a> {
     /// Refuses rows that the tables of effective lengths do not know.
     fn covered(&self) -> Result<(), CheckError> {
         let not = |what: String, clause| Err(CheckError::NotCovered { what, clause });
-        let outside = |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
+        let outside =
+            |up: bool| self.z.iter().filter(|z| self.outside(**z) && (**z > 0.0) == up).count();
         if outside(true) > 1 || outside(false) > 1 {
             return not(
                 "two rows or more lie outside the tension flange of the beam".into(),
@@ -161,7 +162,8 @@ impl<'a> Rows<'a> {
 
     /// m of the end plate between the flanges \[mm\], figure 6.10.
     fn m_beam(&self) -> f64 {
-        0.5 * (self.joint.bolts.gauge - self.joint.beam.section.tw) - WELD * self.joint.beam.web_throat
+        0.5 * (self.joint.bolts.gauge - self.joint.beam.section.tw)
+            - WELD * self.joint.beam.web_throat
     }
 
     /// e of the end plate \[mm\].
@@ -212,7 +214,9 @@ impl<'a> Rows<'a> {
 
     /// m2 to the stiffener next above and next below a row, where no other row lies between \[mm\].
     fn stiffeners(&self, row: usize) -> [Option<f64>; 2] {
-        let Some(c) = self.joint.column.as_ref().filter(|c| c.stiffener > 0.0) else { return [None, None] };
+        let Some(c) = self.joint.column.as_ref().filter(|c| c.stiffener > 0.0) else {
+            return [None, None];
+        };
         let (s, z) = (&self.joint.beam.section, self.z[row]);
         let level = 0.5 * (s.h - s.tf);
         let clear = |distance: f64| distance - 0.5 * c.stiffener - WELD * c.stiffener_throat;
@@ -260,10 +264,17 @@ impl<'a> Rows<'a> {
     fn on_plate(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
         let (j, z) = (self.joint, self.z[row]);
         if self.outside(z) {
-            return lengths::outside_flange(self.mx(z), self.ex(z), self.e_plate(), j.bolts.gauge, j.plate.width);
+            return lengths::outside_flange(
+                self.mx(z),
+                self.ex(z),
+                self.e_plate(),
+                j.bolts.gauge,
+                j.plate.width,
+            );
         }
         let (m, e) = (self.m_beam(), self.e_plate());
-        let [above, below] = self.beside_flanges(row).map(|m2| m2.map(|m2| lengths::alpha(m, e, m2)));
+        let [above, below] =
+            self.beside_flanges(row).map(|m2| m2.map(|m2| lengths::alpha(m, e, m2)));
         let pitch = |i: usize| self.z[i] - self.z[i + 1];
         let at_end = |alpha: Option<f64>, p: f64| match alpha {
             Some(alpha) => lengths::beside_stiffener_of_group(m, e, p, alpha),
@@ -293,7 +304,8 @@ impl<'a> Rows<'a> {
         let j = self.joint;
         let rows = last + 1 - first;
         let group = (first < last).then_some((first, last));
-        let e_min = j.column.as_ref().map_or(f64::INFINITY, |c| self.e_column(c)).min(self.e_plate());
+        let e_min =
+            j.column.as_ref().map_or(f64::INFINITY, |c| self.e_column(c)).min(self.e_plate());
         let stub = |name, lengths: Lengths, m: f64, edge: f64, thickness: f64, fy: f64| {
             let length1 = lengths.mode1();
             let stub = TStub {
@@ -321,7 +333,12 @@ impl<'a> Rows<'a> {
         if let Some(c) = j.column.as_ref().filter(|_| grouped(Side::Column)) {
             let lengths: Lengths = (first..=last).map(|row| self.on_column(c, row, group)).sum();
             out.push(stub("column flange", lengths, self.m_column(c), e_min, c.section.tf, c.fy));
-            let omega = column_web::shear_interaction(j.beta, lengths.mode1(), c.section.tw, self.shear_area);
+            let omega = column_web::shear_interaction(
+                j.beta,
+                lengths.mode1(),
+                c.section.tw,
+                self.shear_area,
+            );
             let web = column_web::tension_thickness(c.section.tw, c.doublers, c.fy);
             let worked = column_web::tension(lengths.mode1(), web, c.fy, omega, j.gamma_m0);
             out.push(Component { name: "column web", worked, mode: None, bolts: None });
@@ -335,7 +352,8 @@ impl<'a> Rows<'a> {
             };
             out.push(stub("end plate", lengths, m, edge, j.plate.thickness, j.plate.fy));
             if !self.outside(z) {
-                let worked = beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
+                let worked =
+                    beam::web_tension(lengths.mode1(), j.beam.section.tw, j.beam.fy, j.gamma_m0);
                 out.push(Component { name: "beam web", worked, mode: None, bolts: None });
             }
         }
@@ -349,13 +367,19 @@ impl<'a> Rows<'a> {
     /// EN 1993-1-8:2005 Table 6.11: "the smallest of the effective lengths (individually or as part of a group of bolt rows)".
     pub fn stiffness_lengths(&self, row: usize) -> (Option<(f64, f64)>, (f64, f64)) {
         let smallest = |side: Side, lengths: &dyn Fn(Option<(usize, usize)>) -> Lengths| {
-            let groups = (0..=row).flat_map(|first| (row..self.count()).map(move |last| (first, last)));
-            let groups = groups.filter(|(first, last)| first < last && self.joined(side, *first, *last));
+            let groups =
+                (0..=row).flat_map(|first| (row..self.count()).map(move |last| (first, last)));
+            let groups =
+                groups.filter(|(first, last)| first < last && self.joined(side, *first, *last));
             groups.map(|g| lengths(Some(g)).mode1()).fold(lengths(None).mode1(), f64::min)
         };
         let z = self.z[row];
         let m = if self.outside(z) { self.mx(z) } else { self.m_beam() };
-        let column = |c| (smallest(Side::Column, &|group| self.on_column(c, row, group)), self.m_column(c));
-        (self.joint.column.as_ref().map(column), (smallest(Side::Beam, &|group| self.on_plate(row, group)), m))
+        let column =
+            |c| (smallest(Side::Column, &|group| self.on_column(c, row, group)), self.m_column(c));
+        (
+            self.joint.column.as_ref().map(column),
+            (smallest(Side::Beam, &|group| self.on_plate(row, group)), m),
+        )
     }
 }

@@ -109,22 +109,36 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let overhang = -0.5 * b.section.h - joint.plate.bottom;
     let compression = c.filter(|c| c.stiffener == 0.0).map(|c| {
         let (s, t) = (&c.section, joint.plate.thickness);
-        let width = column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, t, overhang);
+        let width =
+            column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, t, overhang);
         web_across(width, column_web::compressed_thickness(s.tw, c.doublers), s.clear_depth())
     });
-    let flexibility: f64 = panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();
+    let flexibility: f64 =
+        panel.into_iter().chain(compression).chain([equivalent]).map(|k| 1.0 / k).sum();
     let value = joint.young * lever * lever / flexibility;
-    let terms: Vec<String> =
-        panel.into_iter().chain(compression).chain([equivalent]).map(|k| format!("1/{}", n(k))).collect();
-    let formula = format!("S_j,ini = E z²/Σ(1/k) = {} · {}²/({})", n(joint.young), n(lever), terms.join(" + "));
+    let terms: Vec<String> = panel
+        .into_iter()
+        .chain(compression)
+        .chain([equivalent])
+        .map(|k| format!("1/{}", n(k)))
+        .collect();
+    let formula = format!(
+        "S_j,ini = E z²/Σ(1/k) = {} · {}²/({})",
+        n(joint.young),
+        n(lever),
+        terms.join(" + ")
+    );
     let mut formula = formula;
     if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
         // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to shear
         formula += ", k1 kept finite beside transverse stiffeners";
     }
     let title = "initial rotational stiffness";
-    let mut worked = Worked::new("EN 1993-1-8:2005 6.3.1(4)", title, value, Unit::Rotational, formula);
-    for (symbol, k) in [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent)), ("z_eq", Some(lever))] {
+    let mut worked =
+        Worked::new("EN 1993-1-8:2005 6.3.1(4)", title, value, Unit::Rotational, formula);
+    for (symbol, k) in
+        [("k1", panel), ("k2", compression), ("k_eq", Some(equivalent)), ("z_eq", Some(lever))]
+    {
         if let Some(k) = k {
             worked = worked.with(symbol, k, Unit::Length);
         }
@@ -143,7 +157,11 @@ pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
     let mu = if ratio <= 2.0 / 3.0 { 1.0 } else { (1.5 * ratio).powf(PSI) };
     let formula = format!("S_j = S_j,ini/μ = {}/{}", Unit::Rotational.show(initial), n(mu));
     let title = "rotational stiffness under the moment";
-    Worked::new("EN 1993-1-8:2005 6.3.1(6)", title, initial / mu, Unit::Rotational, formula).with("μ", mu, Unit::Number)
+    Worked::new("EN 1993-1-8:2005 6.3.1(6)", title, initial / mu, Unit::Rotational, formula).with(
+        "μ",
+        mu,
+        Unit::Number,
+    )
 }
 
 /// What a connection joins, for the factor η of elastic analysis.

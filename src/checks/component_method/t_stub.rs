@@ -97,36 +97,51 @@ impl TStub {
     /// # Source
     /// EN 1993-1-8:2005 Table 6.2 and 6.2.4.3 (backing plates).
     pub fn resistance(&self) -> Resistance {
-        let plastic = |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
+        let plastic =
+            |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
         // the formula is written for the mode that decides alone: writing takes longer than reckoning
         let mut candidates: Vec<(Mode, f64)> = Vec::new();
         match (self.prying, self.washer_quarter) {
             (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
-            (Prying::Develops, None) => candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m)),
+            (Prying::Develops, None) => {
+                candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m))
+            }
             (Prying::Develops, Some(ew)) => {
                 let below = 2.0 * m * e - ew * (m + e);
-                candidates.push((Mode::Flange, ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below));
+                candidates.push((
+                    Mode::Flange,
+                    ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below,
+                ));
             }
         }
         if self.prying == Prying::Develops {
             candidates.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
         }
         candidates.push((Mode::Bolts, self.bolts));
-        let of = |mode: &dyn Fn(Mode) -> bool| candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1);
+        let of = |mode: &dyn Fn(Mode) -> bool| {
+            candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1)
+        };
         let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
         let mode2 = of(&|c| c == Mode::FlangeAndBolts);
         // the first of equal ones decides
         let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
-        let formula = format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
-        let mut worked = Worked::new("EN 1993-1-8:2005 Table 6.2", "T-stub in tension", least.1, Unit::Force, formula)
-            .with("m", m, Unit::Length)
-            .with("n", e, Unit::Length)
-            .with("Σℓ_eff,1", self.length1, Unit::Length)
-            .with("Σℓ_eff,2", self.length2, Unit::Length)
-            .with("M_pl,1", mpl1, Unit::Moment)
-            .with("M_pl,2", mpl2, Unit::Moment);
+        let formula =
+            format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
+        let mut worked = Worked::new(
+            "EN 1993-1-8:2005 Table 6.2",
+            "T-stub in tension",
+            least.1,
+            Unit::Force,
+            formula,
+        )
+        .with("m", m, Unit::Length)
+        .with("n", e, Unit::Length)
+        .with("Σℓ_eff,1", self.length1, Unit::Length)
+        .with("Σℓ_eff,2", self.length2, Unit::Length)
+        .with("M_pl,1", mpl1, Unit::Moment)
+        .with("M_pl,2", mpl2, Unit::Moment);
         for (mode, value) in &candidates {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
@@ -136,7 +151,14 @@ impl TStub {
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
             Mode::FlangeWithoutPrying => least.1,
         };
-        Resistance { mode1, mode2, mode3: self.bolts, mode: least.0, bolts: bolts.min(self.bolts), worked }
+        Resistance {
+            mode1,
+            mode2,
+            mode3: self.bolts,
+            mode: least.0,
+            bolts: bolts.min(self.bolts),
+            worked,
+        }
     }
 
     /// The formula of a mode with its numbers.
@@ -146,7 +168,12 @@ impl TStub {
         match (mode, self.washer_quarter) {
             (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
             (Mode::Flange, None) if self.backing > 0.0 => {
-                format!("(4 M_pl,1 + 2 M_bp)/m = (4 · {} + 2 · {})/{}", kn(mpl1), kn(self.backing), n(m))
+                format!(
+                    "(4 M_pl,1 + 2 M_bp)/m = (4 · {} + 2 · {})/{}",
+                    kn(mpl1),
+                    kn(self.backing),
+                    n(m)
+                )
             }
             (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
             (Mode::Flange, Some(ew)) => format!(
@@ -177,7 +204,14 @@ impl TStub {
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 6.2 with the corrigendum of 2009 (n_b rows of two bolts).
-pub fn prying(elongation: f64, m: f64, stress_area: f64, rows: usize, length1: f64, thickness: f64) -> Prying {
+pub fn prying(
+    elongation: f64,
+    m: f64,
+    stress_area: f64,
+    rows: usize,
+    length1: f64,
+    thickness: f64,
+) -> Prying {
     let limit = 8.8 * m.powi(3) * stress_area * rows as f64 / (length1 * thickness.powi(3));
     if elongation <= limit { Prying::Develops } else { Prying::Absent }
 }

@@ -8,7 +8,9 @@ use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{Equilibrium, assess, beam as beam_checks, effective_lengths as lengths};
 use crate::checks::CheckError;
 use crate::checks::check::{Check, Status};
-use crate::checks::classification::{Frame, StiffnessClass, StrengthClass, stiffness_limits, strength_class};
+use crate::checks::classification::{
+    Frame, StiffnessClass, StrengthClass, stiffness_limits, strength_class,
+};
 use crate::checks::ductility::{Clamped, panel_in_shear, plastic_distribution, rotation_capacity};
 use std::f64::consts::PI;
 
@@ -83,13 +85,21 @@ fn tables_6_4_to_6_6_effective_lengths() {
     check(lengths::end(m, e, e1), PI * m + 2.0 * e1, 2.0 * m + 0.625 * e + e1);
     check(lengths::end(m, e, 1e6), 2.0 * PI * m, 4.0 * m + 1.25 * e);
     check(lengths::beside_stiffener(m, a), 2.0 * PI * m, a * m);
-    check(lengths::end_beside_stiffener(m, e, e1, a), PI * m + 2.0 * e1, e1 + a * m - 2.0 * m - 0.625 * e);
+    check(
+        lengths::end_beside_stiffener(m, e, e1, a),
+        PI * m + 2.0 * e1,
+        e1 + a * m - 2.0 * m - 0.625 * e,
+    );
     check(lengths::end_beside_stiffener(m, e, 1e6, a), 2.0 * PI * m, a * m);
     check(lengths::inner_of_group(p, p), 2.0 * p, p);
     check(lengths::inner_of_group(60.0, 100.0), 160.0, 80.0);
     check(lengths::end_of_group(m, e, p, None), PI * m + p, 2.0 * m + 0.625 * e + 0.5 * p);
     check(lengths::end_of_group(m, e, p, Some(e1)), 2.0 * e1 + p, e1 + 0.5 * p);
-    check(lengths::beside_stiffener_of_group(m, e, p, a), PI * m + p, 0.5 * p + a * m - 2.0 * m - 0.625 * e);
+    check(
+        lengths::beside_stiffener_of_group(m, e, p, a),
+        PI * m + p,
+        0.5 * p + a * m - 2.0 * m - 0.625 * e,
+    );
     // each of the terms of the row outside the flange can decide
     check(lengths::outside_flange(m, 20.0, 200.0, 200.0, 900.0), 2.0 * PI * m, 4.0 * m + 25.0);
     check(lengths::outside_flange(m, 90.0, 20.0, 900.0, 900.0), PI * m + 40.0, 20.0 + 60.0 + 56.25);
@@ -112,7 +122,9 @@ fn figure_6_11_alpha() {
         let steps = (0..=355_000).map(|i| 4.45 + f64::from(i) * 1e-5);
         steps.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or_default()
     };
-    for (m, e, m2) in [(27.67, 32.0, 18.61), (33.4, 75.0, 40.0), (40.0, 40.0, 10.0), (30.0, 50.0, 5.0)] {
+    for (m, e, m2) in
+        [(27.67, 32.0, 18.61), (33.4, 75.0, 40.0), (40.0, 40.0, 10.0), (30.0, 50.0, 5.0)]
+    {
         let got = lengths::alpha(m, e, m2);
         assert!((got - searched(m, e, m2)).abs() < 2e-5, "{got} is not {}", searched(m, e, m2));
     }
@@ -122,7 +134,8 @@ fn figure_6_11_alpha() {
         near(lengths::alpha(m, e, 1e3) * m, 4.0 * m + 1.25 * e);
     }
     // nearer to the stiffener the row carries more
-    let near_by: Vec<f64> = [60.0, 40.0, 20.0, 10.0].map(|m2| lengths::alpha(35.0, 45.0, m2)).to_vec();
+    let near_by: Vec<f64> =
+        [60.0, 40.0, 20.0, 10.0].map(|m2| lengths::alpha(35.0, 45.0, m2)).to_vec();
     assert!(near_by.windows(2).all(|w| w[0] <= w[1]), "{near_by:?}");
 }
 
@@ -131,7 +144,9 @@ fn table_6_3_interaction_with_shear() {
     let (b, t, a) = (200.0, 10.0, 2500.0);
     let ratio: f64 = 0.64;
     let (one, two) = (1.0 / (1.0 + 1.3 * ratio).sqrt(), 1.0 / (1.0 + 5.2 * ratio).sqrt());
-    for (beta, omega) in [(0.0, 1.0), (0.5, 1.0), (0.75, one + 0.5 * (1.0 - one)), (1.0, one), (2.0, two)] {
+    for (beta, omega) in
+        [(0.0, 1.0), (0.5, 1.0), (0.75, one + 0.5 * (1.0 - one)), (1.0, one), (2.0, two)]
+    {
         near(column_web::shear_interaction(beta, b, t, a), omega);
     }
     near(column_web::shear_interaction(1.5, b, t, a), 0.5 * (one + two));
@@ -182,9 +197,15 @@ const WEB: CompressedWeb = CompressedWeb {
 
 #[test]
 fn clause_6_2_6_2_column_web_in_compression() {
-    near(column_web::compressed_width(10.0, 5.0, 15.0, 12.0, 20.0, 100.0), 10.0 + 200f64.sqrt() + 135.0 + 40.0);
+    near(
+        column_web::compressed_width(10.0, 5.0, 15.0, 12.0, 20.0, 100.0),
+        10.0 + 200f64.sqrt() + 135.0 + 40.0,
+    );
     // a plate that ends with the weld spreads on one side alone
-    near(column_web::compressed_width(10.0, 5.0, 15.0, 12.0, 20.0, 0.0), 10.0 + 200f64.sqrt() + 135.0 + 20.0);
+    near(
+        column_web::compressed_width(10.0, 5.0, 15.0, 12.0, 20.0, 0.0),
+        10.0 + 200f64.sqrt() + 135.0 + 20.0,
+    );
     let lambda = 0.932 * (250.0 * 200.0 * 235.0 / (210_000.0 * 100.0f64)).sqrt();
     near(WEB.slenderness(), lambda);
     assert!(lambda < 0.72);
@@ -223,7 +244,8 @@ fn en_1993_1_5_9_4_stiffened_web_in_compression() {
 #[test]
 fn clause_6_2_6_3_column_web_in_tension() {
     near(column_web::tension(180.0, 9.0, 235.0, 0.8, 1.0).value, 0.8 * 180.0 * 9.0 * 235.0);
-    for (plates, fy, factor) in [(0, 235.0, 1.0), (1, 355.0, 1.4), (2, 355.0, 1.4), (1, 460.0, 1.3)] {
+    for (plates, fy, factor) in [(0, 235.0, 1.0), (1, 355.0, 1.4), (2, 355.0, 1.4), (1, 460.0, 1.3)]
+    {
         near(column_web::tension_thickness(9.0, plates, fy), 9.0 * factor);
     }
 }
@@ -237,7 +259,10 @@ fn clauses_6_2_6_7_and_6_2_6_8_the_beam() {
     // deeper than 600 mm: the web gives 20 % at most
     let deep = beam("UB686x254x125", 235.0, 6.0, 4.0).section;
     let strong = beam_checks::moment_resistance(&deep, 235.0, 0.0, 1.0).value;
-    near(beam_checks::flange_compression(&deep, strong, 235.0, 1.0).value, deep.b * deep.tf * 235.0 / 0.8);
+    near(
+        beam_checks::flange_compression(&deep, strong, 235.0, 1.0).value,
+        deep.b * deep.tf * 235.0 / 0.8,
+    );
     near(beam_checks::web_tension(150.0, 6.6, 275.0, 1.1).value, 150.0 * 6.6 * 250.0);
     // a thin flange makes class 3, a thinner one class 4
     let thin = super::joint::Section { tf: 4.0, ..ipe };
@@ -272,9 +297,15 @@ fn clause_6_2_6_4_2_stiffened_column_flange() {
     joint.column.as_mut().expect("a column").stiffener = 10.0;
     let stiff = assess(&joint).expect("covered");
     assert!(stiff.rows[1].groups.is_empty(), "stiffener and flange lie between rows 1 and 2");
-    assert!(stiff.rows[2].groups.iter().all(|g| g.first == 1) && plain.rows[2].groups.iter().any(|g| g.first == 0));
+    assert!(
+        stiff.rows[2].groups.iter().all(|g| g.first == 1)
+            && plain.rows[2].groups.iter().any(|g| g.first == 0)
+    );
     assert!(stiff.stiffness.compression.is_none() && plain.stiffness.compression.is_some());
-    assert!(stiff.moment.value > plain.moment.value && stiff.stiffness.initial.value > plain.stiffness.initial.value);
+    assert!(
+        stiff.moment.value > plain.moment.value
+            && stiff.stiffness.initial.value > plain.stiffness.initial.value
+    );
 }
 
 /// V_pl,Rd of IPE 270: A_v = 4595 − 2 · 135 · 10.2 + (6.6 + 30) 10.2 = 2214.3 mm², · 275/√3 = 351.57 kN. With V = 0.75 V_pl ρ = 0.25 and
@@ -322,7 +353,10 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     near(e.compression, joint.beam.section.area * 275.0);
     // no moment: equal forces on both sides; no axial force: the moment resistance, or more without its rule of the bolts
     let pulled = e.at(e.tension, 0.0).expect("a force acts");
-    assert!(pulled.factor <= 1.0 + 1e-9 && pulled.rows.iter().map(|r| r.force * r.z).sum::<f64>().abs() < 1.0);
+    assert!(
+        pulled.factor <= 1.0 + 1e-9
+            && pulled.rows.iter().map(|r| r.force * r.z).sum::<f64>().abs() < 1.0
+    );
     let bent = e.at(0.0, a.moment.value).expect("a moment acts");
     assert!((bent.factor - 1.0).abs() < 1e-6, "{}", bent.factor);
     // equilibrium with what acts, and a border that no ray leaves twice
@@ -332,7 +366,8 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
         let push: f64 = c.compression.iter().sum();
         assert!((pull - push - c.factor * n).abs() < 1.0, "{n} {m}: {c:?}");
         let lever = 0.5 * (270.0 - 10.2);
-        let turn = c.rows.iter().map(|r| r.force * r.z).sum::<f64>() + (c.compression[2] - c.compression[0]) * lever;
+        let turn = c.rows.iter().map(|r| r.force * r.z).sum::<f64>()
+            + (c.compression[2] - c.compression[0]) * lever;
         assert!((turn - c.factor * m).abs() < 1e3, "{n} {m}: {turn}");
         let half = e.at(2.0 * n, 2.0 * m).expect("they act").factor;
         assert!((2.0 * half / c.factor - 1.0).abs() < 1e-6);
@@ -427,7 +462,9 @@ fn wrong_joints_are_refused_by_quantity() {
         ("weld of the beam flange", |j| j.beam.flange_throat = -4.0),
         ("upper edge of the plate", |j| j.plate.top = 100.0),
         ("lower edge of the plate", |j| j.plate.bottom = 0.0),
-        ("clear depth of the column web", |j| j.column.as_mut().expect("a column").section.root = 70.0),
+        ("clear depth of the column web", |j| {
+            j.column.as_mut().expect("a column").section.root = 70.0
+        }),
         ("longitudinal stress", |j| j.column.as_mut().expect("a column").longitudinal = 300.0),
         ("it must lie on the column", |j| j.column.as_mut().expect("a column").above = Some(150.0)),
         ("yield strength of the beam", |j| j.beam.fy = 0.0),
@@ -436,7 +473,9 @@ fn wrong_joints_are_refused_by_quantity() {
         let mut joint = one_sided();
         change(&mut joint);
         match assess(&joint) {
-            Err(e @ CheckError::OutOfRange { .. }) => assert!(e.to_string().contains(words), "{words}: {e}"),
+            Err(e @ CheckError::OutOfRange { .. }) => {
+                assert!(e.to_string().contains(words), "{words}: {e}")
+            }
             other => panic!("{words}: {other:?}"),
         }
     }
@@ -454,7 +493,9 @@ fn wrong_joints_are_refused_by_quantity() {
         let mut joint = one_sided();
         change(&mut joint);
         match assess(&joint) {
-            Err(e @ CheckError::NotCovered { .. }) => assert!(e.to_string().contains(words), "{words}: {e}"),
+            Err(e @ CheckError::NotCovered { .. }) => {
+                assert!(e.to_string().contains(words), "{words}: {e}")
+            }
             other => panic!("{words}: {other:?}"),
         }
     }
@@ -483,7 +524,11 @@ fn clause_6_2_7_splice_without_a_column() {
         near(a, b);
     }
     near(with.moment.value, without.moment.value);
-    assert!(without.panel.is_none() && without.stiffness.panel.is_none() && without.stiffness.compression.is_none());
+    assert!(
+        without.panel.is_none()
+            && without.stiffness.panel.is_none()
+            && without.stiffness.compression.is_none()
+    );
     for (a, b) in with.stiffness.rows.iter().zip(&without.stiffness.rows) {
         near(a.plate, b.plate);
         near(1.0 / b.effective, 2.0 / b.plate + 1.0 / b.bolts);

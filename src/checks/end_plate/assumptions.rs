@@ -5,15 +5,21 @@ use crate::checks::check::Check;
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
 pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
-    let column = e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
+    let column =
+        e.column.as_ref().map(|c| (c.stiffener_throat.max(c.doubler_throat), &c.steel, "column"));
     let beam = e.beam_steel.weaker(&e.plate_steel);
     let beam = (e.flange_throat.max(e.web_throat).max(e.rib_throat), beam, "beam and end plate");
-    let without = column.into_iter().chain([beam]).filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
+    let without = column
+        .into_iter()
+        .chain([beam])
+        .filter(|(throat, steel, _)| *throat > 0.0 && steel.beta_w.is_none());
     without
         .map(|(_, steel, part)| {
             let (clause, title) = ("EN 1993-1-8:2005 Table 4.1", "strength of fillet welds");
-            let why =
-                format!("Table 4.1 has no β_w for {}: its fillet welds have no strength by this code", steel.grade);
+            let why = format!(
+                "Table 4.1 has no β_w for {}: its fillet welds have no strength by this code",
+                steel.grade
+            );
             Check::undecided(Topic::Welds, part, clause, title, why)
         })
         .collect()
@@ -24,7 +30,9 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     let topic = Topic::ComponentMethod;
     let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
     let rule = match e.always_prying {
-        true => "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)",
+        true => {
+            "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)"
+        }
         false => {
             "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always takes them to develop everywhere"
         }

@@ -13,8 +13,9 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let beam = Beam { section: (&e.beam).into(), fy: e.beam_steel.fy, gamma_m0: e.gamma_m0 };
     let subject = format!("{}, beam", a.end);
-    let against =
-        |worked: Worked, demand: f64| worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed);
+    let against = |worked: Worked, demand: f64| {
+        worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
+    };
     let mut out = Vec::new();
     if vz != 0.0 {
         out.push(against(beam.shear(), vz));
@@ -36,8 +37,15 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
             Ok(worked) => out.push(against(worked, my)),
             // of class 4
             Err(fault) => {
-                let (clause, title) = ("EN 1993-1-1:2005 5.5.2", "moment of the beam with its shear and axial force");
-                out.push(Check::undecided(Topic::Member, subject, clause, title, fault.to_string()));
+                let (clause, title) =
+                    ("EN 1993-1-1:2005 5.5.2", "moment of the beam with its shear and axial force");
+                out.push(Check::undecided(
+                    Topic::Member,
+                    subject,
+                    clause,
+                    title,
+                    fault.to_string(),
+                ));
             }
         }
     }

@@ -31,7 +31,10 @@ fn strength(case: &Case<'_>) -> Check {
     let e = case.e;
     let joint = case.assessment.moment.value;
     let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
-    let column = e.column.as_ref().map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.gamma_m0);
+    let column = e
+        .column
+        .as_ref()
+        .map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.gamma_m0);
     let class = strength_class(joint, beam, column, COLUMNS);
     let full = beam.min(f64::from(COLUMNS) * column);
     let least = if column.is_finite() {
@@ -59,7 +62,10 @@ fn stiffness(case: &Case<'_>) -> Check {
     let mut worked = at_moment(initial, demand, joint);
     worked.formula += &format!(" at M_j,Ed = {}", Unit::Moment.show(demand));
     if demand > joint {
-        worked.formula += &format!(", above M_j,Rd = {}, up to which the formula holds", Unit::Moment.show(joint));
+        worked.formula += &format!(
+            ", above M_j,Rd = {}, up to which the formula holds",
+            Unit::Moment.show(joint)
+        );
     }
     worked.information(Topic::Stiffness, place(case))
 }
@@ -88,10 +94,15 @@ fn stiffness_classes(case: &Case<'_>) -> Vec<Check> {
                 n(STIFF_COLUMNS)
             )
         }
-        None => format!("where K_b/K_c < {} in the storey it is semi-rigid however stiff", n(STIFF_COLUMNS)),
+        None => format!(
+            "where K_b/K_c < {} in the storey it is semi-rigid however stiff",
+            n(STIFF_COLUMNS)
+        ),
     };
-    let each =
-        [(Frame::Braced, "braced frame", String::new()), (Frame::Unbraced, "other frames", format!("; {storey}"))];
+    let each = [
+        (Frame::Braced, "braced frame", String::new()),
+        (Frame::Unbraced, "other frames", format!("; {storey}")),
+    ];
     let class = |(frame, words, note): (Frame, &'static str, String)| {
         let place = format!("{}, {words}", place(case));
         let Some(length) = e.system_length else {

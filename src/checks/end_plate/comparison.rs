@@ -51,8 +51,10 @@ impl Method {
         if self.small(axial) {
             if axial != 0.0 {
                 // beside a moment a small force is left out, by itself it is held against the joint all the same
-                let resistance =
-                    self.equilibrium.as_ref().map(|e| if axial > 0.0 { e.tension } else { e.compression })?;
+                let resistance = self
+                    .equilibrium
+                    .as_ref()
+                    .map(|e| if axial > 0.0 { e.tension } else { e.compression })?;
                 let alone = if resistance > 0.0 { axial.abs() / resistance } else { return None };
                 value = bending.max(alone);
                 formula += &format!(
@@ -75,7 +77,13 @@ impl Method {
                 kn(axial)
             );
         }
-        Some(Worked::new(CLAUSE, "moment and axial force of the joint", value, Unit::Number, formula))
+        Some(Worked::new(
+            CLAUSE,
+            "moment and axial force of the joint",
+            value,
+            Unit::Number,
+            formula,
+        ))
     }
 }
 
@@ -112,7 +120,12 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    pub(super) fn new(e: &EndPlate, a: &PlaneActions, method: &Method, assessment: &Assessment) -> Self {
+    pub(super) fn new(
+        e: &EndPlate,
+        a: &PlaneActions,
+        method: &Method,
+        assessment: &Assessment,
+    ) -> Self {
         let upside_down = a.at(1.0)[1][1] < 0.0;
         let rows: Vec<String> = assessment
             .rows
@@ -133,7 +146,11 @@ impl Comparison {
             resistance: method.moment,
             factor: factor(a, method),
             limited_by: rows.join("; "),
-            stability: assessment.stability.iter().map(|s| format!("{} ({})", s.why, s.clause)).collect(),
+            stability: assessment
+                .stability
+                .iter()
+                .map(|s| format!("{} ({})", s.why, s.clause))
+                .collect(),
             lever: if total > 0.0 { method.moment / total } else { 0.0 },
             beam: assessment.beam_moment.value,
             head: 0.5 * e.bolt.head_width,
@@ -149,9 +166,13 @@ fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
         // where the axial force begins to count
         let plastic = method.equilibrium.as_ref().map_or(f64::INFINITY, |e| e.plastic);
         let counts = SMALL_AXIAL * plastic / axial.abs();
-        let together = || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
+        let together =
+            || method.equilibrium.as_ref().and_then(|e| e.at(axial, my)).map_or(0.0, |c| c.factor);
         let least = if bending <= counts { bending } else { bending.min(together()).max(counts) };
-        let resistance = method.equilibrium.as_ref().map(|e| if axial > 0.0 { e.tension } else { e.compression });
+        let resistance = method
+            .equilibrium
+            .as_ref()
+            .map(|e| if axial > 0.0 { e.tension } else { e.compression });
         let alone = resistance.filter(|_| axial != 0.0).map_or(f64::INFINITY, |r| r / axial.abs());
         let least = least.min(alone);
         return least.is_finite().then_some(least);

@@ -34,7 +34,8 @@ pub fn moment_axial(e: &EndPlate) -> Vec<MomentAxial> {
     let diagram = |beta: f64| {
         let plain = joint(e, beta);
         let equilibrium = Equilibrium::new(&plain).ok()?;
-        let resistance = [assess(&plain), assess(&plain.mirrored())].map(|a| a.map_or(0.0, |a| a.moment.value));
+        let resistance =
+            [assess(&plain), assess(&plain.mirrored())].map(|a| a.map_or(0.0, |a| a.moment.value));
         let moment = resistance[0].max(resistance[1]);
         let of_beta = e.actions.iter().filter(|a| loaded::beta(e, a) == beta);
         let demands = of_beta.map(|a| {

@@ -9,9 +9,9 @@
 use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
 use super::{
-    Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked, assess, beam_checks,
-    bearing, bearing_parts, joint, mean_diameter, n, pitches, punching_resistance, shear_resistance, slip_checks,
-    tension_resistance, weld_checks, welded,
+    Along, EndPlate, EndPlateJoint, HandChecks, PureMoment, Sense, Status, Topic, Unit, Worked,
+    assess, beam_checks, bearing, bearing_parts, joint, mean_diameter, n, pitches,
+    punching_resistance, shear_resistance, slip_checks, tension_resistance, weld_checks, welded,
 };
 use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
@@ -45,7 +45,10 @@ pub(super) fn beta(e: &EndPlate, a: &PlaneActions) -> f64 {
     }
 }
 
-pub(super) fn others<'a>(e: &'a EndPlate, a: &'a PlaneActions) -> impl Iterator<Item = &'a PlaneActions> {
+pub(super) fn others<'a>(
+    e: &'a EndPlate,
+    a: &'a PlaneActions,
+) -> impl Iterator<Item = &'a PlaneActions> {
     e.actions.iter().filter(|o| o.case == a.case && o.end != a.end)
 }
 
@@ -66,9 +69,16 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
         let side = match assess(&sense.of(&joint)) {
             Ok(assessment) => Side { e, a, sense, joint, assessment },
             Err(fault) => {
-                let (clause, title) = ("EN 1993-1-8:2005 6.2", "resistance by the component method");
+                let (clause, title) =
+                    ("EN 1993-1-8:2005 6.2", "resistance by the component method");
                 let subject = format!("{}, {}", a.end, sense.words());
-                let check = Check::undecided(Topic::ComponentMethod, subject, clause, title, fault.to_string());
+                let check = Check::undecided(
+                    Topic::ComponentMethod,
+                    subject,
+                    clause,
+                    title,
+                    fault.to_string(),
+                );
                 out.checks.extend(ultimate.then(|| check.of_case(&a.case)));
                 continue;
             }
@@ -89,7 +99,14 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
             found.extend(side.panel());
             found.extend(side.welds());
             let rows = side.row_forces(&method, &states);
-            found.extend(case::checks(&Case { e, a, sense, assessment: &side.assessment, rows, push }));
+            found.extend(case::checks(&Case {
+                e,
+                a,
+                sense,
+                assessment: &side.assessment,
+                rows,
+                push,
+            }));
         }
         out.checks.extend(found.into_iter().map(|c| c.of_case(&a.case)));
         out.comparisons.push(Comparison::new(e, a, &method, &side.assessment));
@@ -111,13 +128,15 @@ fn no_formula(a: &PlaneActions) -> Option<Check> {
     let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
     let moments = [("T", torsion, Unit::Moment), ("Mz", mz, Unit::Moment), ("Vy", vy, Unit::Force)];
     let acts = moments.into_iter().filter(|(_, v, _)| v.abs() > 1e-6);
-    let names: Vec<String> = acts.map(|(name, v, unit)| format!("{name} = {}", unit.show(v))).collect();
+    let names: Vec<String> =
+        acts.map(|(name, v, unit)| format!("{name} = {}", unit.show(v))).collect();
     (!names.is_empty()).then(|| {
         let why = format!(
             "the checks of bolts, plates and welds leave {} out: EN 1993-1-8 6.2 has no formula",
             names.join(" and ")
         );
-        let (clause, title) = ("EN 1993-1-8:2005 6.2", "torsion, weak-axis moment and horizontal shear");
+        let (clause, title) =
+            ("EN 1993-1-8:2005 6.2", "torsion, weak-axis moment and horizontal shear");
         Check::undecided(Topic::Bolts, a.end.clone(), clause, title, why)
     })
 }
@@ -129,8 +148,15 @@ fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let fyd = e.beam_steel.fy / e.gamma_m0;
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
-    let shear = (vy.hypot(vz), plastic_shear(&section, e.beam_steel.fy, e.gamma_m0), "V", "V_pl,Rd", Unit::Force);
-    let worst = [moment, normal, shear].into_iter().max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
+    let shear = (
+        vy.hypot(vz),
+        plastic_shear(&section, e.beam_steel.fy, e.gamma_m0),
+        "V",
+        "V_pl,Rd",
+        Unit::Force,
+    );
+    let worst =
+        [moment, normal, shear].into_iter().max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
     let (demand, capacity, action, resistance, unit) = worst;
     (demand > capacity).then(|| {
         format!(
@@ -172,7 +198,8 @@ impl Side<'_> {
 
     fn moment(&self, method: &Method) -> Check {
         let Some(mut check) = method.share(self.a.at(1.0)) else {
-            let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
+            let (clause, title) =
+                ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
             let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of N_pl,Rd is covered";
             return Check::undecided(Topic::ComponentMethod, self.subject(), clause, title, why);
         };
@@ -195,7 +222,13 @@ impl Side<'_> {
             let web = self.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
             let Some(web) = web else {
                 let title = "stability that a limit analysis does not see";
-                out.push(Check::undecided(Topic::Stability, self.subject(), s.clause, title, s.why.clone()));
+                out.push(Check::undecided(
+                    Topic::Stability,
+                    self.subject(),
+                    s.clause,
+                    title,
+                    s.why.clone(),
+                ));
                 continue;
             };
             let mut worked = web.clone();
@@ -208,7 +241,8 @@ impl Side<'_> {
         if let Some((e, why)) = buckling.and_then(|e| Some((e, e.buckles.as_ref()?))) {
             let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
             let title = "axial compression of the joint, with the buckling of the column web";
-            let worked = Worked::new("EN 1993-1-8:2005 6.2.6.2", title, e.compression, Unit::Force, formula);
+            let worked =
+                Worked::new("EN 1993-1-8:2005 6.2.6.2", title, e.compression, Unit::Force, formula);
             out.push(worked.against(Topic::Stability, self.subject(), -axial, Status::Failed));
         }
         out
@@ -228,16 +262,26 @@ impl Side<'_> {
 
     /// What a row at `z` \[mm\] has under the actions, beyond any resistance: the moment's share, or more where the axial force gives it
     /// more. A push that relieves a row counts for nothing, so that a larger load never has smaller forces.
-    fn at_row(&self, states: &[Carried], z: f64, by_moment: impl Fn(&RowForce) -> f64, of: fn(&RowPull) -> f64) -> f64 {
+    fn at_row(
+        &self,
+        states: &[Carried],
+        z: f64,
+        by_moment: impl Fn(&RowForce) -> f64,
+        of: fn(&RowPull) -> f64,
+    ) -> f64 {
         let row = self.assessment.rows.iter().find(|r| (self.upside() * r.z - z).abs() < 1e-9);
-        let pulled = states.iter().filter_map(|c| Some(of(c.rows.iter().find(|r| (r.z - z).abs() < 1e-9)?) / c.factor));
+        let pulled = states
+            .iter()
+            .filter_map(|c| Some(of(c.rows.iter().find(|r| (r.z - z).abs() < 1e-9)?) / c.factor));
         pulled.fold(row.map_or(0.0, by_moment), f64::max)
     }
 
     /// Force of every row of the assessment under the actions \[N\].
     fn row_forces(&self, method: &Method, states: &[Carried]) -> Vec<f64> {
         let share = self.a.at(1.0)[1][1].abs() / method.moment;
-        let force = |r: &RowForce| self.at_row(states, self.upside() * r.z, |row| share * row.force, |pull| pull.force);
+        let force = |r: &RowForce| {
+            self.at_row(states, self.upside() * r.z, |row| share * row.force, |pull| pull.force)
+        };
         self.assessment.rows.iter().map(force).collect()
     }
 
@@ -292,7 +336,11 @@ impl Side<'_> {
             Unit::Moment.show(own),
             Unit::Moment.show(other),
             Unit::Length.show(lever),
-            if relief == 0.0 { String::new() } else { format!(" − {}", Unit::Force.show(self.a.outward * relief)) },
+            if relief == 0.0 {
+                String::new()
+            } else {
+                format!(" − {}", Unit::Force.show(self.a.outward * relief))
+            },
             Unit::Force.show(demand),
             check.formula
         );
@@ -310,7 +358,8 @@ impl Side<'_> {
             let subject = format!("{}, beam flange", self.a.end);
             let length = weld_checks::flange_run(e);
             let force = my.abs() / (b.h - b.tf) + 0.5 * axial.max(0.0);
-            let mut worked = simplified(e.flange_throat, &steel).with("l_eff", length, Unit::Length);
+            let mut worked =
+                simplified(e.flange_throat, &steel).with("l_eff", length, Unit::Length);
             worked.formula = format!(
                 "F_w,Ed = (|My|/(h − t_f) + N/2)/l_eff = ({} + {})/{}; {}",
                 Unit::Force.show(my.abs() / (b.h - b.tf)),
@@ -332,7 +381,12 @@ impl Side<'_> {
                 Unit::Length.show(length),
                 worked.formula
             );
-            out.push(worked.against(Topic::Welds, subject.clone(), 0.5 * force / length, Status::Failed));
+            out.push(worked.against(
+                Topic::Welds,
+                subject.clone(),
+                0.5 * force / length,
+                Status::Failed,
+            ));
             out.extend(least_size(&subject, e.web_throat, length));
         }
         out
@@ -372,7 +426,8 @@ impl Bolts {
         let mut out = vec![self.shear(weights, shear)];
         if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
             let mut worked = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2);
-            worked.title = "tension of a bolt, prying included, by the row forces of the component method";
+            worked.title =
+                "tension of a bolt, prying included, by the row forces of the component method";
             out.push(worked.against(Topic::ComponentMethod, place(z), tension, Status::Failed));
         }
         // by Table 3.4 each bolt on its own
@@ -385,7 +440,8 @@ impl Bolts {
             };
             let mut worked = interaction::utilisation(&f);
             if tension > self.tension {
-                worked.formula += &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+                worked.formula +=
+                    &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
             }
             (z, worked)
         };
@@ -398,7 +454,8 @@ impl Bolts {
                 let inner = pitches(e).map(|[p1, _]| Along::Inner { p1 });
                 // of the plate the end rows, whichever way the force points; the ends of the column are far
                 let e1 = (e.top - z).min(z - e.bottom);
-                let outer = (part == "end plate" && (i == 0 || i == end)).then_some(Along::End { e1 });
+                let outer =
+                    (part == "end plate" && (i == 0 || i == end)).then_some(Along::End { e1 });
                 let far = inner.is_none() && outer.is_none();
                 let all = [inner, outer, far.then_some(Along::End { e1: 3.0 * e.hole })];
                 let all = all.into_iter().flatten().map(|along| bearing(e, along, (t, fu, width)));
@@ -407,15 +464,26 @@ impl Bolts {
             });
             let rows = rows.filter_map(|(z, force, worked)| Some((z, force, worked?)));
             if let Some((z, force, worked)) = worst(rows, |(_, force, w)| force / w.value) {
-                out.push(worked.against(Topic::Bolts, format!("{part}, {}", place(z)), force, Status::Failed));
+                out.push(worked.against(
+                    Topic::Bolts,
+                    format!("{part}, {}", place(z)),
+                    force,
+                    Status::Failed,
+                ));
             }
             if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
                 let mut worked = punching_resistance(mean_diameter(&e.bolt), t, fu, e.gamma_m2);
                 if tension > self.tension {
-                    worked.formula += &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+                    worked.formula +=
+                        &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
                 }
                 let held = self.held(tension);
-                out.push(worked.against(Topic::Bolts, format!("{part}, {}", place(z)), held, Status::Failed));
+                out.push(worked.against(
+                    Topic::Bolts,
+                    format!("{part}, {}", place(z)),
+                    held,
+                    Status::Failed,
+                ));
             }
         }
         out
@@ -431,9 +499,14 @@ impl Bolts {
         );
         let title = "shear of all bolts, with what their tension leaves";
         let value = weights * self.shear;
-        let mut worked = Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);
+        let mut worked =
+            Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);
         for (z, tension) in &self.rows {
-            worked = worked.with(&format!("F_t,Ed of the row at z = {} mm", n(*z)), *tension, Unit::Force);
+            worked = worked.with(
+                &format!("F_t,Ed of the row at z = {} mm", n(*z)),
+                *tension,
+                Unit::Force,
+            );
         }
         worked.against(Topic::Bolts, self.end.clone(), shear, Status::Failed)
     }

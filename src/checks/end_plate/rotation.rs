@@ -35,12 +35,21 @@ pub struct PureMoment {
 
 impl PureMoment {
     /// The load case at a member end, if it is a moment alone and the template tells which length of beam bends.
-    pub(super) fn new(e: &EndPlate, a: &PlaneActions, beta: f64, assessment: &Assessment) -> Option<Self> {
+    pub(super) fn new(
+        e: &EndPlate,
+        a: &PlaneActions,
+        beta: f64,
+        assessment: &Assessment,
+    ) -> Option<Self> {
         let [[n, vy, vz], [torsion, my, mz]] = a.live;
         let small = ROUNDING * my.abs();
         let others = [n, vy, vz].map(|f| f * e.beam.h).into_iter().chain([torsion, mz]);
         let dead = a.dead.iter().flatten().any(|x| *x != 0.0);
-        if my == 0.0 || dead || others.into_iter().any(|x| x.abs() > small) || e.bending_length <= 0.0 {
+        if my == 0.0
+            || dead
+            || others.into_iter().any(|x| x.abs() > small)
+            || e.bending_length <= 0.0
+        {
             return None;
         }
         // cm⁴ → mm⁴
@@ -112,7 +121,11 @@ impl JointStiffness {
         let alike = case.iter().all(|m| (m.moment / first.moment - 1.0).abs() <= 1e-9);
         // two moments bracket the mean of two rotations; they are one rotation where the two balance
         let balanced = case.len() == 1 || !first.bends_column;
-        if !alike || !balanced || (total / sum - 1.0).abs() > 1e-6 || rotation[1] <= first.beam_rotation {
+        if !alike
+            || !balanced
+            || (total / sum - 1.0).abs() > 1e-6
+            || rotation[1] <= first.beam_rotation
+        {
             return None;
         }
         let [low, high] = rotation.map(|phi| phi - first.beam_rotation);
@@ -138,7 +151,8 @@ impl JointStiffness {
     /// rotation and flexural stiffness and the component method, stays as it was told. Without the class at the beam's own length, for the
     /// length is not told.
     pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
-        let flexural = self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
+        let flexural =
+            self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
         let each = self.ends.iter().map(|end| PureMoment {
             case: String::new(),
             end: end.clone(),
@@ -217,11 +231,18 @@ mod tests {
     #[test]
     fn the_beam_is_taken_out_and_the_class_is_three_valued() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [3e-3, 6e-3]).expect("one moment");
-        assert!((s.lower / 2e8 - 1.0).abs() < 1e-12 && s.upper.is_some_and(|u| (u / 5e8 - 1.0).abs() < 1e-12), "{s:?}");
+        assert!(
+            (s.lower / 2e8 - 1.0).abs() < 1e-12
+                && s.upper.is_some_and(|u| (u / 5e8 - 1.0).abs() < 1e-12),
+            "{s:?}"
+        );
         assert_eq!(s.classes[0].class, Some([StiffnessClass::SemiRigid; 2]));
         // k_b E I/S: 8 and 25 times 1e12/2e8, 0.5 times 1e12/5e8
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
-        assert!(near(s.classes[0].rigid_from, 40e3) && near(s.classes[1].rigid_from, 125e3), "{s:?}");
+        assert!(
+            near(s.classes[0].rigid_from, 40e3) && near(s.classes[1].rigid_from, 125e3),
+            "{s:?}"
+        );
         assert!(s.classes[0].pinned_to.is_some_and(|l| near(l, 1000.0)), "{s:?}");
         assert!(s.classes[0].not_rigid_below.is_some_and(|l| near(l, 16e3)), "{s:?}");
         let at = |length| {
@@ -263,7 +284,10 @@ mod tests {
             change(&mut other);
             assert!(!found(&other), "change {i}: {other:?}");
         }
-        assert!(!told.again(1e6, [3e-3, 6.001e-3]).is_some_and(|a| a.agrees(&told, close)), "another bracket");
+        assert!(
+            !told.again(1e6, [3e-3, 6.001e-3]).is_some_and(|a| a.agrees(&told, close)),
+            "another bracket"
+        );
         assert!(told.again(2e6, phi).is_none(), "another load");
     }
 

@@ -28,7 +28,9 @@ fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'stat
     const ULTIMATE: &str = "slip of the preloaded bolts at the ultimate limit state (category C)";
     const SERVICEABILITY: &str = "slip of the preloaded bolts at serviceability (category B)";
     match (category, state) {
-        (Some(BoltCategory::B), LimitState::Serviceability) => Some((SERVICEABILITY, Status::Failed)),
+        (Some(BoltCategory::B), LimitState::Serviceability) => {
+            Some((SERVICEABILITY, Status::Failed))
+        }
         (Some(BoltCategory::C), LimitState::Ultimate) => Some((ULTIMATE, Status::Failed)),
         (Some(_), _) => None,
         // no category is named, so that slip need not be prevented
@@ -52,7 +54,8 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let bolts = 2.0 * e.rows.len() as f64;
     let mut worked = slip_resistance(hole(e).1, 1, e.mu, preload, axial.max(0.0) / bolts, gamma);
     worked.title = title;
-    worked.formula = format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
+    worked.formula =
+        format!("V_Ed/n = {}/{}; {}", Unit::Force.show(shear), n(bolts), worked.formula);
     if !a.state.is_ultimate() {
         worked.formula = worked.formula.replace("γ_M3", "γ_M3,ser");
     }
@@ -63,11 +66,19 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
 pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
     let subject = format!("{} {}", e.bolt.size, e.grade.grade);
     let mut out = holes(e);
-    if e.category == Some(BoltCategory::B) && !e.actions.is_empty() && e.actions.iter().all(|a| a.state.is_ultimate()) {
+    if e.category == Some(BoltCategory::B)
+        && !e.actions.is_empty()
+        && e.actions.iter().all(|a| a.state.is_ultimate())
+    {
         let title = "category B: no load case has `state: SLS`, so that slip is not checked";
-        let mut check =
-            Worked::new("EN 1993-1-8:2005 3.4.1(3)", title, 0.0, Unit::Number, "load cases of serviceability")
-                .information(Topic::Bolts, subject.clone());
+        let mut check = Worked::new(
+            "EN 1993-1-8:2005 3.4.1(3)",
+            title,
+            0.0,
+            Unit::Number,
+            "load cases of serviceability",
+        )
+        .information(Topic::Bolts, subject.clone());
         (check.resistance, check.status) = (None, Status::Undecided);
         out.push(check);
     }
@@ -75,13 +86,16 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
     if e.bolt.system == "ISO 4014" {
         let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
         let words = format!("{} is of {}; F_p", e.bolt.size, e.bolt.standard);
-        let mut check = Worked::new("EN 1993-1-8:2005 3.1.2(1), 1.2.4", title, force, Unit::Force, words)
-            .information(Topic::Bolts, subject.clone());
+        let mut check =
+            Worked::new("EN 1993-1-8:2005 3.1.2(1), 1.2.4", title, force, Unit::Force, words)
+                .information(Topic::Bolts, subject.clone());
         check.status = Status::Warning;
         out.push(check);
     }
     let full = preload(&e.bolt, &e.grade);
-    if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C)) && force > full.value * (1.0 + 1e-9) {
+    if e.category.is_some_and(|c| matches!(c, BoltCategory::B | BoltCategory::C))
+        && force > full.value * (1.0 + 1e-9)
+    {
         let mut worked = full;
         worked.title = "preload of the slip resistance, no more than F_p,C";
         out.push(worked.against(Topic::Bolts, subject, force, Status::Failed));
@@ -105,11 +119,14 @@ fn holes(e: &EndPlate) -> Vec<Check> {
         n(part),
         n(slip.ks())
     );
-    let mut out =
-        vec![Worked::new(CLAUSE, title, e.hole - b.d, Unit::Length, formula).information(Topic::Detailing, "holes")];
+    let mut out = vec![
+        Worked::new(CLAUSE, title, e.hole - b.d, Unit::Length, formula)
+            .information(Topic::Detailing, "holes"),
+    ];
     let what = (CLAUSE, "oversize round hole");
     let rule = (b.hole_oversize, format!("{} mm", n(b.hole_oversize)));
-    let wider = Check::at_most((Topic::Detailing, "holes"), what, "d0", rule, e.hole, Status::Warning);
+    let wider =
+        Check::at_most((Topic::Detailing, "holes"), what, "d0", rule, e.hole, Status::Warning);
     out.extend((wider.status != Status::Ok).then_some(wider));
     out
 }

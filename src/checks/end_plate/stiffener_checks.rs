@@ -3,7 +3,9 @@
 //! The meshed stiffeners are whole and one body with the column; what is cut off at the root and the size of welds is checked here.
 
 use super::case::{Case, value};
-use super::{ColumnSide, EndPlate, Status, Topic, Unit, Worked, assess, doubler_fault, joint, loaded, n};
+use super::{
+    ColumnSide, EndPlate, Status, Topic, Unit, Worked, assess, doubler_fault, joint, loaded, n,
+};
 use crate::checks::check::Check;
 use crate::checks::component_method::assembly::Group;
 use crate::checks::component_method::column_web::compressed_thickness;
@@ -72,7 +74,9 @@ pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
     let mut shares = Vec::new();
-    if let Some((check, share)) = compression(case, &s, &bare, compressed_thickness(c.section.tw, doublers)) {
+    if let Some((check, share)) =
+        compression(case, &s, &bare, compressed_thickness(c.section.tw, doublers))
+    {
         out.push(check);
         shares.push(share);
     }
@@ -90,7 +94,12 @@ pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the whole section; net section where the
 /// stiffener is cut, as in SCI P398.
-fn compression(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment, web: f64) -> Option<(Check, Share)> {
+fn compression(
+    case: &Case<'_>,
+    s: &Stiffeners<'_>,
+    bare: &Assessment,
+    web: f64,
+) -> Option<(Check, Share)> {
     let limit = bare.limit(Summed::ColumnWeb)?;
     let of = |symbol: &str| limit.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value);
     let (width, kwc, omega) = (of("b_eff")?, of("k_wc")?, of("ω")?);
@@ -104,12 +113,15 @@ fn compression(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment, web: f64)
         Unit::Force.show(s.resistance()),
     );
     let title = "crushing of the column web with the net section of its stiffeners";
-    let worked = Worked::new("EN 1993-1-8:2005 6.2.6.2(4), SCI P398", title, both, Unit::Force, formula)
-        .with("b_eff", width, Unit::Length)
-        .with("ω", omega, Unit::Number);
-    let check = worked.against(Topic::Member, case.place("compressed stiffeners"), force, Status::Failed);
+    let worked =
+        Worked::new("EN 1993-1-8:2005 6.2.6.2(4), SCI P398", title, both, Unit::Force, formula)
+            .with("b_eff", width, Unit::Length)
+            .with("ω", omega, Unit::Number);
+    let check =
+        worked.against(Topic::Member, case.place("compressed stiffeners"), force, Status::Failed);
     let part = s.resistance() / both;
-    let formula = format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
+    let formula =
+        format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
     Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
 }
 
@@ -156,7 +168,8 @@ fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Ch
     if let Some(width) = value(web, "b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
     }
-    let check = worked.against(Topic::Member, case.place("stiffeners in tension"), force, Status::Failed);
+    let check =
+        worked.against(Topic::Member, case.place("stiffeners in tension"), force, Status::Failed);
     Some((check, Share { side: "stiffeners in tension", force, formula }))
 }
 
@@ -173,18 +186,33 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
     let four = |force: f64, length: f64, formula: &str, subject: String| {
         // as a force, so that welds without any length left fail
         let each = simplified(a, &steel);
-        let formula =
-            format!("{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}", each.formula, n(length), n(each.value));
+        let formula = format!(
+            "{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}",
+            each.formula,
+            n(length),
+            n(each.value)
+        );
         let title = "fillet welds of the column stiffeners";
-        let worked = Worked::new(each.clause, title, 4.0 * length * each.value, Unit::Force, formula);
+        let worked =
+            Worked::new(each.clause, title, 4.0 * length * each.value, Unit::Force, formula);
         worked.against(Topic::Welds, subject, force, Status::Failed)
     };
     for s in shares {
-        out.push(four(s.force, flange, &s.formula, case.place(&format!("{} to the column flange", s.side))));
+        out.push(four(
+            s.force,
+            flange,
+            &s.formula,
+            case.place(&format!("{} to the column flange", s.side)),
+        ));
     }
     if let Some(s) = shares.iter().reduce(|a, b| if b.force > a.force { b } else { a }) {
         let formula = format!("F_Ed = β F = {} · {}", n(beta), Unit::Force.show(s.force));
-        out.push(four(beta * s.force, web, &formula, case.place(&format!("{} to the column web", s.side))));
+        out.push(four(
+            beta * s.force,
+            web,
+            &formula,
+            case.place(&format!("{} to the column web", s.side)),
+        ));
     }
     out.extend(least_size(&case.place("column stiffeners"), a, flange.min(web)));
     out
@@ -197,14 +225,17 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
 pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
     let mut out = Vec::new();
     let e = case.e;
-    let counts = |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
+    let counts =
+        |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let Some(c) = e.column.as_ref().filter(counts) else { return out };
     let (subject, a) = (case.place("web doubler"), c.doubler_throat);
     let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
     let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
     out.push(Check::at_least((Topic::Welds, subject.as_str()), what, "a", rule, a, Status::Failed));
     let (Some(steel), Some(panel)) = (welded(e, c), &case.assessment.panel) else { return out };
-    let Some(area) = panel.steps.iter().find(|s| s.symbol == "A_vc").map(|s| s.value) else { return out };
+    let Some(area) = panel.steps.iter().find(|s| s.symbol == "A_vc").map(|s| s.value) else {
+        return out;
+    };
     let own = case.a.at(1.0)[1][1];
     let other: f64 = loaded::others(e, case.a).map(|o| o.at(1.0)[1][1]).sum();
     let shear = (own - other).abs() / case.assessment.stiffness.lever;

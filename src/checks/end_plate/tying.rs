@@ -26,8 +26,11 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     }
     (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
     let dm = mean_diameter(&e.bolt);
-    let punching = bearing_parts(e).into_iter().map(|(_, t, fu, _)| punching_resistance(dm, t, fu, GAMMA_MU).value);
-    j.bolts.tension = punching.fold(tension_resistance(&e.bolt, &e.grade, false, GAMMA_MU).value, f64::min);
+    let punching = bearing_parts(e)
+        .into_iter()
+        .map(|(_, t, fu, _)| punching_resistance(dm, t, fu, GAMMA_MU).value);
+    j.bolts.tension =
+        punching.fold(tension_resistance(&e.bolt, &e.grade, false, GAMMA_MU).value, f64::min);
     let of = |sense: Sense| {
         let sign = if sense == Sense::Bottom { -1.0 } else { 1.0 };
         let found = assess(&sense.of(&j)).ok()?;
@@ -36,7 +39,13 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     let both = [of(Sense::Top)?, of(Sense::Bottom)?];
     let each: Vec<f64> = from_top(e)
         .into_iter()
-        .map(|z| both.iter().flatten().filter(|r| (r.0 - z).abs() < 1e-9).map(|r| r.1).fold(f64::INFINITY, f64::min))
+        .map(|z| {
+            both.iter()
+                .flatten()
+                .filter(|r| (r.0 - z).abs() < 1e-9)
+                .map(|r| r.1)
+                .fold(f64::INFINITY, f64::min)
+        })
         .collect();
     let beam = 1e2 * e.beam.area * e.beam_steel.fu / GAMMA_MU;
     let value = each.iter().sum::<f64>().min(beam);
@@ -66,6 +75,10 @@ fn forces(a: &Assessment) -> Vec<(f64, f64)> {
 }
 
 fn left(row: &RowForce, above: &[(f64, f64)]) -> f64 {
-    let of_group = |first: usize, whole: f64| whole - above.iter().skip(first).map(|r| r.1).sum::<f64>();
-    row.groups.iter().map(|g| of_group(g.first, g.component.worked.value)).fold(row.single, f64::min)
+    let of_group =
+        |first: usize, whole: f64| whole - above.iter().skip(first).map(|r| r.1).sum::<f64>();
+    row.groups
+        .iter()
+        .map(|g| of_group(g.first, g.component.worked.value))
+        .fold(row.single, f64::min)
 }

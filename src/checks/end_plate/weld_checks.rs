@@ -4,7 +4,9 @@ use super::case::{Case, value};
 use super::{EndPlate, Sense, Status, Topic, Unit, Worked, n, welded};
 use crate::checks::check::Check;
 use crate::checks::component_method::Assessment;
-use crate::checks::eurocode::welds::{across_and_along, directional, full_strength_throat, transverse};
+use crate::checks::eurocode::welds::{
+    across_and_along, directional, full_strength_throat, transverse,
+};
 use std::f64::consts::SQRT_2;
 
 /// A stretch of the beam web's welds and the rows that pull at it.
@@ -24,7 +26,9 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
         let alone = row.alone.iter().map(|c| (last, c));
         let all = alone.chain(row.groups.iter().map(|g| (g.first, &g.component)));
         let web = all.filter(|(_, c)| c.name == "beam web");
-        out.extend(web.filter_map(|(first, c)| Some(Stretch { first, last, width: value(c, "b_eff")?.min(run) })));
+        out.extend(web.filter_map(|(first, c)| {
+            Some(Stretch { first, last, width: value(c, "b_eff")?.min(run) })
+        }));
     }
     out
 }
@@ -35,7 +39,12 @@ pub(super) fn web_run(e: &EndPlate) -> f64 {
 }
 
 /// The stretch of the beam web's welds that is used most, under row forces \[N\] and a shear force over the whole web.
-fn web_welds(e: &EndPlate, a: &Assessment, force: impl Fn(usize) -> f64, shear: f64) -> Option<(Stretch, Worked)> {
+fn web_welds(
+    e: &EndPlate,
+    a: &Assessment,
+    force: impl Fn(usize) -> f64,
+    shear: f64,
+) -> Option<(Stretch, Worked)> {
     let (throat, run) = (e.web_throat, web_run(e));
     let steel = welded(e).filter(|_| throat > 0.0 && run > 0.0)?;
     let parallel = shear / (2.0 * throat * run);
@@ -96,11 +105,20 @@ fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let each = transverse(a, &steel);
     let along = each.value * length;
     let (value, formula) = if a >= full.value && flange > along {
-        (flange, format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula))
+        (
+            flange,
+            format!("a = {} mm ≥ {} of full strength; F_Rd = b t_f f_y/γ_M0", n(a), full.formula),
+        )
     } else {
-        (along, format!("{}; F_Rd = F_w,Rd l_eff = {} · {}", each.formula, n(each.value), n(length)))
+        (
+            along,
+            format!("{}; F_Rd = F_w,Rd l_eff = {} · {}", each.formula, n(each.value), n(length)),
+        )
     };
-    Some(FlangeWelds { worked: Worked::new(NOT_THE_WEAKEST, "", value, Unit::Force, formula), flange })
+    Some(FlangeWelds {
+        worked: Worked::new(NOT_THE_WEAKEST, "", value, Unit::Force, formula),
+        flange,
+    })
 }
 
 /// Effective length of the welds of one flange, outside along its width, inside up to the root fillets \[mm\].
@@ -114,7 +132,12 @@ pub(super) fn flange_run(e: &EndPlate) -> f64 {
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.
-pub(super) fn not_the_weakest(e: &EndPlate, subject: &str, sense: Sense, a: &Assessment) -> Vec<Check> {
+pub(super) fn not_the_weakest(
+    e: &EndPlate,
+    subject: &str,
+    sense: Sense,
+    a: &Assessment,
+) -> Vec<Check> {
     let mine = |my: f64| my != 0.0 && Sense::of_moment(my) == sense;
     let bends = e.actions.iter().any(|x| mine(x.at(1.0)[1][1]));
     let otherwise = if bends { Status::Failed } else { Status::Warning };
@@ -122,7 +145,8 @@ pub(super) fn not_the_weakest(e: &EndPlate, subject: &str, sense: Sense, a: &Ass
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
         let strength = e.beam.tw * e.beam_steel.fy / e.gamma_m0;
-        let words = "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
+        let words =
+            "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
         let title = "web weld no weaker than the rows in tension";
         let worked = Worked::new(NOT_THE_WEAKEST, title, strength, Unit::ForcePerLength, words);
         out.push(worked.information(Topic::Welds, format!("beam web, {subject}")));
@@ -133,7 +157,8 @@ pub(super) fn not_the_weakest(e: &EndPlate, subject: &str, sense: Sense, a: &Ass
         worked.clause = NOT_THE_WEAKEST;
         worked.title = "web weld no weaker than the rows in tension";
         let each = a.rows.get(stretch.first..=stretch.last).unwrap_or_default().iter();
-        let each: Vec<String> = each.map(|r| n(if sense == Sense::Bottom { -r.z } else { r.z })).collect();
+        let each: Vec<String> =
+            each.map(|r| n(if sense == Sense::Bottom { -r.z } else { r.z })).collect();
         let place = format!("beam web, {subject}, z = {} mm", each.join(" and "));
         out.push(worked.utilised(Topic::Welds, place, otherwise));
     }
@@ -145,8 +170,15 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
     if e.flange_throat == 0.0 {
         let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.gamma_m0;
-        let words = "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
-        let worked = Worked::new(NOT_THE_WEAKEST, "flange weld no weaker than the joint", strength, Unit::Force, words);
+        let words =
+            "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
+        let worked = Worked::new(
+            NOT_THE_WEAKEST,
+            "flange weld no weaker than the joint",
+            strength,
+            Unit::Force,
+            words,
+        );
         return vec![worked.information(Topic::Welds, place)];
     }
     let Some(welds) = flange_welds(e) else { return Vec::new() };

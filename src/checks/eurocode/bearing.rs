@@ -95,7 +95,8 @@ impl Bearing {
         };
         // bolts nearer than the least distances of Table 3.3 carry nothing
         let value = (factor * k1 * alpha_b * self.fu * self.d * self.thickness / gamma_m2).max(0.0);
-        let (words, hole) = if factor == 1.0 { (String::new(), "") } else { (format!("{} · ", n(factor)), "β ") };
+        let (words, hole) =
+            if factor == 1.0 { (String::new(), "") } else { (format!("{} · ", n(factor)), "β ") };
         let formula = format!(
             "F_b,Rd = {hole}k1 α_b f_u d t / γ_M2 = {words}{} · {} · {} · {} · {} / {}",
             n(k1),
@@ -105,10 +106,16 @@ impl Bearing {
             n(self.thickness),
             n(gamma_m2)
         );
-        Worked::new("EN 1993-1-8:2005 Table 3.4", "bearing resistance at a bolt", value, Unit::Force, formula)
-            .with("α_d", alpha_d, Unit::Number)
-            .with("α_b", alpha_b, Unit::Number)
-            .with("k1", k1, Unit::Number)
+        Worked::new(
+            "EN 1993-1-8:2005 Table 3.4",
+            "bearing resistance at a bolt",
+            value,
+            Unit::Force,
+            formula,
+        )
+        .with("α_d", alpha_d, Unit::Number)
+        .with("α_b", alpha_b, Unit::Number)
+        .with("k1", k1, Unit::Number)
     }
 }
 

@@ -8,8 +8,9 @@ use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
 /// # Source
 /// ISO 4014 / ISO 4017, preferred lengths.
 const LENGTHS: [f64; 34] = [
-    20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 65.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0, 130.0, 140.0,
-    150.0, 160.0, 180.0, 200.0, 220.0, 240.0, 260.0, 280.0, 300.0, 320.0, 340.0, 360.0, 380.0, 400.0, 420.0, 440.0,
+    20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 65.0, 70.0, 80.0, 90.0, 100.0, 110.0,
+    120.0, 130.0, 140.0, 150.0, 160.0, 180.0, 200.0, 220.0, 240.0, 260.0, 280.0, 300.0, 320.0,
+    340.0, 360.0, 380.0, 400.0, 420.0, 440.0,
 ];
 
 /// Length of the bolt the elongation of a bolt is counted on \[mm\]: `L_b` = grip + washers + half of head and nut.
@@ -27,8 +28,13 @@ pub fn elongation_length(bolt: &BoltSize, grip: f64, washers: u32) -> f64 {
 pub fn least_length(bolt: &BoltSize, grip: f64, washers: u32) -> Worked {
     let (t, m, p) = (bolt.washer_thickness, bolt.nut_height, bolt.pitch);
     let value = grip + f64::from(washers) * t + m + p;
-    let formula =
-        format!("l = grip + washers + nut + pitch = {} + {washers} · {} + {} + {}", n(grip), n(t), n(m), n(p));
+    let formula = format!(
+        "l = grip + washers + nut + pitch = {} + {washers} · {} + {} + {}",
+        n(grip),
+        n(t),
+        n(m),
+        n(p)
+    );
     Worked::new("EN 1090-2 8.2.2", "least length of the bolt", value, Unit::Length, formula)
 }
 
@@ -57,9 +63,18 @@ pub fn thread_length(bolt: &BoltSize, length: f64) -> f64 {
 /// EN 1090-2 8.2.2: one full thread at least stays free between the bearing face of the nut and the unthreaded shank.
 pub fn shank_check(subject: &str, bolt: &BoltSize, length: f64, grip: f64, washers: u32) -> Check {
     let shank = length - thread_length(bolt, length);
-    let rule =
-        (shank + bolt.pitch, format!("l − b + pitch = {} − {} + {}", n(length), n(length - shank), n(bolt.pitch)));
+    let rule = (
+        shank + bolt.pitch,
+        format!("l − b + pitch = {} − {} + {}", n(length), n(length - shank), n(bolt.pitch)),
+    );
     let clamped = grip + f64::from(washers) * bolt.washer_thickness;
     let title = ("EN 1090-2 8.2.2", "free thread under the nut");
-    Check::at_least((Topic::Detailing, subject), title, "grip + washers", rule, clamped, Status::Failed)
+    Check::at_least(
+        (Topic::Detailing, subject),
+        title,
+        "grip + washers",
+        rule,
+        clamped,
+        Status::Failed,
+    )
 }

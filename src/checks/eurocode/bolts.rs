@@ -22,7 +22,12 @@ pub enum ShearPlane {
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4.
-pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, countersunk: bool, gamma_m2: f64) -> Worked {
+pub fn tension_resistance(
+    bolt: &BoltSize,
+    grade: &BoltGrade,
+    countersunk: bool,
+    gamma_m2: f64,
+) -> Worked {
     let k2 = if countersunk { K2_COUNTERSUNK } else { K2 };
     let value = k2 * grade.fub * bolt.stress_area / gamma_m2;
     let formula = format!(
@@ -32,9 +37,15 @@ pub fn tension_resistance(bolt: &BoltSize, grade: &BoltGrade, countersunk: bool,
         n(bolt.stress_area),
         n(gamma_m2)
     );
-    Worked::new("EN 1993-1-8:2005 Table 3.4", "tension resistance of a bolt", value, Unit::Force, formula)
-        .with("k2", k2, Unit::Number)
-        .with("A_s", bolt.stress_area, Unit::Area)
+    Worked::new(
+        "EN 1993-1-8:2005 Table 3.4",
+        "tension resistance of a bolt",
+        value,
+        Unit::Force,
+        formula,
+    )
+    .with("k2", k2, Unit::Number)
+    .with("A_s", bolt.stress_area, Unit::Area)
 }
 
 /// Design shear resistance of one bolt in one shear plane \[N\]; `reduction` is the product of β_Lf and β_p, 1 for none.
@@ -63,9 +74,15 @@ pub fn shear_resistance(
         formula += " =";
     }
     formula += &format!(" {} · {} · {} / {}", n(alpha_v), n(grade.fub), n(area), n(gamma_m2));
-    Worked::new("EN 1993-1-8:2005 Table 3.4", "shear resistance of a bolt, per plane", value, Unit::Force, formula)
-        .with("α_v", alpha_v, Unit::Number)
-        .with(symbol, area, Unit::Area)
+    Worked::new(
+        "EN 1993-1-8:2005 Table 3.4",
+        "shear resistance of a bolt, per plane",
+        value,
+        Unit::Force,
+        formula,
+    )
+    .with("α_v", alpha_v, Unit::Number)
+    .with(symbol, area, Unit::Area)
 }
 
 /// Reduction β_Lf of the shear resistance in long joints; `length` L_j between the centres of the end bolts \[mm\].
@@ -76,9 +93,19 @@ pub fn shear_resistance(
 /// EN 1993-1-8:2005 3.8(1), formula 3.5.
 pub fn long_joint_factor(length: f64, d: f64) -> Worked {
     let value = (1.0 - (length - 15.0 * d) / (200.0 * d)).clamp(0.75, 1.0);
-    let formula =
-        format!("β_Lf = 1 − (L_j − 15 d)/(200 d) = 1 − ({} − 15 · {})/(200 · {}), 0.75 to 1", n(length), n(d), n(d));
-    Worked::new("EN 1993-1-8:2005 3.8(1)", "reduction of shear in long joints", value, Unit::Number, formula)
+    let formula = format!(
+        "β_Lf = 1 − (L_j − 15 d)/(200 d) = 1 − ({} − 15 · {})/(200 · {}), 0.75 to 1",
+        n(length),
+        n(d),
+        n(d)
+    );
+    Worked::new(
+        "EN 1993-1-8:2005 3.8(1)",
+        "reduction of shear in long joints",
+        value,
+        Unit::Number,
+        formula,
+    )
 }
 
 /// Reduction β_p of the shear resistance by packing of total thickness `t_p` \[mm\]; 1 up to d/3.
@@ -88,8 +115,19 @@ pub fn long_joint_factor(length: f64, d: f64) -> Worked {
 /// # Source
 /// EN 1993-1-8:2005 3.6.1(12), formula 3.3.
 pub fn packing_factor(packing: f64, d: f64) -> Worked {
-    let value = if packing > d / 3.0 { (9.0 * d / (8.0 * d + 3.0 * packing)).min(1.0) } else { 1.0 };
-    let formula =
-        format!("β_p = 9 d/(8 d + 3 t_p) = 9 · {}/(8 · {} + 3 · {}), 1 up to t_p = d/3", n(d), n(d), n(packing));
-    Worked::new("EN 1993-1-8:2005 3.6.1(12)", "reduction of shear by packing", value, Unit::Number, formula)
+    let value =
+        if packing > d / 3.0 { (9.0 * d / (8.0 * d + 3.0 * packing)).min(1.0) } else { 1.0 };
+    let formula = format!(
+        "β_p = 9 d/(8 d + 3 t_p) = 9 · {}/(8 · {} + 3 · {}), 1 up to t_p = d/3",
+        n(d),
+        n(d),
+        n(packing)
+    );
+    Worked::new(
+        "EN 1993-1-8:2005 3.6.1(12)",
+        "reduction of shear by packing",
+        value,
+        Unit::Number,
+        formula,
+    )
 }

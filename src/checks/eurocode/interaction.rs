@@ -34,7 +34,13 @@ pub fn utilisation(f: &Forces) -> Worked {
         kn(f.tension),
         kn(f.tension_resistance)
     );
-    Worked::new("EN 1993-1-8:2005 Table 3.4", "shear and tension of a bolt", both.max(t), Unit::Number, formula)
-        .with("F_v,Ed/F_v,Rd", v, Unit::Number)
-        .with("F_t,Ed/F_t,Rd", t, Unit::Number)
+    Worked::new(
+        "EN 1993-1-8:2005 Table 3.4",
+        "shear and tension of a bolt",
+        both.max(t),
+        Unit::Number,
+        formula,
+    )
+    .with("F_v,Ed/F_v,Rd", v, Unit::Number)
+    .with("F_t,Ed/F_t,Rd", t, Unit::Number)
 }

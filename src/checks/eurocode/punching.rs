@@ -27,9 +27,12 @@ pub fn punching_resistance(dm: f64, thickness: f64, fu: f64, gamma_m2: f64) -> W
         n(fu),
         n(gamma_m2)
     );
-    Worked::new("EN 1993-1-8:2005 Table 3.4", "punching resistance at a bolt", value, Unit::Force, formula).with(
-        "d_m",
-        dm,
-        Unit::Length,
+    Worked::new(
+        "EN 1993-1-8:2005 Table 3.4",
+        "punching resistance at a bolt",
+        value,
+        Unit::Force,
+        formula,
     )
+    .with("d_m", dm, Unit::Length)
 }

@@ -46,13 +46,25 @@ impl Beam {
     /// # Source
     /// EN 1993-1-1:2005 6.2.6(3)e.
     pub fn shear_across(&self) -> Worked {
-        self.plastic_shear("shear of the beam along its flanges", self.section.area - self.web() * self.section.tw)
+        self.plastic_shear(
+            "shear of the beam along its flanges",
+            self.section.area - self.web() * self.section.tw,
+        )
     }
 
     fn plastic_shear(&self, title: &'static str, area: f64) -> Worked {
         let value = area * self.fy / (3f64.sqrt() * self.gamma_m0);
-        let formula = format!("V_pl,Rd = A_v f_y/(√3 γ_M0) = {} · {}/(√3 · {})", n(area), n(self.fy), n(self.gamma_m0));
-        Worked::new("EN 1993-1-1:2005 6.2.6(2)", title, value, Unit::Force, formula).with("A_v", area, Unit::Area)
+        let formula = format!(
+            "V_pl,Rd = A_v f_y/(√3 γ_M0) = {} · {}/(√3 · {})",
+            n(area),
+            n(self.fy),
+            n(self.gamma_m0)
+        );
+        Worked::new("EN 1993-1-1:2005 6.2.6(2)", title, value, Unit::Force, formula).with(
+            "A_v",
+            area,
+            Unit::Area,
+        )
     }
 
     /// Plastic resistance against an axial force \[N\], `N_pl,Rd = A f_y/γ_M0`.
@@ -61,8 +73,19 @@ impl Beam {
     /// EN 1993-1-1:2005 6.2.3(2), 6.2.4(2).
     pub fn axial(&self) -> Worked {
         let value = self.section.area * self.fy / self.gamma_m0;
-        let formula = format!("N_pl,Rd = A f_y/γ_M0 = {} · {}/{}", n(self.section.area), n(self.fy), n(self.gamma_m0));
-        Worked::new("EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)", "axial force of the beam", value, Unit::Force, formula)
+        let formula = format!(
+            "N_pl,Rd = A f_y/γ_M0 = {} · {}/{}",
+            n(self.section.area),
+            n(self.fy),
+            n(self.gamma_m0)
+        );
+        Worked::new(
+            "EN 1993-1-1:2005 6.2.3(2), 6.2.4(2)",
+            "axial force of the beam",
+            value,
+            Unit::Force,
+            formula,
+        )
     }
 
     /// Greatest slenderness h_w/t_w of a web that needs no check of shear buckling, `72 ε/η` with η = 1.
@@ -90,7 +113,11 @@ impl Beam {
             n(gamma_m1)
         );
         let title = "shear buckling of the beam web, h_w/t_w > 72 ε";
-        Worked::new("EN 1993-1-5:2006 5.2", title, value, Unit::Force, formula).with("λ̄_w", lambda, Unit::Number)
+        Worked::new("EN 1993-1-5:2006 5.2", title, value, Unit::Force, formula).with(
+            "λ̄_w",
+            lambda,
+            Unit::Number,
+        )
     }
 
     /// Class of the section under bending about its strong axis with an axial force; a class 4 is refused.
@@ -115,7 +142,11 @@ impl Beam {
             return Ok(Distribution::Elastic);
         }
         Err(CheckError::NotCovered {
-            what: format!("the beam is of class 4: flange c/t = {}, web c/t = {}", n(flange), n(web)),
+            what: format!(
+                "the beam is of class 4: flange c/t = {}, web c/t = {}",
+                n(flange),
+                n(web)
+            ),
             clause: "EN 1993-1-1:2005 5.5.2",
         })
     }
@@ -138,7 +169,8 @@ impl Beam {
                 let area = s.area - rho * shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, 0.0);
                 let a = ((s.area - 2.0 * s.b * s.tf) / s.area).min(0.5);
                 // 6.2.10(3): the strength of the shear area is reduced for the small forces as well
-                let small = normal <= 0.25 * area * strength && normal <= 0.5 * (1.0 - rho) * web * strength;
+                let small = normal <= 0.25 * area * strength
+                    && normal <= 0.5 * (1.0 - rho) * web * strength;
                 let part = if small {
                     1.0
                 } else if area > 0.0 {
@@ -173,10 +205,8 @@ impl Beam {
             }
         };
         let title = "moment of the beam with its shear and axial force";
-        Ok(Worked::new(clause, title, value, Unit::Moment, formula).with("ρ", rho, Unit::Number).with(
-            "what N leaves",
-            part,
-            Unit::Number,
-        ))
+        Ok(Worked::new(clause, title, value, Unit::Moment, formula)
+            .with("ρ", rho, Unit::Number)
+            .with("what N leaves", part, Unit::Number))
     }
 }

@@ -43,7 +43,8 @@ impl SlipHole {
 /// EN 1993-1-8:2005 3.9.1(2), formula 3.7.
 pub fn preload(bolt: &BoltSize, grade: &BoltGrade) -> Worked {
     let value = 0.7 * grade.fub * bolt.stress_area;
-    let formula = format!("F_p,C = 0.7 f_ub A_s = 0.7 · {} · {}", n(grade.fub), n(bolt.stress_area));
+    let formula =
+        format!("F_p,C = 0.7 f_ub A_s = 0.7 · {} · {}", n(grade.fub), n(bolt.stress_area));
     Worked::new("EN 1993-1-8:2005 3.9.1(2)", "preload of a bolt", value, Unit::Force, formula)
 }
 
@@ -55,9 +56,19 @@ pub fn preload(bolt: &BoltSize, grade: &BoltGrade) -> Worked {
 /// EN 1993-1-8:2005 3.6.1(2), formula 3.1.
 pub fn design_preload(bolt: &BoltSize, grade: &BoltGrade, gamma_m7: f64) -> Worked {
     let value = 0.7 * grade.fub * bolt.stress_area / gamma_m7;
-    let formula =
-        format!("F_p,Cd = 0.7 f_ub A_s / γ_M7 = 0.7 · {} · {} / {}", n(grade.fub), n(bolt.stress_area), n(gamma_m7));
-    Worked::new("EN 1993-1-8:2005 3.6.1(2)", "design preload of a bolt", value, Unit::Force, formula)
+    let formula = format!(
+        "F_p,Cd = 0.7 f_ub A_s / γ_M7 = 0.7 · {} · {} / {}",
+        n(grade.fub),
+        n(bolt.stress_area),
+        n(gamma_m7)
+    );
+    Worked::new(
+        "EN 1993-1-8:2005 3.6.1(2)",
+        "design preload of a bolt",
+        value,
+        Unit::Force,
+        formula,
+    )
 }
 
 /// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the bolt (F_t,Ed with γ_M3 in
@@ -68,7 +79,14 @@ pub fn design_preload(bolt: &BoltSize, grade: &BoltGrade, gamma_m7: f64) -> Work
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.9.1(1), formula 3.6; 3.9.2(1), formulas 3.8a and 3.8b.
-pub fn slip_resistance(hole: SlipHole, surfaces: u32, mu: f64, preload: f64, tension: f64, gamma_m3: f64) -> Worked {
+pub fn slip_resistance(
+    hole: SlipHole,
+    surfaces: u32,
+    mu: f64,
+    preload: f64,
+    tension: f64,
+    gamma_m3: f64,
+) -> Worked {
     let ks = hole.ks();
     let clamp = (preload - 0.8 * tension).max(0.0);
     let value = ks * f64::from(surfaces) * mu * clamp / gamma_m3;
@@ -76,9 +94,21 @@ pub fn slip_resistance(hole: SlipHole, surfaces: u32, mu: f64, preload: f64, ten
     let (words, numbers, clause) = if tension == 0.0 {
         ("F_p,C", kn(preload), "EN 1993-1-8:2005 3.9.1(1)")
     } else {
-        ("(F_p,C − 0.8 F_t,Ed)", format!("({} − 0.8 · {})", kn(preload), kn(tension)), "EN 1993-1-8:2005 3.9.2(1)")
+        (
+            "(F_p,C − 0.8 F_t,Ed)",
+            format!("({} − 0.8 · {})", kn(preload), kn(tension)),
+            "EN 1993-1-8:2005 3.9.2(1)",
+        )
     };
-    let formula =
-        format!("F_s,Rd = k_s n μ {words} / γ_M3 = {} · {surfaces} · {} · {numbers} / {}", n(ks), n(mu), n(gamma_m3));
-    Worked::new(clause, "slip resistance of a bolt", value, Unit::Force, formula).with("k_s", ks, Unit::Number)
+    let formula = format!(
+        "F_s,Rd = k_s n μ {words} / γ_M3 = {} · {surfaces} · {} · {numbers} / {}",
+        n(ks),
+        n(mu),
+        n(gamma_m3)
+    );
+    Worked::new(clause, "slip resistance of a bolt", value, Unit::Force, formula).with(
+        "k_s",
+        ks,
+        Unit::Number,
+    )
 }

@@ -34,7 +34,14 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
     let least = |title: &str, symbol: &str, factor: f64, provided: f64| {
         let rule = format!("{} d0 = {} · {}", n(factor), n(factor), n(p.d0));
         let what = (Topic::Detailing, subject);
-        Check::at_least(what, (TABLE, title), symbol, (factor * p.d0, rule), provided, Status::Failed)
+        Check::at_least(
+            what,
+            (TABLE, title),
+            symbol,
+            (factor * p.d0, rule),
+            provided,
+            Status::Failed,
+        )
     };
     let most = |title: &str, symbol: &str, (allowed, rule): (f64, &str), provided: f64| {
         let what = (Topic::Detailing, subject);
@@ -67,7 +74,14 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
 pub fn slot_check(subject: &str, distance: f64, d0: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let title = (TABLE, "distance of a slot from the edge");
-    Check::at_least(what, title, "e3, e4", (1.5 * d0, format!("1.5 d0 = 1.5 · {}", n(d0))), distance, Status::Failed)
+    Check::at_least(
+        what,
+        title,
+        "e3, e4",
+        (1.5 * d0, format!("1.5 d0 = 1.5 · {}", n(d0))),
+        distance,
+        Status::Failed,
+    )
 }
 
 /// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld \[mm\].
@@ -87,5 +101,12 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
 pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));
-    Check::at_least(what, ("EN 1090-2 8.2", "washer clear of the root fillet"), "c", rule, distance, Status::Warning)
+    Check::at_least(
+        what,
+        ("EN 1090-2 8.2", "washer clear of the root fillet"),
+        "c",
+        rule,
+        distance,
+        Status::Warning,
+    )
 }

@@ -1,7 +1,9 @@
 //! Each formula of sections 3 and 4 against printed values, named after its clause.
 
 use super::bearing::{Across, Along, Bearing, Fastener, Hole, group_resistance};
-use super::bolts::{ShearPlane, long_joint_factor, packing_factor, shear_resistance, tension_resistance};
+use super::bolts::{
+    ShearPlane, long_joint_factor, packing_factor, shear_resistance, tension_resistance,
+};
 use super::slip::{SlipHole, design_preload, preload, slip_resistance};
 use super::spacing::{Pattern, pattern_checks, slot_check, washer_check, wrench_check};
 use super::welds::{self, ThroatStress, WeldedSteel};
@@ -52,7 +54,10 @@ fn table_3_4_shank_in_shear_and_punching_of_m22() {
     printed("F_v,Rd", shear_resistance(&b, &g, ShearPlane::Shank, 1.0, 1.25).value, "182.4");
     printed("B_p,Rd", punching::punching_resistance(38.0, 20.0, 490.0, 1.25).value, "561.6");
     // countersunk heads carry 0.63/0.9 of it
-    let (whole, sunk) = (tension_resistance(&b, &g, false, 1.25).value, tension_resistance(&b, &g, true, 1.25).value);
+    let (whole, sunk) = (
+        tension_resistance(&b, &g, false, 1.25).value,
+        tension_resistance(&b, &g, true, 1.25).value,
+    );
     near(sunk / whole, 0.7);
     // across flats 34, across corners at least 37.72: their mean
     near(punching::mean_diameter(&b), 0.5 * (b.head_width + b.head_corners));
@@ -68,15 +73,24 @@ fn table_3_4_bearing_and_3_7_group_of_a_partial_depth_end_plate() {
     printed("F_v,Rd", shear, "94");
     let across = Across::Edge { e2: 30.0, p2: None };
     let at = |along| {
-        let place =
-            Bearing { along, across, hole: Hole::Normal, d: 20.0, d0: 22.0, thickness: 12.0, fu: 430.0, fub: 800.0 };
+        let place = Bearing {
+            along,
+            across,
+            hole: Hole::Normal,
+            d: 20.0,
+            d0: 22.0,
+            thickness: 12.0,
+            fu: 430.0,
+            fub: 800.0,
+        };
         place.resistance(1.25)
     };
     let (end, inner) = (at(Along::End { e1: 40.0 }), at(Along::Inner { p1: 70.0 }));
     printed("end bolt", end.value, "106.0");
     printed("inner bolt", inner.value, "142");
-    let step =
-        |w: &crate::checks::Worked, s: &str| w.steps.iter().find(|x| x.symbol == s).map_or(f64::NAN, |x| x.value);
+    let step = |w: &crate::checks::Worked, s: &str| {
+        w.steps.iter().find(|x| x.symbol == s).map_or(f64::NAN, |x| x.value)
+    };
     assert_eq!(format!("{:.2} {:.2}", step(&end, "α_b"), step(&end, "k1")), "0.61 2.12");
     // two end bolts and ten inner ones: bearing exceeds shear everywhere, so 12 times the least
     let mut group = vec![Fastener { shear, bearing: inner.value }; 10];
@@ -110,8 +124,14 @@ fn table_3_4_bearing_holes_and_inner_columns() {
     };
     let k1: f64 = 1.4 * 50.0 / 22.0 - 1.7;
     near(place.resistance(1.25).value, k1 * 360.0 * 20.0 * 10.0 / 1.25);
-    near(Bearing { hole: Hole::Oversize, ..place }.resistance(1.25).value, 0.8 * place.resistance(1.25).value);
-    near(Bearing { hole: Hole::Slotted, ..place }.resistance(1.25).value, 0.6 * place.resistance(1.25).value);
+    near(
+        Bearing { hole: Hole::Oversize, ..place }.resistance(1.25).value,
+        0.8 * place.resistance(1.25).value,
+    );
+    near(
+        Bearing { hole: Hole::Slotted, ..place }.resistance(1.25).value,
+        0.6 * place.resistance(1.25).value,
+    );
     // a wide pitch: k1 = 2.5; a soft bolt: α_b = f_ub/f_u
     let wide = Bearing { across: Across::Edge { e2: 99.0, p2: Some(400.0) }, fub: 270.0, ..place };
     near(wide.resistance(1.25).value, 2.5 * 0.75 * 360.0 * 20.0 * 10.0 / 1.25);
@@ -124,17 +144,24 @@ fn table_3_4_bearing_holes_and_inner_columns() {
 
 #[test]
 fn clause_3_8_long_joints_and_3_6_1_12_packing() {
-    for (length, beta) in [(200.0, 1.0), (300.0, 1.0), (700.0, 0.9), (1300.0, 0.75), (5000.0, 0.75)] {
+    for (length, beta) in [(200.0, 1.0), (300.0, 1.0), (700.0, 0.9), (1300.0, 0.75), (5000.0, 0.75)]
+    {
         near(long_joint_factor(length, 20.0).value, beta);
     }
-    for (packing, beta) in [(0.0, 1.0), (6.0, 1.0), (20.0 / 3.0, 1.0), (10.0, 180.0 / 190.0), (40.0, 180.0 / 280.0)] {
+    for (packing, beta) in
+        [(0.0, 1.0), (6.0, 1.0), (20.0 / 3.0, 1.0), (10.0, 180.0 / 190.0), (40.0, 180.0 / 280.0)]
+    {
         near(packing_factor(packing, 20.0).value, beta);
     }
     let (b, g) = bolt("M20", "8.8");
     let full = shear_resistance(&b, &g, ShearPlane::Thread, 1.0, 1.25);
     let reduced = shear_resistance(&b, &g, ShearPlane::Thread, 0.9, 1.25);
     near(reduced.value, 0.9 * full.value);
-    assert!(reduced.formula.contains("β α_v f_ub A_s / γ_M2 = 0.9 · 0.6 · 800 · 245 / 1.25"), "{}", reduced.formula);
+    assert!(
+        reduced.formula.contains("β α_v f_ub A_s / γ_M2 = 0.9 · 0.6 · 800 · 245 / 1.25"),
+        "{}",
+        reduced.formula
+    );
 }
 
 #[test]
@@ -147,7 +174,11 @@ fn clause_3_9_slip_without_and_with_tension() {
     let tension = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 100e3, 1.25);
     near(tension.value, 2.0 * 0.5 * (171_500.0 - 80_000.0) / 1.25);
     assert_eq!(tension.clause, "EN 1993-1-8:2005 3.9.2(1)");
-    assert_eq!(slip_resistance(SlipHole::Normal, 1, 0.5, fp, 1e9, 1.25).value, 0.0, "never negative");
+    assert_eq!(
+        slip_resistance(SlipHole::Normal, 1, 0.5, fp, 1e9, 1.25).value,
+        0.0,
+        "never negative"
+    );
     let holes = [
         (SlipHole::Normal, 1.0),
         (SlipHole::OversizeOrShortSlotAcross, 0.85),
@@ -162,7 +193,12 @@ fn clause_3_9_slip_without_and_with_tension() {
 
 #[test]
 fn table_3_4_interaction_of_shear_and_tension() {
-    let f = |shear, tension| interaction::Forces { shear, tension, shear_resistance: 100.0, tension_resistance: 140.0 };
+    let f = |shear, tension| interaction::Forces {
+        shear,
+        tension,
+        shear_resistance: 100.0,
+        tension_resistance: 140.0,
+    };
     near(interaction::utilisation(&f(50.0, 98.0)).value, 1.0);
     near(interaction::utilisation(&f(0.0, 140.0)).value, 1.0);
     near(interaction::utilisation(&f(0.0, 154.0)).value, 1.1);
@@ -171,17 +207,34 @@ fn table_3_4_interaction_of_shear_and_tension() {
 
 #[test]
 fn table_3_3_least_and_greatest_distances() {
-    let pattern =
-        Pattern { d0: 20.0, thickness: 10.0, e1: Some(24.0), e2: Some(24.0), p1: Some([44.0, 140.0]), p2: Some(48.0) };
-    let statuses = |p: &Pattern| pattern_checks("plate", p).iter().map(|c| c.status).collect::<Vec<_>>();
-    assert!(statuses(&pattern).iter().all(|s| *s == Status::Ok), "{:#?}", pattern_checks("plate", &pattern));
+    let pattern = Pattern {
+        d0: 20.0,
+        thickness: 10.0,
+        e1: Some(24.0),
+        e2: Some(24.0),
+        p1: Some([44.0, 140.0]),
+        p2: Some(48.0),
+    };
+    let statuses =
+        |p: &Pattern| pattern_checks("plate", p).iter().map(|c| c.status).collect::<Vec<_>>();
+    assert!(
+        statuses(&pattern).iter().all(|s| *s == Status::Ok),
+        "{:#?}",
+        pattern_checks("plate", &pattern)
+    );
     let failed = |p: Pattern| statuses(&p).iter().filter(|s| **s == Status::Failed).count();
     assert_eq!(failed(Pattern { e1: Some(23.9), ..pattern }), 1);
     assert_eq!(failed(Pattern { e2: Some(23.9), ..pattern }), 1);
     assert_eq!(failed(Pattern { p1: Some([43.9, 140.0]), ..pattern }), 1);
     assert_eq!(failed(Pattern { p2: Some(47.9), ..pattern }), 1);
     // the greatest distances warn: 4 t + 40 = 80, min(14 t, 200) = 140
-    let far = Pattern { e1: Some(81.0), e2: Some(81.0), p1: Some([44.0, 141.0]), p2: Some(141.0), ..pattern };
+    let far = Pattern {
+        e1: Some(81.0),
+        e2: Some(81.0),
+        p1: Some([44.0, 141.0]),
+        p2: Some(141.0),
+        ..pattern
+    };
     assert_eq!(statuses(&far).iter().filter(|s| **s == Status::Warning).count(), 4);
     assert_eq!(failed(far), 0);
     let alone = Pattern { e1: None, e2: None, p1: None, p2: None, ..pattern };
@@ -235,7 +288,10 @@ fn clause_4_5_3_2_directional_method() {
 #[test]
 fn clause_4_5_3_2_a_plate_pulled_and_sheared() {
     let stress = welds::across_and_along(150e3, 180.0, 4.0, 100e3 / (2.0 * 4.0 * 240.0));
-    assert!((stress.sigma_perp - 73.66).abs() < 5e-3 && stress.tau_perp == stress.sigma_perp, "{stress:?}");
+    assert!(
+        (stress.sigma_perp - 73.66).abs() < 5e-3 && stress.tau_perp == stress.sigma_perp,
+        "{stress:?}"
+    );
     assert!((welds::directional(&stress, &S235).value - 0.4798).abs() < 5e-5);
 }
 
@@ -267,7 +323,11 @@ fn clause_4_5_3_2_full_strength_double_fillet() {
         assert_eq!(format!("{:.2}", a / 10.0), ratio);
         // and the directional method finds such a weld just used up
         let s = 10.0 * fy / (2.0 * 2f64.sqrt() * a);
-        near(welds::directional(&ThroatStress { sigma_perp: s, tau_perp: s, tau_par: 0.0 }, &steel).value, 1.0);
+        near(
+            welds::directional(&ThroatStress { sigma_perp: s, tau_perp: s, tau_par: 0.0 }, &steel)
+                .value,
+            1.0,
+        );
     }
 }
 

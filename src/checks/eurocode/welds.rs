@@ -46,10 +46,16 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
         n(s.sigma_perp.abs()),
         n(normal)
     );
-    Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", "fillet weld, directional method", value, Unit::Number, formula)
-        .with("σ_eq", equivalent, Unit::Stress)
-        .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
-        .with("0.9 f_u/γ_M2", normal, Unit::Stress)
+    Worked::new(
+        "EN 1993-1-8:2005 4.5.3.2(6)",
+        "fillet weld, directional method",
+        value,
+        Unit::Number,
+        formula,
+    )
+    .with("σ_eq", equivalent, Unit::Stress)
+    .with("f_u/(β_w γ_M2)", allowed, Unit::Stress)
+    .with("0.9 f_u/γ_M2", normal, Unit::Stress)
 }
 
 /// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of each weld under it, and a shear
@@ -79,7 +85,13 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
         n(steel.beta_w),
         n(steel.gamma_m2)
     );
-    Worked::new("EN 1993-1-8:2005 4.5.3.3", "fillet weld, simplified method", value, Unit::ForcePerLength, formula)
+    Worked::new(
+        "EN 1993-1-8:2005 4.5.3.3",
+        "fillet weld, simplified method",
+        value,
+        Unit::ForcePerLength,
+        formula,
+    )
 }
 
 /// Design resistance of a fillet weld per length under a force across it by the directional method \[N/mm\]; `throat` a \[mm\].
@@ -108,7 +120,8 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.
 pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &WeldedSteel) -> Worked {
-    let value = thickness * fy / gamma_m0 * steel.beta_w * steel.gamma_m2 / (2f64.sqrt() * steel.fu);
+    let value =
+        thickness * fy / gamma_m0 * steel.beta_w * steel.gamma_m2 / (2f64.sqrt() * steel.fu);
     let formula = format!(
         "a = t (f_y/γ_M0) β_w γ_M2/(√2 f_u) = {} · {}/{} · {} · {}/(√2 · {})",
         n(thickness),
@@ -135,8 +148,18 @@ pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &Weld
 /// EN 1993-1-8:2005 4.11(3), formula 4.9.
 pub fn long_weld_factor(length: f64, throat: f64) -> Worked {
     let value = (1.2 - 0.2 * length / (150.0 * throat)).min(1.0);
-    let formula = format!("β_Lw = 1.2 − 0.2 L_j/(150 a) = 1.2 − 0.2 · {}/(150 · {}), at most 1", n(length), n(throat));
-    Worked::new("EN 1993-1-8:2005 4.11(3)", "reduction of long lap welds", value, Unit::Number, formula)
+    let formula = format!(
+        "β_Lw = 1.2 − 0.2 L_j/(150 a) = 1.2 − 0.2 · {}/(150 · {}), at most 1",
+        n(length),
+        n(throat)
+    );
+    Worked::new(
+        "EN 1993-1-8:2005 4.11(3)",
+        "reduction of long lap welds",
+        value,
+        Unit::Number,
+        formula,
+    )
 }
 
 /// Least throat and least effective length of a fillet weld.

@@ -1,7 +1,7 @@
 //! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with fake mesher scripts.
 
 use super::*;
-use crate::assembly::joint::Surface;
+use crate::assembly::assembly::Surface;
 use crate::diag::Diagnostic;
 use crate::geometry::fixtures::{lap_joint, move_part, paper_joint};
 
@@ -18,14 +18,16 @@ fn meshed(assembly: &Assembly, change: impl FnOnce(&mut MeshOptions)) -> JointMe
 fn measure_paper_quarter() {
     let joint = paper_joint();
     let out = std::env::var("MEASURE_OUT").ok();
-    let number = |key: &str, default: f64| std::env::var(key).ok().and_then(|v| v.parse().ok()).unwrap_or(default);
+    let number = |key: &str, default: f64| {
+        std::env::var(key).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
+    };
     let mut joint = joint;
     for p in &mut joint.parts {
         let key = match p.role {
-            crate::assembly::joint::PartRole::Member if p.name == "COLUMN" => "COLUMN",
-            crate::assembly::joint::PartRole::Member => "BEAM",
-            crate::assembly::joint::PartRole::Plate => "PLATE",
-            crate::assembly::joint::PartRole::Bolt => "BOLT",
+            crate::assembly::assembly::PartRole::Member if p.name == "COLUMN" => "COLUMN",
+            crate::assembly::assembly::PartRole::Member => "BEAM",
+            crate::assembly::assembly::PartRole::Plate => "PLATE",
+            crate::assembly::assembly::PartRole::Bolt => "BOLT",
         };
         p.size = number(key, p.size);
     }
@@ -59,7 +61,10 @@ fn paper_quarter_has_the_bodies_and_faces_of_the_model() {
     let m = meshed(&joint, |_| {});
     assert_eq!(m.mesh.bodies, ["COLUMN", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3", "PLATE_R", "BEAM_R"]);
     let names: Vec<&str> = m.mesh.faces.iter().map(|f| f.name.as_str()).collect();
-    assert_eq!(names, ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"]);
+    assert_eq!(
+        names,
+        ["SHANK_RP1", "SHANK_RP2", "SHANK_RP3", "SUPPORT_R", "LOAD_TOP", "SYM_X0", "SYM_Y0"]
+    );
     assert_eq!(m.copies, 4);
     assert!((13_000..=18_000).contains(&m.mesh.tets.len()), "{}", m.mesh.tets.len());
     // Hand values: support footprint 15 × 85; half the column's web and flanges at x = 0 with stiffeners is in
@@ -98,7 +103,9 @@ fn mid_planes_are_planes_of_the_mesh() {
 #[test]
 fn full_joint_is_twice_the_half() {
     let joint = lap_joint();
-    let volume = |full: bool| meshed(&joint, |o| o.full = full).quality.iter().map(|q| q.volume).sum::<f64>();
+    let volume = |full: bool| {
+        meshed(&joint, |o| o.full = full).quality.iter().map(|q| q.volume).sum::<f64>()
+    };
     assert!((volume(true) / volume(false) - 2.0).abs() < 1e-9);
 }
 
@@ -106,7 +113,8 @@ fn full_joint_is_twice_the_half() {
 fn step_file_holds_every_part_as_a_solid() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let path = dir.path().join("lap.step");
-    write_step(&lap_joint(), &MeshOptions::new(dir.path().join("work")), &path).unwrap_or_else(|e| panic!("{e:#?}"));
+    write_step(&lap_joint(), &MeshOptions::new(dir.path().join("work")), &path)
+        .unwrap_or_else(|e| panic!("{e:#?}"));
     let text = std::fs::read_to_string(&path).expect("written");
     assert_eq!(text.matches("MANIFOLD_SOLID_BREP").count(), 3);
     assert!(text.contains("CYLINDRICAL_SURFACE"), "true circles");
@@ -120,21 +128,32 @@ fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     let face = joint.faces.first_mut().expect("a face");
     let Surface::Plane { at, .. } = &mut face.surface else { panic!("a plane") };
     *at += 7.25;
-    let (name, part, plane) =
-        (face.name.clone(), face.part.clone(), format!("on the plane x = {at} mm, y from -30 to 30 mm"));
+    let (name, part, plane) = (
+        face.name.clone(),
+        face.part.clone(),
+        format!("on the plane x = {at} mm, y from -30 to 30 mm"),
+    );
     let dir = tempfile::tempdir().expect("temporary folder");
-    let faults =
-        mesh_joint(&joint, &MeshOptions::new(dir.path()), &mut |_| {}).expect_err("the face is beside its part");
-    let d = faults.0.iter().find(|d| d.code == "mesh/face-empty").unwrap_or_else(|| panic!("{faults:#?}"));
+    let faults = mesh_joint(&joint, &MeshOptions::new(dir.path()), &mut |_| {})
+        .expect_err("the face is beside its part");
+    let d = faults
+        .0
+        .iter()
+        .find(|d| d.code == "mesh/face-empty")
+        .unwrap_or_else(|| panic!("{faults:#?}"));
     for words in [&name, &part, &plane] {
         assert!(d.message.contains(words), "{words}: {}", d.message);
     }
     let help = d.help.as_deref().unwrap_or_default();
     assert!(help.contains("the part reaches x from ") && help.contains("move the face"), "{help}");
     // a mantle in its own words
-    let mantle = Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
+    let mantle =
+        Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
     let told = crate::mesh::naming::looked_for(&mantle);
-    assert_eq!(told, "on the cylinder of radius 9 mm from (1, 2, 3) mm along (0, 0, 1), 40 mm long");
+    assert_eq!(
+        told,
+        "on the cylinder of radius 9 mm from (1, 2, 3) mm along (0, 0, 1), 40 mm long"
+    );
 }
 
 #[test]
@@ -151,8 +170,11 @@ fn clash_stops_before_the_mesher_runs() {
 #[cfg(unix)]
 fn fake(dir: &Path, body: &str) -> Mesher {
     let script = dir.join("fake_gmsh.sh");
-    std::fs::write(&script, format!("if [ \"$1\" = --version ]; then echo 4.15.2; exit 0; fi\n{body}\n"))
-        .expect("written");
+    std::fs::write(
+        &script,
+        format!("if [ \"$1\" = --version ]; then echo 4.15.2; exit 0; fi\n{body}\n"),
+    )
+    .expect("written");
     Mesher::with_command(vec!["sh".into(), script.into()]).unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -190,7 +212,11 @@ fn killed_mesher_is_told_from_a_failed_one() {
     assert!(d.message.contains("signal 9"), "{}", d.message);
     let d = with_fake("echo 'Error   : Could not fuse' >&2; exit 1", 10.0);
     assert_eq!(d.code, "mesher/failed");
-    assert!(d.message.contains("exit code 1") && d.message.contains("Could not fuse"), "{}", d.message);
+    assert!(
+        d.message.contains("exit code 1") && d.message.contains("Could not fuse"),
+        "{}",
+        d.message
+    );
 }
 
 #[test]
@@ -205,8 +231,10 @@ fn success_is_not_believed() {
     assert!(d.code == "mesher/no-output" && d.message.contains("absent"), "{}", d.message);
     let d = with_fake(": > joint_raw.msh", 10.0);
     assert!(d.code == "mesher/no-output" && d.message.contains("empty"), "{}", d.message);
-    let d =
-        with_fake("printf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n4\\n1 0 0 0\\n' > joint_raw.msh", 10.0);
+    let d = with_fake(
+        "printf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n4\\n1 0 0 0\\n' > joint_raw.msh",
+        10.0,
+    );
     assert!(d.code == "mesher/no-output" && d.message.contains("cut off"), "{}", d.message);
     assert_eq!(d.fault.exit_code(), 4);
 }
@@ -263,7 +291,9 @@ fn old_or_mute_mesher_is_refused() {
     let ask = |text: &str| {
         let script = dir.path().join("v.sh");
         std::fs::write(&script, text).expect("written");
-        Diagnostic::from(Mesher::with_command(vec!["sh".into(), script.into()]).expect_err("refused"))
+        Diagnostic::from(
+            Mesher::with_command(vec!["sh".into(), script.into()]).expect_err("refused"),
+        )
     };
     assert_eq!(ask("echo 3.0.6 >&2").code, "mesher/old");
     assert_eq!(ask("echo no such module; exit 1").code, "mesher/version");

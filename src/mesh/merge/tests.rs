@@ -36,7 +36,8 @@ fn nodes_farther_apart_stay_apart() {
         for n in t {
             // body B a thousandth of a millimetre off
             if *b == 1 {
-                apart.nodes[*n as usize][1] = (apart.nodes[*n as usize][1] / 10.0).round() * 10.0 + 1e-3;
+                apart.nodes[*n as usize][1] =
+                    (apart.nodes[*n as usize][1] / 10.0).round() * 10.0 + 1e-3;
             }
         }
     }
@@ -68,7 +69,10 @@ fn different_diagonals_are_an_error() {
         t.swap(2, 3);
     }
     merge_coincident(&mut apart).expect("nodes match");
-    let d: Diagnostic = check_matching(&apart, &FaceTable::new(&apart.tets)).expect_err("diagonals").into();
+    let d: Diagnostic =
+        check_matching(&apart, &FaceTable::new(&apart.tets)).expect_err("diagonals").into();
     assert_eq!(d.code, "mesh/not-matching");
-    assert!(d.message.contains("`A` and `B`") && d.help.expect("help").contains("BooleanFragments"));
+    assert!(
+        d.message.contains("`A` and `B`") && d.help.expect("help").contains("BooleanFragments")
+    );
 }

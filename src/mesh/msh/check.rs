@@ -46,7 +46,12 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
         let volume = signed_volume(&x);
         let limit = FLAT * longest_edge(&x).powi(3);
         if volume.abs() <= limit {
-            return Err(MeshError::Flat { at: at(raw_tet.line), element: raw_tet.tag, volume, limit });
+            return Err(MeshError::Flat {
+                at: at(raw_tet.line),
+                element: raw_tet.tag,
+                volume,
+                limit,
+            });
         }
         if volume < 0.0 {
             t.swap(2, 3);
@@ -63,7 +68,10 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
     check_sides(&table, &raw, file)?;
 
     let surfaces = groups(raw.triangles.iter().map(|t| t.physical));
-    mesh.faces = surfaces.keys().map(|p| NamedFaces { name: name(&raw, 2, *p), triangles: Vec::new() }).collect();
+    mesh.faces = surfaces
+        .keys()
+        .map(|p| NamedFaces { name: name(&raw, 2, *p), triangles: Vec::new() })
+        .collect();
     let mut seen: HashMap<(i64, [u32; 3]), u64> = HashMap::with_capacity(raw.triangles.len());
     for t in &raw.triangles {
         let nodes = numbers.of(t, file)?.map(|n| new_index[n as usize]);
@@ -73,14 +81,22 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
             return Err(MeshError::LooseTriangle { at: at(t.line), element: t.tag, surface });
         }
         if let Some(first) = seen.insert((t.physical, sorted(nodes).0), t.tag) {
-            return Err(MeshError::Duplicate { at: at(t.line), kind: "triangle", element: t.tag, first });
+            return Err(MeshError::Duplicate {
+                at: at(t.line),
+                kind: "triangle",
+                element: t.tag,
+                first,
+            });
         }
         surface.triangles.push(nodes);
     }
 
     let mut notes = Vec::new();
     if turned > 0 {
-        notes.push(format!("{turned} of {} tetrahedra had the opposite node order and were turned", mesh.tets.len()));
+        notes.push(format!(
+            "{turned} of {} tetrahedra had the opposite node order and were turned",
+            mesh.tets.len()
+        ));
     }
     Ok((mesh, notes))
 }
@@ -126,7 +142,12 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
         Some(w) => {
             let (first, second) = (&raw.tets[w[0].1 as usize], &raw.tets[w[1].1 as usize]);
             let at = MshPlace { file: file.to_path_buf(), line: second.line };
-            Err(MeshError::Duplicate { at, kind: "tetrahedron", element: second.tag, first: first.tag })
+            Err(MeshError::Duplicate {
+                at,
+                kind: "tetrahedron",
+                element: second.tag,
+                first: first.tag,
+            })
         }
     }
 }
@@ -136,8 +157,10 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
 fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     for owners in table.faces() {
         if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {
-            let same = if owners[0].even == owners[1].even { (1, 0) } else { (owners.len() - 1, 0) };
-            let (element, other) = (&raw.tets[owners[same.0].tet as usize], &raw.tets[owners[same.1].tet as usize]);
+            let same =
+                if owners[0].even == owners[1].even { (1, 0) } else { (owners.len() - 1, 0) };
+            let (element, other) =
+                (&raw.tets[owners[same.0].tet as usize], &raw.tets[owners[same.1].tet as usize]);
             let at = MshPlace { file: file.to_path_buf(), line: element.line };
             return Err(MeshError::Folded { at, element: element.tag, other: other.tag });
         }
@@ -178,7 +201,9 @@ impl Numbers {
         let mut nodes = [u32::MAX; N];
         for (n, tag) in nodes.iter_mut().zip(cell.nodes) {
             *n = match self {
-                Numbers::Dense(v) => usize::try_from(tag).ok().and_then(|t| v.get(t)).copied().unwrap_or(u32::MAX),
+                Numbers::Dense(v) => {
+                    usize::try_from(tag).ok().and_then(|t| v.get(t)).copied().unwrap_or(u32::MAX)
+                }
                 Numbers::Sparse(m) => m.get(&tag).copied().unwrap_or(u32::MAX),
             };
             if *n == u32::MAX {

@@ -54,10 +54,21 @@ impl<'a> Lines<'a> {
     pub fn words(&mut self) -> Result<Words<'a>, MeshError> {
         loop {
             match self.next_line() {
-                None => return Err(MeshError::Truncated { at: self.at(), section: self.section.to_string() }),
+                None => {
+                    return Err(MeshError::Truncated {
+                        at: self.at(),
+                        section: self.section.to_string(),
+                    });
+                }
                 Some("") => {}
                 Some(l) => {
-                    return Ok(Words { rest: l, whole: l, file: self.file, section: self.section, line: self.line });
+                    return Ok(Words {
+                        rest: l,
+                        whole: l,
+                        file: self.file,
+                        section: self.section,
+                        line: self.line,
+                    });
                 }
             }
         }
@@ -126,7 +137,10 @@ impl<'a> Words<'a> {
     }
 
     /// The next numbers of the line.
-    pub fn numbers<const N: usize>(&mut self, expected: &'static str) -> Result<[u64; N], MeshError> {
+    pub fn numbers<const N: usize>(
+        &mut self,
+        expected: &'static str,
+    ) -> Result<[u64; N], MeshError> {
         let mut all = [0; N];
         for x in &mut all {
             *x = self.number(expected)?;

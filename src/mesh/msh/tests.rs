@@ -90,8 +90,9 @@ fn both_formats_give_the_same_mesh() {
     assert_eq!(mesh.faces_named("LOAD").expect("face").triangles, [[0, 1, 3]]);
     let (other, _) = read_text(TWO_41).expect("4.1");
     let by_position = |m: &TetMesh| {
-        let mut all: Vec<_> =
-            (0..m.tets.len()).map(|e| (m.volume(e), m.tet_body[e], m.corners(e)[0], m.corners(e)[1])).collect();
+        let mut all: Vec<_> = (0..m.tets.len())
+            .map(|e| (m.volume(e), m.tet_body[e], m.corners(e)[0], m.corners(e)[1]))
+            .collect();
         all.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
         all
     };
@@ -102,7 +103,8 @@ fn both_formats_give_the_same_mesh() {
 
 #[test]
 fn groups_without_a_name_get_one_and_windows_lines_are_read() {
-    let (mesh, _) = read_text(&TWO.replace("3\n2 5", "2\n2 5").replace("3 1 \"LEFT\"\n", "")).expect("read");
+    let (mesh, _) =
+        read_text(&TWO.replace("3\n2 5", "2\n2 5").replace("3 1 \"LEFT\"\n", "")).expect("read");
     assert_eq!(mesh.bodies, ["VOLUME_1", "RIGHT PART"]);
     assert!(read_text(&TWO.replace('\n', "\r\n")).is_ok());
 }
@@ -127,11 +129,25 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "element 4 is a 10-node tetrahedron",
         "Mesh.ElementOrder = 1",
     ),
-    ("2 2 2 5 1 1 2 4", "2 9 2 5 1 1 2 4 1 2 3", "mesh/order", 22, "6-node triangle", "Mesh.ElementOrder = 1"),
+    (
+        "2 2 2 5 1 1 2 4",
+        "2 9 2 5 1 1 2 4 1 2 3",
+        "mesh/order",
+        22,
+        "6-node triangle",
+        "Mesh.ElementOrder = 1",
+    ),
     ("4 4 2 2 1 1 2 3 5", "4 5 2 2 1 1 2 3 5 1 2 3 4", "mesh/shape", 24, "hexahedron", "Recombine"),
     ("4 4 2 2 1", "4 4 2 0 1", "mesh/no-body", 24, "tetrahedron 4", "Physical Volume"),
     ("5 0 0 -1", "5 1 1 0", "mesh/flat", 24, "tetrahedron 4 is flat", "Mesh.Optimize"),
-    ("5 0 0 -1", "5 0 0 0.3", "mesh/folded", 24, "tetrahedron 4 is inverted or overlaps tetrahedron 3", "overlapping"),
+    (
+        "5 0 0 -1",
+        "5 0 0 0.3",
+        "mesh/folded",
+        24,
+        "tetrahedron 4 is inverted or overlaps tetrahedron 3",
+        "overlapping",
+    ),
     (
         "1 2 3 5\n",
         "2 1 3 4\n",
@@ -171,7 +187,9 @@ fn absent_sections_and_tets_are_named() {
     assert_eq!((d.code, d.message.contains("$Nodes")), ("mesh/missing-section", true));
     let d = diagnostic(&without("$Elements", "$EndElements"));
     assert_eq!((d.code, d.message.contains("$Elements")), ("mesh/missing-section", true));
-    let none = TWO.replace("3 4 2 1 1 1 2 3 4\n4 4 2 2 1 1 2 3 5\n", "").replace("$Elements\n4", "$Elements\n2");
+    let none = TWO
+        .replace("3 4 2 1 1 1 2 3 4\n4 4 2 2 1 1 2 3 5\n", "")
+        .replace("$Elements\n4", "$Elements\n2");
     assert_eq!(diagnostic(&none).code, "mesh/no-tets");
     let d = diagnostic(&TWO_41.replace("$Entities", "$Other").replace("$EndEntities", "$EndOther"));
     assert_eq!((d.code, d.message.contains("$Entities")), ("mesh/missing-section", true));
@@ -194,10 +212,14 @@ fn slivers_of_a_thousandth_of_a_degree_are_kept() {
 #[test]
 fn reference_meshes_are_read() {
     for (name, tets, nodes, contact) in [("9k", 8899, 3170, 379), ("33k", 32624, 10643, 1507)] {
-        let path = format!("{}/tests/data/paper_quarter_{name}/mesh.msh", env!("CARGO_MANIFEST_DIR"));
+        let path =
+            format!("{}/tests/data/paper_quarter_{name}/mesh.msh", env!("CARGO_MANIFEST_DIR"));
         let (mesh, notes) = read_with_notes(Path::new(&path)).expect("reference mesh");
         assert_eq!((mesh.tets.len(), mesh.nodes.len()), (tets, nodes));
-        assert_eq!(mesh.bodies, ["COLUMN", "BEAM_R", "PLATE_R", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3"]);
+        assert_eq!(
+            mesh.bodies,
+            ["COLUMN", "BEAM_R", "PLATE_R", "BOLT_RP1", "BOLT_RP2", "BOLT_RP3"]
+        );
         for side in ["PLATE_COLUMN_A", "PLATE_COLUMN_B"] {
             assert_eq!(mesh.faces_named(side).expect("face").triangles.len(), contact);
         }

@@ -40,7 +40,10 @@ pub(super) fn read(lines: &mut Lines<'_>) -> Result<Raw, MeshError> {
     }
     for (found, section) in [(nodes, "Nodes"), (elements, "Elements")] {
         if !found {
-            return Err(MeshError::MissingSection { at: MshPlace { line: 0, ..lines.at() }, section });
+            return Err(MeshError::MissingSection {
+                at: MshPlace { line: 0, ..lines.at() },
+                section,
+            });
         }
     }
     Ok(raw)
@@ -61,9 +64,16 @@ fn element(lines: &mut Lines<'_>, raw: &mut Raw) -> Result<(), MeshError> {
         }
     }
     match kind {
-        Kind::Tet => raw.tets.push(RawCell { tag, physical, line, nodes: words.numbers("a node tag")? }),
+        Kind::Tet => {
+            raw.tets.push(RawCell { tag, physical, line, nodes: words.numbers("a node tag")? })
+        }
         Kind::Triangle if physical != 0 => {
-            raw.triangles.push(RawCell { tag, physical, line, nodes: words.numbers("a node tag")? });
+            raw.triangles.push(RawCell {
+                tag,
+                physical,
+                line,
+                nodes: words.numbers("a node tag")?,
+            });
         }
         _ => {}
     }

@@ -113,8 +113,14 @@ fn elements(lines: &mut Lines<'_>, entities: &Entities, raw: &mut Raw) -> Result
             let unknown = |kind| MeshError::UnknownEntity { at: at.clone(), kind, tag: entity };
             match checked_kind(code, tag, lines)? {
                 Kind::Tet => {
-                    let physical = physical.ok_or_else(|| unknown("volume"))?.first().copied().unwrap_or(0);
-                    raw.tets.push(RawCell { tag, physical, line, nodes: words.numbers("a node tag")? });
+                    let physical =
+                        physical.ok_or_else(|| unknown("volume"))?.first().copied().unwrap_or(0);
+                    raw.tets.push(RawCell {
+                        tag,
+                        physical,
+                        line,
+                        nodes: words.numbers("a node tag")?,
+                    });
                 }
                 Kind::Triangle => {
                     let nodes = words.numbers("a node tag")?;

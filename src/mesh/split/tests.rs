@@ -6,7 +6,10 @@ use std::collections::BTreeSet;
 fn open_between(mesh: &TetMesh, a: u32, b: u32, on: impl Fn([f64; 3]) -> bool) -> SplitMesh {
     let table = FaceTable::new(&mesh.tets);
     let mut open = Vec::new();
-    for o in table.faces().filter(|o| o.len() == 2 && o[0].key.iter().all(|n| on(mesh.nodes[*n as usize]))) {
+    for o in table
+        .faces()
+        .filter(|o| o.len() == 2 && o[0].key.iter().all(|n| on(mesh.nodes[*n as usize])))
+    {
         let bodies = [mesh.tet_body[o[0].tet as usize], mesh.tet_body[o[1].tet as usize]];
         if bodies == [a, b] {
             open.push([TetFace::from(&o[0]), TetFace::from(&o[1])]);
@@ -82,8 +85,11 @@ fn tied_head_and_shank_in_contact_with_one_plate() {
         x[2] <= 10.0 && (x[0] == 10.0 || x[0] == 20.0 || x[1] == 10.0 || x[1] == 20.0)
     });
     // 4 sides of the shank, not the underside of the head
-    let cut_sides: Vec<_> =
-        cut.pairs.iter().filter(|p| p.nodes_a.iter().any(|n| cut.mesh.nodes[*n as usize][2] == 0.0)).collect();
+    let cut_sides: Vec<_> = cut
+        .pairs
+        .iter()
+        .filter(|p| p.nodes_a.iter().any(|n| cut.mesh.nodes[*n as usize][2] == 0.0))
+        .collect();
     assert_eq!(cut_sides.len(), 8);
     let table = FaceTable::new(&mesh.tets);
     let open: Vec<[TetFace; 2]> = cut_sides.iter().map(|p| [p.a, p.b]).collect();

@@ -38,7 +38,12 @@ pub(super) fn loads(
                 }
                 _ => {
                     let m = "a load acts on a `face` or on a `body`, on exactly one of them";
-                    faults.add("model/load", &path, m, "write `face: NAME` or `body: NAME` (or `body: ALL`)");
+                    faults.add(
+                        "model/load",
+                        &path,
+                        m,
+                        "write `face: NAME` or `body: NAME` (or `body: ALL`)",
+                    );
                 }
             }
         }
@@ -46,10 +51,17 @@ pub(super) fn loads(
     (surface, body)
 }
 
-fn traction(entry: &LoadEntry, face: &str, path: &str, faults: &mut Faults<'_>) -> Option<Traction> {
+fn traction(
+    entry: &LoadEntry,
+    face: &str,
+    path: &str,
+    faults: &mut Faults<'_>,
+) -> Option<Traction> {
     let given = [entry.traction.is_some(), entry.pressure.is_some(), entry.linear.is_some()];
     if given.iter().filter(|g| **g).count() != 1 || entry.force.is_some() {
-        let m = format!("the load on the face `{face}` needs exactly one of `traction`, `pressure`, `linear`");
+        let m = format!(
+            "the load on the face `{face}` needs exactly one of `traction`, `pressure`, `linear`"
+        );
         let help = "a face takes a traction in MPa: divide a force by the area; `force` (N/mm³) belongs to a body";
         faults.add("model/load", path, m, help);
         return None;
@@ -69,18 +81,33 @@ fn traction(entry: &LoadEntry, face: &str, path: &str, faults: &mut Faults<'_>) 
         }
     };
     if !finite {
-        faults.add("model/value", path, format!("the load on `{face}` is not finite"), "write finite numbers");
+        faults.add(
+            "model/value",
+            path,
+            format!("the load on `{face}` is not finite"),
+            "write finite numbers",
+        );
         return None;
     }
     Some(traction)
 }
 
-fn body_force(entry: &LoadEntry, body: &str, path: &str, faults: &mut Faults<'_>) -> Option<[f64; 3]> {
+fn body_force(
+    entry: &LoadEntry,
+    body: &str,
+    path: &str,
+    faults: &mut Faults<'_>,
+) -> Option<[f64; 3]> {
     let other = entry.traction.is_some() || entry.pressure.is_some() || entry.linear.is_some();
     match entry.force {
         Some(f) if !other && f.iter().all(|v| v.is_finite()) => Some(f),
         Some(_) if !other => {
-            faults.add("model/value", path, format!("the force on `{body}` is not finite"), "write finite numbers");
+            faults.add(
+                "model/value",
+                path,
+                format!("the force on `{body}` is not finite"),
+                "write finite numbers",
+            );
             None
         }
         _ => {

@@ -39,15 +39,25 @@ pub(super) fn supports(
         match (entry.law, entry.fix.is_empty()) {
             (None, false) => {
                 if entry.mu.is_some() || entry.gap.is_some() || entry.friction.is_some() {
-                    let m = format!("`mu`, `gap` and `friction` mean nothing for the fixed face `{name}`");
-                    faults.add("model/support", &path, m, "remove them, or replace `fix` by `law: contact`");
+                    let m = format!(
+                        "`mu`, `gap` and `friction` mean nothing for the fixed face `{name}`"
+                    );
+                    faults.add(
+                        "model/support",
+                        &path,
+                        m,
+                        "remove them, or replace `fix` by `law: contact`",
+                    );
                 }
                 let fix = axes(&entry.fix, &format!("{path}.fix"), faults);
                 supports.push(Support { name, fix, faces });
             }
             (Some(Law::Contact), true) => {
-                if let Some(law) = contact_law(entry.mu, &entry.gap, entry.friction, &path, faults, notes) {
-                    let nodes = faces.iter().map(|f| face_nodes(&scene.mesh.tets[f.tet as usize], f.local));
+                if let Some(law) =
+                    contact_law(entry.mu, &entry.gap, entry.friction, &path, faults, notes)
+                {
+                    let nodes =
+                        faces.iter().map(|f| face_nodes(&scene.mesh.tets[f.tet as usize], f.local));
                     check_gap(&law.gap, &name, &path, scene, nodes, faults);
                     ground.push(GroundContact { name, law, faces });
                 }
@@ -90,7 +100,12 @@ pub(super) fn rigid_faces(
         let components = axes(&entry.components, &format!("{path}.components"), faults);
         if entry.components.is_empty() {
             let m = format!("the rigid face `{name}` has no components");
-            faults.add("model/rigid", &format!("{path}.components"), m, "write `components: [x, y, z]`");
+            faults.add(
+                "model/rigid",
+                &format!("{path}.components"),
+                m,
+                "write `components: [x, y, z]`",
+            );
         }
         let mut free = [false; 6];
         for m in &entry.free {
@@ -111,8 +126,10 @@ pub(super) fn rigid_faces(
             if !free[k] && (action[k] != 0.0 || dead_action[k] != 0.0) {
                 let key = if action[k] != 0.0 { "" } else { "dead_" };
                 let key = format!("{key}{}", if k < 3 { "force" } else { "moment" });
-                let m =
-                    format!("the rigid face `{name}` carries a {} in a motion that is held: `{}`", &key, MOTIONS[k]);
+                let m = format!(
+                    "the rigid face `{name}` carries a {} in a motion that is held: `{}`",
+                    &key, MOTIONS[k]
+                );
                 let help = format!("add `{}` to `free`, or set the value to 0", MOTIONS[k]);
                 faults.add("model/rigid", &format!("{path}.{key}[{}]", k % 3), m, help);
             }
@@ -196,7 +213,9 @@ pub(super) fn check_twice(
     for s in supports {
         for f in &s.faces {
             let h = held.entry((f.tet, f.local)).or_default();
-            (0..3).filter(|c| s.fix[*c]).for_each(|c| h[c] = Some(("fixed by the support", &s.name)));
+            (0..3)
+                .filter(|c| s.fix[*c])
+                .for_each(|c| h[c] = Some(("fixed by the support", &s.name)));
         }
     }
     let later = rigid
@@ -208,7 +227,11 @@ pub(super) fn check_twice(
         for f in faces {
             let h = held.entry((f.tet, f.local)).or_default();
             for c in (0..3).filter(|c| components[*c]) {
-                let kind = if what == "rigid" { "moved by the rigid face" } else { "held by the ground contact" };
+                let kind = if what == "rigid" {
+                    "moved by the rigid face"
+                } else {
+                    "held by the ground contact"
+                };
                 if let Some(first) = h[c].replace((kind, name)) {
                     clash = clash.or(Some((c, first)));
                 }
@@ -218,10 +241,21 @@ pub(super) fn check_twice(
             let list = if what == "rigid" {
                 file.rigid.iter().position(|r| r.face == *name).map(|i| format!("rigid[{i}]"))
             } else {
-                file.supports.iter().position(|s| s.face == *name && s.law.is_some()).map(|i| format!("supports[{i}]"))
+                file.supports
+                    .iter()
+                    .position(|s| s.face == *name && s.law.is_some())
+                    .map(|i| format!("supports[{i}]"))
             };
-            let m = format!("component {} of the face `{name}` is {what} and also {kind} `{first}`", AXES[c]);
-            faults.add("model/held-twice", &list.unwrap_or_default(), m, "leave the component out of one of the two");
+            let m = format!(
+                "component {} of the face `{name}` is {what} and also {kind} `{first}`",
+                AXES[c]
+            );
+            faults.add(
+                "model/held-twice",
+                &list.unwrap_or_default(),
+                m,
+                "leave the component out of one of the two",
+            );
         }
     }
 }

@@ -5,7 +5,8 @@ use super::names::Scene;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
 use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
-use crate::model::file::{Friction, Gap, InterfaceEntry, Law, ModelFile};
+use crate::model::file::{Gap, InterfaceEntry, Law, ModelFile};
+use crate::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
 /// The law of an interface whose sides have nodes of their own.
@@ -38,7 +39,12 @@ impl Claims {
 }
 
 /// Reads all entries.
-pub(super) fn claim(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) -> Claims {
+pub(super) fn claim(
+    file: &ModelFile,
+    scene: &Scene<'_>,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<String>,
+) -> Claims {
     let mut claims = Claims::default();
     for (i, entry) in file.interfaces.iter().enumerate() {
         let path = format!("interfaces[{i}]");
@@ -57,22 +63,30 @@ pub(super) fn claim(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
             }
         }
         if let Some(other) = twice {
-            let m = format!("faces of the interface `{name}` are already named by interfaces[{other}]");
-            let help = "name each face once: give the wider entry a `face` that leaves the other's out";
+            let m =
+                format!("faces of the interface `{name}` are already named by interfaces[{other}]");
+            let help =
+                "name each face once: give the wider entry a `face` that leaves the other's out";
             faults.add("model/face-twice", &path, m, help);
         }
         let Some(law) = law else { continue };
         if let OpenLaw::Contact(law) = &law {
             check_gap(&law.gap, &name, &path, scene, found.iter().map(|r| r[0].key), faults);
         }
-        let faces = found.iter().map(|rows| [TetFace::from(&rows[0]), TetFace::from(&rows[1])]).collect();
+        let faces =
+            found.iter().map(|rows| [TetFace::from(&rows[0]), TetFace::from(&rows[1])]).collect();
         claims.open.push(OpenInterface { name, law, faces });
     }
     claims
 }
 
 /// The interior faces an entry means, side A first; `None` after a fault.
-fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Faults<'_>) -> Option<Vec<[FaceRow; 2]>> {
+fn faces(
+    entry: &InterfaceEntry,
+    path: &str,
+    scene: &Scene<'_>,
+    faults: &mut Faults<'_>,
+) -> Option<Vec<[FaceRow; 2]>> {
     let mut pair = None;
     if let Some([a, b]) = &entry.between {
         let at = format!("{path}.between");
@@ -99,7 +113,8 @@ fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Fau
     };
     let Some(name) = &entry.face else {
         let Some([a, b]) = &entry.between else {
-            let m = "an interface needs `between` (two bodies), `face` (a physical surface) or both";
+            let m =
+                "an interface needs `between` (two bodies), `face` (a physical surface) or both";
             faults.add("model/interface", path, m, "write `between: [BODY_A, BODY_B]`");
             return None;
         };
@@ -122,7 +137,11 @@ fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Fau
         match ordered(owners) {
             Some(rows) => found.push(rows),
             None if owners.len() == 1 => outer += 1,
-            None => inside = Some(scene.body_of(&owners[0])).filter(|b| *b == scene.body_of(&owners[1])).or(inside),
+            None => {
+                inside = Some(scene.body_of(&owners[0]))
+                    .filter(|b| *b == scene.body_of(&owners[1]))
+                    .or(inside)
+            }
         }
     }
     found.sort_unstable();
@@ -130,8 +149,13 @@ fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Fau
     let all = named.triangles.len();
     if pair.is_none() && (outer > 0 || inside.is_some()) {
         let m = match inside {
-            Some(b) => format!("the face `{name}` lies inside the body `{}`", scene.mesh.bodies[b as usize]),
-            None => format!("{outer} of the {all} triangles of `{name}` are outer faces: no second body touches there"),
+            Some(b) => format!(
+                "the face `{name}` lies inside the body `{}`",
+                scene.mesh.bodies[b as usize]
+            ),
+            None => format!(
+                "{outer} of the {all} triangles of `{name}` are outer faces: no second body touches there"
+            ),
         };
         let help = "an interface lies between two bodies; add `between` to take the triangles of that pair only";
         faults.add("model/no-contact", &at, m, help);
@@ -140,16 +164,29 @@ fn faces(entry: &InterfaceEntry, path: &str, scene: &Scene<'_>, faults: &mut Fau
     if found.is_empty() {
         let [a, b] = entry.between.clone().unwrap_or_default();
         let m = format!("the bodies `{a}` and `{b}` have no face in common on `{name}`");
-        faults.add("model/no-contact", &at, m, "check the pair and the physical surface; see `nodes: split`");
+        faults.add(
+            "model/no-contact",
+            &at,
+            m,
+            "check the pair and the physical surface; see `nodes: split`",
+        );
         return None;
     }
     Some(found)
 }
 
 /// The law of an entry that opens its faces; `None` when tied, or after a fault.
-fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: &mut Vec<String>) -> Option<OpenLaw> {
-    let contact_keys =
-        [("mu", entry.mu.is_some()), ("gap", entry.gap.is_some()), ("friction", entry.friction.is_some())];
+fn read_law(
+    entry: &InterfaceEntry,
+    path: &str,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<String>,
+) -> Option<OpenLaw> {
+    let contact_keys = [
+        ("mu", entry.mu.is_some()),
+        ("gap", entry.gap.is_some()),
+        ("friction", entry.friction.is_some()),
+    ];
     let weld_keys = [
         ("throat", entry.throat),
         ("thickness", entry.thickness),
@@ -159,7 +196,12 @@ fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: 
     let useless = |keys: &mut dyn Iterator<Item = &str>, law: &str, faults: &mut Faults<'_>| {
         for key in keys {
             let m = format!("`{key}` means nothing for `law: {law}`");
-            faults.add("model/interface", &format!("{path}.{key}"), m, "remove it, or choose the law it belongs to");
+            faults.add(
+                "model/interface",
+                &format!("{path}.{key}"),
+                m,
+                "remove it, or choose the law it belongs to",
+            );
         }
     };
     let mut given_contact = contact_keys.iter().filter(|k| k.1).map(|k| k.0);
@@ -171,11 +213,13 @@ fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: 
         }
         Law::Weld => {
             useless(&mut given_contact, "weld", faults);
-            weld_strength(entry, path, faults).map(|traction| OpenLaw::Weld(traction, entry.strength))
+            weld_strength(entry, path, faults)
+                .map(|traction| OpenLaw::Weld(traction, entry.strength))
         }
         Law::Contact => {
             useless(&mut given_weld, "contact", faults);
-            contact_law(entry.mu, &entry.gap, entry.friction, path, faults, notes).map(OpenLaw::Contact)
+            contact_law(entry.mu, &entry.gap, entry.friction, path, faults, notes)
+                .map(OpenLaw::Contact)
         }
     }
 }
@@ -183,7 +227,8 @@ fn read_law(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>, notes: 
 /// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along a plate,
 /// `2 · throat · strength / thickness`.
 fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) -> Option<f64> {
-    let throat = [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
+    let throat =
+        [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
     let mut sound = true;
     for (key, value) in throat.into_iter().chain([("strength_traction", entry.strength_traction)]) {
         if let Some(v) = value
@@ -195,13 +240,21 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         }
     }
     let strength = match (entry.throat, entry.thickness, entry.strength, entry.strength_traction) {
-        (Some(throat), Some(thickness), Some(strength), None) => 2.0 * throat * strength / thickness,
+        (Some(throat), Some(thickness), Some(strength), None) => {
+            2.0 * throat * strength / thickness
+        }
         (None, None, None, Some(traction)) => traction,
         _ => {
             let absent: Vec<&str> = throat.iter().filter(|k| k.1.is_none()).map(|k| k.0).collect();
             let m = match (entry.strength_traction, absent.len()) {
-                (Some(_), _) => "a weld has either `throat`, `thickness` and `strength`, or `strength_traction`".into(),
-                (None, 3) => "a weld needs `throat`, `thickness` and `strength`, or `strength_traction`".into(),
+                (Some(_), _) => {
+                    "a weld has either `throat`, `thickness` and `strength`, or `strength_traction`"
+                        .into()
+                }
+                (None, 3) => {
+                    "a weld needs `throat`, `thickness` and `strength`, or `strength_traction`"
+                        .into()
+                }
                 (None, _) => format!("the weld lacks `{}`", absent.join("` and `")),
             };
             let help = "write `throat` and `thickness` in mm with `strength` in MPa on the throat, or `strength_traction` \
@@ -211,7 +264,9 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         }
     };
     if sound && !(strength.is_finite() && strength > 0.0) {
-        let m = format!("2 throat strength / thickness of the weld is {strength} MPa, out of all range");
+        let m = format!(
+            "2 throat strength / thickness of the weld is {strength} MPa, out of all range"
+        );
         faults.add("model/value", path, m, "check the units: mm and MPa");
         return None;
     }
@@ -222,7 +277,7 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
 pub(super) fn contact_law(
     mu: Option<f64>,
     gap: &Option<Gap>,
-    friction: Option<Friction>,
+    friction: Option<FrictionLaw>,
     path: &str,
     faults: &mut Faults<'_>,
     notes: &mut Vec<String>,
@@ -234,7 +289,12 @@ pub(super) fn contact_law(
     };
     if !(mu.is_finite() && mu >= 0.0) {
         let m = format!("`mu` is {mu}, a friction coefficient is ≥ 0");
-        faults.add("model/value", &format!("{path}.mu"), m, "write `mu: 0` for a frictionless contact");
+        faults.add(
+            "model/value",
+            &format!("{path}.mu"),
+            m,
+            "write `mu: 0` for a frictionless contact",
+        );
         return None;
     }
     let friction = match friction {
@@ -243,7 +303,7 @@ pub(super) fn contact_law(
             if mu > 0.0 {
                 notes.push(format!("{path} names no friction law: associated is taken"));
             }
-            Friction::Associated
+            FrictionLaw::Associated
         }
     };
     Some(ContactLaw { mu, gap: gap.clone().unwrap_or_default(), friction })
@@ -275,7 +335,10 @@ pub(super) fn check_gap(
     // round-off of a polynomial that touches zero is no penetration
     if !largest.is_finite() || least.0 < -1e-9 * largest || least.0.is_nan() {
         let [x, y, z] = least.1;
-        let m = format!("the gap of `{name}` is {} mm at ({x}, {y}, {z}), a gap is finite and ≥ 0", least.0);
+        let m = format!(
+            "the gap of `{name}` is {} mm at ({x}, {y}, {z}), a gap is finite and ≥ 0",
+            least.0
+        );
         faults.add(
             "model/value",
             &format!("{path}.gap"),
@@ -293,7 +356,12 @@ pub(super) fn pairs(claims: &Claims, pairs: &[OpenPair]) -> (Vec<Interface>, Vec
     for open in &claims.open {
         let (mine, others) = rest.split_at(open.faces.len());
         rest = others;
-        let pair = |p: &OpenPair| FacePair { a: face(p.a), b: face(p.b), nodes_a: p.nodes_a, nodes_b: p.nodes_b };
+        let pair = |p: &OpenPair| FacePair {
+            a: face(p.a),
+            b: face(p.b),
+            nodes_a: p.nodes_a,
+            nodes_b: p.nodes_b,
+        };
         let (name, faces) = (open.name.clone(), mine.iter().map(pair).collect());
         match &open.law {
             OpenLaw::Contact(law) => interfaces.push(Interface { name, law: law.clone(), faces }),

@@ -3,17 +3,25 @@
 use super::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
-use crate::model::file::{AnalysisKind, Friction, Law, LoadEntry, ModelFile};
+use crate::model::file::{Law, LoadEntry, ModelFile};
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::friction::FrictionLaw;
 
 /// Checks a file whose `analysis` is `limit`; every other passes.
-pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>, notes: &mut Vec<String>) {
+pub(super) fn check(
+    file: &ModelFile,
+    scene: &Scene<'_>,
+    faults: &mut Faults<'_>,
+    notes: &mut Vec<String>,
+) {
     check_estimate(file, faults);
     if file.analysis != AnalysisKind::Limit {
         return;
     }
     let rigid = rigid_bodies(file, scene.mesh);
     let contact = |law: &Option<Law>| *law == Some(Law::Contact);
-    let slips = file.interfaces.iter().any(|i| i.law != Law::Tied) || file.supports.iter().any(|s| contact(&s.law));
+    let slips = file.interfaces.iter().any(|i| i.law != Law::Tied)
+        || file.supports.iter().any(|s| contact(&s.law));
     match &rigid[..] {
         [] => {}
         all if all.len() == scene.mesh.bodies.len() && !slips => {
@@ -30,8 +38,9 @@ pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
     }
     for (i, load) in file.loads.iter().enumerate() {
         if let Some(body) = &load.body {
-            let m =
-                format!("a force in the body `{body}` carries the load factor, which limit analysis cannot increase");
+            let m = format!(
+                "a force in the body `{body}` carries the load factor, which limit analysis cannot increase"
+            );
             let help = "write it under `dead`, where it is not multiplied, or load a face instead";
             faults.add("model/live-body-force", &format!("loads[{i}]"), m, help);
         }
@@ -39,7 +48,8 @@ pub(super) fn check(file: &ModelFile, scene: &Scene<'_>, faults: &mut Faults<'_>
     let rigid = file.rigid.iter().any(|r| r.force.iter().chain(&r.moment).any(|x| *x != 0.0));
     if !rigid && !file.loads.iter().any(acts) {
         let m = "no load carries the load factor: there is nothing for limit analysis to increase";
-        let help = "write the load to be increased under `loads`; what stands under `dead` stays as it is";
+        let help =
+            "write the load to be increased under `loads`; what stands under `dead` stays as it is";
         faults.add("model/no-live-load", "loads", m, help);
     }
 }
@@ -49,8 +59,8 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
     if !file.coulomb_estimate {
         return;
     }
-    let coulomb = |mu: Option<f64>, friction: Option<Friction>| {
-        mu.is_some_and(|mu| mu > 0.0) && friction == Some(Friction::Coulomb)
+    let coulomb = |mu: Option<f64>, friction: Option<FrictionLaw>| {
+        mu.is_some_and(|mu| mu > 0.0) && friction == Some(FrictionLaw::Coulomb)
     };
     let any = file.interfaces.iter().any(|i| coulomb(i.mu, i.friction))
         || file.supports.iter().any(|s| coulomb(s.mu, s.friction));
@@ -63,7 +73,8 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
             "leave it out: the other kinds reach Coulomb's law by themselves",
         ),
         AnalysisKind::Limit if !any => (
-            "`coulomb_estimate`, but no contact has `friction: coulomb` and a `mu` above 0".to_owned(),
+            "`coulomb_estimate`, but no contact has `friction: coulomb` and a `mu` above 0"
+                .to_owned(),
             "give the contact `friction: coulomb`, or leave `coulomb_estimate` out",
         ),
         AnalysisKind::Limit => return,
@@ -74,7 +85,11 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
 /// The bodies whose material has no yield strength, in the order of the mesh.
 fn rigid_bodies<'a>(file: &ModelFile, mesh: &'a TetMesh) -> Vec<&'a str> {
     let material = |body: &str| file.bodies.get(body).and_then(|m| file.materials.get(m));
-    mesh.bodies.iter().map(String::as_str).filter(|b| material(b).is_some_and(|m| m.fy.is_none())).collect()
+    mesh.bodies
+        .iter()
+        .map(String::as_str)
+        .filter(|b| material(b).is_some_and(|m| m.fy.is_none()))
+        .collect()
 }
 
 /// Whether a load is more than zero.
@@ -84,5 +99,7 @@ fn acts(load: &LoadEntry) -> bool {
     vector(&load.traction)
         || vector(&load.force)
         || load.pressure.is_some_and(|p| p != 0.0)
-        || linear.is_some_and(|l| l.traction0.iter().chain(l.gradient.iter().flatten()).any(|x| *x != 0.0))
+        || linear.is_some_and(|l| {
+            l.traction0.iter().chain(l.gradient.iter().flatten()).any(|x| *x != 0.0)
+        })
 }

@@ -4,15 +4,21 @@ use super::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;
-use crate::model::file::{AnalysisKind, ModelFile};
+use crate::model::file::ModelFile;
+use crate::spec::analysis::AnalysisKind;
 
 /// Materials in the order of their names, and the material of each body.
-pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) -> (Vec<Material>, Vec<u32>) {
+pub(super) fn read(
+    file: &ModelFile,
+    mesh: &TetMesh,
+    faults: &mut Faults<'_>,
+) -> (Vec<Material>, Vec<u32>) {
     let mut materials = Vec::new();
     for (name, m) in &file.materials {
         let mut check = |key: &str, value: f64, good: bool, limit: &str, help: &str| {
             if !good {
-                let message = format!("`{key}` of material `{name}` is {value}, it must be {limit}");
+                let message =
+                    format!("`{key}` of material `{name}` is {value}, it must be {limit}");
                 faults.add("model/value", &format!("materials.{name}.{key}"), message, help);
             }
         };
@@ -20,7 +26,13 @@ pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) ->
         let help = "steel: 0.3; for a nearly incompressible material write 0.4999";
         check("nu", m.nu, m.nu > -1.0 && m.nu < 0.5, "> -1 and < 0.5", help);
         if let Some(fy) = m.fy {
-            check("fy", fy, fy.is_finite() && fy > 0.0, "> 0 MPa", "leave `fy` out where nothing yields");
+            check(
+                "fy",
+                fy,
+                fy.is_finite() && fy > 0.0,
+                "> 0 MPa",
+                "leave `fy` out where nothing yields",
+            );
         }
         materials.push(Material { name: name.clone(), e: m.e, nu: m.nu, fy: m.fy });
     }
@@ -30,7 +42,12 @@ pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) ->
         if !mesh.bodies.contains(body) {
             let hint = did_you_mean(body, mesh.bodies.iter().map(String::as_str));
             let m = format!("the mesh has no physical volume `{body}`{hint}");
-            faults.add("model/unknown-body", &path, m, format!("the bodies are: {}", mesh.bodies.join(", ")));
+            faults.add(
+                "model/unknown-body",
+                &path,
+                m,
+                format!("the bodies are: {}", mesh.bodies.join(", ")),
+            );
         }
         if !file.materials.contains_key(material) {
             let m = format!(
@@ -45,7 +62,12 @@ pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) ->
     for body in &mesh.bodies {
         let Some(material) = file.bodies.get(body) else {
             let m = format!("body `{body}` of the mesh has no material");
-            faults.add("model/no-material", "bodies", m, format!("add `{body}: MATERIAL` under `bodies`"));
+            faults.add(
+                "model/no-material",
+                "bodies",
+                m,
+                format!("add `{body}: MATERIAL` under `bodies`"),
+            );
             continue;
         };
         body_material.push(file.materials.keys().position(|n| n == material).unwrap_or(0) as u32);
@@ -55,7 +77,9 @@ pub(super) fn read(file: &ModelFile, mesh: &TetMesh, faults: &mut Faults<'_>) ->
 
 /// Notes where nothing can yield though it is asked for.
 pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
-    if file.analysis == AnalysisKind::Elastoplastic && file.materials.values().all(|m| m.fy.is_none()) {
+    if file.analysis == AnalysisKind::Elastoplastic
+        && file.materials.values().all(|m| m.fy.is_none())
+    {
         notes.push(
             "no material has a yield strength `fy`: the elastic, perfectly plastic analysis is an elastic one".into(),
         );
@@ -77,7 +101,10 @@ pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<Stri
     }
     for (name, m) in &file.materials {
         if m.e >= 1e8 {
-            notes.push(format!("warning: E of material `{name}` is {:e} MPa: if it is in Pa, divide by 1e6", m.e));
+            notes.push(format!(
+                "warning: E of material `{name}` is {:e} MPa: if it is in Pa, divide by 1e6",
+                m.e
+            ));
         }
     }
 }

@@ -75,7 +75,9 @@ impl Frame {
         }
         let mut reference: Vec<V3> = sums.iter().map(|(s, v)| s.map(|c| c / v)).collect();
         reference.extend(model.rigid.iter().map(|r| r.at));
-        let all = sums.iter().fold(([0.0; 3], 0.0), |(s, v), (t, w)| ([0, 1, 2].map(|k| s[k] + t[k]), v + w));
+        let all = sums
+            .iter()
+            .fold(([0.0; 3], 0.0), |(s, v), (t, w)| ([0, 1, 2].map(|k| s[k] + t[k]), v + w));
         Self {
             centre: all.0.map(|c: f64| c / all.1),
             size: 0.5 * diagonal(&mesh.nodes),
@@ -136,7 +138,8 @@ fn constraint_groups(model: &AnalysisModel, frame: &Frame) -> Groups {
             add(None, part(f), &x, &contact_directions(g.law.mu, &x));
         }
     }
-    let contacts = model.interfaces.iter().flat_map(|i| i.faces.iter().map(|f| (f, Some(i.law.mu))));
+    let contacts =
+        model.interfaces.iter().flat_map(|i| i.faces.iter().map(|f| (f, Some(i.law.mu))));
     let welds = model.welds.iter().flat_map(|w| w.faces.iter().map(|f| (f, None)));
     for (f, mu) in contacts.chain(welds) {
         let (a, b) = (part(&f.a), part(&f.b));
@@ -149,7 +152,9 @@ fn constraint_groups(model: &AnalysisModel, frame: &Frame) -> Groups {
     }
     for (i, r) in model.rigid.iter().enumerate() {
         let block = frame.parts + i;
-        r.faces.iter().for_each(|f| add(Some(part(f)), block, &vertices(model, f), &marked(&r.components)));
+        r.faces
+            .iter()
+            .for_each(|f| add(Some(part(f)), block, &vertices(model, f), &marked(&r.components)));
     }
     groups
 }
@@ -184,10 +189,14 @@ fn rows(model: &AnalysisModel, frame: &Frame) -> Vec<Vec<f64>> {
 /// Orthonormal basis of the motions that no row resists.
 fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, Diagnostics> {
     // padded to at least n rows: the decomposition then gives all n right vectors
-    let a = faer::Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
+    let a =
+        faer::Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
     let svd = a.svd().map_err(|e| {
-        Diagnostic::undecided("model/rank-test", format!("the search for loose parts did not converge: {e:?}"))
-            .help("scale the model to mm and check its coordinates")
+        Diagnostic::undecided(
+            "model/rank-test",
+            format!("the search for loose parts did not converge: {e:?}"),
+        )
+        .help("scale the model to mm and check its coordinates")
     })?;
     let s: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = s.iter().copied().fold(0.0, f64::max);
@@ -329,9 +338,19 @@ pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
             // the point of the axis nearest the centre of the model, the same for parts that turn together
             let t = cross(theta, displacement(&mode.motions[p], frame.centre));
             let axis = [0, 1, 2].map(|k| round(frame.centre[k] + t[k] / (turn * turn), frame.size));
-            let line = format!("turn about {} through ({}, {}, {})", direction(theta), axis[0], axis[1], axis[2]);
+            let line = format!(
+                "turn about {} through ({}, {}, {})",
+                direction(theta),
+                axis[0],
+                axis[1],
+                axis[2]
+            );
             let along = dot(u, theta) / turn;
-            if along.abs() > 1e-6 * largest { format!("{line} while moving along it") } else { line }
+            if along.abs() > 1e-6 * largest {
+                format!("{line} while moving along it")
+            } else {
+                line
+            }
         };
         match said.iter_mut().find(|(w, _)| *w == words) {
             Some((_, parts)) => parts.push(&model.parts[p]),

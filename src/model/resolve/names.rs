@@ -22,7 +22,12 @@ impl<'a> Scene<'a> {
         }
         let hint = did_you_mean(name, self.mesh.bodies.iter().map(String::as_str));
         let m = format!("the mesh has no physical volume `{name}`{hint}");
-        faults.add("model/unknown-body", path, m, format!("the bodies are: {}", self.mesh.bodies.join(", ")));
+        faults.add(
+            "model/unknown-body",
+            path,
+            m,
+            format!("the bodies are: {}", self.mesh.bodies.join(", ")),
+        );
         None
     }
 
@@ -31,7 +36,10 @@ impl<'a> Scene<'a> {
         let found = self.mesh.faces_named(name);
         if found.is_none() {
             let names: Vec<&str> = self.mesh.faces.iter().map(|f| f.name.as_str()).collect();
-            let m = format!("the mesh has no physical surface `{name}`{}", did_you_mean(name, names.iter().copied()));
+            let m = format!(
+                "the mesh has no physical surface `{name}`{}",
+                did_you_mean(name, names.iter().copied())
+            );
             let help = if names.is_empty() {
                 "name surfaces in gmsh with `Physical Surface(\"NAME\")`".to_string()
             } else {
@@ -48,7 +56,13 @@ impl<'a> Scene<'a> {
     }
 
     /// The outer faces called `name`; a face between two tets is a fault.
-    pub fn outer_faces(&self, name: &str, path: &str, claims: &Claims, faults: &mut Faults<'_>) -> Vec<BoundaryFace> {
+    pub fn outer_faces(
+        &self,
+        name: &str,
+        path: &str,
+        claims: &Claims,
+        faults: &mut Faults<'_>,
+    ) -> Vec<BoundaryFace> {
         let Some(named) = self.face(name, path, faults) else { return Vec::new() };
         let mut faces = Vec::with_capacity(named.triangles.len());
         let mut inner = 0;
@@ -66,9 +80,13 @@ impl<'a> Scene<'a> {
             let [ba, bb] = [a, b].map(|r| self.mesh.bodies[self.body_of(r) as usize].as_str());
             let (n, all) = (inner, named.triangles.len());
             let m = if ba == bb {
-                format!("{n} of the {all} triangles of `{name}` lie inside body `{ba}`, not on the outside")
+                format!(
+                    "{n} of the {all} triangles of `{name}` lie inside body `{ba}`, not on the outside"
+                )
             } else if claims.is_open(TetFace::from(a)) {
-                format!("{n} of the {all} triangles of `{name}` lie in the contact between `{ba}` and `{bb}`")
+                format!(
+                    "{n} of the {all} triangles of `{name}` lie in the contact between `{ba}` and `{bb}`"
+                )
             } else {
                 format!(
                     "{n} of the {all} triangles of `{name}` lie between the bodies `{ba}` and `{bb}`, which are tied there"
@@ -85,7 +103,12 @@ impl<'a> Scene<'a> {
         faces.sort_unstable_by_key(|f| (f.tet, f.local));
         faces.dedup();
         if named.triangles.is_empty() {
-            faults.add("model/unknown-face", path, format!("the face `{name}` is empty"), "name outer faces");
+            faults.add(
+                "model/unknown-face",
+                path,
+                format!("the face `{name}` is empty"),
+                "name outer faces",
+            );
         }
         faces
     }

@@ -8,7 +8,8 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::split::{OpenPair, SplitMesh, TetFace};
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{BoundaryFace, FacePair, Preload};
-use crate::model::file::{AnalysisKind, ModelFile, PreloadEntry};
+use crate::model::file::{ModelFile, PreloadEntry};
+use crate::spec::analysis::AnalysisKind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A cut is transverse where the normals of its faces have at least this component along the axis.
@@ -42,10 +43,18 @@ pub(super) fn read(
         let body = scene.body(&entry.body, &format!("{path}.body"), faults);
         let named = scene.face(&entry.cut, &format!("{path}.cut"), faults);
         let (Some(axis), Some(body), Some(named)) = (numbers, body, named) else { continue };
-        let Some(faces) = sides(entry, body, &named.triangles, axis, &path, scene, claims, faults) else { continue };
+        let Some(faces) = sides(entry, body, &named.triangles, axis, &path, scene, claims, faults)
+        else {
+            continue;
+        };
         if let Some(other) = faces.iter().find_map(|f| taken.insert(f[0].min(f[1]), i)) {
             let m = format!("the cut `{}` shares faces with preload[{other}]", entry.cut);
-            faults.add("model/face-twice", &format!("{path}.cut"), m, "a shank is cut once: remove one of the two");
+            faults.add(
+                "model/face-twice",
+                &format!("{path}.cut"),
+                m,
+                "a shank is cut once: remove one of the two",
+            );
             continue;
         }
         if severs(body, &faces, scene) {
@@ -81,8 +90,16 @@ fn numbers(entry: &PreloadEntry, path: &str, faults: &mut Faults<'_>) -> Option<
     let length = vec3::norm(entry.axis);
     let axis = length.is_finite() && length > 0.0;
     if !axis {
-        let m = format!("the axis of the preload of `{}` is {:?}, it has no direction", entry.body, entry.axis);
-        faults.add("model/value", &format!("{path}.axis"), m, "write the direction of the shank, such as `[1, 0, 0]`");
+        let m = format!(
+            "the axis of the preload of `{}` is {:?}, it has no direction",
+            entry.body, entry.axis
+        );
+        faults.add(
+            "model/value",
+            &format!("{path}.axis"),
+            m,
+            "write the direction of the shank, such as `[1, 0, 0]`",
+        );
     }
     let force = entry.force.is_finite() && entry.force > 0.0;
     if !force {
@@ -110,7 +127,8 @@ fn sides(
     for t in triangles {
         match scene.table.owners(*t) {
             [p, q] if scene.body_of(p) == body && scene.body_of(q) == body => {
-                let x = face_nodes(&scene.mesh.tets[p.tet as usize], p.local).map(|n| scene.mesh.nodes[n as usize]);
+                let x = face_nodes(&scene.mesh.tets[p.tet as usize], p.local)
+                    .map(|n| scene.mesh.nodes[n as usize]);
                 let n = vec3::area_vector(&x);
                 let along = vec3::dot(n, axis) / vec3::norm(n);
                 flat |= along.abs() < TRANSVERSE;
@@ -126,12 +144,28 @@ fn sides(
     let all = triangles.len();
     let (m, help) = if let Some((p, q)) = elsewhere {
         let [a, b] = [p, q].map(|r| scene.mesh.bodies[scene.body_of(&r) as usize].as_str());
-        let open = if claims.is_open(TetFace::from(&p).min(TetFace::from(&q))) { ", in contact" } else { "" };
-        let place = if a == b { format!("inside the body `{a}`") } else { format!("between `{a}` and `{b}`{open}") };
-        (format!("a triangle of the cut `{cut}` lies {place}"), "name mesh faces inside the shank only")
+        let open = if claims.is_open(TetFace::from(&p).min(TetFace::from(&q))) {
+            ", in contact"
+        } else {
+            ""
+        };
+        let place = if a == b {
+            format!("inside the body `{a}`")
+        } else {
+            format!("between `{a}` and `{b}`{open}")
+        };
+        (
+            format!("a triangle of the cut `{cut}` lies {place}"),
+            "name mesh faces inside the shank only",
+        )
     } else if outer > 0 {
-        let m = format!("{outer} of the {all} triangles of the cut `{cut}` are outer faces of the mesh");
-        (m, "a cut lies inside the shank: let gmsh mesh a plane through it (`BooleanFragments`) and name it")
+        let m = format!(
+            "{outer} of the {all} triangles of the cut `{cut}` are outer faces of the mesh"
+        );
+        (
+            m,
+            "a cut lies inside the shank: let gmsh mesh a plane through it (`BooleanFragments`) and name it",
+        )
     } else if found.is_empty() {
         (format!("the cut `{cut}` is empty"), "name mesh faces inside the shank")
     } else if flat {
@@ -180,7 +214,9 @@ fn strength_note(
     let Some(fy) = material.and_then(|m| m.fy) else { return };
     let area = faces.iter().map(|f| {
         let t = &scene.mesh.tets[f[0].tet as usize];
-        vec3::norm(vec3::area_vector(&face_nodes(t, f[0].local).map(|n| scene.mesh.nodes[n as usize])))
+        vec3::norm(vec3::area_vector(
+            &face_nodes(t, f[0].local).map(|n| scene.mesh.nodes[n as usize]),
+        ))
     });
     let yields = fy * area.sum::<f64>();
     if entry.force > yields {
@@ -209,7 +245,11 @@ pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
 
 /// The preloads once the nodes are split; `pairs` are in the order of the cuts. An error where something holds both halves
 /// together at the rim of a cut.
-pub(super) fn preloads(cuts: Vec<Cut>, pairs: &[OpenPair], split: &SplitMesh) -> Result<Vec<Preload>, Diagnostics> {
+pub(super) fn preloads(
+    cuts: Vec<Cut>,
+    pairs: &[OpenPair],
+    split: &SplitMesh,
+) -> Result<Vec<Preload>, Diagnostics> {
     let mut rest = pairs;
     let face = |f: TetFace| BoundaryFace { tet: f.tet, local: f.local };
     cuts.into_iter()

@@ -2,7 +2,8 @@ use super::*;
 use crate::mesh::fixtures::{cubes, explode, msh_text, name};
 use crate::mesh::tet::signed_volume;
 use crate::model::analysis::Traction;
-use crate::model::file::{Friction, Gap};
+use crate::model::file::Gap;
+use crate::spec::friction::FrictionLaw;
 
 mod loose;
 mod wrong;
@@ -10,9 +11,14 @@ mod wrong;
 /// Four cubes in a row along x, bodies A (two cubes), B, C, on a floor at z = 0.
 pub(super) fn row() -> TetMesh {
     let mut m = cubes(&[([0, 0, 0], "A"), ([1, 0, 0], "A"), ([2, 0, 0], "B"), ([3, 0, 0], "C")]);
-    for (face, axis, at) in
-        [("LEFT", 0, 0.0), ("INSIDE", 0, 10.0), ("AB", 0, 20.0), ("BC", 0, 30.0), ("RIGHT", 0, 40.0), ("FLOOR", 2, 0.0)]
-    {
+    for (face, axis, at) in [
+        ("LEFT", 0, 0.0),
+        ("INSIDE", 0, 10.0),
+        ("AB", 0, 20.0),
+        ("BC", 0, 30.0),
+        ("RIGHT", 0, 40.0),
+        ("FLOOR", 2, 0.0),
+    ] {
         name(&mut m, face, |x| x[axis] == at);
     }
     m
@@ -49,14 +55,20 @@ fn a_good_model() {
         assert!(signed_volume(&[x[0], x[1], x[2], centre]) < 0.0);
     }
     assert_eq!(m.supports[0].faces.len(), 2);
-    assert_eq!(m.surface_loads[0].traction, Traction::Linear { traction0: [-1.0, 0.0, 0.0], gradient: [[0.0; 3]; 3] });
+    assert_eq!(
+        m.surface_loads[0].traction,
+        Traction::Linear { traction0: [-1.0, 0.0, 0.0], gradient: [[0.0; 3]; 3] }
+    );
     assert!(m.free_modes.is_empty() && m.notes.is_empty(), "{:?}", m.notes);
 }
 
 #[test]
 fn face_narrows_or_replaces_between() {
     let with = |entry: &str| {
-        model(row(), &GOOD.replace("{between: [B, A], law: contact, mu: 0.3, friction: associated}", entry))
+        model(
+            row(),
+            &GOOD.replace("{between: [B, A], law: contact, mu: 0.3, friction: associated}", entry),
+        )
     };
     // a face alone: side A is the first body of the mesh
     let m = with("{face: AB, law: contact, mu: 0.3, friction: associated}").expect("face alone");
@@ -70,7 +82,11 @@ fn face_narrows_or_replaces_between() {
     assert_eq!(m.interfaces[0].faces.len(), 2);
     assert_eq!(m.parts, ["A", "B+C"]);
     // half of the faces of a pair: the other half stays tied
-    mesh.faces.last_mut().expect("BOTH").triangles.retain(|t| t.iter().all(|n| mesh.nodes[*n as usize][0] == 20.0));
+    mesh.faces
+        .last_mut()
+        .expect("BOTH")
+        .triangles
+        .retain(|t| t.iter().all(|n| mesh.nodes[*n as usize][0] == 20.0));
     mesh.faces.last_mut().expect("BOTH").triangles.truncate(1);
     let m = model(mesh, &text).expect("half");
     assert_eq!((m.interfaces[0].faces.len(), m.parts.len()), (1, 1));
@@ -82,7 +98,10 @@ fn a_mesh_that_came_split_gives_the_same_model() {
     let whole = model(row(), GOOD).expect("shared");
     let text = GOOD.replace("analysis:", "nodes: split\nanalysis:");
     let m = model(explode(&row()), &text).expect("split");
-    assert_eq!((&m.parts, m.interfaces[0].faces.len()), (&whole.parts, whole.interfaces[0].faces.len()));
+    assert_eq!(
+        (&m.parts, m.interfaces[0].faces.len()),
+        (&whole.parts, whole.interfaces[0].faces.len())
+    );
     assert_eq!(m.mesh.nodes.len(), whole.mesh.nodes.len());
     // the name may mark the side of either body, or both
     let by_face = text.replace("{between: [B, A],", "{face: AB,");
@@ -131,8 +150,11 @@ adapt: {target_gap: 0.05}
     );
     assert_eq!(m.body_material, [1, 0, 1]);
     assert_eq!(m.symmetry, 4);
-    assert_eq!((m.ground[0].law.mu, &m.ground[0].law.gap, m.ground[0].faces.len()), (0.2, &Gap::Constant(0.5), 8));
-    assert_eq!(m.ground[0].law.friction, Friction::Associated);
+    assert_eq!(
+        (m.ground[0].law.mu, &m.ground[0].law.gap, m.ground[0].faces.len()),
+        (0.2, &Gap::Constant(0.5), 8)
+    );
+    assert_eq!(m.ground[0].law.friction, FrictionLaw::Associated);
     assert_eq!(m.rigid[0].free, [true, false, false, false, false, true]);
     assert_eq!(
         (m.rigid[0].action, m.rigid[0].dead_action),
@@ -149,7 +171,11 @@ fn units_that_look_wrong_are_noted() {
     let mut metres = row();
     metres.nodes.iter_mut().flatten().for_each(|c| *c /= 1000.0);
     let m = model(metres, GOOD).expect("metres");
-    assert!(m.notes[0].contains("0.04 mm") && m.notes[0].contains("scale them to mm"), "{:?}", m.notes);
+    assert!(
+        m.notes[0].contains("0.04 mm") && m.notes[0].contains("scale them to mm"),
+        "{:?}",
+        m.notes
+    );
     let m = model(row(), &GOOD.replace("210000", "2.1e11")).expect("Pa");
     assert!(m.notes[0].contains("divide by 1e6"), "{:?}", m.notes);
 }
@@ -158,7 +184,8 @@ fn units_that_look_wrong_are_noted() {
 #[test]
 fn reference_joints() {
     for (folder, counts) in [("9k", [379, 42, 72, 72]), ("33k", [1507, 144, 160, 154])] {
-        let path = format!("{}/tests/data/paper_quarter_{folder}/model.yaml", env!("CARGO_MANIFEST_DIR"));
+        let path =
+            format!("{}/tests/data/paper_quarter_{folder}/model.yaml", env!("CARGO_MANIFEST_DIR"));
         let m = load_model(Path::new(&path)).expect("reference model");
         assert_eq!(m.parts, ["COLUMN", "BEAM_R+PLATE_R+BOLT_RP1+BOLT_RP2+BOLT_RP3"]);
         assert_eq!(m.interfaces.iter().map(|i| i.faces.len()).collect::<Vec<_>>(), counts);

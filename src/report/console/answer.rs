@@ -24,9 +24,14 @@ pub fn answer(c: &CaseResult) -> String {
         }
         (Some(l), None) => format!("{name}: {what} at least {}{unit} ({word})", lower(l)),
         (None, Some(Upper::Finite(u))) => {
-            format!("{name}: {what} at most {}{unit} ({word})", figures::significant(u, 7, Rounding::Up))
+            format!(
+                "{name}: {what} at most {}{unit} ({word})",
+                figures::significant(u, 7, Rounding::Up)
+            )
         }
-        (Some(l), Some(Upper::Unbounded(_))) => format!("{name}: {what} at least {}, without limit above", lower(l)),
+        (Some(l), Some(Upper::Unbounded(_))) => {
+            format!("{name}: {what} at least {}, without limit above", lower(l))
+        }
         (None, Some(Upper::Unbounded(_))) => format!("{name}: {what} without limit ({word})"),
         (None, None) => format!("{name}: no bound"),
     };

@@ -55,7 +55,8 @@ impl Log {
     /// A log that shows its lines on standard error unless `quiet`, with bars only on a terminal.
     pub fn new(quiet: bool) -> Self {
         let drawn = !quiet && std::io::stderr().is_terminal();
-        let target = if drawn { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let target =
+            if drawn { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bars = MultiProgress::with_draw_target(target);
         let stage = bars.add(ProgressBar::new_spinner());
         if drawn {
@@ -150,10 +151,13 @@ impl Log {
 fn style(pace: Arc<Mutex<Timed>>) -> ProgressStyle {
     let left = move |_: &ProgressState, out: &mut dyn fmt::Write| {
         let timed = held(&pace);
-        let left = timed.pace.left().map(|left| (left - timed.told.elapsed().as_secs_f64()).max(1.0));
+        let left =
+            timed.pace.left().map(|left| (left - timed.told.elapsed().as_secs_f64()).max(1.0));
         let _ = out.write_str(&left.map_or(String::new(), |left| format!("{} left", about(left))));
     };
-    ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("left", left)
+    ProgressStyle::with_template(TEMPLATE)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("left", left)
 }
 
 impl Drop for Log {
@@ -174,7 +178,8 @@ mod tests {
         log.detail("9 000 tets\nsecond line");
         log.line("done");
         let text = log.text();
-        let said: Vec<_> = text.lines().filter_map(|l| l.split_once(" s] ")).map(|(_, t)| t).collect();
+        let said: Vec<_> =
+            text.lines().filter_map(|l| l.split_once(" s] ")).map(|(_, t)| t).collect();
         assert_eq!(said, ["mesh", "9 000 tets", "second line", "done"]);
         assert!(text.starts_with('['));
     }

@@ -8,11 +8,12 @@ use std::io::{ErrorKind, Write};
 pub fn text(data: &str) -> Result<(), Diagnostics> {
     let mut out = std::io::stdout().lock();
     match out.write_all(data.as_bytes()).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
-            Err(Diagnostic::environment("cli/stdout", format!("cannot write to standard output: {e}"))
-                .help("check the disk or the pipe the output goes to")
-                .into())
-        }
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Diagnostic::environment(
+            "cli/stdout",
+            format!("cannot write to standard output: {e}"),
+        )
+        .help("check the disk or the pipe the output goes to")
+        .into()),
         _ => Ok(()),
     }
 }
@@ -24,10 +25,16 @@ pub fn json(data: &impl Serialize) -> Result<(), Diagnostics> {
 
 /// Lines of cells in columns: the first column left, numbers right, two blanks between.
 pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
-    let width =
-        |i: usize| rows.iter().map(|r| r[i].chars().count()).chain([head[i].chars().count()]).max().unwrap_or(0);
+    let width = |i: usize| {
+        rows.iter()
+            .map(|r| r[i].chars().count())
+            .chain([head[i].chars().count()])
+            .max()
+            .unwrap_or(0)
+    };
     let widths: Vec<usize> = (0..head.len()).map(width).collect();
-    let number = |i: usize| i > 0 && rows.iter().all(|r| r[i] == "-" || r[i].parse::<f64>().is_ok());
+    let number =
+        |i: usize| i > 0 && rows.iter().all(|r| r[i] == "-" || r[i].parse::<f64>().is_ok());
     let right: Vec<bool> = (0..head.len()).map(number).collect();
     let line = |cells: &mut dyn Iterator<Item = &str>| {
         let mut line = String::new();
@@ -56,7 +63,8 @@ pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
 mod tests {
     #[test]
     fn numbers_stand_right_and_names_left() {
-        let rows = [["IPE80", "80", "a"], ["UB1016", "1016.5", "bb"]].map(|r| r.map(str::to_owned).to_vec());
+        let rows = [["IPE80", "80", "a"], ["UB1016", "1016.5", "bb"]]
+            .map(|r| r.map(str::to_owned).to_vec());
         let expected = "name         h  text\nIPE80       80  a\nUB1016  1016.5  bb\n";
         assert_eq!(super::columns(&["name", "h", "text"], &rows), expected);
     }

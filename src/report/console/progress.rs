@@ -19,14 +19,21 @@ fn room_words(room: &Room) -> String {
     match room.limit {
         Limit::Machine => format!("{bytes} are available"),
         Limit::Asked(all) => {
-            format!("{bytes} are left of the {} that --memory-limit allows", gib(all, Rounding::Nearest))
+            format!(
+                "{bytes} are left of the {} that --memory-limit allows",
+                gib(all, Rounding::Nearest)
+            )
         }
     }
 }
 
 /// Why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
 pub fn refusal_words(refusal: &Refusal) -> String {
-    format!("needs {} more memory, {}", gib(refusal.needed, Rounding::Up), room_words(&refusal.room))
+    format!(
+        "needs {} more memory, {}",
+        gib(refusal.needed, Rounding::Up),
+        room_words(&refusal.room)
+    )
 }
 
 fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
@@ -34,7 +41,10 @@ fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     if let Some(f) = forecast {
         let millions = significant(f.factor_entries as f64 / 1e6, 3, Rounding::Nearest);
         let memory = gib(f.bytes, Rounding::Up);
-        text += &format!(", {millions} million factor entries, {memory} of memory, {}", about(f.seconds));
+        text += &format!(
+            ", {millions} million factor entries, {memory} of memory, {}",
+            about(f.seconds)
+        );
     }
     text
 }
@@ -113,9 +123,14 @@ mod tests {
     #[test]
     fn a_refusal_never_reads_as_if_it_fitted() {
         for limit in [Limit::Machine, Limit::Asked(8 * GIB)] {
-            let text = refusal_words(&Refusal { needed: GIB + 1, room: Room { bytes: GIB - 1, limit } });
+            let text =
+                refusal_words(&Refusal { needed: GIB + 1, room: Room { bytes: GIB - 1, limit } });
             assert!(text.starts_with("needs 1.01 GiB more memory, 0.999 GiB are"), "{text}");
-            assert_eq!(text.contains("of the 8.00 GiB that --memory-limit allows"), limit != Limit::Machine, "{text}");
+            assert_eq!(
+                text.contains("of the 8.00 GiB that --memory-limit allows"),
+                limit != Limit::Machine,
+                "{text}"
+            );
         }
     }
 }

@@ -58,7 +58,12 @@ impl Canvas {
     pub fn new(width: usize, height: usize, background: Rgb) -> Self {
         let (width, height) = (SAMPLES * width, SAMPLES * height);
         let n = width * height;
-        Self { width, height, colour: vec![bytes(background); n], depth: vec![f32::NEG_INFINITY; n] }
+        Self {
+            width,
+            height,
+            colour: vec![bytes(background); n],
+            depth: vec![f32::NEG_INFINITY; n],
+        }
     }
 
     /// Draws a triangle given in sample coordinates and depth. `shade` gets the barycentric coordinates of a sample
@@ -164,13 +169,17 @@ impl Canvas {
         for row in first(1)..past(1, self.height) {
             for column in first(0)..past(0, self.width) {
                 let p = [column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]];
-                let t =
-                    if length2 > 0.0 { ((p[0] * along[0] + p[1] * along[1]) / length2).clamp(0.0, 1.0) } else { 0.0 };
+                let t = if length2 > 0.0 {
+                    ((p[0] * along[0] + p[1] * along[1]) / length2).clamp(0.0, 1.0)
+                } else {
+                    0.0
+                };
                 let distance = (p[0] - t * along[0]).hypot(p[1] - t * along[1]);
                 let cover = (half + 0.5 - distance).clamp(0.0, 1.0) as f32;
                 if cover > 0.0 {
                     let under = &mut self.colour[row * self.width + column];
-                    let mixed = [0, 1, 2].map(|k| f32::from(under[k]) * (1.0 - cover) + ink[k] * cover);
+                    let mixed =
+                        [0, 1, 2].map(|k| f32::from(under[k]) * (1.0 - cover) + ink[k] * cover);
                     *under = bytes(mixed);
                 }
             }

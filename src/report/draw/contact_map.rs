@@ -45,7 +45,11 @@ pub fn contact_map(
         if first != axis || (at - here.1).abs() > 1e-6 {
             return None;
         }
-        let pressure = contact_tractions(model, stress, &face, None).map(|r| vec3::dot(r, n)).iter().sum::<f64>() / 3.0;
+        let pressure = contact_tractions(model, stress, &face, None)
+            .map(|r| vec3::dot(r, n))
+            .iter()
+            .sum::<f64>()
+            / 3.0;
         let [u, v] = page_axes(axis);
         patches.push((corners.map(|x| [x[u], x[v]]), pressure));
     }
@@ -95,7 +99,8 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
     let low = all().fold([f64::MAX; 2], |l, c| [l[0].min(c[0]), l[1].min(c[1])]);
     let high = all().fold([f64::MIN; 2], |h, c| [h[0].max(c[0]), h[1].max(c[1])]);
     let scale = (SIDES[0] / (high[0] - low[0])).min(SIDES[1] / (high[1] - low[1]));
-    let at = |c: [f64; 2]| [MARGIN + LINE + scale * (c[0] - low[0]), MARGIN + scale * (high[1] - c[1])];
+    let at =
+        |c: [f64; 2]| [MARGIN + LINE + scale * (c[0] - low[0]), MARGIN + scale * (high[1] - c[1])];
     let mut d = Drawing::default();
     for (corners, pressure) in patches {
         d.polygon(Pen::Thin, colour(*pressure, peak), &corners.map(at));
@@ -103,11 +108,23 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
     let [right, bottom] = at([high[0], low[1]]);
     // axes, with the extent of the faces
     let mm = |x: f64| significant(x, 4, Rounding::Nearest);
-    d.text([MARGIN + LINE, bottom + LINE], Anchor::Start, &format!("{} = {} mm", AXES[u], mm(low[0])));
+    d.text(
+        [MARGIN + LINE, bottom + LINE],
+        Anchor::Start,
+        &format!("{} = {} mm", AXES[u], mm(low[0])),
+    );
     d.text([right, bottom + LINE], Anchor::End, &format!("{} mm", mm(high[0])));
     let legend = right + 2.0 * MARGIN;
-    d.text([legend, MARGIN + 10.0], Anchor::Start, &format!("{} from {} to {} mm", AXES[v], mm(low[1]), mm(high[1])));
-    d.text([legend, MARGIN + 10.0 + 2.0 * LINE], Anchor::Start, "pressure [MPa], means of the faces");
+    d.text(
+        [legend, MARGIN + 10.0],
+        Anchor::Start,
+        &format!("{} from {} to {} mm", AXES[v], mm(low[1]), mm(high[1])),
+    );
+    d.text(
+        [legend, MARGIN + 10.0 + 2.0 * LINE],
+        Anchor::Start,
+        "pressure [MPa], means of the faces",
+    );
     let step = peak / BANDS.len() as f64;
     let show = |p: f64| significant(p, 3, Rounding::Nearest);
     for (i, fill) in BANDS.iter().enumerate().rev() {
@@ -130,15 +147,21 @@ mod tests {
     /// Every band has its colour, what is open has none, and the map names its peak and its sides.
     #[test]
     fn bands_cover_the_pressures() {
-        let found: Vec<&str> = [0.0, 0.5, 10.0, 30.0, 50.0, 70.0, 99.0, 100.0].map(|p| colour(p, 100.0)).to_vec();
+        let found: Vec<&str> =
+            [0.0, 0.5, 10.0, 30.0, 50.0, 70.0, 99.0, 100.0].map(|p| colour(p, 100.0)).to_vec();
         assert_eq!(found[..2], [NOTHING; 2]);
         assert_eq!(found[2..7], BANDS);
         assert_eq!(found[7], BANDS[4]);
-        let pair = ContactForce { between: ["P".into(), "C".into()], compression: 1.0, centre: [0.0; 3] };
-        let patches =
-            [([[0.0, 0.0], [40.0, 0.0], [0.0, 80.0]], 100.0), ([[40.0, 0.0], [40.0, 80.0], [0.0, 80.0]], 0.0)];
+        let pair =
+            ContactForce { between: ["P".into(), "C".into()], compression: 1.0, centre: [0.0; 3] };
+        let patches = [
+            ([[0.0, 0.0], [40.0, 0.0], [0.0, 80.0]], 100.0),
+            ([[40.0, 0.0], [40.0, 80.0], [0.0, 80.0]], 0.0),
+        ];
         let svg = draw(&patches, 100.0, page_axes(0), &pair);
-        for part in ["P on C", "80.0 … 100", "2.00 … 20.0", "y = 0 mm", "z from 0 to 80.00 mm", BANDS[4]] {
+        for part in
+            ["P on C", "80.0 … 100", "2.00 … 20.0", "y = 0 mm", "z from 0 to 80.00 mm", BANDS[4]]
+        {
             assert!(svg.contains(part), "{part}: {svg}");
         }
         assert_eq!(svg.matches("<polygon").count(), 2);

@@ -145,7 +145,8 @@ fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
         let length = dx.hypot(dy).max(1.0);
         [a[0] + t * dx - off * dy / length, a[1] + t * dy + off * dx / length]
     };
-    let path = [at(0.0, 0.0), at(0.44, 0.0), at(0.48, 5.0), at(0.52, -5.0), at(0.56, 0.0), at(1.0, 0.0)];
+    let path =
+        [at(0.0, 0.0), at(0.44, 0.0), at(0.48, 5.0), at(0.52, -5.0), at(0.56, 0.0), at(1.0, 0.0)];
     path.windows(2).for_each(|w| d.line(Pen::Edge, w[0], w[1]));
 }
 
@@ -219,10 +220,18 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     let sets = if e.column.is_some() && both { 2 } else { 1 };
     let long = length.map_or(String::new(), |l| format!(" × {}", n(l)));
     let count = e.bolt_count() * sets;
-    out.push(format!("{count} bolts {}{long} {}, holes of {} mm", e.bolt.size, e.grade.grade, n(e.hole)));
+    out.push(format!(
+        "{count} bolts {}{long} {}, holes of {} mm",
+        e.bolt.size,
+        e.grade.grade,
+        n(e.hole)
+    ));
     if let Some(c) = &e.column {
         if c.stiffener > 0.0 {
-            out.push(format!("stiffeners of {} mm on both sides of the column web", n(c.stiffener)));
+            out.push(format!(
+                "stiffeners of {} mm on both sides of the column web",
+                n(c.stiffener)
+            ));
         }
         if c.doubler > 0.0 {
             out.push(format!("web doubler of {} mm on one side (dashed)", n(c.doubler)));
@@ -231,7 +240,8 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     if e.rib > 0.0 {
         out.push(format!("rib of {} mm on the upper flange (front view)", n(e.rib)));
     }
-    let weld = |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
+    let weld =
+        |a: f64| if a > 0.0 { format!("fillet a = {}", n(a)) } else { "full penetration".into() };
     out.push(format!("welds: flanges {}, web {}", weld(e.flange_throat), weld(e.web_throat)));
     out.push("dimensions in mm; z from the beam's axis, up".into());
     out
@@ -258,7 +268,11 @@ fn loads(e: &EndPlate) -> Drawing {
         let (plane, end) = (x + side * face, x + side * 190.0);
         d.rectangle(Pen::Edge, STEEL, [plane, y - 22.0], [end, y + 22.0]);
         let name = if side > 0.0 { "right" } else { "left" };
-        let Some(end_name) = ends.iter().find(|e| e.contains(name) || ends.len() == 1 && side > 0.0) else { continue };
+        let Some(end_name) =
+            ends.iter().find(|e| e.contains(name) || ends.len() == 1 && side > 0.0)
+        else {
+            continue;
+        };
         d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);
         d.line(Pen::Hidden, [plane, y - 70.0], [plane, y + 70.0]);
         // pull, lift, and the moment that pulls the top
@@ -270,7 +284,8 @@ fn loads(e: &EndPlate) -> Drawing {
         d.text([end + side * 6.0, y - 78.0], anchor, "Vz, z′");
         d.text([end + side * 34.0, y - 34.0], anchor, "My");
     }
-    let plane = if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
+    let plane =
+        if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
     d.text([x, y - 112.0], Anchor::Middle, plane);
     let lines = ["Positive as drawn: N pulls, Vz lifts, My pulls the top; y′ = z′ × x′. Values at the bolt plane, load factor 1:".into()];
     let values = e.actions.iter().map(value);
@@ -305,7 +320,8 @@ mod tests {
 
     fn end_plate(text: &str) -> EndPlate {
         let spec = yaml::parse::<ConnectionSpec>(text, Path::new("joint.yaml")).expect("a spec");
-        let joint = build(&spec, Path::new("."), &Catalog::builtin().expect("catalogue")).expect("a joint");
+        let joint =
+            build(&spec, Path::new("."), &Catalog::builtin().expect("catalogue")).expect("a joint");
         joint.end_plate.expect("an end plate")
     }
 
@@ -330,7 +346,9 @@ mod tests {
         }
         let e = end_plate(COLUMN);
         let text = views(&e, 2, Some(65.0));
-        for wanted in [">200<", ">15<", ">300<", ">100<", ">180<", ">12 bolts M20 × 65 8.8, holes of 22 mm<"] {
+        for wanted in
+            [">200<", ">15<", ">300<", ">100<", ">180<", ">12 bolts M20 × 65 8.8, holes of 22 mm<"]
+        {
             assert!(text.contains(wanted), "{wanted}");
         }
         // two beams, twelve bolts in the side view of three rows, six hexagons in front

@@ -118,7 +118,12 @@ pub fn text_segments(text: &str, x: f64, y: f64, height: f64) -> Vec<[[f64; 2]; 
             let points: Vec<[f64; 2]> = line
                 .as_bytes()
                 .chunks_exact(2)
-                .map(|p| [left + f64::from(p[0] - b'0') * unit, y - (f64::from(p[1] - b'0') - 2.0) * unit])
+                .map(|p| {
+                    [
+                        left + f64::from(p[0] - b'0') * unit,
+                        y - (f64::from(p[1] - b'0') - 2.0) * unit,
+                    ]
+                })
                 .collect();
             segments.extend(points.windows(2).map(|p| [p[0], p[1]]));
         }
@@ -137,19 +142,28 @@ mod tests {
 
     #[test]
     fn every_printable_letter_is_drawn_inside_its_cell() {
-        for letter in (' '..='~').chain("−–µμ²³·×°σλ…".chars()).filter(|c| !"$&@\\^`{}~".contains(*c)) {
+        for letter in
+            (' '..='~').chain("−–µμ²³·×°σλ…".chars()).filter(|c| !"$&@\\^`{}~".contains(*c))
+        {
             assert!(letter == ' ' || strokes(letter) != strokes('\u{0}'), "{letter} is not drawn");
             for line in strokes(letter).split(' ').filter(|_| letter != ' ') {
                 assert!(line.len() >= 4 && line.len() % 2 == 0, "{letter}: {line}");
-                assert!(line.bytes().step_by(2).all(|b| (b'0'..=b'4').contains(&b)), "{letter}: {line}");
-                assert!(line.bytes().skip(1).step_by(2).all(|b| (b'0'..=b'8').contains(&b)), "{letter}: {line}");
+                assert!(
+                    line.bytes().step_by(2).all(|b| (b'0'..=b'4').contains(&b)),
+                    "{letter}: {line}"
+                );
+                assert!(
+                    line.bytes().skip(1).step_by(2).all(|b| (b'0'..=b'8').contains(&b)),
+                    "{letter}: {line}"
+                );
             }
         }
     }
 
     #[test]
     fn capitals_have_the_wanted_height() {
-        let ys: Vec<f64> = text_segments("HM", 10.0, 50.0, 12.0).iter().flatten().map(|p| p[1]).collect();
+        let ys: Vec<f64> =
+            text_segments("HM", 10.0, 50.0, 12.0).iter().flatten().map(|p| p[1]).collect();
         assert_eq!(ys.iter().copied().fold(f64::INFINITY, f64::min), 38.0);
         assert_eq!(ys.iter().copied().fold(f64::NEG_INFINITY, f64::max), 50.0);
     }

@@ -8,7 +8,8 @@ use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 pub fn drawing(diagram: &MomentAxial) -> String {
     let show = |p: [f64; 2]| [1e-3 * p[0], 1e-6 * p[1]];
     let border: Vec<[f64; 2]> = diagram.border.iter().copied().map(show).collect();
-    let demands: Vec<(&str, [f64; 2])> = diagram.demands.iter().map(|d| (d.0.as_str(), show(d.1))).collect();
+    let demands: Vec<(&str, [f64; 2])> =
+        diagram.demands.iter().map(|d| (d.0.as_str(), show(d.1))).collect();
     let seen = border.iter().chain(demands.iter().map(|d| &d.1));
     let largest = seen.fold([0.0f64; 2], |r, c| [r[0].max(c[0].abs()), r[1].max(c[1].abs())]);
     let axes = Axes::new(largest);
@@ -33,7 +34,11 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     }
     let y = |line: f64| top + (2.0 + 1.5 * line) * LINE;
     d.rectangle(Pen::Edge, "#dbe7f3", [legend, y(0.0)], [legend + 22.0, y(0.0) + 12.0]);
-    d.text([legend + 30.0, y(0.0) + 6.0], Anchor::Start, "in plastic equilibrium of the components");
+    d.text(
+        [legend + 30.0, y(0.0) + 6.0],
+        Anchor::Start,
+        "in plastic equilibrium of the components",
+    );
     let dashed = [
         "horizontal: M_j,Rd, the limit also under compression",
         "vertical: 5 % of N_pl,Rd, inside which N is not added",

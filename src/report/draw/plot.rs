@@ -97,7 +97,10 @@ impl Axis {
         let inside: Vec<f64> = all.filter(|v| (self.low..=self.high).contains(v)).collect();
         // over many decades the powers of ten are enough
         let many = inside.len() > 10;
-        inside.into_iter().filter(|v| !many || (v.log10() - v.log10().round()).abs() < 1e-9).collect()
+        inside
+            .into_iter()
+            .filter(|v| !many || (v.log10() - v.log10().round()).abs() < 1e-9)
+            .collect()
     }
 }
 
@@ -120,7 +123,10 @@ impl Plot {
         let good = |p: &&[f64; 2]| p.iter().all(|v| *v > 0.0 && v.is_finite());
         let points = || self.series.iter().flat_map(|s| s.points.iter().filter(good));
         let level = self.level.iter().map(|(v, _)| *v);
-        let axes = [Axis::around(points().map(|p| p[0])), Axis::around(points().map(|p| p[1]).chain(level))];
+        let axes = [
+            Axis::around(points().map(|p| p[0])),
+            Axis::around(points().map(|p| p[1]).chain(level)),
+        ];
         let [left, top, right, bottom] = FRAME;
         let place = |p: [f64; 2]| {
             let [x, y] = [axes[0].share(p[0]), axes[1].share(p[1])];
@@ -139,7 +145,11 @@ impl Plot {
             let [_, y] = place([axes[0].low, v]);
             marks.push(line([left, y], [right, y], 0.4, GRID));
             let name = label(v);
-            marks.push(text([left - 8.0 - text_width(&name, LETTERS), y + 0.5 * LETTERS], &name, INK));
+            marks.push(text(
+                [left - 8.0 - text_width(&name, LETTERS), y + 0.5 * LETTERS],
+                &name,
+                INK,
+            ));
         }
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         (0..4).for_each(|i| marks.push(line(corners[i], corners[(i + 1) % 4], 0.5, INK)));
@@ -159,7 +169,12 @@ impl Plot {
             marks.extend(places.iter().map(|p| Mark::Dot { at: *p, colour }));
             // where curves fall from left to right the top right corner is free
             let at = [right - 14.0 - text_width(&s.name, LETTERS), top + 20.0 + 18.0 * i as f64];
-            marks.push(line([at[0] - 30.0, at[1] - 0.5 * LETTERS], [at[0] - 10.0, at[1] - 0.5 * LETTERS], 0.9, colour));
+            marks.push(line(
+                [at[0] - 30.0, at[1] - 0.5 * LETTERS],
+                [at[0] - 10.0, at[1] - 0.5 * LETTERS],
+                0.9,
+                colour,
+            ));
             marks.push(Mark::Dot { at: [at[0] - 20.0, at[1] - 0.5 * LETTERS], colour });
             marks.push(text(at, &s.name, INK));
         }
@@ -177,7 +192,9 @@ impl Plot {
             match mark {
                 Mark::Line { from, to, half, colour } => canvas.line(from, to, half, colour),
                 Mark::Dot { at, colour } => canvas.line(at, at, 3.2, colour),
-                Mark::Text { at, text, colour } => canvas.text(&text, at[0], at[1], LETTERS, colour),
+                Mark::Text { at, text, colour } => {
+                    canvas.text(&text, at[0], at[1], LETTERS, colour)
+                }
             }
         }
         canvas.finish()
@@ -200,11 +217,19 @@ impl Plot {
                     2.0 * half
                 ),
                 Mark::Dot { at: [x, y], colour } => {
-                    writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.5\" fill=\"{}\"/>", hex(colour))
+                    writeln!(
+                        out,
+                        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.5\" fill=\"{}\"/>",
+                        hex(colour)
+                    )
                 }
                 Mark::Text { at: [x, y], text, colour } => {
                     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-                    writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{}\">{text}</text>", hex(colour))
+                    writeln!(
+                        out,
+                        "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{}\">{text}</text>",
+                        hex(colour)
+                    )
                 }
             };
         }
@@ -223,8 +248,14 @@ mod tests {
             x: "tets".into(),
             y: "gap [%]".into(),
             series: vec![
-                Series { name: "uniform".into(), points: vec![[1e3, 4.0], [8e3, 2.0], [64e3, 1.0]] },
-                Series { name: "a<b".into(), points: vec![[1e3, 4.0], [8e3, 0.5], [0.0, 1.0], [f64::NAN, 1.0]] },
+                Series {
+                    name: "uniform".into(),
+                    points: vec![[1e3, 4.0], [8e3, 2.0], [64e3, 1.0]],
+                },
+                Series {
+                    name: "a<b".into(),
+                    points: vec![[1e3, 4.0], [8e3, 0.5], [0.0, 1.0], [f64::NAN, 1.0]],
+                },
             ],
             level: Some((2.0, "target".into())),
         }
@@ -234,7 +265,11 @@ mod tests {
     #[test]
     fn axes_are_logarithmic() {
         let axis = Axis { low: 10.0, high: 1000.0 };
-        assert!((axis.share(100.0) - 0.5).abs() < 1e-15 && axis.share(10.0) == 0.0 && axis.share(1000.0) == 1.0);
+        assert!(
+            (axis.share(100.0) - 0.5).abs() < 1e-15
+                && axis.share(10.0) == 0.0
+                && axis.share(1000.0) == 1.0
+        );
         assert_eq!(axis.marks(), [10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]);
         assert_eq!([0.02, 5.0, 500.0, 2e4, 1e6].map(label), ["0.02", "5", "500", "20k", "1M"]);
         assert!(Axis::around([].into_iter()).marks().len() > 1);

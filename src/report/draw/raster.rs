@@ -123,7 +123,14 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let bands = options.field.map(Bands::of);
     let view = View::new(&surface, eye, options, bands.is_some());
     let mut canvas = Canvas::new(view.width, view.height, BACKGROUND);
-    let drawing = Drawing { surface: &surface, kinds: &kinds, view: &view, groups: &groups, bands: &bands, options };
+    let drawing = Drawing {
+        surface: &surface,
+        kinds: &kinds,
+        view: &view,
+        groups: &groups,
+        bands: &bands,
+        options,
+    };
     drawing.triangles(&mut canvas);
     canvas.outline(INK, 0.01 * view.diagonal);
     canvas.blank_below(view.strip_top, BACKGROUND);
@@ -158,7 +165,8 @@ fn natural_eye(surface: &Surface) -> [f64; 3] {
     let size = [0, 1, 2].map(|k| high[k] - low[k]);
     let one_sided = |k: usize| low[k] >= -1e-6 * size[k];
     let (turn, tilt) = (36.0_f64.to_radians(), 26.0_f64.to_radians());
-    let (x, y) = if size[0] >= size[1] { (turn.sin(), turn.cos()) } else { (turn.cos(), turn.sin()) };
+    let (x, y) =
+        if size[0] >= size[1] { (turn.sin(), turn.cos()) } else { (turn.cos(), turn.sin()) };
     [x * tilt.cos(), if one_sided(1) { y } else { -y } * tilt.cos(), tilt.sin()]
 }
 
@@ -187,7 +195,8 @@ impl View {
         let right = unit(cross(world_up, eye));
         let up = cross(eye, right);
         let mut frame = Frame::default();
-        let focused: Vec<bool> = surface.bodies.iter().map(|b| options.focus.contains(&b.as_str())).collect();
+        let focused: Vec<bool> =
+            surface.bodies.iter().map(|b| options.focus.contains(&b.as_str())).collect();
         let close = focused.contains(&true);
         for triangle in surface.triangles.iter().filter(|t| !close || focused[t.body as usize]) {
             for n in triangle.nodes {
@@ -281,7 +290,8 @@ impl Groups {
         let of_body = bodies
             .iter()
             .map(|body| {
-                let stem = body.split(|c: char| c == '_' || c.is_ascii_digit()).next().unwrap_or_default();
+                let stem =
+                    body.split(|c: char| c == '_' || c.is_ascii_digit()).next().unwrap_or_default();
                 let stem = if stem.is_empty() { body } else { stem };
                 names.iter().position(|n| n == stem).unwrap_or_else(|| {
                     names.push(stem.into());
@@ -309,7 +319,10 @@ struct Bands {
 impl Bands {
     fn of(field: Field) -> Self {
         let defined = field.values.iter().copied().filter(|v| v.is_finite());
-        let extremes = [defined.clone().fold(f64::INFINITY, f64::min), defined.fold(f64::NEG_INFINITY, f64::max)];
+        let extremes = [
+            defined.clone().fold(f64::INFINITY, f64::min),
+            defined.fold(f64::NEG_INFINITY, f64::max),
+        ];
         let [low, high] = field.range.unwrap_or(extremes);
         if !(low.is_finite() && high.is_finite() && high > low) {
             // nothing, or one value everywhere: a single band around it
@@ -329,7 +342,8 @@ impl Bands {
 
     fn colour(&self, band: usize) -> Rgb {
         let last = FIELD_COLOURS.len() - 1;
-        let t = if self.count > 1 { band as f64 / (self.count - 1) as f64 * last as f64 } else { 0.0 };
+        let t =
+            if self.count > 1 { band as f64 / (self.count - 1) as f64 * last as f64 } else { 0.0 };
         let i = (t as usize).min(last - 1);
         mix(FIELD_COLOURS[i], FIELD_COLOURS[i + 1], (t - i as f64) as f32)
     }
@@ -342,14 +356,22 @@ impl Bands {
             return format!("{value:.2e}");
         }
         let text = format!("{value:.decimals$}");
-        if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0".into() } else { text }
+        if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+            "0".into()
+        } else {
+            text
+        }
     }
 }
 
 /// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is not below `x`.
 fn nice(x: f64) -> f64 {
     let power = 10.0_f64.powf(x.log10().floor());
-    [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= x * (1.0 - 1e-9)).unwrap_or(10.0 * power)
+    [1.0, 2.0, 2.5, 5.0, 10.0]
+        .into_iter()
+        .map(|m| m * power)
+        .find(|s| *s >= x * (1.0 - 1e-9))
+        .unwrap_or(10.0 * power)
 }
 
 fn mix(a: Rgb, b: Rgb, t: f32) -> Rgb {
@@ -368,18 +390,23 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn triangles(&self, canvas: &mut Canvas) {
-        let points: Vec<[f64; 3]> = self.surface.points.iter().map(|&p| self.view.sample(p)).collect();
+        let points: Vec<[f64; 3]> =
+            self.surface.points.iter().map(|&p| self.view.sample(p)).collect();
         let mesh_ink = if self.options.mesh_lines { self.mesh_ink(&points) } else { 0.0 };
-        let lamp = unit([0, 1, 2].map(|k| self.view.eye[k] + 0.45 * self.view.up[k] - 0.7 * self.view.right[k]));
+        let lamp = unit(
+            [0, 1, 2].map(|k| self.view.eye[k] + 0.45 * self.view.up[k] - 0.7 * self.view.right[k]),
+        );
         for (t, triangle) in self.surface.triangles.iter().enumerate() {
             let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
             if dot(normal, self.view.eye) <= 0.0 {
                 continue;
             }
-            let light = (0.58 + 0.30 * dot(normal, lamp).max(0.0) + 0.20 * normal[2].max(0.0)).min(1.06);
+            let light =
+                (0.58 + 0.30 * dot(normal, lamp).max(0.0) + 0.20 * normal[2].max(0.0)).min(1.06);
             let corners = triangle.nodes.map(|n| points[n as usize]);
-            let values =
-                self.options.field.map(|f| triangle.nodes.map(|n| f.values[self.surface.origin[n as usize] as usize]));
+            let values = self.options.field.map(|f| {
+                triangle.nodes.map(|n| f.values[self.surface.origin[n as usize] as usize])
+            });
             let body = self.groups.colour(triangle.body);
             let kinds = self.kinds[t];
             let length = [0, 1, 2].map(|i| {
@@ -390,7 +417,11 @@ impl Drawing<'_> {
                 let mut colour = match (values, self.bands) {
                     (Some(v), Some(bands)) => {
                         let value = v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-                        let flat = if value.is_nan() { UNDEFINED } else { bands.colour(bands.band(value)) };
+                        let flat = if value.is_nan() {
+                            UNDEFINED
+                        } else {
+                            bands.colour(bands.band(value))
+                        };
                         // pale shading, so that colours still match the legend
                         flat.map(|c| c * (0.45 + 0.55 * light.min(1.0)) as f32)
                     }
@@ -458,8 +489,20 @@ fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64, bottom: f
     }
     if bands.extremes[0].is_finite() {
         let foot = top + bands.count as f64 * height + 2.0 * LETTER;
-        canvas.text(&format!("min {}", four_digits(bands.extremes[0])), left, foot, LETTER * 0.8, INK);
-        canvas.text(&format!("max {}", four_digits(bands.extremes[1])), left, foot + 1.5 * LETTER, LETTER * 0.8, INK);
+        canvas.text(
+            &format!("min {}", four_digits(bands.extremes[0])),
+            left,
+            foot,
+            LETTER * 0.8,
+            INK,
+        );
+        canvas.text(
+            &format!("max {}", four_digits(bands.extremes[1])),
+            left,
+            foot + 1.5 * LETTER,
+            LETTER * 0.8,
+            INK,
+        );
     }
 }
 
@@ -502,7 +545,11 @@ fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: &PictureOpt
             if x + width > view.width as f64 - MARGIN {
                 break;
             }
-            canvas.rectangle([x, base - LETTER], [x + 16.0, base + 2.0], BODY_COLOURS[i % BODY_COLOURS.len()]);
+            canvas.rectangle(
+                [x, base - LETTER],
+                [x + 16.0, base + 2.0],
+                BODY_COLOURS[i % BODY_COLOURS.len()],
+            );
             canvas.frame([x, base - LETTER], [x + 16.0, base + 2.0], INK);
             canvas.text(name, x + 24.0, base, LETTER, INK);
             x += width + 28.0;
@@ -531,8 +578,10 @@ fn axes(canvas: &mut Canvas, view: &View, at: [f64; 2]) -> f64 {
         }
         let along = direction.map(|c| c / length);
         for side in [-1.0, 1.0] {
-            let back =
-                [tip[0] - 7.0 * along[0] - side * 3.0 * along[1], tip[1] - 7.0 * along[1] + side * 3.0 * along[0]];
+            let back = [
+                tip[0] - 7.0 * along[0] - side * 3.0 * along[1],
+                tip[1] - 7.0 * along[1] + side * 3.0 * along[0],
+            ];
             canvas.line(tip, back, 1.0, INK);
         }
         let letter = [tip[0] + 11.0 * along[0] - 3.5, tip[1] + 11.0 * along[1] + 4.0];
@@ -547,8 +596,15 @@ mod tests {
 
     #[test]
     fn round_steps() {
-        for (x, wanted) in [(0.9, 1.0), (1.0, 1.0), (1.1, 2.0), (2.2, 2.5), (26.0, 50.0), (70.0, 100.0), (0.003, 0.005)]
-        {
+        for (x, wanted) in [
+            (0.9, 1.0),
+            (1.0, 1.0),
+            (1.1, 2.0),
+            (2.2, 2.5),
+            (26.0, 50.0),
+            (70.0, 100.0),
+            (0.003, 0.005),
+        ] {
             assert!((nice(x) - wanted).abs() < 1e-12 * wanted, "{x} {}", nice(x));
         }
     }
@@ -558,7 +614,10 @@ mod tests {
         let values = [-3.0, f64::NAN, 97.0];
         let bands = Bands::of(Field { name: "s", unit: "MPa", values: &values, range: None });
         assert_eq!((bands.low, bands.step, bands.count), (-10.0, 10.0, 11));
-        assert_eq!((bands.band(-3.0), bands.band(0.0), bands.band(97.0), bands.band(1e9)), (0, 1, 10, 10));
+        assert_eq!(
+            (bands.band(-3.0), bands.band(0.0), bands.band(97.0), bands.band(1e9)),
+            (0, 1, 10, 10)
+        );
         assert_eq!((bands.label(0), bands.label(1)), ("-10".to_string(), "0".to_string()));
         for values in [vec![], vec![5.0; 3], vec![0.0; 2], vec![f64::NAN]] {
             let bands = Bands::of(Field { name: "s", unit: "", values: &values, range: None });

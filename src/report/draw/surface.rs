@@ -50,8 +50,11 @@ impl Surface {
             }
         }
         faces.sort_unstable_by_key(|(key, triangle)| (*key, triangle.nodes));
-        let triangles =
-            faces.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1).map(|same| same[0].1).collect();
+        let triangles = faces
+            .chunk_by(|a, b| a.0 == b.0)
+            .filter(|same| same.len() == 1)
+            .map(|same| same[0].1)
+            .collect();
         let n = mesh.nodes.len();
         Self {
             points: mesh.nodes.clone(),
@@ -106,8 +109,11 @@ impl Surface {
     /// Kind of the edge from node `i` to node `i + 1` of every triangle. A feature is an edge whose triangles meet at
     /// more than `angle` \[rad\], belong to different bodies, or are not exactly two.
     pub fn edge_kinds(&self, angle: f64) -> Vec<[EdgeKind; 3]> {
-        let normals: Vec<[f64; 3]> =
-            self.triangles.iter().map(|t| unit_normal(t.nodes.map(|n| self.points[n as usize]))).collect();
+        let normals: Vec<[f64; 3]> = self
+            .triangles
+            .iter()
+            .map(|t| unit_normal(t.nodes.map(|n| self.points[n as usize])))
+            .collect();
         let mut edges: Vec<(u32, u32, usize, usize)> = Vec::with_capacity(3 * self.triangles.len());
         for (t, triangle) in self.triangles.iter().enumerate() {
             for i in 0..3 {
@@ -121,7 +127,8 @@ impl Surface {
             let smooth = match same {
                 [one, two] => {
                     let (n, m) = (normals[one.2], normals[two.2]);
-                    self.triangles[one.2].body == self.triangles[two.2].body && dot(n, m) >= angle.cos()
+                    self.triangles[one.2].body == self.triangles[two.2].body
+                        && dot(n, m) >= angle.cos()
                 }
                 _ => false,
             };
@@ -180,7 +187,12 @@ mod tests {
             .map(|x| dot(x[0], cross(x[1], x[2])) / 6.0)
             .sum();
         assert!((volume - 1.0).abs() < 1e-14, "{volume}");
-        assert!(surface.triangles.iter().all(|t| !t.nodes.iter().all(|&n| surface.points[n as usize][0] == 0.0)));
+        assert!(
+            surface
+                .triangles
+                .iter()
+                .all(|t| !t.nodes.iter().all(|&n| surface.points[n as usize][0] == 0.0))
+        );
         // on y = 0 the triangles (0 1 3) and its image meet along the z axis: flat, so no feature there
         let kinds = surface.edge_kinds(0.4);
         let mut seam = 0;

@@ -86,7 +86,12 @@ impl Drawing {
     pub fn polygon(&mut self, pen: Pen, fill: &str, points: &[[f64; 2]]) {
         points.iter().for_each(|p| self.reach(p[0], p[1]));
         let text: Vec<String> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
-        let _ = writeln!(self.body, "<polygon points=\"{}\" fill=\"{fill}\" {}/>", text.join(" "), pen.attributes());
+        let _ = writeln!(
+            self.body,
+            "<polygon points=\"{}\" fill=\"{fill}\" {}/>",
+            text.join(" "),
+            pen.attributes()
+        );
     }
 
     /// A circle.
@@ -108,7 +113,8 @@ impl Drawing {
     fn head(&mut self, tip: [f64; 2], direction: [f64; 2]) {
         let length = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
         let [dx, dy] = direction.map(|c| c / length);
-        let at = |back: f64, side: f64| [tip[0] - back * dx - side * dy, tip[1] - back * dy + side * dx];
+        let at =
+            |back: f64, side: f64| [tip[0] - back * dx - side * dy, tip[1] - back * dy + side * dx];
         self.polygon(Pen::Action, "#c03a00", &[tip, at(9.0, 4.0), at(9.0, -4.0)]);
     }
 
@@ -145,7 +151,10 @@ impl Drawing {
         self.reach(left + width, y + LETTERS);
         let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let base = y + 0.36 * LETTERS;
-        let _ = writeln!(self.body, "<text x=\"{x:.1}\" y=\"{base:.1}\" text-anchor=\"{name}\">{text}</text>");
+        let _ = writeln!(
+            self.body,
+            "<text x=\"{x:.1}\" y=\"{base:.1}\" text-anchor=\"{name}\">{text}</text>"
+        );
     }
 
     /// A vertical chain of dimensions at `x`; of each point its y and the line it comes from, from the bottom; the texts stand
@@ -242,7 +251,8 @@ fn apart(wanted: &[f64], least: f64) -> Vec<f64> {
 /// Pairs of texts that overlap.
 #[cfg(test)]
 pub(crate) fn overlaps(labels: &[[f64; 4]]) -> usize {
-    let touch = |a: &[f64; 4], b: &[f64; 4]| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+    let touch =
+        |a: &[f64; 4], b: &[f64; 4]| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
     (0..labels.len()).map(|i| labels[..i].iter().filter(|b| touch(&labels[i], b)).count()).sum()
 }
 
@@ -260,9 +270,17 @@ mod tests {
         let mut d = Drawing::default();
         let ys: Vec<f64> = (0..8).map(|i| 300.0 - 5.0 * f64::from(i)).collect();
         d.vertical_chain(100.0, true, 80.0, &ys, &vec!["12.5".to_string(); 7]);
-        d.horizontal_chain(320.0, 310.0, &[0.0, 10.0, 14.0, 90.0], &["1000".into(), "5".into(), "77".into()]);
+        d.horizontal_chain(
+            320.0,
+            310.0,
+            &[0.0, 10.0, 14.0, 90.0],
+            &["1000".into(), "5".into(), "77".into()],
+        );
         assert_eq!(overlaps(&d.labels), 0, "{:?}", d.labels);
-        assert_eq!(overlaps(&[[0.0, 0.0, 2.0, 2.0], [1.0, 1.0, 3.0, 3.0], [5.0, 5.0, 6.0, 6.0]]), 1);
+        assert_eq!(
+            overlaps(&[[0.0, 0.0, 2.0, 2.0], [1.0, 1.0, 3.0, 3.0], [5.0, 5.0, 6.0, 6.0]]),
+            1
+        );
     }
 
     #[test]
@@ -272,7 +290,10 @@ mod tests {
         d.arrow([0.0, 0.0], [40.0, 0.0]);
         d.turn([60.0, 60.0], 20.0, true);
         let text = d.finish("t & t");
-        assert!(text.contains("a &lt; b &amp; c") && text.contains("<title>t &amp; t</title>"), "{text}");
+        assert!(
+            text.contains("a &lt; b &amp; c") && text.contains("<title>t &amp; t</title>"),
+            "{text}"
+        );
         assert_eq!(text.matches('<').count(), text.matches('>').count());
         assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
     }

@@ -9,7 +9,11 @@ use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),
-        (Status::Undecided, "One check cannot be made by the code", "These checks cannot be made by the code"),
+        (
+            Status::Undecided,
+            "One check cannot be made by the code",
+            "These checks cannot be made by the code",
+        ),
     ] {
         let found: Vec<&Check> = checks.iter().filter(|c| c.status == status).collect();
         if found.is_empty() {
@@ -38,9 +42,11 @@ pub(crate) fn checks(page: &mut String, checks: &[Check]) {
         let decided = mine.iter().any(|c| c.utilisation.is_some());
         let rows = mine.iter().map(|c| {
             let case = c.case.as_ref().map_or(String::new(), |case| format!("{case}, "));
-            let mut row = vec![format!("{case}{}", c.subject), c.title.clone(), formula(c), c.clause.clone()];
+            let mut row =
+                vec![format!("{case}{}", c.subject), c.title.clone(), formula(c), c.clause.clone()];
             if decided {
-                let used = c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
+                let used =
+                    c.utilisation.map_or_else(|| "–".into(), |u| significant(u, 3, Rounding::Up));
                 row.extend([used, status(c.status).into()]);
             }
             row
@@ -108,7 +114,11 @@ const TOPICS: [(Topic, &str, &str); 8] = [
 fn formula(c: &Check) -> String {
     let values = c.values.iter().map(|s| format!("{} = {}", s.symbol, s.unit.show(s.value)));
     let values: Vec<String> = values.collect();
-    if values.is_empty() { c.formula.clone() } else { format!("{}; {}", c.formula, values.join(", ")) }
+    if values.is_empty() {
+        c.formula.clone()
+    } else {
+        format!("{}; {}", c.formula, values.join(", "))
+    }
 }
 
 fn status(status: Status) -> &'static str {

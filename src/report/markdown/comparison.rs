@@ -21,8 +21,11 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
 }
 
 fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> String {
-    let beta =
-        if c.beta > 0.0 { format!(", β = {}", significant(c.beta, 3, Rounding::Nearest)) } else { String::new() };
+    let beta = if c.beta > 0.0 {
+        format!(", β = {}", significant(c.beta, 3, Rounding::Nearest))
+    } else {
+        String::new()
+    };
     let mut text = format!(
         "{case}, {}: the component method gives M_j,Rd = {} for {}{beta}; the load asks {} of it.",
         c.end,
@@ -43,9 +46,15 @@ fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Strin
             );
         }
         (Some(low), None) => {
-            text += &format!(" Its load factor is {factor}; FE_low/CM = {}.", ratio(low, Rounding::Down))
+            text += &format!(
+                " Its load factor is {factor}; FE_low/CM = {}.",
+                ratio(low, Rounding::Down)
+            )
         }
-        (None, Some(up)) => text += &format!(" Its load factor is {factor}; FE_up/CM = {}.", ratio(up, Rounding::Up)),
+        (None, Some(up)) => {
+            text +=
+                &format!(" Its load factor is {factor}; FE_up/CM = {}.", ratio(up, Rounding::Up))
+        }
         (None, None) => text += &format!(" Its load factor is {factor}."),
     }
     text
@@ -54,7 +63,11 @@ fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Strin
 /// Where the component method lies, with the numbers that account for it.
 fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     let percent = |part: f64| significant(100.0 * part, 2, Rounding::Nearest);
-    let rows = format!("its rows {} on a lever arm of {} mm", c.limited_by, significant(c.lever, 3, Rounding::Nearest));
+    let rows = format!(
+        "its rows {} on a lever arm of {} mm",
+        c.limited_by,
+        significant(c.lever, 3, Rounding::Nearest)
+    );
     let beam = Unit::Moment.show(c.beam);
     if method < low && !c.stability.is_empty() {
         return format!(
@@ -111,15 +124,25 @@ mod tests {
     fn the_line_says_on_which_side_and_by_how_much() {
         let line = |factor| line("ULS1", &comparison(factor), (Some(1.2), Some(1.5)));
         let inside = line(1.3);
-        assert!(inside.contains("FE_low/CM = 0.923, FE_up/CM = 1.16: it lies inside the bracket"), "{inside}");
+        assert!(
+            inside.contains("FE_low/CM = 0.923, FE_up/CM = 1.16: it lies inside the bracket"),
+            "{inside}"
+        );
         let below = line(1.0);
-        assert!(below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"), "{below}");
+        assert!(
+            below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"),
+            "{below}"
+        );
         // what may buckle explains a difference that must not be called safe
         let mut unstable = comparison(1.0);
-        unstable.stability = vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];
+        unstable.stability =
+            vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];
         let decided = super::line("ULS1", &unstable, (Some(1.2), Some(1.5)));
         assert!(decided.contains("sees no buckling") && decided.contains("ρ = 0.645"), "{decided}");
-        assert!(!decided.contains("2/√3") && !decided.contains("safe") && !below.contains("safe"), "{decided}");
+        assert!(
+            !decided.contains("2/√3") && !decided.contains("safe") && !below.contains("safe"),
+            "{decided}"
+        );
         let above = line(1.8);
         assert!(above.contains("20 % above the upper bound") && above.contains("148"), "{above}");
         let one = super::line("ULS1", &comparison(1.0), (Some(1.2), None));

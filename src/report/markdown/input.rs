@@ -37,17 +37,29 @@ fn yaml(page: &mut String, text: &str) {
 fn values(page: &mut String, data: &ReportData) {
     if !data.resolved.is_empty() {
         heading(page, "Resolved values");
-        let rows =
-            data.resolved.iter().map(|v| vec![v.name.clone(), v.value.clone(), v.unit.clone(), v.origin.clone()]);
-        table(page, &Table { columns: strings(["quantity", "value", "unit", "origin"]), rows: rows.collect() });
+        let rows = data
+            .resolved
+            .iter()
+            .map(|v| vec![v.name.clone(), v.value.clone(), v.unit.clone(), v.origin.clone()]);
+        table(
+            page,
+            &Table {
+                columns: strings(["quantity", "value", "unit", "origin"]),
+                rows: rows.collect(),
+            },
+        );
     }
     if !data.catalogue_rows.is_empty() {
         heading(page, "Catalogue rows");
         let rows = data.catalogue_rows.iter().map(|r| {
-            let values: Vec<String> = r.values.iter().map(|(column, value)| format!("{column} {value}")).collect();
+            let values: Vec<String> =
+                r.values.iter().map(|(column, value)| format!("{column} {value}")).collect();
             vec![r.kind.clone(), r.name.clone(), values.join(", "), r.source.clone()]
         });
-        table(page, &Table { columns: strings(["kind", "name", "values", "source"]), rows: rows.collect() });
+        table(
+            page,
+            &Table { columns: strings(["kind", "name", "values", "source"]), rows: rows.collect() },
+        );
     }
     if !data.notes.is_empty() {
         heading(page, "Notes");

@@ -4,7 +4,7 @@ use crate::analysis::coulomb::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
 use crate::report::markdown::page::Table;
 use crate::report::markdown::text::{inline, is_strict, paragraph, strings, table};
-use crate::result::data::{CaseResult, Problem, Quantity, Upper};
+use crate::result::data::{CaseResult, FrictionModel, Quantity, Upper};
 
 /// The load factor that a fixed point finds under Coulomb's law.
 pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
@@ -51,9 +51,15 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
         let low = significant(lower, 4, Rounding::Down);
         // the associated model is stronger than the Coulomb structure it may stand for
-        let dilates = if case.problem == Problem::Associated { " with its associated friction" } else { "" };
+        let dilates = if case.problem == FrictionModel::Associated {
+            " with its associated friction"
+        } else {
+            ""
+        };
         let safe = if is_strict(case) {
-            format!("Every load up to {low} times the given one can be carried by the model{dilates}")
+            format!(
+                "Every load up to {low} times the given one can be carried by the model{dilates}"
+            )
         } else {
             format!("About {low} times the given load can be carried by the model (an estimate)")
         };
@@ -61,12 +67,12 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     }
     let smooth = case.frictionless.and_then(|f| f.lower);
     match (case.problem, smooth, case.upper) {
-        (Problem::Coulomb, Some(_), Some(_)) => paragraph(
+        (FrictionModel::Coulomb, Some(_), Some(_)) => paragraph(
             page,
             "Under Coulomb's law the load factor is at least that without friction (the lower value) and at most that with \
              associated friction (the upper value).",
         ),
-        (Problem::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
+        (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
             let (low, high) = bracket(low, high, 3);
             paragraph(
                 page,
@@ -91,16 +97,27 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     page.push_str(&format!("## Collapse of {}\n\n", inline(&case.name)));
     if let Some(part) = &case.limiting_part {
         let part = inline(part);
-        paragraph(page, &format!("The stress of the lower bound is nearest to the yield surface in body **{part}**."));
+        paragraph(
+            page,
+            &format!(
+                "The stress of the lower bound is nearest to the yield surface in body **{part}**."
+            ),
+        );
     }
     if !case.dissipation.is_empty() {
         paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
-        let mut parts: Vec<(String, f64)> = case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
-        parts.extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
+        let mut parts: Vec<(String, f64)> =
+            case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
+        parts
+            .extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let rows = parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
+        let rows =
+            parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
         let of = if case.welds.is_empty() { "body" } else { "body or weld" };
-        table(page, &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() });
+        table(
+            page,
+            &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() },
+        );
     }
     welds(page, case);
 }
@@ -114,14 +131,23 @@ fn welds(page: &mut String, case: &CaseResult) {
             let work = w.work.map(|w| significant(w, 4, Rounding::Up));
             let used = [w.utilisation, w.mean_utilisation];
             let percent = |u: Option<f64>| u.map_or(String::new(), |u| format!("{:.1}", 100.0 * u));
-            let stress =
-                |u: Option<f64>| u.zip(w.throat_strength).map_or(String::new(), |(u, f)| format!("{:.0}", u * f));
+            let stress = |u: Option<f64>| {
+                u.zip(w.throat_strength).map_or(String::new(), |(u, f)| format!("{:.0}", u * f))
+            };
             let strength = w.throat_strength.map_or(String::new(), |f| format!("{f:.0}"));
             w.utilisation?;
             let [largest, mean] = used;
             let shares = [percent(largest), percent(mean)];
             let stresses = [stress(largest), stress(mean), strength];
-            Some([vec![w.weld.clone()], shares.to_vec(), stresses.to_vec(), vec![work.unwrap_or_default()]].concat())
+            Some(
+                [
+                    vec![w.weld.clone()],
+                    shares.to_vec(),
+                    stresses.to_vec(),
+                    vec![work.unwrap_or_default()],
+                ]
+                .concat(),
+            )
         })
         .collect();
     if rows.is_empty() {
@@ -139,7 +165,10 @@ fn welds(page: &mut String, case: &CaseResult) {
         "work dissipated, upper bound [N mm]",
     ]);
     // columns that no weld fills are left out
-    let filled: Vec<bool> = (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
-    let cut = |row: Vec<String>| row.into_iter().zip(&filled).filter(|(_, f)| **f).map(|(cell, _)| cell).collect();
+    let filled: Vec<bool> =
+        (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
+    let cut = |row: Vec<String>| {
+        row.into_iter().zip(&filled).filter(|(_, f)| **f).map(|(cell, _)| cell).collect()
+    };
     table(page, &Table { columns: cut(columns), rows: rows.into_iter().map(cut).collect() });
 }

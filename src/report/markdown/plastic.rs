@@ -11,7 +11,8 @@ pub(crate) fn displacement(page: &mut String, case: &CaseResult) {
     if let (Some(load), Some(least)) = (case.load, case.load_displacement_at_least) {
         let (what, unit) = load.moves();
         let low = significant(least, 4, Rounding::Down);
-        let mean = if what == "displacement" { " (along the load, the mean over its face)" } else { "" };
+        let mean =
+            if what == "displacement" { " (along the load, the mean over its face)" } else { "" };
         paragraph(
             page,
             &format!(
@@ -51,7 +52,8 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
     let words = |name: &str, run: &Option<ProgramRun>| {
         let run = run.as_ref()?;
         let tets = run.yielding_tets?;
-        let percent = fixed(100.0 * tets as f64 / last.macro_tets.max(1) as f64, 1, Rounding::Nearest);
+        let percent =
+            fixed(100.0 * tets as f64 / last.macro_tets.max(1) as f64, 1, Rounding::Nearest);
         let count = fixed(tets as f64, 0, Rounding::Nearest);
         let solves = match run.solves {
             Some(1) => "1 solve".to_string(),
@@ -60,7 +62,10 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
         Some(format!("in {count} of the tets ({percent} %) of the {name} program, after {solves}"))
     };
     let of_both: Vec<String> =
-        [words("static", &last.static_), words("kinematic", &last.kinematic)].into_iter().flatten().collect();
+        [words("static", &last.static_), words("kinematic", &last.kinematic)]
+            .into_iter()
+            .flatten()
+            .collect();
     if !of_both.is_empty() {
         paragraph(
             page,

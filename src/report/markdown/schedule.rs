@@ -31,10 +31,18 @@ pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> 
         let all = mass.map_or("–".into(), |m| format!("{:.2}", m * count as f64));
         rows.push(vec![what, count.to_string(), size, steel, each, all]);
     };
-    let long = length.map_or_else(|| "longer than stocked".into(), |l| format!("{} × {}", e.bolt.size, n(l)));
+    let long = length
+        .map_or_else(|| "longer than stocked".into(), |l| format!("{} × {}", e.bolt.size, n(l)));
     let size = format!("{long}, grip {} mm, 2 washers", n(grip));
-    item("bolt".into(), e.bolt_count() * sets, size, e.grade.grade.clone(), length.map(|l| bolt_mass(&e.bolt, l)));
-    let plate = |sizes: [f64; 3]| (sizes.map(n).join(" × "), Some(DENSITY * sizes.iter().product::<f64>()));
+    item(
+        "bolt".into(),
+        e.bolt_count() * sets,
+        size,
+        e.grade.grade.clone(),
+        length.map(|l| bolt_mass(&e.bolt, l)),
+    );
+    let plate =
+        |sizes: [f64; 3]| (sizes.map(n).join(" × "), Some(DENSITY * sizes.iter().product::<f64>()));
     let (size, mass) = plate([e.thickness, e.width, e.top - e.bottom]);
     item("end plate".into(), plates, size, e.plate_steel.grade.clone(), mass);
     if let Some(c) = &e.column {
@@ -44,7 +52,10 @@ pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> 
             item("column stiffener".into(), 4, size, c.steel.grade.clone(), mass);
         }
     }
-    Table { columns: strings(["part", "number", "size [mm]", "steel", "each [kg]", "all [kg]"]), rows }
+    Table {
+        columns: strings(["part", "number", "size [mm]", "steel", "each [kg]", "all [kg]"]),
+        rows,
+    }
 }
 
 #[cfg(test)]

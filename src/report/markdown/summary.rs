@@ -18,14 +18,21 @@ struct Row {
 pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     let mut rows: Vec<Row> = Vec::new();
     for case in &result.cases {
-        let Some(demand) = case.demand.as_ref().filter(|_| case.quantity == Quantity::LoadFactor) else { continue };
+        let Some(demand) = case.demand.as_ref().filter(|_| case.quantity == Quantity::LoadFactor)
+        else {
+            continue;
+        };
         let used = case.utilisation.map(|[l, u]| {
             let (l, u) = (significant(l, 3, Rounding::Down), significant(u, 3, Rounding::Up));
             format!("{l} … {u}")
         });
         let bounds = match case.safe_bounds() {
             (Some(l), Some(u)) => {
-                format!("{} … {}", significant(l, 3, Rounding::Down), significant(u, 3, Rounding::Up))
+                format!(
+                    "{} … {}",
+                    significant(l, 3, Rounding::Down),
+                    significant(u, 3, Rounding::Up)
+                )
             }
             (Some(l), None) => format!("≥ {}", significant(l, 3, Rounding::Down)),
             (None, Some(u)) => format!("≤ {}", significant(u, 3, Rounding::Up)),
@@ -40,16 +47,21 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
             "limit analysis".into(),
             demand.by_analysis.words().into(),
         ];
-        let governs_by = case.utilisation.map(|u| u[1]).or((demand.by_analysis == Verdict::Undecided).then_some(1.0));
+        let governs_by = case
+            .utilisation
+            .map(|u| u[1])
+            .or((demand.by_analysis == Verdict::Undecided).then_some(1.0));
         rows.push(Row { cells, governs_by });
     }
-    let loaded: Vec<&Check> = result.checks.iter().filter(|c| c.case.is_some() && c.demand.is_some()).collect();
+    let loaded: Vec<&Check> =
+        result.checks.iter().filter(|c| c.case.is_some() && c.demand.is_some()).collect();
     if rows.is_empty() && loaded.is_empty() {
         return;
     }
     rows.extend(worst_distance(&result.checks).map(row));
     // what decides without a load: distances have their row
-    let open = |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
+    let open =
+        |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
     rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
     rows.extend(loaded.into_iter().map(row));
     let most = rows.iter().filter_map(|r| r.governs_by).fold(f64::NEG_INFINITY, f64::max);
@@ -107,7 +119,9 @@ mod tests {
     #[test]
     fn what_governs_is_bold_and_information_never() {
         let check = |topic, value: f64, otherwise| {
-            Worked::new("6.2", "share", value, Unit::Number, "u").utilised(topic, "row", otherwise).of_case("ULS1")
+            Worked::new("6.2", "share", value, Unit::Number, "u")
+                .utilised(topic, "row", otherwise)
+                .of_case("ULS1")
         };
         let mut result = ResultFile::new("", 1, Verdict::NotOk);
         result.checks = vec![
@@ -117,9 +131,13 @@ mod tests {
         ];
         let mut page = String::new();
         table_of_checks(&mut page, &result);
-        let line = |number: &str| page.lines().find(|l| l.contains(number)).unwrap_or_default().to_owned();
+        let line =
+            |number: &str| page.lines().find(|l| l.contains(number)).unwrap_or_default().to_owned();
         assert!(line("0.9").contains("**0.9**") && !line("0.7").contains("**"), "{page}");
-        assert!(line("1.3").contains("exceeded, information") && !line("1.3").contains("**"), "{page}");
+        assert!(
+            line("1.3").contains("exceeded, information") && !line("1.3").contains("**"),
+            "{page}"
+        );
         result.checks.push(check(Topic::Welds, 1.01, Status::Failed));
         let mut page = String::new();
         table_of_checks(&mut page, &result);
@@ -133,8 +151,12 @@ mod tests {
         result.checks.push(throat(3.1, "ULS1"));
         let mut page = String::new();
         table_of_checks(&mut page, &result);
-        let line = |words: &str| page.lines().find(|l| l.contains(words)).unwrap_or_default().to_owned();
-        assert!(line("least throat").contains("0.9677") && !line("least throat").contains("**"), "{page}");
+        let line =
+            |words: &str| page.lines().find(|l| l.contains(words)).unwrap_or_default().to_owned();
+        assert!(
+            line("least throat").contains("0.9677") && !line("least throat").contains("**"),
+            "{page}"
+        );
         assert!(page.contains("**0.9**"), "{page}");
         result.checks.push(throat(2.9, "ULS2"));
         let mut page = String::new();

@@ -2,7 +2,6 @@
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::checks::{Status, Topic};
-use crate::model::file::AnalysisKind;
 use crate::report::figures::{Rounding, bracket, percent_up, residual, significant};
 use crate::report::markdown::limit::{collapse, estimate_words, mechanism};
 use crate::report::markdown::page::{ReportData, Table};
@@ -10,10 +9,12 @@ use crate::report::markdown::plastic::{displacement, yielding};
 use crate::report::markdown::preload::preload_words;
 use crate::report::markdown::{checks, comparison, input, summary, verdict};
 use crate::result::data::{
-    CaseResult, HistoryRow, Problem, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket, Upper,
+    CaseResult, FrictionModel, HistoryRow, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket,
+    Upper,
 };
 use crate::result::demand::demands;
 use crate::result::{forces, polygon, stiffness};
+use crate::spec::analysis::AnalysisKind;
 
 /// The text of `report.md`, the same for the same data.
 pub fn report_markdown(data: &ReportData) -> String {
@@ -85,14 +86,19 @@ pub(crate) fn inline(text: &str) -> String {
 }
 
 pub(crate) fn table(page: &mut String, table: &Table) {
-    let row = |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "));
+    let row = |cells: &[String]| {
+        format!("| {} |\n", cells.iter().map(|c| inline(c)).collect::<Vec<_>>().join(" | "))
+    };
     page.push_str(&row(&table.columns));
     let number = |c: usize| {
         table.rows.iter().all(|r| {
-            r.get(c).is_none_or(|t| t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-<–".contains(l)))
+            r.get(c).is_none_or(|t| {
+                t.is_empty() || t.starts_with(|l: char| l.is_ascii_digit() || "-<–".contains(l))
+            })
         })
     };
-    let rule: Vec<&str> = (0..table.columns.len()).map(|c| if number(c) { "---:" } else { "---" }).collect();
+    let rule: Vec<&str> =
+        (0..table.columns.len()).map(|c| if number(c) { "---:" } else { "---" }).collect();
     page.push_str(&format!("| {} |\n", rule.join(" | ")));
     for r in &table.rows {
         page.push_str(&row(r));
@@ -126,7 +132,8 @@ fn title_block(page: &mut String, data: &ReportData) {
     let mut lines = data.project.iter();
     let title = lines.next().map_or(data.input_name.as_str(), |(_, title)| title.as_str());
     page.push_str(&format!("# {}\n\n", inline(title)));
-    let mut rows: Vec<Vec<String>> = lines.map(|(name, value)| vec![name.clone(), value.clone()]).collect();
+    let mut rows: Vec<Vec<String>> =
+        lines.map(|(name, value)| vec![name.clone(), value.clone()]).collect();
     let tool = &data.result.tool;
     rows.push(vec!["software".into(), format!("{} {}", tool.name, tool.version)]);
     rows.push(vec!["input".into(), data.input_name.clone()]);
@@ -142,13 +149,13 @@ fn analysis_word(kind: AnalysisKind) -> &'static str {
     }
 }
 
-fn problem_words(problem: Problem, contact: bool) -> &'static str {
+fn problem_words(problem: FrictionModel, contact: bool) -> &'static str {
     match problem {
-        Problem::Frictionless if !contact => "",
-        Problem::Frictionless => " with frictionless contact",
-        Problem::Associated => " with contact and associated friction",
-        Problem::Coulomb => " with contact and Coulomb friction",
-        Problem::ShiftedCones => {
+        FrictionModel::Frictionless if !contact => "",
+        FrictionModel::Frictionless => " with frictionless contact",
+        FrictionModel::Associated => " with contact and associated friction",
+        FrictionModel::Coulomb => " with contact and Coulomb friction",
+        FrictionModel::ShiftedCones => {
             " with contact, in the last step of the fixed point for Coulomb friction (shifted cones)"
         }
     }
@@ -202,8 +209,11 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
             format!("{name}: the {what} {verb} **{high}**{unit}; no lower value was computed.")
         }
         (None, Some(Upper::Unbounded(_))) => {
-            let proof =
-                if strict { ": the stress field of the live loads alone nowhere comes nearer to yield" } else { "" };
+            let proof = if strict {
+                ": the stress field of the live loads alone nowhere comes nearer to yield"
+            } else {
+                ""
+            };
             format!("{name}: the loads can grow without limit{proof}.")
         }
         (None, None) => format!("{name}: no value was obtained; the history below says why."),
@@ -226,7 +236,11 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
         (Quantity::PotentialEnergy, Some((load, [low, high]))) => {
             let (a, b) = bracket(low, high, 3);
             let (what, unit) = load.moves();
-            let mean = if what == "displacement" { " (along the load, the mean over its face)" } else { "" };
+            let mean = if what == "displacement" {
+                " (along the load, the mean over its face)"
+            } else {
+                ""
+            };
             let [soft, stiff] = [high, low].map(|u| load.value() * load.scale() / u);
             let (soft, stiff) = bracket(soft, stiff, 3);
             paragraph(
@@ -240,13 +254,14 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             );
         }
         (Quantity::PotentialEnergy, None) => {
-            let shifted = case.problem == Problem::ShiftedCones;
+            let shifted = case.problem == FrictionModel::ShiftedCones;
             let all = [
                 (data.model.preload, "preload"),
                 (data.model.initial_gap, "initial gaps"),
                 (shifted, "Coulomb friction"),
             ];
-            let with: Vec<&str> = all.into_iter().filter(|(is, _)| *is).map(|(_, what)| what).collect();
+            let with: Vec<&str> =
+                all.into_iter().filter(|(is, _)| *is).map(|(_, what)| what).collect();
             let why = match with.len() {
                 0 => String::new(),
                 _ => format!(": with {} it does not bracket a displacement", with.join(" and ")),
@@ -260,7 +275,9 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
         let (a, b) = (significant(low, 3, Rounding::Down), significant(high, 3, Rounding::Up));
         paragraph(page, &format!("Utilisation (demand over capacity) between {a} and {b}."));
     }
-    for (label, raw) in [("Frictionless", case.frictionless), ("Associated friction", case.associated)] {
+    for (label, raw) in
+        [("Frictionless", case.frictionless), ("Associated friction", case.associated)]
+    {
         if let Some(raw) = raw {
             paragraph(page, &format!("{label} alone: {}.", raw_bracket(raw)));
         }
@@ -274,19 +291,30 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
         (None, None) => {}
     }
     if let Some(peak) = case.peak_contact_pressure {
-        let side =
-            |name: &str, p: Option<f64>| p.map(|p| format!("{} MPa ({name})", significant(p, 3, Rounding::Nearest)));
+        let side = |name: &str, p: Option<f64>| {
+            p.map(|p| format!("{} MPa ({name})", significant(p, 3, Rounding::Nearest)))
+        };
         let sides: Vec<String> =
-            [side("static side", peak.static_), side("kinematic side", peak.kinematic)].into_iter().flatten().collect();
+            [side("static side", peak.static_), side("kinematic side", peak.kinematic)]
+                .into_iter()
+                .flatten()
+                .collect();
         if !sides.is_empty() {
-            paragraph(page, &format!("Peak contact pressure: {}; local values are estimates.", sides.join(", ")));
+            paragraph(
+                page,
+                &format!(
+                    "Peak contact pressure: {}; local values are estimates.",
+                    sides.join(", ")
+                ),
+            );
         }
     }
 }
 
 /// How near the problem of the bracket is to Coulomb's law.
 fn fixed_point_words(run: &FixedPointRun) -> String {
-    let problems = if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
+    let problems =
+        if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
     let contraction = match run.contraction {
         Some(c) => format!("; a plain step leaves {} of the error", percent_up(c)),
         None => String::new(),
@@ -316,10 +344,19 @@ fn raw_bracket(raw: RawBracket) -> String {
 }
 
 fn warnings(page: &mut String, data: &ReportData) {
-    let of_cases = data.result.cases.iter().flat_map(|c| c.warnings.iter().map(move |w| format!("{}: {w}", c.name)));
-    let detailing = data.result.checks.iter().filter(|c| c.topic == Topic::Detailing && c.status == Status::Warning);
+    let of_cases = data
+        .result
+        .cases
+        .iter()
+        .flat_map(|c| c.warnings.iter().map(move |w| format!("{}: {w}", c.name)));
+    let detailing = data
+        .result
+        .checks
+        .iter()
+        .filter(|c| c.topic == Topic::Detailing && c.status == Status::Warning);
     let detailing = detailing.map(|c| format!("detailing: {}", c.sentence()));
-    let all: Vec<String> = data.result.warnings.iter().cloned().chain(detailing).chain(of_cases).collect();
+    let all: Vec<String> =
+        data.result.warnings.iter().cloned().chain(detailing).chain(of_cases).collect();
     if !all.is_empty() {
         heading(page, "Warnings");
         for warning in all {
@@ -343,7 +380,11 @@ fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     let what = if is_strict(case) { "bounds" } else { "estimates" };
     paragraph(
         page,
-        &format!("**{}** ({}; {part}, {what} are of the whole):", inline(&case.name), analysis_word(case.analysis)),
+        &format!(
+            "**{}** ({}; {part}, {what} are of the whole):",
+            inline(&case.name),
+            analysis_word(case.analysis)
+        ),
     );
     let columns = vec![
         "mesh".into(),
@@ -362,7 +403,9 @@ fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
             }
             (l, u) => (
                 l.map(|l| significant(l, 6, Rounding::Down)),
-                u.map(|u| u.finite().map_or("unbounded".into(), |u| significant(u, 6, Rounding::Up))),
+                u.map(|u| {
+                    u.finite().map_or("unbounded".into(), |u| significant(u, 6, Rounding::Up))
+                }),
             ),
         };
         vec![
@@ -388,7 +431,8 @@ fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
         "peak memory [MiB]",
         "status",
     ]);
-    let rows: Vec<_> = case.history.iter().enumerate().flat_map(|(i, h)| programs(i + 1, h)).collect();
+    let rows: Vec<_> =
+        case.history.iter().enumerate().flat_map(|(i, h)| programs(i + 1, h)).collect();
     if !rows.is_empty() {
         table(page, &Table { columns, rows });
     }
@@ -414,8 +458,15 @@ fn expectations(page: &mut String, case: &CaseResult) {
         return;
     }
     paragraph(page, "What was expected of each further mesh before it was made, and what came:");
-    let columns =
-        strings(["mesh", "tets expected", "tets", "gap expected", "gap", "expected in all [s]", "in all [s]"]);
+    let columns = strings([
+        "mesh",
+        "tets expected",
+        "tets",
+        "gap expected",
+        "gap",
+        "expected in all [s]",
+        "in all [s]",
+    ]);
     table(page, &Table { columns, rows });
 }
 
@@ -436,7 +487,8 @@ fn programs(mesh: usize, h: &HistoryRow) -> Vec<Vec<String>> {
     let kinematic = h.kinematic.as_ref().map(|r| row("kinematic", h.kinematic_dofs, r));
     let static_ = h.static_.as_ref().map(|r| row("static", h.static_dofs, r));
     // its unknowns are those of the static program: friction adds none
-    let smooth = h.static_frictionless.as_ref().map(|r| row("static, frictionless", h.static_dofs, r));
+    let smooth =
+        h.static_frictionless.as_ref().map(|r| row("static, frictionless", h.static_dofs, r));
     kinematic.into_iter().chain(static_).chain(smooth).collect()
 }
 
@@ -461,7 +513,14 @@ fn certificates(page: &mut String, data: &ReportData) {
     let mut rows = Vec::new();
     for case in &data.result.cases {
         let Some(certificate) = case.certificate else {
-            rows.push(vec![case.name.clone(), dash(), dash(), dash(), dash(), "no certificate".into()]);
+            rows.push(vec![
+                case.name.clone(),
+                dash(),
+                dash(),
+                dash(),
+                dash(),
+                "no certificate".into(),
+            ]);
             continue;
         };
         for (name, definition, value) in certificate.residuals() {
@@ -478,7 +537,8 @@ fn certificates(page: &mut String, data: &ReportData) {
                 ]);
             }
         }
-        let (value, pass) = if certificate.strict { ("yes", "bounds") } else { ("no", "estimates only") };
+        let (value, pass) =
+            if certificate.strict { ("yes", "bounds") } else { ("no", "estimates only") };
         rows.push(vec![
             case.name.clone(),
             "strict".into(),
@@ -529,7 +589,9 @@ fn limits(data: &ReportData) -> Vec<String> {
              associated friction is not safe for a Coulomb structure, the frictionless lower bound is."
                 .into(),
         );
-        if model.coulomb && data.result.cases.iter().any(|c| c.problem == Problem::ShiftedCones) {
+        if model.coulomb
+            && data.result.cases.iter().any(|c| c.problem == FrictionModel::ShiftedCones)
+        {
             out.push(
                 "Coulomb friction is reached by a fixed point over problems with shifted cones. The bounds are strict for the last of \
                  these problems; they are not bounds of Coulomb's."

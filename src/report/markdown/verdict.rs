@@ -10,8 +10,13 @@ use crate::result::data::ResultFile;
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
     let Some(j) = &result.judgement else {
         match result.verdict {
-            Verdict::NotOk => paragraph(page, "Verdict: **NOT OK**: a check that needs no load fails."),
-            _ => paragraph(page, "No verdict: no load is a demand on a joint (actions at member ends are)."),
+            Verdict::NotOk => {
+                paragraph(page, "Verdict: **NOT OK**: a check that needs no load fails.")
+            }
+            _ => paragraph(
+                page,
+                "No verdict: no load is a demand on a joint (actions at member ends are).",
+            ),
         }
         return;
     };
@@ -21,7 +26,9 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
 }
 
 fn rows(j: &Judgement) -> Vec<Vec<String>> {
-    let row = |name: &str, verdict: Verdict, on: &str| vec![name.to_owned(), verdict.words().into(), on.to_owned()];
+    let row = |name: &str, verdict: Verdict, on: &str| {
+        vec![name.to_owned(), verdict.words().into(), on.to_owned()]
+    };
     let code = "binding checks of EN 1993; strength by the component method where no limit analysis decides";
     let analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",

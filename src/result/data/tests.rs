@@ -5,7 +5,7 @@ pub(crate) fn case() -> CaseResult {
         name: "TOP".into(),
         analysis: AnalysisKind::Elastic,
         quantity: Quantity::PotentialEnergy,
-        problem: Problem::Associated,
+        problem: FrictionModel::Associated,
         lower: Some(-334201.713),
         upper: Some(Upper::Finite(-318891.744)),
         gap: Some(0.0458),
@@ -21,7 +21,11 @@ pub(crate) fn case() -> CaseResult {
         load_displacement_at_least: None,
         static_forces: None,
         joint_stiffness: None,
-        certificate: Some(Certificate { strict: true, equilibrium: Some(3e-13), ..Default::default() }),
+        certificate: Some(Certificate {
+            strict: true,
+            equilibrium: Some(3e-13),
+            ..Default::default()
+        }),
         history: vec![],
         dissipation: vec![],
         yielding: vec![],
@@ -42,7 +46,8 @@ fn absent_leaves_no_key_and_doubles_come_back_exactly() {
     c.lower = Some(-1.0 / 3.0);
     let file = result(c);
     let text = file.to_json().expect("valid");
-    for key in ["utilisation", "coulomb_estimate", "load_displacement", "warnings", "null", "yield"] {
+    for key in ["utilisation", "coulomb_estimate", "load_displacement", "warnings", "null", "yield"]
+    {
         assert!(!text.contains(key), "{key} in {text}");
     }
     assert_eq!(ResultFile::from_json(&text).expect("reads"), file);

@@ -9,7 +9,9 @@ use crate::math::mandel::{self, Mandel};
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;
-use crate::result::fields::vtu::{Array, QUADRATIC_TETRA, QUADRATIC_TRIANGLE, TETRA, VtuError, VtuGrid};
+use crate::result::fields::vtu::{
+    Array, QUADRATIC_TETRA, QUADRATIC_TRIANGLE, TETRA, VtuError, VtuGrid,
+};
 
 /// Name of the displacement array \[mm\].
 pub(crate) const DISPLACEMENT: &str = "displacement";
@@ -61,9 +63,15 @@ fn bodies(model: &AnalysisModel, per_tet: usize) -> Array {
 }
 
 /// The displacement field on quadratic tets, with each element's contribution to the gap if known.
-pub fn displacement_grid(model: &AnalysisModel, field: &DisplacementField, contributions: Option<&[f64]>) -> VtuGrid {
+pub fn displacement_grid(
+    model: &AnalysisModel,
+    field: &DisplacementField,
+    contributions: Option<&[f64]>,
+) -> VtuGrid {
     let space = Tet10Space::new(&model.mesh);
-    let cells = (0..model.mesh.tets.len()).flat_map(|e| space.tet(&model.mesh, e).map(|n| n as u32)).collect();
+    let cells = (0..model.mesh.tets.len())
+        .flat_map(|e| space.tet(&model.mesh, e).map(|n| n as u32))
+        .collect();
     let mut cell_data = vec![bodies(model, 1)];
     cell_data.extend(contributions.map(|c| array("gap_contribution_N_mm", 1, c.to_vec())));
     VtuGrid {
@@ -119,7 +127,10 @@ pub fn yielding_stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGr
     let of_tets = field.points.iter().zip(&model.mesh.tet_body);
     let values = of_tets.flat_map(|(subtets, &body)| {
         let radius = radii[body as usize].unwrap_or(f64::INFINITY);
-        subtets.iter().map(move |s| s.iter().map(norm).fold(0.0, f64::max) / radius).collect::<Vec<_>>()
+        subtets
+            .iter()
+            .map(move |s| s.iter().map(norm).fold(0.0, f64::max) / radius)
+            .collect::<Vec<_>>()
     });
     grid.cell_data.push(array("utilisation", 1, values.collect()));
     grid
@@ -138,7 +149,12 @@ pub fn shift_grid(model: &AnalysisModel, shift: &ConeShift) -> VtuGrid {
     let mut values = Vec::new();
     for c in &shift.faces {
         values.extend(&c[..3]);
-        values.extend(FACE_EDGES.iter().zip(&c[3..]).map(|([p, q], edge)| 0.25 * (c[*p] + c[*q]) + 0.5 * edge));
+        values.extend(
+            FACE_EDGES
+                .iter()
+                .zip(&c[3..])
+                .map(|([p, q], edge)| 0.25 * (c[*p] + c[*q]) + 0.5 * edge),
+        );
     }
     let points = shift_points(model);
     VtuGrid {
@@ -183,16 +199,26 @@ pub(crate) fn check_points(found: &[[f64; 3]], wanted: &[[f64; 3]]) -> Result<()
 }
 
 /// Reads velocities and checks that they belong to the model's mesh.
-pub fn read_velocity(model: &AnalysisModel, bytes: &[u8]) -> Result<DisplacementField, FieldFileError> {
+pub fn read_velocity(
+    model: &AnalysisModel,
+    bytes: &[u8],
+) -> Result<DisplacementField, FieldFileError> {
     read_vectors(model, bytes, VELOCITY)
 }
 
 /// Reads a displacement field and checks that it belongs to the model's mesh.
-pub fn read_displacement(model: &AnalysisModel, bytes: &[u8]) -> Result<DisplacementField, FieldFileError> {
+pub fn read_displacement(
+    model: &AnalysisModel,
+    bytes: &[u8],
+) -> Result<DisplacementField, FieldFileError> {
     read_vectors(model, bytes, DISPLACEMENT)
 }
 
-fn read_vectors(model: &AnalysisModel, bytes: &[u8], name: &'static str) -> Result<DisplacementField, FieldFileError> {
+fn read_vectors(
+    model: &AnalysisModel,
+    bytes: &[u8],
+    name: &'static str,
+) -> Result<DisplacementField, FieldFileError> {
     let grid = VtuGrid::from_bytes(bytes)?;
     check_points(&grid.points, &Tet10Space::new(&model.mesh).nodes)?;
     let a = grid.point_array(name).ok_or(FieldFileError::Missing(name))?;
@@ -203,9 +229,15 @@ fn read_vectors(model: &AnalysisModel, bytes: &[u8], name: &'static str) -> Resu
 }
 
 /// Reads a stress field with the load factor it balances and checks that it belongs to the model's mesh.
-pub fn read_lower(model: &AnalysisModel, bytes: &[u8]) -> Result<(StressField, f64), FieldFileError> {
+pub fn read_lower(
+    model: &AnalysisModel,
+    bytes: &[u8],
+) -> Result<(StressField, f64), FieldFileError> {
     let grid = VtuGrid::from_bytes(bytes)?;
-    let factor = grid.field_array(FACTOR).and_then(|a| a.2.first()).ok_or(FieldFileError::Missing(FACTOR))?;
+    let factor = grid
+        .field_array(FACTOR)
+        .and_then(|a| a.2.first())
+        .ok_or(FieldFileError::Missing(FACTOR))?;
     Ok((stress_of(model, &grid)?, *factor))
 }
 
@@ -225,7 +257,11 @@ fn stress_of(model: &AnalysisModel, grid: &VtuGrid) -> Result<StressField, Field
     }
     let points =
         a.2.chunks_exact(96)
-            .map(|c| std::array::from_fn(|k| std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))))
+            .map(|c| {
+                std::array::from_fn(|k| {
+                    std::array::from_fn(|p| std::array::from_fn(|i| c[24 * k + 6 * p + i]))
+                })
+            })
             .collect();
     Ok(StressField { points })
 }

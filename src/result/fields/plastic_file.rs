@@ -43,8 +43,13 @@ fn layout(model: &AnalysisModel, split: &[bool]) -> (Vec<V3>, Vec<u32>) {
 
 /// The field on quadratic tets, with the contribution to the gap of each, if known, and the equivalent plastic strain
 /// `√(2/3) ‖p‖` where it is largest in each.
-pub fn plastic_grid(model: &AnalysisModel, field: &PlasticField, contributions: Option<&[f64]>) -> VtuGrid {
-    let split: Vec<bool> = field.tets.iter().map(|t| matches!(t, PlasticTet::Split { .. })).collect();
+pub fn plastic_grid(
+    model: &AnalysisModel,
+    field: &PlasticField,
+    contributions: Option<&[f64]>,
+) -> VtuGrid {
+    let split: Vec<bool> =
+        field.tets.iter().map(|t| matches!(t, PlasticTet::Split { .. })).collect();
     let (points, cells) = layout(model, &split);
     let mut u: Vec<f64> = field.nodes.u.iter().flatten().copied().collect();
     let mut plastic: Vec<f64> = Vec::new();
@@ -66,9 +71,12 @@ pub fn plastic_grid(model: &AnalysisModel, field: &PlasticField, contributions: 
             shares.extend(contributions.map(|c| c[e] / of_tet.len() as f64));
         }
     }
-    let largest = |cell: &[f64]| cell.chunks_exact(5).map(|d| length(&deviator(d))).fold(0.0, f64::max);
-    let equivalent = plastic.chunks_exact(20).map(|cell| (2.0f64 / 3.0).sqrt() * largest(cell)).collect();
-    let mut cell_data = vec![array("body", 1, bodies), array(TET, 1, tets), array(PLASTIC, 20, plastic)];
+    let largest =
+        |cell: &[f64]| cell.chunks_exact(5).map(|d| length(&deviator(d))).fold(0.0, f64::max);
+    let equivalent =
+        plastic.chunks_exact(20).map(|cell| (2.0f64 / 3.0).sqrt() * largest(cell)).collect();
+    let mut cell_data =
+        vec![array("body", 1, bodies), array(TET, 1, tets), array(PLASTIC, 20, plastic)];
     cell_data.push(array("equivalent_plastic_strain", 1, equivalent));
     if contributions.is_some() {
         cell_data.push(array("gap_contribution_N_mm", 1, shares));
@@ -100,7 +108,8 @@ pub fn read_plastic(model: &AnalysisModel, bytes: &[u8]) -> Result<PlasticField,
     for t in tets {
         *counts.get_mut(*t as usize).ok_or(FieldFileError::Missing(TET))? += 1;
     }
-    let ordered = tets.windows(2).all(|t| t[0] <= t[1]) && counts.iter().all(|c| *c == 1 || *c == 4);
+    let ordered =
+        tets.windows(2).all(|t| t[0] <= t[1]) && counts.iter().all(|c| *c == 1 || *c == 4);
     if !ordered {
         return Err(FieldFileError::Missing(TET));
     }
@@ -110,10 +119,15 @@ pub fn read_plastic(model: &AnalysisModel, bytes: &[u8]) -> Result<PlasticField,
     if grid.cells != cells {
         return Err(FieldFileError::Missing(TET));
     }
-    let u = grid.point_array(DISPLACEMENT).filter(|a| a.1 == 3).ok_or(FieldFileError::Missing(DISPLACEMENT))?;
+    let u = grid
+        .point_array(DISPLACEMENT)
+        .filter(|a| a.1 == 3)
+        .ok_or(FieldFileError::Missing(DISPLACEMENT))?;
     let mut u: Vec<V3> = u.2.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
     let mut inner = u.split_off(Tet10Space::new(&model.mesh).nodes.len()).into_iter();
-    let mut flows = plastic.chunks_exact(20).map(|c| -> VertexFlow { std::array::from_fn(|v| deviator(&c[5 * v..])) });
+    let mut flows = plastic
+        .chunks_exact(20)
+        .map(|c| -> VertexFlow { std::array::from_fn(|v| deviator(&c[5 * v..])) });
     let mut next = || flows.next().unwrap_or_default();
     let tets = split
         .into_iter()
@@ -124,7 +138,11 @@ pub fn read_plastic(model: &AnalysisModel, bytes: &[u8]) -> Result<PlasticField,
                 return PlasticTet::Split { inner: Box::new(inner), plastic: Box::new(plastic) };
             }
             let plastic = next();
-            if plastic == [[0.0; 5]; 4] { PlasticTet::Elastic } else { PlasticTet::Plain(Box::new(plastic)) }
+            if plastic == [[0.0; 5]; 4] {
+                PlasticTet::Elastic
+            } else {
+                PlasticTet::Plain(Box::new(plastic))
+            }
         })
         .collect();
     Ok(PlasticField { nodes: DisplacementField { u }, tets })

@@ -116,20 +116,30 @@ impl VtuGrid {
         let per_cell = nodes_per_cell(self.cell_type)?;
         let cells = self.cells.len() / per_cell;
         let length = |name: &str, found: usize, wanted: usize| {
-            (found == wanted).then_some(()).ok_or(VtuError::Length { name: name.into(), found, wanted })
+            (found == wanted).then_some(()).ok_or(VtuError::Length {
+                name: name.into(),
+                found,
+                wanted,
+            })
         };
         length("connectivity", self.cells.len(), cells * per_cell)?;
         if let Some(&n) = self.cells.iter().find(|&&n| n as usize >= self.points.len()) {
             return Err(VtuError::Point { found: n.into(), points: self.points.len() });
         }
-        for (arrays, count) in
-            [(&self.point_data, Some(self.points.len())), (&self.cell_data, Some(cells)), (&self.field_data, None)]
-        {
+        for (arrays, count) in [
+            (&self.point_data, Some(self.points.len())),
+            (&self.cell_data, Some(cells)),
+            (&self.field_data, None),
+        ] {
             for (i, (name, components, values)) in arrays.iter().enumerate() {
                 if name.is_empty() || *components == 0 || arrays[..i].iter().any(|a| a.0 == *name) {
                     return Err(VtuError::Name(name.clone()));
                 }
-                length(name, values.len(), components * count.unwrap_or(values.len() / components))?;
+                length(
+                    name,
+                    values.len(),
+                    components * count.unwrap_or(values.len() / components),
+                )?;
             }
         }
         Ok(())
@@ -164,7 +174,11 @@ impl VtuGrid {
             }
             head.push_str("</FieldData>\n");
         }
-        let _ = write!(head, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">\n<Points>\n", self.points.len());
+        let _ = write!(
+            head,
+            "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">\n<Points>\n",
+            self.points.len()
+        );
         array(
             &mut head,
             &mut data,
@@ -179,7 +193,15 @@ impl VtuGrid {
         array(&mut head, &mut data, "Int64", "connectivity", 0, None, connectivity);
         let offsets = (1..=cells).map(|i| ((i * per_cell) as i64).to_le_bytes());
         array(&mut head, &mut data, "Int64", "offsets", 0, None, offsets);
-        array(&mut head, &mut data, "UInt8", "types", 0, None, (0..cells).map(|_| [self.cell_type]));
+        array(
+            &mut head,
+            &mut data,
+            "UInt8",
+            "types",
+            0,
+            None,
+            (0..cells).map(|_| [self.cell_type]),
+        );
         head.push_str("</Cells>\n");
         for (tag, arrays) in [("PointData", &self.point_data), ("CellData", &self.cell_data)] {
             if arrays.is_empty() {
@@ -187,7 +209,15 @@ impl VtuGrid {
             }
             let _ = writeln!(head, "<{tag}>");
             for (name, components, values) in arrays {
-                array(&mut head, &mut data, "Float64", name, *components, None, values.iter().map(|v| v.to_le_bytes()));
+                array(
+                    &mut head,
+                    &mut data,
+                    "Float64",
+                    name,
+                    *components,
+                    None,
+                    values.iter().map(|v| v.to_le_bytes()),
+                );
             }
             let _ = writeln!(head, "</{tag}>");
         }
@@ -202,28 +232,40 @@ impl VtuGrid {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, VtuError> {
         let form = |why: &str| VtuError::Form(why.into());
         let marker = b"<AppendedData encoding=\"raw\">\n_";
-        let start =
-            bytes.windows(marker.len()).position(|w| w == marker).ok_or_else(|| form("it has no raw appended data"))?
-                + marker.len();
-        let head = std::str::from_utf8(&bytes[..start]).map_err(|_| form("its header is not text"))?;
-        if !head.contains("byte_order=\"LittleEndian\"") || !head.contains("header_type=\"UInt64\"") {
+        let start = bytes
+            .windows(marker.len())
+            .position(|w| w == marker)
+            .ok_or_else(|| form("it has no raw appended data"))?
+            + marker.len();
+        let head =
+            std::str::from_utf8(&bytes[..start]).map_err(|_| form("its header is not text"))?;
+        if !head.contains("byte_order=\"LittleEndian\"") || !head.contains("header_type=\"UInt64\"")
+        {
             return Err(form("it is not little-endian with 64-bit block headers"));
         }
         let data = &bytes[start..];
         let mut grid = VtuGrid::default();
-        let (mut section, mut points, mut cells, mut offsets, mut types) = (String::new(), None, None, None, None);
+        let (mut section, mut points, mut cells, mut offsets, mut types) =
+            (String::new(), None, None, None, None);
         let mut counts = None;
-        for tag in
-            head.split('<').skip(1).filter_map(|t| t.split_once('>')).map(|(t, _)| t.trim_end_matches('/').trim())
+        for tag in head
+            .split('<')
+            .skip(1)
+            .filter_map(|t| t.split_once('>'))
+            .map(|(t, _)| t.trim_end_matches('/').trim())
         {
             let word = tag.split_whitespace().next().unwrap_or_default();
             match word {
-                "FieldData" | "Points" | "Cells" | "PointData" | "CellData" => section = word.into(),
+                "FieldData" | "Points" | "Cells" | "PointData" | "CellData" => {
+                    section = word.into()
+                }
                 "Piece" => {
                     counts = Some((number(tag, "NumberOfPoints")?, number(tag, "NumberOfCells")?));
                 }
                 "DataArray" => {
-                    let name = unescape(attribute(tag, "Name").ok_or_else(|| form("an array has no name"))?);
+                    let name = unescape(
+                        attribute(tag, "Name").ok_or_else(|| form("an array has no name"))?,
+                    );
                     let kind = attribute(tag, "type").unwrap_or_default();
                     let block = block(data, number(tag, "offset")?, &name)?;
                     match (section.as_str(), kind, name.as_str()) {
@@ -244,7 +286,11 @@ impl VtuGrid {
                             let values = floats(block, &name)?;
                             list.push((name, components, values));
                         }
-                        _ => return Err(VtuError::Form(format!("array `{name}` of type `{kind}` is out of place"))),
+                        _ => {
+                            return Err(VtuError::Form(format!(
+                                "array `{name}` of type `{kind}` is out of place"
+                            )));
+                        }
                     }
                 }
                 _ => {}
@@ -253,9 +299,14 @@ impl VtuGrid {
         let (point_count, cell_count) = counts.ok_or_else(|| form("it has no piece"))?;
         let points = points.ok_or_else(|| form("it has no points"))?;
         let cells = cells.ok_or_else(|| form("it has no connectivity"))?;
-        let (offsets, types) = offsets.zip(types).ok_or_else(|| form("it has no offsets or types"))?;
+        let (offsets, types) =
+            offsets.zip(types).ok_or_else(|| form("it has no offsets or types"))?;
         let length = |name: &str, found: usize, wanted: usize| {
-            (found == wanted).then_some(()).ok_or(VtuError::Length { name: name.into(), found, wanted })
+            (found == wanted).then_some(()).ok_or(VtuError::Length {
+                name: name.into(),
+                found,
+                wanted,
+            })
         };
         length("Points", points.len(), point_count.saturating_mul(3))?;
         length("offsets", offsets.len(), cell_count)?;
@@ -272,7 +323,9 @@ impl VtuGrid {
         grid.points = points.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
         grid.cells = cells
             .into_iter()
-            .map(|n| u32::try_from(n).map_err(|_| VtuError::Point { found: n, points: point_count }))
+            .map(|n| {
+                u32::try_from(n).map_err(|_| VtuError::Point { found: n, points: point_count })
+            })
             .collect::<Result<_, _>>()?;
         grid.check()?;
         Ok(grid)
@@ -319,7 +372,8 @@ fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
 }
 
 fn number(tag: &str, name: &str) -> Result<usize, VtuError> {
-    let text = attribute(tag, name).ok_or_else(|| VtuError::Form(format!("`{name}` is missing")))?;
+    let text =
+        attribute(tag, name).ok_or_else(|| VtuError::Form(format!("`{name}` is missing")))?;
     text.parse().map_err(|_| VtuError::Form(format!("`{name}` is `{text}`, not a count")))
 }
 
@@ -349,12 +403,24 @@ mod tests {
 
     fn sample() -> VtuGrid {
         VtuGrid {
-            points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0 / 3.0, 0.0], [0.1, 0.2, f64::MIN_POSITIVE / 8.0]],
+            points: vec![
+                [0.0; 3],
+                [1.0, 0.0, 0.0],
+                [0.0, 1.0 / 3.0, 0.0],
+                [0.1, 0.2, f64::MIN_POSITIVE / 8.0],
+            ],
             cells: vec![0, 1, 2, 3],
             cell_type: TETRA,
-            point_data: vec![("u <mm> & \"more\"".into(), 3, (0..12).map(|i| f64::from(i).sqrt()).collect())],
+            point_data: vec![(
+                "u <mm> & \"more\"".into(),
+                3,
+                (0..12).map(|i| f64::from(i).sqrt()).collect(),
+            )],
             cell_data: vec![("body".into(), 1, vec![-0.0])],
-            field_data: vec![("bound".into(), 1, vec![-334201.713]), ("pair".into(), 2, vec![1.0, f64::NAN])],
+            field_data: vec![
+                ("bound".into(), 1, vec![-334201.713]),
+                ("pair".into(), 2, vec![1.0, f64::NAN]),
+            ],
         }
     }
 

@@ -106,7 +106,9 @@ impl Cones {
 
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
-        self.blocks.iter().fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
+        self.blocks
+            .iter()
+            .fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
     }
 
     /// Largest step of each cone for itself.
@@ -274,7 +276,12 @@ mod tests {
 
     #[test]
     fn scaling_maps_both_points_to_one() {
-        let cones = Cones::new(&[Cone::SecondOrder(3), Cone::NonNegative, Cone::SecondOrder(4), Cone::SecondOrder(6)]);
+        let cones = Cones::new(&[
+            Cone::SecondOrder(3),
+            Cone::NonNegative,
+            Cone::SecondOrder(4),
+            Cone::SecondOrder(6),
+        ]);
         let s = [2.0, 0.5, -1.0, 0.3, 1.0, 0.2, 0.3, -0.4, 3.0, 1.0, 0.5, -0.7, 0.2, 1.1];
         let z = [1.0, -0.3, 0.2, 4.0, 2.0, -0.2, 0.7, 0.4, 0.9, 0.1, 0.2, 0.3, -0.4, 0.1];
         let w = Scaling::new(&cones, &s, &z).expect("both points are inside");
@@ -307,7 +314,10 @@ mod tests {
         assert!((kept[1] - n - 0.1).abs() < 1e-14 && (kept[1] + n - 6.0).abs() < 1e-14, "{kept:?}");
         assert_eq!(out[4..], [0.0; 3]);
         // far above the range only as much as the range is high
-        assert_eq!(cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], &cones.identity(), (0.1, 10.0))[0], 10.0);
+        assert_eq!(
+            cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], &cones.identity(), (0.1, 10.0))[0],
+            10.0
+        );
     }
 
     #[test]

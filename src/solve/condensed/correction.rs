@@ -18,7 +18,9 @@ pub struct Correction {
 impl Correction {
     /// Makes the effect a unit vector, or zero, orthogonal to those of earlier corrections.
     pub fn orthogonalise(&mut self, earlier: &[Self], dot: impl Fn(&[f64], &[f64]) -> f64) {
-        let add = |a: &mut [f64], part: f64, b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += part * b);
+        let add = |a: &mut [f64], part: f64, b: &[f64]| {
+            a.iter_mut().zip(b).for_each(|(a, b)| *a += part * b)
+        };
         for other in earlier {
             let part = -dot(&self.effect, &other.effect);
             add(&mut self.effect, part, &other.effect);

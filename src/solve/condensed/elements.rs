@@ -57,9 +57,12 @@ impl ElementSystem {
     pub fn couple(&self, columns: &mut [Vec<u32>]) {
         for batch in self.batches.iter() {
             for l in 0..LANES {
-                let mut met: Vec<u32> = batch.columns.iter().map(|c| c[l]).filter(|c| *c != NONE).collect();
+                let mut met: Vec<u32> =
+                    batch.columns.iter().map(|c| c[l]).filter(|c| *c != NONE).collect();
                 met.sort_unstable();
-                met.iter().enumerate().for_each(|(j, &c)| columns[c as usize].extend_from_slice(&met[..=j]));
+                met.iter()
+                    .enumerate()
+                    .for_each(|(j, &c)| columns[c as usize].extend_from_slice(&met[..=j]));
             }
             // elements of one batch are neighbours: drop what repeats before it grows
             batch.columns.iter().flatten().filter(|c| **c != NONE).for_each(|&c| {
@@ -81,7 +84,11 @@ impl ElementSystem {
                 for a in b..k {
                     for l in 0..LANES {
                         let (i, j) = (batch.columns[a][l], batch.columns[b][l]);
-                        places.push(if i == NONE || j == NONE { NONE } else { locator.place(i, j) });
+                        places.push(if i == NONE || j == NONE {
+                            NONE
+                        } else {
+                            locator.place(i, j)
+                        });
                     }
                 }
             }
@@ -92,7 +99,8 @@ impl ElementSystem {
     /// Memory beside the program's own \[bytes\].
     pub fn bytes(&self) -> usize {
         let places: usize = self.places.iter().map(|p| 4 * p.len()).sum();
-        let kept: usize = self.batches.iter().map(|b| 8 * LANES * (kept(b) + SCALING * b.shape.points())).sum();
+        let kept: usize =
+            self.batches.iter().map(|b| 8 * LANES * (kept(b) + SCALING * b.shape.points())).sum();
         let data: usize = self.batches.iter().map(|b| 8 * LANES * b.data.len()).sum();
         places + kept + data
     }
@@ -101,7 +109,8 @@ impl ElementSystem {
     pub fn flops(&self) -> f64 {
         let one = |b: &Batch| {
             let (d, k) = (b.displacements() as f64, b.shared() as f64);
-            let subtets = if let Shape::Flow { subtets, .. } = b.shape { subtets as f64 } else { 0.0 };
+            let subtets =
+                if let Shape::Flow { subtets, .. } = b.shape { subtets as f64 } else { 0.0 };
             let own = match b.shape {
                 Shape::Stress => 80.0 * 930.0 + 9e3 + 900.0 * k + 30.0 * k * k,
                 Shape::Flow { .. } => subtets * (2700.0 + 400.0 * d + 20.0 * d * d),
@@ -130,7 +139,9 @@ impl ElementSystem {
                     eliminate(batch, weights, *proximal, factor, scratch)
                 })
                 .collect();
-            for (i, (batch, products)) in round.iter().zip(products.ok_or(LinearError::Singular)?).enumerate() {
+            for (i, (batch, products)) in
+                round.iter().zip(products.ok_or(LinearError::Singular)?).enumerate()
+            {
                 add_products(batch, scale, &places[from + i], &products, values);
             }
         }
@@ -146,7 +157,10 @@ impl ElementSystem {
                 let mut weights = Weights::new();
                 gather_weights(batch, &weight, &mut weights);
                 let trace = own_trace(batch, &weights);
-                (0..LANES).filter(|&l| batch.own[l] != NONE).map(move |l| trace[l]).collect::<Vec<f64>>()
+                (0..LANES)
+                    .filter(|&l| batch.own[l] != NONE)
+                    .map(move |l| trace[l])
+                    .collect::<Vec<f64>>()
             })
             .collect();
         if traces.is_empty() {
@@ -158,7 +172,13 @@ impl ElementSystem {
 }
 
 /// Adds what the elements of a batch leave to the sparse factor's storage.
-fn add_products(batch: &Batch, scale: &[f64], places: &[u32], products: &[Lane], values: &mut [f64]) {
+fn add_products(
+    batch: &Batch,
+    scale: &[f64],
+    places: &[u32],
+    products: &[Lane],
+    values: &mut [f64],
+) {
     let k = batch.shared();
     let of = |c: &[u32; LANES]| -> Lane {
         c.map(|c| match (c, scale.is_empty()) {
@@ -182,7 +202,11 @@ fn add_products(batch: &Batch, scale: &[f64], places: &[u32], products: &[Lane],
     }
 }
 
-fn gather_weights(batch: &Batch, weight: &(impl Fn(usize) -> [f64; SCALING] + Sync), out: &mut Weights) {
+fn gather_weights(
+    batch: &Batch,
+    weight: &(impl Fn(usize) -> [f64; SCALING] + Sync),
+    out: &mut Weights,
+) {
     out.resize(batch.shape.points(), [[0.0; LANES]; SCALING]);
     for l in 0..LANES {
         for (point, out) in out.iter_mut().enumerate() {

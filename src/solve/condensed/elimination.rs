@@ -23,7 +23,9 @@ pub fn own_trace(batch: &Batch, weights: &Weights) -> Lane {
             for l in 0..LANES {
                 let v = w[0][l] * w[0][l] * (1.0 + 2.0 * w[2 + a][l] * w[2 + a][l]);
                 let rows = match batch.shape {
-                    Shape::Stress => b[(5 * point + a) * 30..][..30].iter().map(|x| x[l] * x[l]).sum(),
+                    Shape::Stress => {
+                        b[(5 * point + a) * 30..][..30].iter().map(|x| x[l] * x[l]).sum()
+                    }
                     Shape::Flow { .. } => 1.0,
                 };
                 trace[l] += v * rows / count;
@@ -38,7 +40,9 @@ pub fn kept(batch: &Batch) -> usize {
     let inner = batch.shape.inner() * batch.displacements();
     let own = match batch.shape {
         Shape::Stress => 30 * 31 / 2,
-        Shape::Flow { subtets, rule: Rule::Hencky, .. } => subtets * VERTEX_VALUES * (VERTEX_VALUES + 1) / 2,
+        Shape::Flow { subtets, rule: Rule::Hencky, .. } => {
+            subtets * VERTEX_VALUES * (VERTEX_VALUES + 1) / 2
+        }
         // the scaling of the points is enough
         Shape::Flow { .. } => 0,
     };
@@ -268,7 +272,12 @@ fn eliminate_hencky(
 
 /// `H⁻¹ = a (I − g w wᵀ)` of a point that is rigid before it flows: a, g, w.
 #[inline(always)]
-fn point_inverse<S: Simd>(simd: S, weight: &[S::f64s], at: Place, proximal: f64) -> (S::f64s, S::f64s, [S::f64s; 5]) {
+fn point_inverse<S: Simd>(
+    simd: S,
+    weight: &[S::f64s],
+    at: Place,
+    proximal: f64,
+) -> (S::f64s, S::f64s, [S::f64s; 5]) {
     let mut w = [simd.splat_f64s(0.0); 5];
     let mut n = simd.splat_f64s(0.0);
     for a in 0..5 {
@@ -431,7 +440,8 @@ mod tests {
 
     /// An element with any numbers, its flexibility and inner stiffness definite.
     fn element(shape: Shape, k: usize) -> YieldingElement {
-        let mut data: Vec<f64> = (0..shape.len(k)).map(|i| ((i * 7919) % 1009) as f64 / 1009.0 - 0.5).collect();
+        let mut data: Vec<f64> =
+            (0..shape.len(k)).map(|i| ((i * 7919) % 1009) as f64 / 1009.0 - 0.5).collect();
         match shape {
             Shape::Stress => {
                 (0..30).for_each(|c| data[30 * k + panel::packed(30, c)] = 50.0);
@@ -446,13 +456,21 @@ mod tests {
                 }
             }
         }
-        YieldingElement { shape, columns: (0..k as u32).collect(), data, q: vec![], h: vec![], inner_stiffness: vec![] }
+        YieldingElement {
+            shape,
+            columns: (0..k as u32).collect(),
+            data,
+            q: vec![],
+            h: vec![],
+            inner_stiffness: vec![],
+        }
     }
 
     /// What is left of an element times displacements is the force that the element's own equations give, for every kind.
     #[test]
     fn what_is_left_gives_the_forces_of_the_element() {
-        let flow = |subtets, rule, inner, pressures| Shape::Flow { subtets, rule, inner, pressures };
+        let flow =
+            |subtets, rule, inner, pressures| Shape::Flow { subtets, rule, inner, pressures };
         let shapes = [
             (flow(1, Rule::Hencky, 0, 0), 29, 0.0),
             (flow(4, Rule::Hencky, 15, 0), 30, 0.0),
@@ -461,7 +479,8 @@ mod tests {
             (Shape::Stress, 36, 1e-3),
         ];
         for (shape, k, proximal) in shapes {
-            let lanes: Vec<Placed> = (0..LANES as u32).map(|l| (element(shape, k), 1000 * l, 1000 * l)).collect();
+            let lanes: Vec<Placed> =
+                (0..LANES as u32).map(|l| (element(shape, k), 1000 * l, 1000 * l)).collect();
             let batch = Batch::new(&lanes);
             let weights: Weights = (0..shape.points())
                 .map(|point| {
@@ -471,9 +490,11 @@ mod tests {
                 })
                 .collect();
             let (mut kept, mut scratch) = (Vec::new(), Scratch::default());
-            let left = eliminate(&batch, &weights, proximal, &mut kept, &mut scratch).expect("definite");
+            let left =
+                eliminate(&batch, &weights, proximal, &mut kept, &mut scratch).expect("definite");
             let (all, inner) = (batch.displacements(), shape.inner());
-            let mut v: Vec<Lane> = (0..all).map(|i| [((31 * i) % 17) as f64 / 17.0 - 0.5; LANES]).collect();
+            let mut v: Vec<Lane> =
+                (0..all).map(|i| [((31 * i) % 17) as f64 / 17.0 - 0.5; LANES]).collect();
             v[..inner].fill([0.0; LANES]);
             if inner > 0 {
                 panel::backward(inner_panel(&batch, &kept), inner, all, &mut v);
@@ -489,22 +510,36 @@ mod tests {
                 rows.extend_from_slice(d);
             }
             inverse_square(&weights, &mut rows);
-            let scaled: Vec<Lane> =
-                rows.chunks_exact(YIELD_ROWS).flat_map(|r| &r[1..]).map(|r| r.map(|x| -x)).collect();
+            let scaled: Vec<Lane> = rows
+                .chunks_exact(YIELD_ROWS)
+                .flat_map(|r| &r[1..])
+                .map(|r| r.map(|x| -x))
+                .collect();
             batch.subtract_flexibility(&sigma, &mut strain);
             batch.add_deviators(&scaled, &mut strain);
             for (s, x) in strain.iter().zip(&sigma) {
-                assert!((s[5] - proximal * x[5]).abs() < 1e-12, "{shape:?}: {}", s[5] - proximal * x[5]);
+                assert!(
+                    (s[5] - proximal * x[5]).abs() < 1e-12,
+                    "{shape:?}: {}",
+                    s[5] - proximal * x[5]
+                );
             }
             let mut force = vec![[0.0; LANES]; all];
             batch.add_force(&sigma, &mut force);
             batch.add_inner(&v, &mut force);
-            assert!(force[..inner].iter().all(|f| f[0].abs() < 1e-12), "{shape:?}: inner forces vanish");
-            let entry = |r: usize, c: usize| left[panel::packed(k, r.min(c)) + r.max(c) - r.min(c)][6];
+            assert!(
+                force[..inner].iter().all(|f| f[0].abs() < 1e-12),
+                "{shape:?}: inner forces vanish"
+            );
+            let entry =
+                |r: usize, c: usize| left[panel::packed(k, r.min(c)) + r.max(c) - r.min(c)][6];
             for r in 0..k {
                 let product: f64 = (0..k).map(|c| entry(r, c) * v[inner + c][6]).sum();
                 let size = 1.0 + product.abs();
-                assert!((product - force[inner + r][6]).abs() < 1e-10 * size, "{shape:?} row {r}: {product}");
+                assert!(
+                    (product - force[inner + r][6]).abs() < 1e-10 * size,
+                    "{shape:?} row {r}: {product}"
+                );
             }
         }
     }

@@ -10,7 +10,7 @@
 
 use super::cones::{Scaling, dot};
 use super::correction::Correction;
-use super::problem::{Problem, largest};
+use super::scaled_program::{ScaledProgram, largest};
 use super::system::{CondensedSystem, Solved};
 use super::targets::Targets;
 use crate::solve::condensed::static_condensation::Side;
@@ -114,7 +114,7 @@ struct Residuals {
 }
 
 /// What the iteration returns.
-pub struct Outcome {
+pub struct IpmResult {
     /// How it ended.
     pub status: SolveStatus,
     /// Unknowns, or the certificate's direction.
@@ -126,7 +126,7 @@ pub struct Outcome {
 }
 
 /// Residuals; `reference`: the load factor that a load factor of zero is told by, 0 without one.
-fn residuals(problem: &Problem, p: &Point, reference: f64) -> Residuals {
+fn residuals(problem: &ScaledProgram, p: &Point, reference: f64) -> Residuals {
     let (q, h) = (&problem.program.q, &problem.program.h);
     let diagonal = problem.program.quadratic_diagonal(&p.x);
     let mut px = diagonal.clone();
@@ -145,12 +145,15 @@ fn residuals(problem: &Problem, p: &Point, reference: f64) -> Residuals {
     let dual_objective = -0.5 * xpx / (t * t) - (hz - yielding + by) / t;
     let floor = NOTHING * reference;
     let least = floor * q.last().map_or(0.0, |q| q.abs());
-    let gap = (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(least).max(1e-300);
+    let gap =
+        (po - dual_objective).abs() / po.abs().min(dual_objective.abs()).max(least).max(1e-300);
     let sizes = [q, &px, &gz].map(|v| problem.largest_of_kinds(v));
     let off = problem.largest_of_kinds(&f1);
     let live = problem.live_force(&p.x);
     let least = floor * largest(&problem.program.live);
-    let scale = |k: usize| sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(least).max(1e-300);
+    let scale = |k: usize| {
+        sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(least).max(1e-300)
+    };
     // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
@@ -169,7 +172,12 @@ fn residuals(problem: &Problem, p: &Point, reference: f64) -> Residuals {
 }
 
 /// A certificate in the point, if there is one.
-fn certificate(problem: &Problem, p: &Point, r: &Residuals, tolerance: f64) -> Option<SolveStatus> {
+fn certificate(
+    problem: &ScaledProgram,
+    p: &Point,
+    r: &Residuals,
+    tolerance: f64,
+) -> Option<SolveStatus> {
     if r.cx + r.hz + r.xpx / p.tau >= 0.0 {
         return None;
     }
@@ -192,14 +200,18 @@ fn certificate(problem: &Problem, p: &Point, r: &Residuals, tolerance: f64) -> O
         }
         largest(&rows)
     };
-    let falls = dot(q, &problem.part(&p.x, false)) + dot(&h[problem.points..], &p.z[problem.points..]);
+    let falls =
+        dot(q, &problem.part(&p.x, false)) + dot(&h[problem.points..], &p.z[problem.points..]);
     if falls < 0.0 {
         let unit = -falls / largest(q).max(1e-300);
-        if stationarity(false) <= tolerance * -falls && off(false) <= tolerance * unit.max(largest(&p.s)) {
+        if stationarity(false) <= tolerance * -falls
+            && off(false) <= tolerance * unit.max(largest(&p.s))
+        {
             return Some(SolveStatus::Unbounded);
         }
     }
-    let works = dot(&h[..problem.points], &p.z[..problem.points]) - dot(q, &problem.part(&p.x, true));
+    let works =
+        dot(&h[..problem.points], &p.z[..problem.points]) - dot(q, &problem.part(&p.x, true));
     if works < 0.0 && stationarity(true) <= tolerance * -works {
         let unit = -works / largest(q).max(1e-300);
         if off(true) <= tolerance * unit.max(largest(&p.s)) {
@@ -210,11 +222,16 @@ fn certificate(problem: &Problem, p: &Point, r: &Residuals, tolerance: f64) -> O
 }
 
 /// Iterates on a scaled problem.
-pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveOptions, start: Instant) -> Outcome {
+pub fn iterate(
+    problem: &ScaledProgram,
+    system: &mut CondensedSystem,
+    options: &SolveOptions,
+    start: Instant,
+) -> IpmResult {
     let cones = &problem.cones;
     if system.factor_start(problem).is_err() {
         let (x, z) = (vec![0.0; problem.program.unknowns()], vec![0.0; cones.rows]);
-        return Outcome { status: SolveStatus::NumericalError, x, z, iterations: 0 };
+        return IpmResult { status: SolveStatus::NumericalError, x, z, iterations: 0 };
     }
     let (mut p, reference) = starting_point(problem, system);
     let mut last_step = 0.0;
@@ -222,8 +239,17 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
     let (mut best, mut short, mut worse) = (p.clone(), 0, 0);
     let mut best_merit = f64::INFINITY;
     let end = |status, p: Point, iterations| {
-        let t = if status == SolveStatus::Unbounded || status == SolveStatus::Infeasible { 1.0 } else { p.tau };
-        Outcome { status, x: p.x.iter().map(|v| v / t).collect(), z: p.z.iter().map(|v| v / t).collect(), iterations }
+        let t = if status == SolveStatus::Unbounded || status == SolveStatus::Infeasible {
+            1.0
+        } else {
+            p.tau
+        };
+        IpmResult {
+            status,
+            x: p.x.iter().map(|v| v / t).collect(),
+            z: p.z.iter().map(|v| v / t).collect(),
+            iterations,
+        }
     };
     // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
     let nearly = if problem.program.live.is_empty() { NEARLY } else { LIMIT_NEARLY };
@@ -268,7 +294,9 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
         let Some(scaling) = Scaling::new(cones, &p.s, &p.z) else {
             return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         };
-        if system.factor(problem, &scaling, 0.0).is_err() && system.factor(problem, &scaling, 1e-10).is_err() {
+        if system.factor(problem, &scaling, 0.0).is_err()
+            && system.factor(problem, &scaling, 1e-10).is_err()
+        {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }
         let mu = (dot(&p.s, &p.z) + p.tau * p.kappa) / degree;
@@ -308,25 +336,36 @@ pub fn iterate(problem: &Problem, system: &mut CondensedSystem, options: &SolveO
 
 /// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside; and the load factor at which
 /// that elastic stress would reach the yield surface, 0 where it never does.
-fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
+fn starting_point(problem: &ScaledProgram, system: &CondensedSystem) -> (Point, f64) {
     let cones = &problem.cones;
     let minus_q: Vec<f64> = problem.program.q.iter().map(|q| -q).collect();
-    let [Solved { x, .. }] =
-        system.solve::<1, false>(problem, &Scaling::identity(cones), [(&minus_q, &problem.program.h)]);
+    let [Solved { x, .. }] = system.solve::<1, false>(
+        problem,
+        &Scaling::identity(cones),
+        [(&minus_q, &problem.program.h)],
+    );
     let s = problem.program.slack(&x);
     let reference = match (problem.program.live.is_empty(), x.last()) {
         (false, Some(factor)) => {
             let yields = cones.blocks.iter().filter(|b| b.0 >= problem.points);
-            let stress = yields.fold(0.0, |m: f64, &(at, d)| m.max(dot(&s[at + 1..at + d], &s[at + 1..at + d])));
+            let stress = yields
+                .fold(0.0, |m: f64, &(at, d)| m.max(dot(&s[at + 1..at + d], &s[at + 1..at + d])));
             // loads that slide one part over another need not stress any
-            if stress.sqrt() > UNSTRESSED * factor.abs() { factor.abs() / stress.sqrt() } else { 0.0 }
+            if stress.sqrt() > UNSTRESSED * factor.abs() {
+                factor.abs() / stress.sqrt()
+            } else {
+                0.0
+            }
         }
         _ => 0.0,
     };
     let z: Vec<f64> = s.iter().map(|v| -v).collect();
     let inside = |mut v: Vec<f64>| {
-        let margins: Vec<f64> =
-            cones.blocks.iter().map(|&(at, d)| crate::programs::conic::cone_margin(&v[at..at + d])).collect();
+        let margins: Vec<f64> = cones
+            .blocks
+            .iter()
+            .map(|&(at, d)| crate::programs::conic::cone_margin(&v[at..at + d]))
+            .collect();
         let worst = margins.iter().fold(f64::INFINITY, |m, x| m.min(*x));
         let mean = margins.iter().map(|m| m.max(0.0)).sum::<f64>() / cones.degree().max(1.0);
         let target = (0.1 * mean).max(1e-2 * largest(&v)).max(1e-8);
@@ -351,7 +390,7 @@ fn starting_point(problem: &Problem, system: &CondensedSystem) -> (Point, f64) {
 
 /// Newton's system of one iteration.
 struct Newton<'a> {
-    problem: &'a Problem,
+    problem: &'a ScaledProgram,
     scaling: &'a Scaling,
     system: &'a CondensedSystem,
     point: &'a Point,
@@ -369,7 +408,7 @@ struct Newton<'a> {
 impl<'a> Newton<'a> {
     /// The system, and the affine direction: both right-hand sides go through the factor together.
     fn new(
-        problem: &'a Problem,
+        problem: &'a ScaledProgram,
         scaling: &'a Scaling,
         system: &'a CondensedSystem,
         point: &'a Point,
@@ -379,14 +418,26 @@ impl<'a> Newton<'a> {
         let t = point.tau;
         let (q, h) = (&problem.program.q, &problem.program.h);
         // (M + Mᵀ) w = S P w + P S w for M = S P: the coupling cancels
-        let slope = problem.signed(r.diagonal.iter().zip(q).map(|(p, q)| 2.0 * p / t + q).collect());
+        let slope =
+            problem.signed(r.diagonal.iter().zip(q).map(|(p, q)| 2.0 * p / t + q).collect());
         let [off, size, inner] = [&r.f1, q, &r.px].map(|v| problem.largest_of_kinds(v));
         let live = problem.live_force(&point.x);
         let rounding = |k: usize| 1e-13 * size[k].max(inner[k]).max(live);
-        let part = if problem.program.live.is_empty() { DIRECTION_ERROR } else { LIMIT_DIRECTION_ERROR };
+        let part =
+            if problem.program.live.is_empty() { DIRECTION_ERROR } else { LIMIT_DIRECTION_ERROR };
         let allowed = std::array::from_fn(|k| (part * off[k]).max(rounding(k)).max(1e-300));
-        let mut n =
-            Self { problem, scaling, system, point, r, x2: vec![], z2: vec![], slope, denominator: 0.0, allowed };
+        let mut n = Self {
+            problem,
+            scaling,
+            system,
+            point,
+            r,
+            x2: vec![],
+            z2: vec![],
+            slope,
+            denominator: 0.0,
+            allowed,
+        };
         let minus_q: Vec<f64> = q.iter().map(|q| -q).collect();
         let (r1, r2) = n.right_hand_side(ll, 0.0);
         let [(x2, z2), (x1, z1)] = n.kkt([(&minus_q, h), (&r1, &r2)]);
@@ -419,18 +470,26 @@ impl<'a> Newton<'a> {
                 let (gx, w2) = (problem.program.rows(x), scaling.apply_twice(&problem.cones, z));
                 (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect()
             });
-            let sides = std::array::from_fn::<_, SIDES, _>(|k| (solution[k].error.as_slice(), slack[k].as_slice()));
+            let sides = std::array::from_fn::<_, SIDES, _>(|k| {
+                (solution[k].error.as_slice(), slack[k].as_slice())
+            });
             let correction = self.system.solve::<SIDES, true>(problem, scaling, sides);
             for (k, correction) in correction.into_iter().enumerate() {
                 let solution = &mut solution[k];
-                let effect = solution.error.iter().zip(&correction.error).map(|(r, left)| r - left).collect();
+                let effect = solution
+                    .error
+                    .iter()
+                    .zip(&correction.error)
+                    .map(|(r, left)| r - left)
+                    .collect();
                 let mut next = Correction { x: correction.x, z: correction.z, effect };
                 next.orthogonalise(&corrections[k], |a, b| self.weighted_dot(a, b));
                 let part = self.weighted_dot(&solution.error, &next.effect);
                 solution.x.iter_mut().zip(&next.x).for_each(|(a, b)| *a += part * b);
                 solution.z.iter_mut().zip(&next.z).for_each(|(a, b)| *a += part * b);
                 // anew: what the correction leaves of the error would hide the rounding of the sum
-                solution.error = self.system.stationarity_error(problem, rhs[k].0, &solution.x, &solution.z);
+                solution.error =
+                    self.system.stationarity_error(problem, rhs[k].0, &solution.x, &solution.z);
                 corrections[k].push(next);
             }
         }
@@ -465,19 +524,24 @@ impl<'a> Newton<'a> {
     /// affine steps are short and their second-order terms not to be trusted, only for as much of it as lengthens the step.
     fn corrected(&self, affine: &Direction, ll: &[f64], targets: &Targets) -> Direction {
         let (cones, p) = (&self.problem.cones, self.point);
-        let mut cross =
-            cones.product(&self.scaling.apply_inverse(cones, &affine.s), &self.scaling.apply(cones, &affine.z));
+        let mut cross = cones.product(
+            &self.scaling.apply_inverse(cones, &affine.s),
+            &self.scaling.apply(cones, &affine.z),
+        );
         for (&(at, d), part) in cones.blocks.iter().zip(&targets.trusted) {
             cross[at..at + d].iter_mut().for_each(|v| *v *= part);
         }
         let sigma = targets.sigma;
-        let products =
-            |part: f64| -> Vec<f64> { (0..ll.len()).map(|i| ll[i] + part * cross[i] - targets.products[i]).collect() };
-        let scalar = |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - targets.centre;
+        let products = |part: f64| -> Vec<f64> {
+            (0..ll.len()).map(|i| ll[i] + part * cross[i] - targets.products[i]).collect()
+        };
+        let scalar =
+            |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - targets.centre;
         if self.problem.program.live.is_empty() {
             return self.centred(self.solve(&products(1.0), scalar(1.0), sigma), targets);
         }
-        let ((a1, a2), (b1, b2)) = (self.right_hand_side(&products(0.0), sigma), self.right_hand_side(&cross, 1.0));
+        let ((a1, a2), (b1, b2)) =
+            (self.right_hand_side(&products(0.0), sigma), self.right_hand_side(&cross, 1.0));
         let [(xa, za), (xb, zb)] = self.kkt([(&a1, &a2), (&b1, &b2)]);
         let centring = self.direction(xa, za, scalar(0.0), sigma);
         let second = self.direction(xb, zb, affine.kappa * affine.tau, 1.0);
@@ -497,7 +561,10 @@ impl<'a> Newton<'a> {
         let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
         let (least, most) = (CENTRE.0 * targets.centre, CENTRE.1 * targets.centre);
         let mut step = self.step(&d).min(1.0);
-        let correctors = match (self.problem.program.live.is_empty(), self.system.flops_per_entry() < DENSE_FACTOR) {
+        let correctors = match (
+            self.problem.program.live.is_empty(),
+            self.system.flops_per_entry() < DENSE_FACTOR,
+        ) {
             (false, _) => LIMIT_CORRECTORS,
             (true, true) => 0,
             (true, false) => CORRECTORS,
@@ -508,8 +575,10 @@ impl<'a> Newton<'a> {
             }
             let longer = (step + LONGER).min(1.0);
             let (s, z) = (self.scaling.apply_inverse(cones, &d.s), self.scaling.apply(cones, &d.z));
-            let ahead = |v: &[f64]| lambda.iter().zip(v).map(|(l, v)| l + longer * v).collect::<Vec<f64>>();
-            let excess = cones.outside(&cones.product(&ahead(&s), &ahead(&z)), &targets.products, CENTRE);
+            let ahead =
+                |v: &[f64]| lambda.iter().zip(v).map(|(l, v)| l + longer * v).collect::<Vec<f64>>();
+            let excess =
+                cones.outside(&cones.product(&ahead(&s), &ahead(&z)), &targets.products, CENTRE);
             let tk = (p.tau + longer * d.tau) * (p.kappa + longer * d.kappa);
             let scalar = tk - tk.clamp(least, most);
             // of the change alone: it is small, and so is what there is to refine
@@ -527,7 +596,8 @@ impl<'a> Newton<'a> {
     fn direction(&self, x1: Vec<f64>, z1: Vec<f64>, dk: f64, sigma: f64) -> Direction {
         let (p, r) = (self.point, self.r);
         let (keep, h) = (1.0 - sigma, &self.problem.program.h);
-        let tau = (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(h, &z1)) / self.denominator;
+        let tau =
+            (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(h, &z1)) / self.denominator;
         let x: Vec<f64> = x1.iter().zip(&self.x2).map(|(a, b)| a + tau * b).collect();
         let z: Vec<f64> = z1.iter().zip(&self.z2).map(|(a, b)| a + tau * b).collect();
         // the slack row holds exactly: s = G x + h τ with the residual shrunk

@@ -9,7 +9,7 @@ pub mod elements;
 pub mod elimination;
 pub mod ipm;
 pub mod panel;
-pub mod problem;
+pub mod scaled_program;
 pub mod static_condensation;
 pub mod system;
 pub mod targets;
@@ -21,23 +21,27 @@ use super::sparse::{LinearError, Patterns};
 use super::status::{Solution, SolveOptions};
 use crate::programs::conic::ConicProgram;
 use cones::Scaling;
-use problem::Problem;
+use scaled_program::ScaledProgram;
 use std::time::Instant;
 use system::CondensedSystem;
 
 /// A program scaled, ordered and laid out.
 pub struct Prepared {
     scales: Scales,
-    problem: Problem,
+    problem: ScaledProgram,
     system: CondensedSystem,
 }
 
 impl Prepared {
     /// Prepares a program with at least one cone; `block` gives the block (node or face) of each shared unknown, for the
     /// ordering, which `patterns` may know.
-    pub fn new(program: &ConicProgram, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
+    pub fn new(
+        program: &ConicProgram,
+        block: &[u32],
+        patterns: &Patterns,
+    ) -> Result<Self, LinearError> {
         let scales = Scales::new(program);
-        let problem = Problem::new(scales.apply(program));
+        let problem = ScaledProgram::new(scales.apply(program));
         let system = CondensedSystem::new(&problem.program, &problem.cones, block, patterns)?;
         Ok(Self { scales, problem, system })
     }
@@ -56,9 +60,11 @@ impl Prepared {
             start.elapsed().as_secs_f64()
         };
         let factor = timed(&mut || drop(self.system.factor_start(&self.problem)));
-        let (unit, none) = (Scaling::identity(&self.problem.cones), vec![0.0; self.problem.program.h.len()]);
+        let (unit, none) =
+            (Scaling::identity(&self.problem.cones), vec![0.0; self.problem.program.h.len()]);
         let side = (self.problem.program.q.as_slice(), none.as_slice());
-        let solve = timed(&mut || drop(self.system.solve::<1, false>(&self.problem, &unit, [side])));
+        let solve =
+            timed(&mut || drop(self.system.solve::<1, false>(&self.problem, &unit, [side])));
         Some(Yardstick { factor, solve })
     }
 
@@ -93,12 +99,22 @@ mod tests {
     use crate::solve::SolveStatus;
 
     /// `min ½ p x² + q x` in each unknown, with the given rows.
-    fn program(p: &[f64], q: &[f64], rows: &[(&[(u32, f64)], f64)], cones: &[Cone]) -> ConicProgram {
+    fn program(
+        p: &[f64],
+        q: &[f64],
+        rows: &[(&[(u32, f64)], f64)],
+        cones: &[Cone],
+    ) -> ConicProgram {
         let n = p.len();
         let mut g = Csr { ncols: n, ..Csr::default() };
         rows.iter().for_each(|(row, _)| g.push_row(row));
         ConicProgram {
-            p: SymmetricCsc { n, col_ptr: (0..=n).collect(), row_idx: (0..n as u32).collect(), values: p.to_vec() },
+            p: SymmetricCsc {
+                n,
+                col_ptr: (0..=n).collect(),
+                row_idx: (0..n as u32).collect(),
+                values: p.to_vec(),
+            },
             q: q.to_vec(),
             g,
             h: rows.iter().map(|r| r.1).collect(),
@@ -109,16 +125,21 @@ mod tests {
 
     fn solved(program: &ConicProgram) -> Solution {
         let block: Vec<u32> = (0..program.p.n as u32).collect();
-        Prepared::new(program, &block, &Patterns::default()).expect("laid out").solve(&SolveOptions::default())
+        Prepared::new(program, &block, &Patterns::default())
+            .expect("laid out")
+            .solve(&SolveOptions::default())
     }
 
     #[test]
     fn the_nearest_point_of_a_cone() {
         // the point (0, 3, 4) goes to (2.5, 1.5, 2) of the cone x₀ ≥ ‖(x₁, x₂)‖
-        let rows: [(&[(u32, f64)], f64); 3] = [(&[(0, 1.0)], 0.0), (&[(1, 1.0)], 0.0), (&[(2, 1.0)], 0.0)];
+        let rows: [(&[(u32, f64)], f64); 3] =
+            [(&[(0, 1.0)], 0.0), (&[(1, 1.0)], 0.0), (&[(2, 1.0)], 0.0)];
         let s = solved(&program(&[1.0; 3], &[0.0, -3.0, -4.0], &rows, &[Cone::SecondOrder(3)]));
         assert_eq!(s.status, SolveStatus::Optimal);
-        s.x.iter().zip([2.5, 1.5, 2.0]).for_each(|(x, e)| assert!((x - e).abs() < 1e-6, "{:?}", s.x));
+        s.x.iter()
+            .zip([2.5, 1.5, 2.0])
+            .for_each(|(x, e)| assert!((x - e).abs() < 1e-6, "{:?}", s.x));
     }
 
     #[test]

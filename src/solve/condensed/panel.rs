@@ -48,7 +48,14 @@ fn tile<S: Simd, const R: usize, const C: usize>(
 
 /// `out += Σ_j a_j b_jᵀ` over the rows from `from` on, of two panels of one height: lower triangle by columns. The sum must be
 /// symmetric.
-pub fn add_products(a: &[Lane], b: &[Lane], height: usize, columns: usize, from: usize, out: &mut [Lane]) {
+pub fn add_products(
+    a: &[Lane],
+    b: &[Lane],
+    height: usize,
+    columns: usize,
+    from: usize,
+    out: &mut [Lane],
+) {
     dispatch(Products { a, b, height, columns, from, sign: 1.0, out });
 }
 
@@ -100,7 +107,12 @@ struct Sides<'a, S: Simd> {
 
 /// The tiles of C columns from column `c` down.
 #[inline(always)]
-fn product_tiles<S: Simd, const C: usize>(simd: S, sides: &Sides<'_, S>, c: usize, out: &mut [S::f64s]) {
+fn product_tiles<S: Simd, const C: usize>(
+    simd: S,
+    sides: &Sides<'_, S>,
+    c: usize,
+    out: &mut [S::f64s],
+) {
     let height = sides.a.height;
     let mut r = c;
     while r + TILE <= height {
@@ -182,7 +194,13 @@ struct Columns<'a, S: Simd, const W: usize> {
 
 /// Factors W columns from column `c` on.
 #[inline(always)]
-fn factor_columns<S: Simd, const W: usize>(simd: S, panel: &mut [S::f64s], height: usize, part: usize, c: usize) {
+fn factor_columns<S: Simd, const W: usize>(
+    simd: S,
+    panel: &mut [S::f64s],
+    height: usize,
+    part: usize,
+    c: usize,
+) {
     let n = parts::<S>();
     let (done, own) = panel.split_at_mut(c * height * n);
     let zero = simd.splat_f64s(0.0);
@@ -192,7 +210,11 @@ fn factor_columns<S: Simd, const W: usize>(simd: S, panel: &mut [S::f64s], heigh
     for p in 0..W {
         for q in p..W {
             let entry = &mut own[(p * height + c + q) * n + part];
-            let raised = if p == q { simd.mul_f64s(*entry, simd.splat_f64s(1.0 + ROUNDING)) } else { *entry };
+            let raised = if p == q {
+                simd.mul_f64s(*entry, simd.splat_f64s(1.0 + ROUNDING))
+            } else {
+                *entry
+            };
             let mut v = simd.sub_f64s(raised, sums[p][q]);
             for j in 0..p {
                 v = simd.negate_mul_add_e_f64s(columns.top[j][q], columns.top[j][p], v);

@@ -43,10 +43,17 @@ impl ElementSystem {
 
     /// Carries right-hand sides to the shared unknowns. `full` holds r₁; what stands in the places of the elements' own
     /// unknowns afterwards is needed to come back.
-    pub fn condense<const SIDES: usize>(&self, rhs: [Side<'_>; SIDES], full: &mut [Vec<f64>; SIDES]) {
+    pub fn condense<const SIDES: usize>(
+        &self,
+        rhs: [Side<'_>; SIDES],
+        full: &mut [Vec<f64>; SIDES],
+    ) {
         for round in self.rounds() {
-            let parts: Vec<[Carried; SIDES]> =
-                round.clone().into_par_iter().map(|i| rhs.map(|side| self.carried(i, side))).collect();
+            let parts: Vec<[Carried; SIDES]> = round
+                .clone()
+                .into_par_iter()
+                .map(|i| rhs.map(|side| self.carried(i, side)))
+                .collect();
             for (batch, part) in self.batches[round].iter().zip(&parts) {
                 let inner = batch.shape.inner();
                 for (full, part) in full.iter_mut().zip(part) {
@@ -135,9 +142,14 @@ impl ElementSystem {
         // z = −W⁻² (G x + r₂)
         let mut multipliers = Batch::gather(&batch.rows, YIELD_ROWS * batch.shape.points(), r2);
         let deviator = batch.deviators(&own);
-        for (row, d) in multipliers.chunks_exact_mut(YIELD_ROWS).zip(deviator.chunks_exact(YIELD_ROWS - 1)) {
+        for (row, d) in
+            multipliers.chunks_exact_mut(YIELD_ROWS).zip(deviator.chunks_exact(YIELD_ROWS - 1))
+        {
             row[0].iter_mut().for_each(|r| *r = -*r);
-            row[1..].iter_mut().zip(d).for_each(|(r, d)| (0..LANES).for_each(|l| r[l] = -r[l] - d[l]));
+            row[1..]
+                .iter_mut()
+                .zip(d)
+                .for_each(|(r, d)| (0..LANES).for_each(|l| r[l] = -r[l] - d[l]));
         }
         inverse_square(weights, &mut multipliers);
         let (mut force, mut left) = (Vec::new(), Vec::new());

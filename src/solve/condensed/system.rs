@@ -6,7 +6,7 @@
 use super::cones::{Cones, Scaling, dot};
 use super::elements::{ElementSystem, UNSCALED, union};
 use super::elimination::SCALING;
-use super::problem::Problem;
+use super::scaled_program::ScaledProgram;
 use crate::elements::batch::YIELD_ROWS;
 use crate::programs::conic::ConicProgram;
 use crate::solve::condensed::static_condensation::Side;
@@ -60,13 +60,19 @@ impl CondensedSystem {
     /// Lays out the pattern, the elimination and the symbolic factor of a scaled program.
     ///
     /// `block` gives the block of each shared unknown.
-    pub fn new(program: &ConicProgram, cones: &Cones, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
+    pub fn new(
+        program: &ConicProgram,
+        cones: &Cones,
+        block: &[u32],
+        patterns: &Patterns,
+    ) -> Result<Self, LinearError> {
         let (p, g) = (&program.p, &program.g);
         let contacts = &cones.blocks[..cones.blocks.partition_point(|b| b.0 < g.nrows())];
         let columns: Vec<Vec<u32>> = contacts
             .iter()
             .map(|&(s, d)| {
-                let mut c: Vec<u32> = (s..s + d).flat_map(|r| g.row(r).map(|(c, _)| c as u32)).collect();
+                let mut c: Vec<u32> =
+                    (s..s + d).flat_map(|r| g.row(r).map(|(c, _)| c as u32)).collect();
                 c.sort_unstable();
                 c.dedup();
                 c
@@ -74,13 +80,16 @@ impl CondensedSystem {
             .collect();
         let elements = ElementSystem::new(program);
         let factor = SparseCholesky::symbolic(&union(p, &columns, &elements), block, patterns)?;
-        let mut system = Self { place: Vec::new(), cones: Vec::new(), elements, factor, border: None };
+        let mut system =
+            Self { place: Vec::new(), cones: Vec::new(), elements, factor, border: None };
         let mut locator = system.factor.locator();
         system.elements.locate(&mut locator);
         let mut place = |i: u32, j: u32| locator.place(i, j);
         let mut places = Vec::with_capacity(p.values.len());
         for c in 0..p.n {
-            places.extend(p.row_idx[p.col_ptr[c]..p.col_ptr[c + 1]].iter().map(|&r| place(r, c as u32)));
+            places.extend(
+                p.row_idx[p.col_ptr[c]..p.col_ptr[c + 1]].iter().map(|&r| place(r, c as u32)),
+            );
         }
         let cones = columns.into_iter().zip(contacts).map(|(columns, &(s, d))| {
             let m = columns.len();
@@ -92,7 +101,9 @@ impl CondensedSystem {
                     }
                 }
             }
-            let places = (0..m).flat_map(|j| (0..=j).map(move |i| (i, j))).map(|(i, j)| place(columns[i], columns[j]));
+            let places = (0..m)
+                .flat_map(|j| (0..=j).map(move |i| (i, j)))
+                .map(|(i, j)| place(columns[i], columns[j]));
             let places = places.collect();
             ConeMap { columns, rows, places }
         });
@@ -103,11 +114,20 @@ impl CondensedSystem {
 
     /// What a solve of the program with this system costs.
     pub fn forecast(&self, program: &ConicProgram) -> Forecast {
-        let (entries, flops) = (self.factor.nonzeros(), self.factor.flops() + self.elements.flops());
-        let cones: usize = self.cones.iter().map(|c| 4 * c.columns.len() + 8 * c.rows.len() + 4 * c.places.len()).sum();
+        let (entries, flops) =
+            (self.factor.nonzeros(), self.factor.flops() + self.elements.flops());
+        let cones: usize = self
+            .cones
+            .iter()
+            .map(|c| 4 * c.columns.len() + 8 * c.rows.len() + 4 * c.places.len())
+            .sum();
         // the iterates, directions and right-hand sides of the method
-        let vectors = 8 * (30 * program.shared() + 15 * (program.unknowns() - program.shared()) + 20 * program.h.len());
-        let bytes = self.factor.bytes() + self.elements.bytes() + 16 * self.place.len() + cones + vectors;
+        let vectors = 8
+            * (30 * program.shared()
+                + 15 * (program.unknowns() - program.shared())
+                + 20 * program.h.len());
+        let bytes =
+            self.factor.bytes() + self.elements.bytes() + 16 * self.place.len() + cones + vectors;
         let yielding = program.h.len() - program.g.nrows();
         let limit = !program.live.is_empty();
         Forecast {
@@ -125,7 +145,13 @@ impl CondensedSystem {
     }
 
     /// What a solution leaves of the stationarity rows: `r₁ − P x + Gᵀ z`, with the proximal terms that the factor holds.
-    pub fn stationarity_error(&self, problem: &Problem, r1: &[f64], x: &[f64], z: &[f64]) -> Vec<f64> {
+    pub fn stationarity_error(
+        &self,
+        problem: &ScaledProgram,
+        r1: &[f64],
+        x: &[f64],
+        z: &[f64],
+    ) -> Vec<f64> {
         let program = &problem.program;
         let [px] = program.quadratic([x]);
         let gz = program.rows_transposed(z);
@@ -140,15 +166,22 @@ impl CondensedSystem {
     }
 
     /// Factors the matrix with unit scaling, for the starting point.
-    pub fn factor_start(&mut self, problem: &Problem) -> Result<(), LinearError> {
-        let unit = |k: usize, w: &mut [[f64; 6]; 6]| (0..problem.cones.blocks[k].1).for_each(|i| w[i][i] = 1.0);
+    pub fn factor_start(&mut self, problem: &ScaledProgram) -> Result<(), LinearError> {
+        let unit = |k: usize, w: &mut [[f64; 6]; 6]| {
+            (0..problem.cones.blocks[k].1).for_each(|i| w[i][i] = 1.0)
+        };
         let points = |_| UNSCALED;
         self.choose_proximal(problem, &points);
         self.refactor(problem, unit, points, 0.0)
     }
 
     /// Factors `P + Gᵀ W⁻² G`, its diagonal raised by the fraction `raise`.
-    pub fn factor(&mut self, problem: &Problem, scaling: &Scaling, raise: f64) -> Result<(), LinearError> {
+    pub fn factor(
+        &mut self,
+        problem: &ScaledProgram,
+        scaling: &Scaling,
+        raise: f64,
+    ) -> Result<(), LinearError> {
         let cones = &problem.cones;
         let first = self.cones.len();
         let start = problem.program.g.nrows();
@@ -157,7 +190,11 @@ impl CondensedSystem {
     }
 
     /// Rigid-plastic elements: the proximal term is chosen once.
-    fn choose_proximal(&mut self, problem: &Problem, points: &(impl Fn(usize) -> [f64; SCALING] + Sync)) {
+    fn choose_proximal(
+        &mut self,
+        problem: &ScaledProgram,
+        points: &(impl Fn(usize) -> [f64; SCALING] + Sync),
+    ) {
         if !problem.program.live.is_empty() && self.elements.proximal == 0.0 {
             let (median, mean) = self.elements.own_stiffness(points);
             self.elements.proximal = (PROXIMAL.0 * median).max(PROXIMAL.1 * mean);
@@ -166,7 +203,7 @@ impl CondensedSystem {
 
     fn refactor(
         &mut self,
-        problem: &Problem,
+        problem: &ScaledProgram,
         inverse_square: impl Fn(usize, &mut [[f64; 6]; 6]),
         points: impl Fn(usize) -> [f64; SCALING] + Sync,
         raise: f64,
@@ -187,7 +224,8 @@ impl CondensedSystem {
                     wj[r] = (0..d).map(|q| w[r][q] * cone.rows[q * m + j]).sum();
                 }
                 for i in 0..=j {
-                    values[cone.places[at] as usize] += (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>();
+                    values[cone.places[at] as usize] +=
+                        (0..d).map(|r| cone.rows[r * m + i] * wj[r]).sum::<f64>();
                     at += 1;
                 }
             }
@@ -210,7 +248,7 @@ impl CondensedSystem {
     /// r₁. W must be that of the factor.
     pub fn solve<const SIDES: usize, const CHECK: bool>(
         &self,
-        problem: &Problem,
+        problem: &ScaledProgram,
         scaling: &Scaling,
         rhs: [Side<'_>; SIDES],
     ) -> [Solved; SIDES] {
@@ -248,7 +286,8 @@ impl CondensedSystem {
                 let mut error = rhs[k].0.to_vec();
                 error.iter_mut().zip(&px[k]).for_each(|(e, p)| *e -= p);
                 error.iter_mut().zip(&gz).for_each(|(e, g)| *e += g);
-                if let (Some(&factor), Some(last), false) = (full[k].last(), error.last_mut(), program.live.is_empty())
+                if let (Some(&factor), Some(last), false) =
+                    (full[k].last(), error.last_mut(), program.live.is_empty())
                 {
                     *last += dot(&program.live, &full[k][..n]);
                     error.iter_mut().zip(&program.live).for_each(|(e, f)| *e += factor * f);

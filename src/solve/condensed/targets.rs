@@ -65,7 +65,10 @@ mod tests {
         let (mu, common) = (2.0, Targets::common(&cones, 0.1, 2.0));
         let own = Targets::own(&cones, steps, mu);
         assert!((common.sigma - 0.729).abs() < 1e-12 && (common.products[3] - 1.458).abs() < 1e-12);
-        assert!((own.products[21] - 1.458).abs() < 1e-12 && (own.products[3] - LEAST * mu).abs() < 1e-12);
+        assert!(
+            (own.products[21] - 1.458).abs() < 1e-12
+                && (own.products[3] - LEAST * mu).abs() < 1e-12
+        );
         assert!(own.products[22] == 0.0 && own.trusted[7] == 0.1);
         assert!((own.sigma - (0.729 + 99.0 * LEAST) / 100.0).abs() < 1e-12);
     }

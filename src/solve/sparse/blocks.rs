@@ -128,7 +128,13 @@ fn factor_columns<S: Simd, const W: usize>(
 
 /// V registers of rows from `row` on.
 #[inline(always)]
-fn solve_strip<S: Simd, const V: usize>(simd: S, block: &mut [f64], height: usize, inverse: &[f64], row: usize) {
+fn solve_strip<S: Simd, const V: usize>(
+    simd: S,
+    block: &mut [f64],
+    height: usize,
+    inverse: &[f64],
+    row: usize,
+) {
     let columns = inverse.len();
     let mut c = 0;
     while c + WIDE <= columns {
@@ -186,7 +192,14 @@ fn solve_tile<S: Simd, const V: usize, const W: usize>(
 
 /// Column `c` of rows that are fewer than a register holds.
 #[inline(always)]
-fn solve_last_rows<S: Simd>(simd: S, block: &mut [f64], height: usize, inverse: &[f64], rows: Range<usize>, c: usize) {
+fn solve_last_rows<S: Simd>(
+    simd: S,
+    block: &mut [f64],
+    height: usize,
+    inverse: &[f64],
+    rows: Range<usize>,
+    c: usize,
+) {
     let (done, own) = block.split_at_mut(c * height);
     let mut x = simd.partial_load_f64s(&own[rows.clone()]);
     for column in done.chunks_exact(height) {
@@ -283,7 +296,8 @@ impl Subtract<'_> {
         let rows = &self.rows[row..row + count];
         let together = rows[count - 1] - rows[0] + 1 == count as u32;
         for p in 0..W {
-            let column = &mut self.target[self.columns[c + p] as usize * self.height..][..self.height];
+            let column =
+                &mut self.target[self.columns[c + p] as usize * self.height..][..self.height];
             if together {
                 let to = S::as_mut_simd_f64s(&mut column[rows[0] as usize..][..count]).0;
                 for (to, sum) in to.iter_mut().zip(&sums[p]) {
@@ -307,11 +321,13 @@ impl Subtract<'_> {
         for column in block[..depth * height].chunks_exact(height) {
             let left = simd.partial_load_f64s(&column[from..from + count]);
             for p in 0..W {
-                sums[p] = simd.mul_add_e_f64s(left, simd.splat_f64s(column[first + c + p]), sums[p]);
+                sums[p] =
+                    simd.mul_add_e_f64s(left, simd.splat_f64s(column[first + c + p]), sums[p]);
             }
         }
         for p in 0..W {
-            let column = &mut self.target[self.columns[c + p] as usize * self.height..][..self.height];
+            let column =
+                &mut self.target[self.columns[c + p] as usize * self.height..][..self.height];
             let mut values = [0.0; 8];
             simd.partial_store_f64s(&mut values[..count], sums[p]);
             for (&to, value) in self.rows[row..].iter().zip(&values) {
@@ -340,9 +356,13 @@ mod tests {
             assert!(factor(&mut block, height, columns));
             for j in 0..columns {
                 for i in j..height {
-                    let product: f64 = (0..=j).map(|k| block[k * height + i] * block[k * height + j]).sum();
+                    let product: f64 =
+                        (0..=j).map(|k| block[k * height + i] * block[k * height + j]).sum();
                     let off = (product - matrix[j * height + i]).abs();
-                    assert!(off < 1e-13 * columns as f64, "{columns} × {height}: ({i}, {j}) is off by {off:e}");
+                    assert!(
+                        off < 1e-13 * columns as f64,
+                        "{columns} × {height}: ({i}, {j}) is off by {off:e}"
+                    );
                 }
             }
         }
@@ -365,8 +385,9 @@ mod tests {
             let block = noise(depth * height);
             let first = depth + above;
             // the first half of the rows is one run, the others stand apart
-            let rows: Vec<u32> =
-                (0..tall as u32).map(|i| if i < tall as u32 / 2 { i + 1 } else { 2 * i + 1 }).collect();
+            let rows: Vec<u32> = (0..tall as u32)
+                .map(|i| if i < tall as u32 / 2 { i + 1 } else { 2 * i + 1 })
+                .collect();
             let columns: Vec<u32> = (0..wide as u32).map(|j| 2 * j).collect();
             let (target_height, target_columns) = (2 * tall + 2, 2 * wide);
             let before = noise(target_height * target_columns);
@@ -375,10 +396,14 @@ mod tests {
             update.subtract(&mut target, target_height, &rows, &columns);
             for j in 0..wide {
                 for i in j..tall {
-                    let product: f64 =
-                        (0..depth).map(|k| block[k * height + first + i] * block[k * height + first + j]).sum();
+                    let product: f64 = (0..depth)
+                        .map(|k| block[k * height + first + i] * block[k * height + first + j])
+                        .sum();
                     let at = columns[j] as usize * target_height + rows[i] as usize;
-                    assert!((target[at] - before[at] + product).abs() < 1e-14, "{depth} {wide} {tall}: ({i}, {j})");
+                    assert!(
+                        (target[at] - before[at] + product).abs() < 1e-14,
+                        "{depth} {wide} {tall}: ({i}, {j})"
+                    );
                 }
             }
             // nothing else below the diagonal is touched

@@ -87,7 +87,11 @@ impl Plan {
     }
 
     /// Data of the subtrees, laid out supernode by supernode (s begins at `start(s)`): first and last supernode, data.
-    pub fn cut<'a>(&self, data: &'a mut [f64], start: impl Fn(usize) -> usize) -> Vec<(usize, usize, &'a mut [f64])> {
+    pub fn cut<'a>(
+        &self,
+        data: &'a mut [f64],
+        start: impl Fn(usize) -> usize,
+    ) -> Vec<(usize, usize, &'a mut [f64])> {
         let mut pieces = Vec::with_capacity(self.subtrees.len());
         let (mut rest, mut at) = (data, 0);
         for &(first, last) in &self.subtrees {
@@ -145,7 +149,12 @@ struct Target<'a> {
 }
 
 /// Factors in place; `values` holds the matrix in the layout of `symbolic`.
-pub fn factor(symbolic: &Symbolic, plan: &Plan, values: &mut [f64], pool: &Pool) -> Result<(), NotPositive> {
+pub fn factor(
+    symbolic: &Symbolic,
+    plan: &Plan,
+    values: &mut [f64],
+    pool: &Pool,
+) -> Result<(), NotPositive> {
     let mut pieces = plan.cut(values, |s| symbolic.value_start[s]);
     // the costliest first: less waiting at the end
     pieces.sort_by_key(|(first, last, _)| {
@@ -221,15 +230,23 @@ impl Target<'_> {
             }
             let rows = &rows[skip..];
             let (tall, depth) = (rows.len(), symbolic.columns(d));
-            let block = &self.done[symbolic.value_start[d] - self.base..symbolic.value_start[d + 1] - self.base];
+            let block = &self.done
+                [symbolic.value_start[d] - self.base..symbolic.value_start[d + 1] - self.base];
             let first_row = depth + at as usize + skip;
             let Work { place, product, targets, columns, runs } = work;
             targets.clear();
-            targets.extend(rows.iter().map(|&r| if r < end { r - begin } else { place[r as usize] }));
+            targets
+                .extend(rows.iter().map(|&r| if r < end { r - begin } else { place[r as usize] }));
             if depth <= NARROW {
                 columns.clear();
                 columns.extend(rows[..wide].iter().map(|r| r - from));
-                let update = blocks::Update { block, height: symbolic.height(d), depth, first: first_row, wide };
+                let update = blocks::Update {
+                    block,
+                    height: symbolic.height(d),
+                    depth,
+                    first: first_row,
+                    wide,
+                };
                 update.subtract(strip, height, targets, columns);
                 continue;
             }
@@ -237,11 +254,12 @@ impl Target<'_> {
             let left = block.subrows(first_row, tall);
             let right = left.subrows(0, wide);
             let column = (rows[0] - from) as usize;
-            let contiguous =
-                targets[tall - 1] - targets[0] + 1 == tall as u32 && rows[wide - 1] - rows[0] + 1 == wide as u32;
+            let contiguous = targets[tall - 1] - targets[0] + 1 == tall as u32
+                && rows[wide - 1] - rows[0] + 1 == wide as u32;
             if contiguous {
                 // rows above the diagonal are written as well, and never read
-                let whole = MatMut::from_column_major_slice_mut(strip, height, (to - from) as usize);
+                let whole =
+                    MatMut::from_column_major_slice_mut(strip, height, (to - from) as usize);
                 let part = whole.submatrix_mut(targets[0] as usize, column, tall, wide);
                 dense::subtract_product(part, left, right);
                 continue;
@@ -262,7 +280,10 @@ impl Target<'_> {
                 let column = &mut strip[column..column + height];
                 for &(to, i, count) in runs.iter() {
                     let (to, i, count) = (to as usize, i as usize, count as usize);
-                    column[to..to + count].iter_mut().zip(&values[i..i + count]).for_each(|(c, v)| *c -= v);
+                    column[to..to + count]
+                        .iter_mut()
+                        .zip(&values[i..i + count])
+                        .for_each(|(c, v)| *c -= v);
                 }
             }
         }
@@ -278,14 +299,16 @@ fn factor_block(own: &mut [f64], height: usize, columns: usize) -> Result<(), No
     while first < columns {
         let wide = PANEL.min(columns - first);
         let (panel, right) = own[first * height..].split_at_mut(wide * height);
-        let block = MatMut::from_column_major_slice_mut(panel, height, wide).subrows_mut(first, height - first);
+        let block = MatMut::from_column_major_slice_mut(panel, height, wide)
+            .subrows_mut(first, height - first);
         factor_panel(block)?;
         let panel = MatRef::from_column_major_slice(panel, height, wide);
         right.par_chunks_mut(STRIP * height).enumerate().with_max_len(1).for_each(|(k, strip)| {
             let at = first + wide + k * STRIP;
             let count = strip.len() / height;
             let left = panel.subrows(at, height - at);
-            let target = MatMut::from_column_major_slice_mut(strip, height, count).subrows_mut(at, height - at);
+            let target = MatMut::from_column_major_slice_mut(strip, height, count)
+                .subrows_mut(at, height - at);
             dense::subtract_product(target, left, left.subrows(0, count));
         });
         first += wide;

@@ -59,7 +59,11 @@ impl SparseCholesky {
     }
 
     /// Lays out the factor of matrices with the pattern of `a`, as `patterns` knows it or learns it now, without numbers yet.
-    pub fn symbolic(a: &SymmetricCsc, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
+    pub fn symbolic(
+        a: &SymmetricCsc,
+        block: &[u32],
+        patterns: &Patterns,
+    ) -> Result<Self, LinearError> {
         let layout = patterns.layout(a, block);
         if layout.symbolic.len() > u32::MAX as usize {
             let gib = layout.symbolic.len() as f64 / f64::from(1 << 27);
@@ -96,7 +100,10 @@ impl SparseCholesky {
     /// Memory of the factor and its layout, once it has numbers \[bytes\].
     pub fn bytes(&self) -> usize {
         let s = &self.layout.symbolic;
-        8 * s.len() + 4 * s.rows.len() + std::mem::size_of::<symbolic::Update>() * s.updates.len() + 24 * s.n
+        8 * s.len()
+            + 4 * s.rows.len()
+            + std::mem::size_of::<symbolic::Update>() * s.updates.len()
+            + 24 * s.n
     }
 
     /// The storage, all zero: the entries of the matrix are added at the places the locator tells, then it is factored.
@@ -143,8 +150,15 @@ impl SparseCholesky {
                 x[SIDES * new + k] = side[old as usize];
             }
         }
-        substitution::solve::<SIDES>(&self.layout.symbolic, &self.layout.plan, &self.values, &mut x);
-        std::array::from_fn(|k| self.layout.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect())
+        substitution::solve::<SIDES>(
+            &self.layout.symbolic,
+            &self.layout.plan,
+            &self.values,
+            &mut x,
+        );
+        std::array::from_fn(|k| {
+            self.layout.symbolic.position.iter().map(|&p| x[SIDES * p as usize + k]).collect()
+        })
     }
 }
 
@@ -157,7 +171,13 @@ fn huge_pages(values: &mut Vec<f64>) {
         let end = values.as_mut_ptr() as usize + 8 * values.capacity();
         if end > start + PAGE {
             // SAFETY: the range lies within one allocation of ours; the call only advises and changes no content
-            unsafe { libc::madvise(start as *mut libc::c_void, (end - start) / PAGE * PAGE, libc::MADV_HUGEPAGE) };
+            unsafe {
+                libc::madvise(
+                    start as *mut libc::c_void,
+                    (end - start) / PAGE * PAGE,
+                    libc::MADV_HUGEPAGE,
+                )
+            };
         }
     }
 }
@@ -260,7 +280,10 @@ mod tests {
                             if inside {
                                 let other = node(a, b, c);
                                 (0..3).for_each(|e| {
-                                    columns[column].push(((3 * other + e) as u32, if d == e { -1.0 } else { -0.2 }))
+                                    columns[column].push((
+                                        (3 * other + e) as u32,
+                                        if d == e { -1.0 } else { -0.2 },
+                                    ))
                                 });
                             }
                         }
@@ -286,8 +309,10 @@ mod tests {
     #[test]
     fn solves_several_sides_to_rounding() {
         let (a, block) = grid(13);
-        let factor = SparseCholesky::new(&a, &block, &Patterns::default()).expect("the matrix is definite");
-        let sides: [Vec<f64>; 2] = std::array::from_fn(|k| (0..a.n).map(|i| ((7 * i + k) % 11) as f64 - 5.0).collect());
+        let factor =
+            SparseCholesky::new(&a, &block, &Patterns::default()).expect("the matrix is definite");
+        let sides: [Vec<f64>; 2] =
+            std::array::from_fn(|k| (0..a.n).map(|i| ((7 * i + k) % 11) as f64 - 5.0).collect());
         let x = factor.solve_all([&sides[0], &sides[1]]);
         for (x, b) in x.iter().zip(&sides) {
             let ax = a.mul(x);
@@ -305,7 +330,8 @@ mod tests {
         let (a, block) = grid(14);
         let factors: Vec<Vec<f64>> = [1, 2, 3]
             .map(|threads| {
-                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+                let pool =
+                    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
                 pool.install(|| {
                     SparseCholesky::new(&a, &block, &Patterns::default())
                         .expect("the matrix is definite")
@@ -313,14 +339,21 @@ mod tests {
                 })
             })
             .into();
-        assert!(factors.windows(2).all(|w| w[0].iter().zip(&w[1]).all(|(a, b)| a.to_bits() == b.to_bits())));
+        assert!(
+            factors
+                .windows(2)
+                .all(|w| w[0].iter().zip(&w[1]).all(|(a, b)| a.to_bits() == b.to_bits()))
+        );
     }
 
     #[test]
     fn an_indefinite_matrix_is_refused() {
         let (mut a, block) = grid(4);
         a.add_diagonal(50, -20.0);
-        assert!(matches!(SparseCholesky::new(&a, &block, &Patterns::default()), Err(LinearError::Singular)));
+        assert!(matches!(
+            SparseCholesky::new(&a, &block, &Patterns::default()),
+            Err(LinearError::Singular)
+        ));
     }
 
     #[test]
@@ -333,7 +366,8 @@ mod tests {
         b.col_ptr.push(b.row_idx.len());
         let blocks: Vec<u32> = block.iter().copied().chain([block[a.n - 1] + 1]).collect();
         let plain = SparseCholesky::symbolic(&a, &block, &Patterns::default()).expect("laid out");
-        let bordered = SparseCholesky::symbolic(&b, &blocks, &Patterns::default()).expect("laid out");
+        let bordered =
+            SparseCholesky::symbolic(&b, &blocks, &Patterns::default()).expect("laid out");
         // a border costs one row
         assert!(bordered.nonzeros() < plain.nonzeros() + plain.nonzeros() / 20 + 2 * b.n);
         assert_eq!(bordered.layout.symbolic.order.last(), Some(&(a.n as u32)));

@@ -104,7 +104,8 @@ impl BlockGraph {
             adjncy.extend(self.of(b).iter().map(|&o| place[o as usize]).filter(|&o| o >= 0));
             xadj.push(adjncy.len() as i32);
         }
-        let order = metis(inner.len(), &mut xadj, &mut adjncy).unwrap_or_else(|| (0..inner.len()).collect());
+        let order = metis(inner.len(), &mut xadj, &mut adjncy)
+            .unwrap_or_else(|| (0..inner.len()).collect());
         let border = (0..n).filter(|&b| is_dense(b));
         order.into_iter().map(|k| inner[k]).chain(border).collect()
     }
@@ -138,5 +139,6 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
             iperm.as_mut_ptr(),
         )
     };
-    (status == metis_sys::rstatus_et_METIS_OK).then(|| perm.into_iter().map(|p| p as usize).collect())
+    (status == metis_sys::rstatus_et_METIS_OK)
+        .then(|| perm.into_iter().map(|p| p as usize).collect())
 }

@@ -128,7 +128,8 @@ mod tests {
 
     /// A ring of blocks of the given sizes, each coupled with the next; `couplings` joins more of them.
     fn ring(sizes: &[usize], couplings: &[(u32, u32)]) -> (SymmetricCsc, Vec<u32>) {
-        let block: Vec<u32> = sizes.iter().enumerate().flat_map(|(b, &n)| vec![b as u32; n]).collect();
+        let block: Vec<u32> =
+            sizes.iter().enumerate().flat_map(|(b, &n)| vec![b as u32; n]).collect();
         let last = sizes.len() as u32 - 1;
         let joined = |i: u32, j: u32| {
             let (a, b) = (i.min(j), i.max(j));

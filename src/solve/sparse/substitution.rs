@@ -29,11 +29,16 @@ fn forward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64],
         .into_par_iter()
         .with_max_len(1)
         .map(|(first, last, own)| {
-            let mut share = Share { begin: symbolic.begin[first], own, top: vec![0.0; SIDES * plan.above.count] };
+            let mut share = Share {
+                begin: symbolic.begin[first],
+                own,
+                top: vec![0.0; SIDES * plan.above.count],
+            };
             let mut buffer = Vec::new();
             let above = &plan.above.number;
-            (first..=last)
-                .for_each(|s| forward_in_subtree::<SIDES>(symbolic, s, values, &mut share, above, &mut buffer));
+            (first..=last).for_each(|s| {
+                forward_in_subtree::<SIDES>(symbolic, s, values, &mut share, above, &mut buffer)
+            });
             share.top
         })
         .collect();
@@ -106,8 +111,11 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
     // subtrees read the top and write their own columns
     let mut top = vec![0.0; SIDES * plan.above.count];
     for (k, &s) in plan.top.iter().enumerate() {
-        let (from, at, count) =
-            (SIDES * symbolic.begin[s] as usize, SIDES * plan.above.first[k], SIDES * symbolic.columns(s));
+        let (from, at, count) = (
+            SIDES * symbolic.begin[s] as usize,
+            SIDES * plan.above.first[k],
+            SIDES * symbolic.columns(s),
+        );
         top[at..at + count].copy_from_slice(&x[from..from + count]);
     }
     let above = |row: u32| &top[SIDES * plan.above.number[row as usize] as usize..];
@@ -120,7 +128,8 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
             let from = SIDES * (symbolic.begin[s] - begin) as usize;
             separate::<SIDES>(&own[from..from + SIDES * columns], height, &mut buffer);
             for (i, &row) in symbolic.rows_of(s).iter().enumerate() {
-                let entry = if row < end { &own[SIDES * (row - begin) as usize..] } else { above(row) };
+                let entry =
+                    if row < end { &own[SIDES * (row - begin) as usize..] } else { above(row) };
                 (0..SIDES).for_each(|k| buffer[k * height + columns + i] = entry[k]);
             }
             backward_block::<SIDES>(block_of(symbolic, values, s), height, columns, &mut buffer);

@@ -105,11 +105,19 @@ impl Symbolic {
 
     /// Nonzeros of the factor.
     pub fn nonzeros(&self) -> usize {
-        (0..self.supernodes()).map(|s| self.columns(s) * (2 * self.height(s) - self.columns(s) + 1) / 2).sum()
+        (0..self.supernodes())
+            .map(|s| self.columns(s) * (2 * self.height(s) - self.columns(s) + 1) / 2)
+            .sum()
     }
 
     /// Lays out the merged supernodes in postorder and expands blocks to unknowns.
-    fn expand(block: &[u32], blocks: usize, order: &[usize], nodes: Vec<Node>, parent: &[u32]) -> Self {
+    fn expand(
+        block: &[u32],
+        blocks: usize,
+        order: &[usize],
+        nodes: Vec<Node>,
+        parent: &[u32],
+    ) -> Self {
         let n = block.len();
         let mut members: Vec<Vec<u32>> = vec![Vec::new(); blocks];
         block.iter().enumerate().for_each(|(i, &b)| members[b as usize].push(i as u32));
@@ -141,7 +149,10 @@ impl Symbolic {
             let p = parent[s as usize];
             out.parent.push(if p == u32::MAX { p } else { new_index[p as usize] });
         }
-        out.order.iter().enumerate().for_each(|(new, &old)| out.position[old as usize] = new as u32);
+        out.order
+            .iter()
+            .enumerate()
+            .for_each(|(new, &old)| out.position[old as usize] = new as u32);
         for (k, &s) in post.iter().enumerate() {
             let from = out.rows.len();
             for &b in &nodes[s as usize].below {
@@ -181,7 +192,10 @@ impl Symbolic {
                 let first = at;
                 let to = owner[*rows.get(first)? as usize];
                 at += rows[first..].partition_point(|&r| owner[r as usize] == to);
-                Some((to as usize, Update { from: s as u32, first: first as u32, count: (at - first) as u32 }))
+                Some((
+                    to as usize,
+                    Update { from: s as u32, first: first as u32, count: (at - first) as u32 },
+                ))
             })
         };
         let mut starts = vec![0usize; count + 1];
@@ -294,7 +308,8 @@ fn supernodes(graph: &BlockGraph, order: &[usize], weight: &[usize]) -> (Vec<Nod
         // a child whose structure is this block and what is below it takes the block in
         let same = children[j].iter().copied().find(|&c| {
             let node = &nodes[c as usize];
-            node.columns.last().is_some_and(|&l| l as usize + 1 == j) && node.below.len() == below.len() + 1
+            node.columns.last().is_some_and(|&l| l as usize + 1 == j)
+                && node.below.len() == below.len() + 1
         });
         let s = match same {
             Some(c) if size(&nodes[c as usize].below) == size(&below) + weight[order[j]] => {
@@ -326,7 +341,12 @@ fn supernodes(graph: &BlockGraph, order: &[usize], weight: &[usize]) -> (Vec<Nod
 }
 
 /// Merges supernodes with their parents where that adds few zeros: larger dense blocks, fewer of them.
-fn merge(mut nodes: Vec<Node>, mut parent: Vec<u32>, weight: &[usize], order: &[usize]) -> (Vec<Node>, Vec<u32>) {
+fn merge(
+    mut nodes: Vec<Node>,
+    mut parent: Vec<u32>,
+    weight: &[usize],
+    order: &[usize],
+) -> (Vec<Node>, Vec<u32>) {
     let n = nodes.len();
     let size = |list: &[u32]| list.iter().map(|&k| weight[order[k as usize]]).sum::<usize>();
     let mut width: Vec<usize> = nodes.iter().map(|n| size(&n.columns)).collect();
@@ -340,12 +360,19 @@ fn merge(mut nodes: Vec<Node>, mut parent: Vec<u32>, weight: &[usize], order: &[
         loop {
             let cost = |c: usize| {
                 let total = width[c] + width[p];
-                let zeros = nodes[c].zeros + nodes[p].zeros + (width[c] * (width[p] + degree[p] - degree[c])) as f64;
+                let zeros = nodes[c].zeros
+                    + nodes[p].zeros
+                    + (width[c] * (width[p] + degree[p] - degree[c])) as f64;
                 let entries = (total * (total + 1) / 2 + total * degree[p]) as f64;
-                let allowed = RELAX.iter().any(|&(columns, part)| total <= columns && zeros <= part * entries);
+                let allowed = RELAX
+                    .iter()
+                    .any(|&(columns, part)| total <= columns && zeros <= part * entries);
                 allowed.then_some((zeros, c))
             };
-            let best = children[p].iter().filter_map(|&c| cost(c as usize)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let best = children[p]
+                .iter()
+                .filter_map(|&c| cost(c as usize))
+                .min_by(|a, b| a.0.total_cmp(&b.0));
             let Some((zeros, c)) = best else { break };
             gone[c] = true;
             let mut columns = std::mem::take(&mut nodes[c].columns);
@@ -373,8 +400,10 @@ fn merge(mut nodes: Vec<Node>, mut parent: Vec<u32>, weight: &[usize], order: &[
             kept.push(s);
         }
     }
-    let parents =
-        kept.iter().map(|&s| if parent[s] == u32::MAX { u32::MAX } else { place[parent[s] as usize] }).collect();
+    let parents = kept
+        .iter()
+        .map(|&s| if parent[s] == u32::MAX { u32::MAX } else { place[parent[s] as usize] })
+        .collect();
     let mut nodes: Vec<Option<Node>> = nodes.into_iter().map(Some).collect();
     let kept = kept.into_iter().filter_map(|s| nodes[s].take()).collect();
     (kept, parents)

@@ -48,17 +48,23 @@ impl Outline {
                 for (key, value) in entries {
                     let at = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
                     if matches!(value, Outline::Nothing) && is_half_a_number(key) {
-                        let message =
-                            format!("the comma before `{key}` ends an entry, and `{key}` becomes a key of its own");
+                        let message = format!(
+                            "the comma before `{key}` ends an entry, and `{key}` becomes a key of its own"
+                        );
                         let mut d = Diagnostic::input("yaml/comma", message);
                         d.place = index.place(&at);
-                        faults.push(d.help("a number has a point before its decimals: `20.5 mm`, not `20,5 mm`"));
+                        faults.push(d.help(
+                            "a number has a point before its decimals: `20.5 mm`, not `20,5 mm`",
+                        ));
                         continue;
                     }
                     if !seen.insert(key) {
-                        let within = if path.is_empty() { String::new() } else { format!(" in `{path}`") };
-                        let mut d =
-                            Diagnostic::input("yaml/duplicate-key", format!("the key `{key}`{within} stands twice"));
+                        let within =
+                            if path.is_empty() { String::new() } else { format!(" in `{path}`") };
+                        let mut d = Diagnostic::input(
+                            "yaml/duplicate-key",
+                            format!("the key `{key}`{within} stands twice"),
+                        );
                         d.place = index.duplicate(&at, key, text);
                         faults.push(d.help("keep one of them: the other would be lost silently"));
                     }
@@ -71,9 +77,14 @@ impl Outline {
                 }
             }
             Outline::NotFinite => {
-                let mut d = Diagnostic::input("yaml/not-finite", format!("`{path}` is not a finite number"));
+                let mut d = Diagnostic::input(
+                    "yaml/not-finite",
+                    format!("`{path}` is not a finite number"),
+                );
                 d.place = index.place(path);
-                faults.push(d.help("write a finite number; leave the key out where a limit is absent"));
+                faults.push(
+                    d.help("write a finite number; leave the key out where a limit is absent"),
+                );
             }
             Outline::Nothing | Outline::Other => {}
         }

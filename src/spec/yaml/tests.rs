@@ -32,8 +32,7 @@ fn read(text: &str) -> Result<Parsed<Doc>, Diagnostics> {
     parse(text, Path::new("joint.yaml"))
 }
 
-const GOOD: &str =
-    "title: a\nbolts:\n  - size: M16\n    rows: [1, 2.5]\n  - {size: M18, rows: [3, -4]}\nsizes: {b: 1}\n";
+const GOOD: &str = "title: a\nbolts:\n  - size: M16\n    rows: [1, 2.5]\n  - {size: M18, rows: [3, -4]}\nsizes: {b: 1}\n";
 
 #[test]
 fn values_and_places() {
@@ -66,7 +65,14 @@ fn kinds_are_read() {
 
 /// Text, code, line, column, part of the message, part of the help.
 const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
-    ("title: a\nbolt: []\n", "yaml/unknown-key", 2, 7, "did you mean `bolts`?", "title, bolts, sizes, kind"),
+    (
+        "title: a\nbolt: []\n",
+        "yaml/unknown-key",
+        2,
+        7,
+        "did you mean `bolts`?",
+        "title, bolts, sizes, kind",
+    ),
     (
         "title: a\nbolts:\n  - size: M16\n    row: [1]\n",
         "yaml/unknown-key",
@@ -75,7 +81,14 @@ const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
         "unknown key `row` in `bolts[0]`",
         "size, rows",
     ),
-    ("title: a\nbolts:\n  - {size: M16}\n", "yaml/missing-key", 3, 5, "`bolts[0]` lacks the key `rows`", "add `rows"),
+    (
+        "title: a\nbolts:\n  - {size: M16}\n",
+        "yaml/missing-key",
+        3,
+        5,
+        "`bolts[0]` lacks the key `rows`",
+        "add `rows",
+    ),
     ("bolts: []\n", "yaml/missing-key", 1, 1, "lacks the key `title`", "add `title"),
     ("title: a\ntitle: b\n", "yaml/duplicate-key", 2, 1, "`title` stands twice", "keep one"),
     (
@@ -86,16 +99,44 @@ const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
         "`x` in `sizes` stands twice",
         "keep one",
     ),
-    ("title: a\nsizes: {x: 1, y: .nan}\n", "yaml/not-finite", 2, 18, "`sizes.y` is not a finite number", "finite"),
+    (
+        "title: a\nsizes: {x: 1, y: .nan}\n",
+        "yaml/not-finite",
+        2,
+        18,
+        "`sizes.y` is not a finite number",
+        "finite",
+    ),
     ("title: a\nsizes: {x: -.inf}\n", "yaml/not-finite", 2, 12, "`sizes.x`", "finite"),
-    ("title: a\nsizes: {x: NaN}\n", "yaml/type", 2, 12, "expected a number without a unit", "kind of value"),
-    ("title: a\nkind: elastik\n", "yaml/unknown-value", 2, 7, "did you mean `elastic`?", "elastic, limit"),
+    (
+        "title: a\nsizes: {x: NaN}\n",
+        "yaml/type",
+        2,
+        12,
+        "expected a number without a unit",
+        "kind of value",
+    ),
+    (
+        "title: a\nkind: elastik\n",
+        "yaml/unknown-value",
+        2,
+        7,
+        "did you mean `elastic`?",
+        "elastic, limit",
+    ),
     ("title: a\nsizes: {x: }\n", "yaml/type", 2, 10, "nothing, expected a number", "kind of value"),
     ("- a\n", "yaml/type", 1, 1, "a list, expected keys with values", "kind of value"),
     ("title: a\nbolts: 3\n", "yaml/type", 2, 8, "expected a list", "kind of value"),
     ("title: [a\nbolts: 3\n", "yaml/syntax", 2, 0, "not valid YAML", "brackets"),
     ("title: a\n\tbolts: 3\n", "yaml/tab", 2, 1, "line 2 is indented with a tab", "blanks"),
-    ("title: a\nsizes:\n  x: 1\n  \ty: 2\n", "yaml/tab", 4, 3, "line 4 is indented with a tab", "blanks"),
+    (
+        "title: a\nsizes:\n  x: 1\n  \ty: 2\n",
+        "yaml/tab",
+        4,
+        3,
+        "line 4 is indented with a tab",
+        "blanks",
+    ),
     ("# a\n\t# b\ntitle: [a\nbolts: 3\n", "yaml/syntax", 0, 0, "not valid YAML", "brackets"),
     (
         "title: a\nsizes: {x: 20,5 mm, y: 1}\n",
@@ -105,8 +146,22 @@ const WRONG: &[(&str, &str, usize, usize, &str, &str)] = &[
         "`5 mm` becomes a key of its own",
         "`20.5 mm`, not `20,5 mm`",
     ),
-    ("title: a\nsizes: {x: 20,5, y: 1,5}\n", "yaml/comma", 2, 0, "the comma before `5`", "a point before its decimals"),
-    ("title: a\nsizes: {x: 0,3 }\n", "yaml/comma", 2, 0, "the comma before `3`", "a point before its decimals"),
+    (
+        "title: a\nsizes: {x: 20,5, y: 1,5}\n",
+        "yaml/comma",
+        2,
+        0,
+        "the comma before `5`",
+        "a point before its decimals",
+    ),
+    (
+        "title: a\nsizes: {x: 0,3 }\n",
+        "yaml/comma",
+        2,
+        0,
+        "the comma before `3`",
+        "a point before its decimals",
+    ),
     ("title: a\nsizes:\n  x: 0,3\n", "yaml/type", 3, 6, "expected a number", "its decimals: `0.3`"),
     ("title: a\nsizes:\n  x: 1,200\n", "yaml/type", 3, 6, "expected a number", "kind of value"),
     ("title: !x a\n", "yaml/tag", 1, 0, "tags", "remove the tag"),
@@ -143,7 +198,8 @@ fn alias_bombs_are_refused() {
     }
     assert_eq!(read(&bomb).expect_err("bomb").0[0].code, "yaml/too-large");
     // one long list named many times: few jumps, many values
-    let long = format!("l: &l [{}]\nm: [{}]\n", vec!["1"; 3000].join(","), vec!["*l"; 3000].join(","));
+    let long =
+        format!("l: &l [{}]\nm: [{}]\n", vec!["1"; 3000].join(","), vec!["*l"; 3000].join(","));
     assert_eq!(read(&long).expect_err("long").0[0].code, "yaml/too-large");
     // harmless aliases work
     assert!(read("title: &t a\nbolts: [{size: *t, rows: []}]\n").is_ok());

@@ -22,7 +22,8 @@ const ALL: &str = "{A: s, B: s, C: s}";
 fn frictionless_contact_lets_a_part_slide() {
     let contact = "interfaces: [{between: [A, B], law: contact, mu: 0}]\nsupports: [{face: LEFT, fix: [x, y, z]}]";
     // pressed on: three free motions in the plane of contact, on which the pressure does no work
-    let m = model(row(), &text(contact, "loads: [{face: RIGHT, traction: [-1, 0, 0]}]", ALL)).expect("pressed");
+    let m = model(row(), &text(contact, "loads: [{face: RIGHT, traction: [-1, 0, 0]}]", ALL))
+        .expect("pressed");
     assert_eq!((m.parts.len(), m.free_modes.len(), m.notes.len()), (2, 3, 3));
     for mode in &m.free_modes {
         assert_eq!(mode.motions[0], [0.0; 6]);
@@ -30,7 +31,9 @@ fn frictionless_contact_lets_a_part_slide() {
             assert!(displacement(&mode.motions[1], x)[0].abs() < 1e-9, "{mode:?}");
         }
     }
-    for words in ["part B+C can move along y", "part B+C can move along z", "part B+C can turn about x"] {
+    for words in
+        ["part B+C can move along y", "part B+C can move along z", "part B+C can turn about x"]
+    {
         assert_eq!(m.notes.iter().filter(|n| n.starts_with(words)).count(), 1, "{:?}", m.notes);
     }
     // with weight it falls
@@ -38,7 +41,8 @@ fn frictionless_contact_lets_a_part_slide() {
     assert!(why.starts_with("part B+C can move along z"), "{why}");
     // friction counts as holding
     let rough = contact.replace("mu: 0", "mu: 0.1, friction: associated");
-    let m = model(row(), &text(&rough, "loads: [{body: B, force: [0, 0, -1.0e-4]}]", ALL)).expect("rough");
+    let m = model(row(), &text(&rough, "loads: [{body: B, force: [0, 0, -1.0e-4]}]", ALL))
+        .expect("rough");
     assert!(m.free_modes.is_empty());
 }
 
@@ -59,7 +63,10 @@ fn a_body_in_free_space() {
     let why = loose(row(), &bare("loads: [{face: RIGHT, traction: [-1, 0, 0]}]"));
     assert!(why.starts_with("part A+B+C can move along x;"), "{why}");
     // a couple
-    let why = loose(row(), &bare("loads: [{face: LEFT, traction: [0, -1, 0]}, {face: RIGHT, traction: [0, 1, 0]}]"));
+    let why = loose(
+        row(),
+        &bare("loads: [{face: LEFT, traction: [0, -1, 0]}, {face: RIGHT, traction: [0, 1, 0]}]"),
+    );
     assert!(why.starts_with("part A+B+C can turn about z through (20, 5, 5);"), "{why}");
 }
 
@@ -87,7 +94,11 @@ fn parts_that_touch_in_an_edge_are_loose() {
     // one body in two pieces: the pieces are numbered
     let mut one = cubes(&[([0, 0, 0], "B"), ([2, 0, 0], "B")]);
     name(&mut one, "DOWN", |x| x[2] == 0.0 && x[0] <= 10.0);
-    let t = text("", "supports: [{face: DOWN, fix: [x, y, z]}]\nloads: [{body: ALL, force: [0, 0, -1]}]", "{B: s}");
+    let t = text(
+        "",
+        "supports: [{face: DOWN, fix: [x, y, z]}]\nloads: [{body: ALL, force: [0, 0, -1]}]",
+        "{B: s}",
+    );
     let why = loose(one, &t);
     assert!(why.starts_with("part B#2 can move along z"), "{why}");
 }
@@ -95,18 +106,32 @@ fn parts_that_touch_in_an_edge_are_loose() {
 #[test]
 fn supports_hold_what_they_hold() {
     // x fixed on one end: it may still slide along y and z and turn about x
-    let t = text("", "supports: [{face: LEFT, fix: [x]}]\nloads: [{face: RIGHT, traction: [1, 0, 0]}]", ALL);
+    let t = text(
+        "",
+        "supports: [{face: LEFT, fix: [x]}]\nloads: [{face: RIGHT, traction: [1, 0, 0]}]",
+        ALL,
+    );
     assert_eq!(model(row(), &t).expect("pulled").free_modes.len(), 3);
-    let t = text("", "supports: [{face: FLOOR, law: contact, mu: 0}]\nloads: [{body: ALL, force: [0, 0, -1]}]", ALL);
+    let t = text(
+        "",
+        "supports: [{face: FLOOR, law: contact, mu: 0}]\nloads: [{body: ALL, force: [0, 0, -1]}]",
+        ALL,
+    );
     assert_eq!(model(row(), &t).expect("lies on the floor").free_modes.len(), 3);
-    let t = text("", "supports: [{face: FLOOR, law: contact, mu: 0}]\nloads: [{body: ALL, force: [0, 1, -1]}]", ALL);
+    let t = text(
+        "",
+        "supports: [{face: FLOOR, law: contact, mu: 0}]\nloads: [{body: ALL, force: [0, 1, -1]}]",
+        ALL,
+    );
     assert!(loose(row(), &t).starts_with("part A+B+C can move along y;"));
 }
 
 #[test]
 fn rigid_faces_hold_their_held_motions() {
     let rigid = |free: &str, more: &str| {
-        let r = format!("rigid: [{{face: RIGHT, components: [x, y, z], free: [{free}], at: [40, 5, 5]{more}}}]");
+        let r = format!(
+            "rigid: [{{face: RIGHT, components: [x, y, z], free: [{free}], at: [40, 5, 5]{more}}}]"
+        );
         text("", &r, ALL)
     };
     assert!(model(row(), &rigid("", "")).expect("all held").free_modes.is_empty());
@@ -117,7 +142,10 @@ fn rigid_faces_hold_their_held_motions() {
     let why = loose(row(), &rigid("rz, ux", ", dead_force: [2, 0, 0]"));
     assert!(why.starts_with("part A+B+C can move along x;"), "{why}");
     // held at the other end: the action is carried
-    let held = format!("{}\nsupports: [{{face: LEFT, fix: [x, y, z]}}]", rigid("rz, ux", ", moment: [0, 0, 1.0e6]"));
+    let held = format!(
+        "{}\nsupports: [{{face: LEFT, fix: [x, y, z]}}]",
+        rigid("rz, ux", ", moment: [0, 0, 1.0e6]")
+    );
     assert!(model(row(), &held).expect("held").free_modes.is_empty());
 }
 

@@ -13,18 +13,81 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "no body has a yield strength and no interface can open or slip",
         "bodies without one are rigid",
     ),
-    ("E: 210000", "E: -1", "model/value", 3, "`E` of material `steel` is -1, it must be > 0", "210000"),
+    (
+        "E: 210000",
+        "E: -1",
+        "model/value",
+        3,
+        "`E` of material `steel` is -1, it must be > 0",
+        "210000",
+    ),
     ("nu: 0.3}", "nu: 0.5}", "model/value", 3, "`nu` of material `steel` is 0.5", "0.4999"),
     ("nu: 0.3}", "nu: .nan}", "yaml/not-finite", 3, "materials.steel.nu", "finite"),
-    ("nu: 0.3}", "nu: 0.3, fy: 0}", "model/value", 3, "`fy` of material `steel` is 0", "leave `fy` out"),
-    ("nu: 0.3}", "nu: 0.3, rho: 7}", "yaml/unknown-key", 3, "unknown key `rho` in `materials.steel`", "E, nu, fy"),
-    ("B: steel, ", "", "model/no-material", 4, "body `B` of the mesh has no material", "add `B: MATERIAL`"),
-    ("B: steel, ", "B: steel, B: steel, ", "yaml/duplicate-key", 4, "`B` in `bodies` stands twice", "keep one"),
-    ("C: steel}", "C: steal}", "model/unknown-material", 4, "did you mean `steel`?", "the materials are: steel"),
-    ("C: steel}", "C: steel, BOLT: steel}", "model/unknown-body", 4, "no physical volume `BOLT`", "A, B, C"),
-    ("[B, A]", "[B, D]", "model/unknown-body", 6, "no physical volume `D`", "the bodies are: A, B, C"),
+    (
+        "nu: 0.3}",
+        "nu: 0.3, fy: 0}",
+        "model/value",
+        3,
+        "`fy` of material `steel` is 0",
+        "leave `fy` out",
+    ),
+    (
+        "nu: 0.3}",
+        "nu: 0.3, rho: 7}",
+        "yaml/unknown-key",
+        3,
+        "unknown key `rho` in `materials.steel`",
+        "E, nu, fy",
+    ),
+    (
+        "B: steel, ",
+        "",
+        "model/no-material",
+        4,
+        "body `B` of the mesh has no material",
+        "add `B: MATERIAL`",
+    ),
+    (
+        "B: steel, ",
+        "B: steel, B: steel, ",
+        "yaml/duplicate-key",
+        4,
+        "`B` in `bodies` stands twice",
+        "keep one",
+    ),
+    (
+        "C: steel}",
+        "C: steal}",
+        "model/unknown-material",
+        4,
+        "did you mean `steel`?",
+        "the materials are: steel",
+    ),
+    (
+        "C: steel}",
+        "C: steel, BOLT: steel}",
+        "model/unknown-body",
+        4,
+        "no physical volume `BOLT`",
+        "A, B, C",
+    ),
+    (
+        "[B, A]",
+        "[B, D]",
+        "model/unknown-body",
+        6,
+        "no physical volume `D`",
+        "the bodies are: A, B, C",
+    ),
     ("[B, A]", "[A, A]", "model/interface", 6, "`A` is named twice", "two different"),
-    ("[B, A]", "[C, A]", "model/no-contact", 6, "the bodies `C` and `A` have no face in common", "nodes: split"),
+    (
+        "[B, A]",
+        "[C, A]",
+        "model/no-contact",
+        6,
+        "the bodies `C` and `A` have no face in common",
+        "nodes: split",
+    ),
     (
         "between: [B, A]",
         "face: A_B",
@@ -33,7 +96,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "no physical surface `A_B`, did you mean `AB`?",
         "LEFT, INSIDE",
     ),
-    ("between: [B, A]", "face: INSIDE", "model/no-contact", 6, "lies inside the body `A`", "two bodies"),
+    (
+        "between: [B, A]",
+        "face: INSIDE",
+        "model/no-contact",
+        6,
+        "lies inside the body `A`",
+        "two bodies",
+    ),
     (
         "between: [B, A]",
         "face: LEFT",
@@ -42,7 +112,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "2 of the 2 triangles of `LEFT` are outer faces",
         "two bodies",
     ),
-    ("between: [B, A]", "between: [B, A], face: BC", "model/no-contact", 6, "no face in common on `BC`", "pair"),
+    (
+        "between: [B, A]",
+        "between: [B, A], face: BC",
+        "model/no-contact",
+        6,
+        "no face in common on `BC`",
+        "pair",
+    ),
     ("between: [B, A], ", "", "model/interface", 6, "needs `between`", "between: [BODY_A, BODY_B]"),
     (
         "supports:",
@@ -64,7 +141,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "overlap",
     ),
     ("friction: associated", "friction: columb", "yaml/unknown-value", 6, "columb", "coulomb"),
-    ("friction: associated", "throat: 5", "model/interface", 6, "`throat` means nothing for `law: contact`", "remove"),
+    (
+        "friction: associated",
+        "throat: 5",
+        "model/interface",
+        6,
+        "`throat` means nothing for `law: contact`",
+        "remove",
+    ),
     (
         "contact, mu: 0.3, friction: associated",
         "weld, throat: 5",
@@ -82,7 +166,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "remove",
     ),
     ("face: LEFT", "face: LEFD", "model/unknown-face", 8, "did you mean `LEFT`?", "RIGHT"),
-    ("face: LEFT", "face: AB", "model/not-outer", 8, "lie in the contact between `A` and `B`", "free outer faces"),
+    (
+        "face: LEFT",
+        "face: AB",
+        "model/not-outer",
+        8,
+        "lie in the contact between `A` and `B`",
+        "free outer faces",
+    ),
     (
         "face: LEFT",
         "face: BC",
@@ -94,9 +185,30 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("face: LEFT", "face: INSIDE", "model/not-outer", 8, "lie inside body `A`", "free outer faces"),
     ("fix: [x, y, z]", "fix: [x, x]", "model/value", 8, "`x` stands twice", "once"),
     ("fix: [x, y, z]", "fix: [x, w]", "yaml/unknown-value", 8, "`w` is not a value", "x, y, z"),
-    ("fix: [x, y, z]", "law: tied", "model/support", 8, "a law other than contact", "fix: [x, y, z]"),
-    (", fix: [x, y, z]", "", "model/support", 8, "needs either `fix` or `law: contact`", "fix: [x, y, z]"),
-    ("fix: [x, y, z]", "fix: [x], law: contact, mu: 0", "model/support", 8, "either `fix` or", "fix: [x, y, z]"),
+    (
+        "fix: [x, y, z]",
+        "law: tied",
+        "model/support",
+        8,
+        "a law other than contact",
+        "fix: [x, y, z]",
+    ),
+    (
+        ", fix: [x, y, z]",
+        "",
+        "model/support",
+        8,
+        "needs either `fix` or `law: contact`",
+        "fix: [x, y, z]",
+    ),
+    (
+        "fix: [x, y, z]",
+        "fix: [x], law: contact, mu: 0",
+        "model/support",
+        8,
+        "either `fix` or",
+        "fix: [x, y, z]",
+    ),
     (
         "fix: [x, y, z]",
         "fix: [x, y, z], mu: 0.3",
@@ -121,7 +233,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "component z of the face `LEFT` is rigid and also fixed",
         "leave",
     ),
-    ("loads:", "rigid:\n  - {face: RIGHT, components: []}\nloads:", "model/rigid", 10, "no components", "[x, y, z]"),
+    (
+        "loads:",
+        "rigid:\n  - {face: RIGHT, components: []}\nloads:",
+        "model/rigid",
+        10,
+        "no components",
+        "[x, y, z]",
+    ),
     (
         "loads:",
         "rigid:\n  - {face: RIGHT, components: [x], force: [5, 0, 0]}\nloads:",
@@ -146,10 +265,31 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "`rz` of the rigid face",
         "remove it",
     ),
-    ("traction: [-1, 0, 0]", "traction: [-1, 0, 0], pressure: 1", "model/load", 10, "exactly one of", "divide a force"),
-    ("traction: [-1, 0, 0]", "force: [-1, 0, 0]", "model/load", 10, "exactly one of", "divide a force"),
+    (
+        "traction: [-1, 0, 0]",
+        "traction: [-1, 0, 0], pressure: 1",
+        "model/load",
+        10,
+        "exactly one of",
+        "divide a force",
+    ),
+    (
+        "traction: [-1, 0, 0]",
+        "force: [-1, 0, 0]",
+        "model/load",
+        10,
+        "exactly one of",
+        "divide a force",
+    ),
     ("traction: [-1, 0, 0]", "traction: [-1, 0]", "yaml/type", 10, "array of length 3", "schema"),
-    ("face: RIGHT, traction: [-1, 0, 0]", "body: C, pressure: 1", "model/load", 10, "needs `force`", "N/mm³"),
+    (
+        "face: RIGHT, traction: [-1, 0, 0]",
+        "body: C, pressure: 1",
+        "model/load",
+        10,
+        "needs `force`",
+        "N/mm³",
+    ),
     ("face: RIGHT, traction", "traction", "model/load", 10, "on exactly one of them", "face: NAME"),
     (
         "face: RIGHT, traction: [-1, 0, 0]",
@@ -162,7 +302,14 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2 or 4"),
     ("loads:", "adapt: {target_gap: 5}\nloads:", "model/value", 9, "`target_gap` is 5", "0.05"),
     ("loads:", "adapt: {target_gap: 0}\nloads:", "model/value", 9, "`target_gap` is 0", "0.05"),
-    ("loads:", "adapt: {target_gap: .nan}\nloads:", "yaml/not-finite", 9, "adapt.target_gap", "finite"),
+    (
+        "loads:",
+        "adapt: {target_gap: .nan}\nloads:",
+        "yaml/not-finite",
+        9,
+        "adapt.target_gap",
+        "finite",
+    ),
     (
         "loads:",
         "adapt: {target_gap: 0.1, max_passes: 0}\nloads:",
@@ -199,7 +346,8 @@ fn wrong_models_name_place_and_cure() {
 
 #[test]
 fn several_faults_are_told_at_once() {
-    let text = GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
+    let text =
+        GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
     let codes: Vec<_> = model(row(), &text).expect_err("three").0.iter().map(|d| d.code).collect();
     assert_eq!(codes, ["model/unknown-material", "model/value", "model/unknown-face"]);
 }
@@ -211,28 +359,88 @@ fn bodies_apart_are_not_in_contact() {
     assert_eq!(d.code, "model/no-contact");
     assert!(d.help.expect("help").contains("nodes: split"));
     // without an interface that asks for it, it is at least told
-    let text = GOOD.replace("  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n", "");
+    let text =
+        GOOD.replace("  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n", "");
     let text = text.replace("interfaces:\n", "").replace("face: RIGHT", "face: LEFT");
     let m = model(explode(&row()), &text).expect("three bodies apart");
-    assert!(m.notes.iter().any(|n| n.contains("12 nodes") || n.contains("8 nodes")), "{:?}", m.notes);
+    assert!(
+        m.notes.iter().any(|n| n.contains("12 nodes") || n.contains("8 nodes")),
+        "{:?}",
+        m.notes
+    );
     assert_eq!(m.parts, ["A", "B", "C"]);
 }
 
 /// Entries of `preload` that are wrong: code, what the message says, what helps.
 const PRELOAD: &[(&str, &str, &str, &str)] = &[
-    ("{body: AA, cut: INSIDE, axis: [1, 0, 0], force: 5}", "model/unknown-body", "no physical volume `AA`", "A, B, C"),
-    ("{body: A, cut: INSIDES, axis: [1, 0, 0], force: 5}", "model/unknown-face", "did you mean `INSIDE`", "INSIDE"),
-    ("{body: A, cut: INSIDE, axis: [0, 0, 0], force: 5}", "model/value", "no direction", "[1, 0, 0]"),
-    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: 0}", "model/value", "is 0 N", "needs no entry"),
-    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: -98700}", "model/value", "is -98700 N", "needs no entry"),
-    ("{body: A, cut: INSIDE, axis: [1, 0, 0], force: .inf}", "yaml/not-finite", "preload[0].force", "finite"),
+    (
+        "{body: AA, cut: INSIDE, axis: [1, 0, 0], force: 5}",
+        "model/unknown-body",
+        "no physical volume `AA`",
+        "A, B, C",
+    ),
+    (
+        "{body: A, cut: INSIDES, axis: [1, 0, 0], force: 5}",
+        "model/unknown-face",
+        "did you mean `INSIDE`",
+        "INSIDE",
+    ),
+    (
+        "{body: A, cut: INSIDE, axis: [0, 0, 0], force: 5}",
+        "model/value",
+        "no direction",
+        "[1, 0, 0]",
+    ),
+    (
+        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: 0}",
+        "model/value",
+        "is 0 N",
+        "needs no entry",
+    ),
+    (
+        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: -98700}",
+        "model/value",
+        "is -98700 N",
+        "needs no entry",
+    ),
+    (
+        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: .inf}",
+        "yaml/not-finite",
+        "preload[0].force",
+        "finite",
+    ),
     ("{body: A, cut: INSIDE, axis: [1, 0], force: 5}", "yaml/type", "axis", ""),
     ("{body: A, cut: INSIDE, axis: [1, 0, 0]}", "yaml/missing-key", "`force`", ""),
-    ("{body: A, cut: INSIDE, axis: [0, 1, 0], force: 5}", "model/preload", "runs along the axis", "`axis`"),
-    ("{body: A, cut: LEFT, axis: [1, 0, 0], force: 5}", "model/preload", "outer faces", "BooleanFragments"),
-    ("{body: A, cut: AB, axis: [1, 0, 0], force: 5}", "model/preload", "between `", "inside the shank"),
-    ("{body: B, cut: BC, axis: [1, 0, 0], force: 5}", "model/preload", "between `", "inside the shank"),
-    ("{body: B, cut: INSIDE, axis: [1, 0, 0], force: 5}", "model/preload", "inside the body `A`", "inside the shank"),
+    (
+        "{body: A, cut: INSIDE, axis: [0, 1, 0], force: 5}",
+        "model/preload",
+        "runs along the axis",
+        "`axis`",
+    ),
+    (
+        "{body: A, cut: LEFT, axis: [1, 0, 0], force: 5}",
+        "model/preload",
+        "outer faces",
+        "BooleanFragments",
+    ),
+    (
+        "{body: A, cut: AB, axis: [1, 0, 0], force: 5}",
+        "model/preload",
+        "between `",
+        "inside the shank",
+    ),
+    (
+        "{body: B, cut: BC, axis: [1, 0, 0], force: 5}",
+        "model/preload",
+        "between `",
+        "inside the shank",
+    ),
+    (
+        "{body: B, cut: INSIDE, axis: [1, 0, 0], force: 5}",
+        "model/preload",
+        "inside the body `A`",
+        "inside the shank",
+    ),
     (
         "{body: A, cut: PART, axis: [1, 0, 0], force: 5}",
         "model/preload",
@@ -245,8 +453,11 @@ const PRELOAD: &[(&str, &str, &str, &str)] = &[
 fn wrong_preloads_name_place_and_cure() {
     let mut mesh = row();
     let whole = mesh.faces_named("INSIDE").expect("named").triangles.clone();
-    mesh.faces.push(crate::mesh::NamedFaces { name: "PART".into(), triangles: whole[..1].to_vec() });
-    let of = |entries: &str| model(mesh.clone(), &GOOD.replace("loads:", &format!("preload:\n{entries}loads:")));
+    mesh.faces
+        .push(crate::mesh::NamedFaces { name: "PART".into(), triangles: whole[..1].to_vec() });
+    let of = |entries: &str| {
+        model(mesh.clone(), &GOOD.replace("loads:", &format!("preload:\n{entries}loads:")))
+    };
     for (entry, code, message, help) in PRELOAD {
         let e = of(&format!("  - {entry}\n")).expect_err(entry);
         let d = &e.0[0];

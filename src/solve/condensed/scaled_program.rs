@@ -4,7 +4,7 @@ use super::cones::{Cones, dot};
 use crate::programs::conic::ConicProgram;
 
 /// A scaled program, ready for the iteration.
-pub struct Problem {
+pub struct ScaledProgram {
     /// The program.
     pub program: ConicProgram,
     /// Its cones.
@@ -17,7 +17,7 @@ pub struct Problem {
     pub(super) points: usize,
 }
 
-impl Problem {
+impl ScaledProgram {
     /// From a scaled program.
     pub fn new(program: ConicProgram) -> Self {
         let (cones, maximised) = (Cones::new(&program.cones), program.maximised());
@@ -56,18 +56,29 @@ impl Problem {
         if !self.saddle {
             return [all; 2];
         }
-        let forces = a.iter().zip(&self.maximised).filter(|(_, m)| !**m).fold(0.0, |m: f64, (v, _)| m.max(v.abs()));
+        let forces = a
+            .iter()
+            .zip(&self.maximised)
+            .filter(|(_, m)| !**m)
+            .fold(0.0, |m: f64, (v, _)| m.max(v.abs()));
         [forces, all]
     }
 
     /// Largest live load at the load factor; its balance with the stress leaves nothing of it in `P x`.
     pub(super) fn live_force(&self, x: &[f64]) -> f64 {
-        if self.program.live.is_empty() { 0.0 } else { largest(&self.program.live) * x[x.len() - 1].abs() }
+        if self.program.live.is_empty() {
+            0.0
+        } else {
+            largest(&self.program.live) * x[x.len() - 1].abs()
+        }
     }
 
     /// Multipliers of yield points (or of the other cones) alone.
     pub(super) fn rows_part(&self, z: &[f64], points: bool) -> Vec<f64> {
-        z.iter().enumerate().map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 }).collect()
+        z.iter()
+            .enumerate()
+            .map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 })
+            .collect()
     }
 }
 
