@@ -1,4 +1,5 @@
-//! How many specs the hand checks judge in a second, on one core: the checks alone, and with the reading of the spec.
+//! How many specs the hand checks judge in a second, on one core: the checks alone, and with the
+//! reading of the spec.
 //!
 //! `cargo bench --bench checks`
 

@@ -2,16 +2,20 @@
 //!
 //! `cargo bench --bench limit_width -- [OPTIONS] (SPEC.yaml | cantilever | grid NX NY NZ LAYERS)`
 //!
-//! The joint of a spec; an I-beam of 900 mm (IPE360 without fillets), clamped at one end and sheared at the other, meshed by
-//! gmsh or as a structured grid (NX along the span, NY across half a flange, NZ over the web's height, LAYERS in a flange).
-//! Options: `--size-factor F`, `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S` (elements
-//! of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--bins MM`, `--static`, `--threads N`.
+//! The joint of a spec; an I-beam of 900 mm (IPE360 without fillets), clamped at one end and
+//! sheared at the other, meshed by gmsh or as a structured grid (NX along the span, NY across half
+//! a flange, NZ over the web's height, LAYERS in a flange). Options: `--size-factor F`,
+//! `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S`
+//! (elements of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`,
+//! `--foot N` elements across a footprint, `--bins MM`, `--static`, `--threads N`.
 //!
-//! `--weak` solves the static program alone and prints whose yield conditions hold its load factor down: its multipliers are velocities with a
-//! dissipation of their own, which adds up to the load factor.
+//! `--weak` solves the static program alone and prints whose yield conditions hold its load factor
+//! down: its multipliers are velocities with a dissipation of their own, which adds up to the load
+//! factor.
 //!
-//! Prints both bounds, seconds, and a table by body and place along x: share of the tets, of the dissipation, and of the
-//! width `∫ π(ε) − σ:ε`, which is positive tet by tet and adds up to the bracket's width at unit power.
+//! Prints both bounds, seconds, and a table by body and place along x: share of the tets, of the
+//! dissipation, and of the width `∫ π(ε) − σ:ε`, which is positive tet by tet and adds up to the
+//! bracket's width at unit power.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 #[path = "../tests/common/mod.rs"]
@@ -153,7 +157,8 @@ fn main() {
     table(&model, &pass, o.bins);
 }
 
-/// Shares of the static program's load factor by body and place: multipliers of the yield points times strength.
+/// Shares of the static program's load factor by body and place: multipliers of the yield points
+/// times strength.
 fn weak(model: &AnalysisModel, width: f64) {
     let statics = Static::limit(model).expect("the model is sound");
     let program = &statics.program;
@@ -318,7 +323,8 @@ fn changed(assembly: &Assembly, o: &Options) -> Assembly {
     a
 }
 
-/// Planes at the quarters of what has one at its middle: half the thickness is the distance along the normal to the surface.
+/// Planes at the quarters of what has one at its middle: half the thickness is the distance along
+/// the normal to the surface.
 fn more_planes(p: &mut Part) {
     let solid = bracket::geometry::FlatSolid::from_solid(&p.solid);
     let planes = p.mid_planes.clone();

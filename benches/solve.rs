@@ -1,7 +1,9 @@
-//! What a solve costs: `cargo bench --bench solve -- [--limit] [OPTIONS] MODEL.yaml…`, or `--size-factor F SPEC.yaml` for a spec.
+//! What a solve costs: `cargo bench --bench solve -- [--limit] [OPTIONS] MODEL.yaml…`, or
+//! `--size-factor F SPEC.yaml` for a spec.
 //!
-//! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two solves of the same matrix
-//! in the same run, and the yardstick Y = solve ÷ (iterations × (one factor + two solves)).
+//! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two
+//! solves of the same matrix in the same run, and the yardstick Y = solve ÷ (iterations × (one
+//! factor + two solves)).
 
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;

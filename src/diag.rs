@@ -1,12 +1,13 @@
 //! One message for one fault: what is wrong, where, which limit it breaks, and what to do next.
 //!
-//! Every stage has its own error enum; each converts into a [`Diagnostic`], which the command line prints (text or
-//! JSON) and turns into an exit code.
+//! Every stage has its own error enum; each converts into a [`Diagnostic`], which the command line
+//! prints (text or JSON) and turns into an exit code.
 
 use std::fmt;
 use std::path::PathBuf;
 
-/// Who has to act on a fault; decides the exit code (CONTRACT: 2 bad input, 3 undecided, 4 environment).
+/// Who has to act on a fault; decides the exit code (CONTRACT: 2 bad input, 3 undecided, 4
+/// environment).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
@@ -29,7 +30,8 @@ impl Fault {
     }
 }
 
-/// Where a fault sits. Everything is optional: a line in a file, a path inside a YAML document, or nothing.
+/// Where a fault sits. Everything is optional: a line in a file, a path inside a YAML document, or
+/// nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Place {
     /// The file as the user named it.

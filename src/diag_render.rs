@@ -11,7 +11,8 @@ const CONTEXT: usize = 1;
 /// Longer lines are shown without an excerpt: the caret would be off the screen \[bytes\].
 const LONGEST_LINE: usize = 400;
 
-/// No more than this is read to find a line \[bytes\]; a fault deeper in a huge mesh file is shown without excerpt.
+/// No more than this is read to find a line \[bytes\]; a fault deeper in a huge mesh file is shown
+/// without excerpt.
 const READ_LIMIT: u64 = 256 << 20;
 
 /// The faults for people, one after the other, with a trailing line end.
@@ -19,8 +20,9 @@ pub fn text(faults: &Diagnostics, colour: bool) -> String {
     faults.0.iter().map(|d| one(d, colour) + "\n").collect()
 }
 
-/// The faults for programs: one JSON object a line, `{"code", "fault", "message", "place": {"file", "line", "column",
-/// "path"}, "help"}`, absent keys left out.
+/// The faults for programs: one JSON object a line,
+/// `{"code", "fault", "message", "place": {"file", "line", "column", "path"}, "help"}`, absent keys
+/// left out.
 pub fn json(faults: &Diagnostics) -> String {
     faults
         .0
@@ -116,7 +118,8 @@ fn excerpt(place: &Place) -> Option<Excerpt> {
     Some(Excerpt { source, first_line, span })
 }
 
-/// The bytes of the word that starts at a column (counted in characters from 1); the whole text without a column.
+/// The bytes of the word that starts at a column (counted in characters from 1); the whole text
+/// without a column.
 fn word(line: &str, column: Option<usize>) -> (usize, usize) {
     let Some(column) = column else {
         let start = line.len() - line.trim_start().len();

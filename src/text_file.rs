@@ -1,7 +1,8 @@
-//! Text files as people's programs save them: the one reader of specs, models, templates and catalogue tables.
+//! Text files as people's programs save them: the one reader of specs, models, templates and
+//! catalogue tables.
 //!
-//! UTF-8 with or without byte-order mark and UTF-16 with one are read. Anything else is refused with line and byte: a guess at the
-//! encoding would put wrong letters into names that must match.
+//! UTF-8 with or without byte-order mark and UTF-16 with one are read. Anything else is refused
+//! with line and byte: a guess at the encoding would put wrong letters into names that must match.
 
 use crate::diag::Diagnostic;
 use std::path::Path;

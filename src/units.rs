@@ -1,12 +1,14 @@
-//! Units at the border: one internal system (mm, N, MPa, N mm, rad) and the reading of numbers with suffixes.
+//! Units at the border: one internal system (mm, N, MPa, N mm, rad) and the reading of numbers with
+//! suffixes.
 //!
-//! A bare number is a length in mm wherever a length is expected. Forces, moments and stresses must carry a suffix: a
-//! moment entered in the wrong unit is the costliest typing error there is.
+//! A bare number is a length in mm wherever a length is expected. Forces, moments and stresses must
+//! carry a suffix: a moment entered in the wrong unit is the costliest typing error there is.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 
-/// Opens the message of a quantity that cannot be read, so that the YAML reader knows it from a syntax error.
+/// Opens the message of a quantity that cannot be read, so that the YAML reader knows it from a
+/// syntax error.
 pub const INVALID_QUANTITY: &str = "invalid quantity: ";
 
 /// Exponents of length, force and angle; everything the tool computes with is a product of these.
@@ -119,7 +121,8 @@ const UNITS: &[(&str, f64, Dim)] = &[
     ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
 ];
 
-/// Factor and dimension of a unit suffix; `*`, `·` and repeated blanks between factors count as one blank.
+/// Factor and dimension of a unit suffix; `*`, `·` and repeated blanks between factors count as one
+/// blank.
 pub fn unit(suffix: &str) -> Option<(f64, Dim)> {
     let spaced = suffix.replace(['*', '·', '\u{a0}'], " ").replace('²', "2");
     let name = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -253,7 +256,8 @@ fn split(text: &str) -> Option<(f64, &str)> {
     Some((text[..end].parse().ok()?, text[end..].trim()))
 }
 
-/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix; `None` where there is no fraction.
+/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix; `None` where there is no
+/// fraction.
 fn split_fraction(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let (sign, body) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
@@ -276,7 +280,8 @@ fn split_fraction(text: &str) -> Option<(f64, &str)> {
     (bottom != 0.0).then(|| (sign * (units + top / bottom), rest[n..].trim()))
 }
 
-/// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything else.
+/// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything
+/// else.
 pub fn with_point(text: &str) -> Option<String> {
     let (whole, rest) = text.trim().split_once(',')?;
     let digits = whole.trim_start_matches(['+', '-']);
@@ -369,7 +374,8 @@ impl de::Visitor<'_> for QuantityVisitor {
     }
 }
 
-/// A value with the larger unit that people write, where that reads back as the same number, else with the internal one.
+/// A value with the larger unit that people write, where that reads back as the same number, else
+/// with the internal one.
 fn shown(value: f64, unit: &str, large: Option<(f64, &str)>) -> String {
     match large {
         Some((factor, large))

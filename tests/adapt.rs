@@ -1,4 +1,5 @@
-//! Adaptive meshes: rates of the gap against the number of tets, what is predicted of a mesh and what comes.
+//! Adaptive meshes: rates of the gap against the number of tets, what is predicted of a mesh and
+//! what comes.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -20,7 +21,8 @@ fn gap(name: &str, s: &Solved) -> f64 {
     (upper - lower) / lower.abs()
 }
 
-/// The given mesh and those that follow with `growth` times the tets each, refined where the gap comes from.
+/// The given mesh and those that follow with `growth` times the tets each, refined where the gap
+/// comes from.
 fn adaptive(name: &str, yaml: &str, mesh: TetMesh, growth: f64, most: usize) -> Vec<Step> {
     let mut mesh = mesh;
     let mut steps: Vec<Step> = Vec::new();
@@ -71,8 +73,9 @@ fn slope(steps: &[Step], count: usize) -> f64 {
     (b.gap / a.gap).ln() / (b.tets / a.tets).ln()
 }
 
-/// An L-shaped block, plane strain, 270° at (1, 1): `[0, 2]² × [0, t]` without `[1, 2]²`. Rollers at x = 0 and at the upper
-/// arm's end, a normal traction at the end of the lower arm: the re-entrant edge alone is singular.
+/// An L-shaped block, plane strain, 270° at (1, 1): `[0, 2]² × [0, t]` without `[1, 2]²`. Rollers
+/// at x = 0 and at the upper arm's end, a normal traction at the end of the lower arm: the
+/// re-entrant edge alone is singular.
 fn l_shape(n: usize) -> (&'static str, TetMesh) {
     let mut mesh =
         Block::new([2 * n, 2 * n, n / 2], [2.0, 2.0, 0.5]).mesh(&["L"], |_| 0, |_, _| true);
@@ -119,8 +122,8 @@ fn re_entrant_edge() {
     assert!(errors[errors.len() / 2] < 0.3, "{errors:?}");
 }
 
-/// A block on rollers on three sides, pulled by a traction that varies along y: no edge stands out. Adaptive meshes are within
-/// a tenth of uniform ones of as many tets, or better.
+/// A block on rollers on three sides, pulled by a traction that varies along y: no edge stands out.
+/// Adaptive meshes are within a tenth of uniform ones of as many tets, or better.
 #[test]
 fn smooth_block() {
     let mesh = Block::new([3, 3, 3], [1.0; 3]).mesh(&["B"], |_| 0, |_, _| true);

@@ -183,7 +183,8 @@ fn crates_stay_in_their_rooms() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Whether code names a crate in a path or a `use`: `serde_yaml::…`, `use serde_yaml;`, never `self::clarabel`.
+/// Whether code names a crate in a path or a `use`: `serde_yaml::…`, `use serde_yaml;`, never
+/// `self::clarabel`.
 fn names_crate(code: &str, name: &str) -> bool {
     let word = |c: char| c.is_alphanumeric() || c == '_';
     code.match_indices(name).any(|(at, _)| {

@@ -1,5 +1,5 @@
-//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes: what they leave, under which
-//! limits, and when they are interrupted.
+//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes:
+//! what they leave, under which limits, and when they are interrupted.
 
 #[path = "cli/adaptive.rs"]
 mod adaptive;
@@ -35,7 +35,8 @@ use bench::Bench;
 use bracket::mesh::msh_write;
 use common::Block;
 
-/// A block that stands on another with friction and is pressed obliquely: contact, friction, two bodies, 144 tets.
+/// A block that stands on another with friction and is pressed obliquely: contact, friction, two
+/// bodies, 144 tets.
 pub const MODEL: &str = "\
 mesh: m.msh
 analysis: elastic

@@ -1,4 +1,5 @@
-//! `bracket check`, `bracket watch` and the verdict by code of `bracket run`, through the real program.
+//! `bracket check`, `bracket watch` and the verdict by code of `bracket run`, through the real
+//! program.
 
 #[path = "cli/bench.rs"]
 mod bench;

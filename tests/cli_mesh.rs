@@ -45,7 +45,8 @@ fn writes_geometry_mesh_step_and_table_and_replaces_its_own_folder() {
     }
 }
 
-/// With these sizes gmsh leaves a sliver of 0.00° where the column's fillet ends; slightly other sizes leave none.
+/// With these sizes gmsh leaves a sliver of 0.00° where the column's fillet ends; slightly other
+/// sizes leave none.
 #[test]
 fn a_mesh_with_a_flat_tet_is_made_again() {
     let joint = include_str!("../examples/one_sided_unstiffened/joint.yaml");

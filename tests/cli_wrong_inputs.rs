@@ -1,5 +1,5 @@
-//! Inputs and machines that are wrong, through the real program: each ends with the exit code of its kind and one message
-//! that names place and cure, and leaves the folder as it was.
+//! Inputs and machines that are wrong, through the real program: each ends with the exit code of
+//! its kind and one message that names place and cure, and leaves the folder as it was.
 
 #[path = "cli/bench.rs"]
 mod bench;

@@ -1,5 +1,5 @@
-//! The component method against a second implementation, written from the clauses in another language
-//! (`tests/independent/component_method.py`), over random joints.
+//! The component method against a second implementation, written from the clauses in another
+//! language (`tests/independent/component_method.py`), over random joints.
 
 #[path = "common/numbers.rs"]
 mod numbers;
@@ -22,8 +22,9 @@ const BOLTS: [(f64, f64, f64); 6] = [
     (269_280.0, 561.0, 30.0),
 ];
 
-/// A joint that a drawing could show: sections of all series, one or two beams or a splice, flush or extended on one side or both,
-/// stiffeners, doublers, ends of the column near and far, fillet and butt welds.
+/// A joint that a drawing could show: sections of all series, one or two beams or a splice, flush
+/// or extended on one side or both, stiffeners, doublers, ends of the column near and far, fillet
+/// and butt welds.
 fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
     let strength = [235.0, 275.0, 355.0, 460.0];
     let beam = n.of(profiles);
@@ -203,7 +204,8 @@ fn compare(
     );
 }
 
-/// Every component, row force, M_j,Rd, S_j,ini and N_j,Rd of 500 random joints, both senses of bending, within 1 %.
+/// Every component, row force, M_j,Rd, S_j,ini and N_j,Rd of 500 random joints, both senses of
+/// bending, within 1 %.
 #[test]
 fn random_joints_agree_with_the_second_implementation() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");

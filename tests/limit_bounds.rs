@@ -1,5 +1,5 @@
-//! From approximate fields to strict bounds of the load factor: exact fields with noise, projected and certified; wrong
-//! fields, which must not pass. No solver takes part.
+//! From approximate fields to strict bounds of the load factor: exact fields with noise, projected
+//! and certified; wrong fields, which must not pass. No solver takes part.
 #![allow(clippy::unwrap_used)]
 
 #[path = "limit_bounds/cases.rs"]

@@ -1,4 +1,5 @@
-//! The paper's joint from its spec, as a user runs it: finer meshes and the whole joint. Minutes each: the heavy tier.
+//! The paper's joint from its spec, as a user runs it: finer meshes and the whole joint. Minutes
+//! each: the heavy tier.
 #![allow(clippy::unwrap_used)]
 
 use serde_json::Value;
@@ -35,7 +36,8 @@ fn bounds(result: &Value) -> (f64, f64) {
     (case["lower"].as_f64().unwrap(), case["upper"].as_f64().unwrap())
 }
 
-/// The whole joint and its quarter are different meshes of the same body: their brackets must share the exact energy.
+/// The whole joint and its quarter are different meshes of the same body: their brackets must share
+/// the exact energy.
 #[test]
 #[ignore = "heavy: about ten minutes"]
 fn full_agrees_with_the_quarter() {

@@ -190,7 +190,8 @@ fn one_program_alone_needs_its_own_room_only() {
     assert!(pass.kinematic.is_none() && pass.lower.is_some());
 }
 
-/// The general solver does not tell what it needs: it starts whatever room there is, and says that nothing is known.
+/// The general solver does not tell what it needs: it starts whatever room there is, and says that
+/// nothing is known.
 #[test]
 fn a_solver_without_forecast_is_not_held_back() {
     let model = on_ground();
@@ -325,8 +326,9 @@ fn a_program_that_waits_has_less_time() {
     assert_eq!(both(&pass)[1].status, SolveStatus::TimeLimit);
 }
 
-/// A block between two walls whose sides can only shift rigidly along x, and initial gaps that are nowhere negative but whose
-/// quadratic coefficients on the mesh are: the kinematic program must open both walls at once, by shifting. It cannot.
+/// A block between two walls whose sides can only shift rigidly along x, and initial gaps that are
+/// nowhere negative but whose quadratic coefficients on the mesh are: the kinematic program must
+/// open both walls at once, by shifting. It cannot.
 fn wedged(mu: f64) -> (String, TetMesh) {
     let mut mesh = Block::new([2, 1, 2], [20.0, 10.0, 20.0]).mesh(&["BLOCK"], |_| 0, |_, _| false);
     let mut triangles = triangles_where(&mesh, |x| x[1] == 0.0);

@@ -1,5 +1,5 @@
-//! Elastic, perfectly plastic analysis: strict brackets of energies known in closed form, the elastic ones below first yield, no
-//! equilibrium beyond the limit load, and random assemblies.
+//! Elastic, perfectly plastic analysis: strict brackets of energies known in closed form, the
+//! elastic ones below first yield, no equilibrium beyond the limit load, and random assemblies.
 #![allow(clippy::unwrap_used)]
 
 #[path = "plastic/adaptive.rs"]

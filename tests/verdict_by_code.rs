@@ -32,8 +32,8 @@ fn builtin() -> Catalog {
     Catalog::builtin().expect("the shipped catalogue is sound")
 }
 
-/// UB457x191x67 of S460M between two beams: the web buckles, ρ = 0.645, at F_c,wc,Rd = 406 kN. Whatever a bracket says, 142 kNm are
-/// refused, and the check of buckling is what it stands on.
+/// UB457x191x67 of S460M between two beams: the web buckles, ρ = 0.645, at F_c,wc,Rd = 406 kN.
+/// Whatever a bracket says, 142 kNm are refused, and the check of buckling is what it stands on.
 #[test]
 fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
     let of = |my: f64| {
@@ -65,13 +65,14 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
         .and_then(|c| c.utilisation);
     assert!(share.is_some_and(|u| (u - 1.05).abs() < 0.01), "{share:?}");
     assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
-    // by code alone the same; with the web strong enough for the load it is the analysis that is asked
+    // by code alone the same; with the web strong enough for the load it is the analysis that is
+    // asked
     assert_eq!(verdict(&hand, Verdict::None).0.verdict, Verdict::NotOk);
     assert_eq!(verdict(&of(120.0), Verdict::Ok).0.verdict, Verdict::Ok);
 }
 
-/// HEB140 and IPE270 with M16 under 2.3 times M_j,Rd: without a limit analysis the component method refuses, and the tension of the
-/// bolts is not clipped at what they carry.
+/// HEB140 and IPE270 with M16 under 2.3 times M_j,Rd: without a limit analysis the component method
+/// refuses, and the tension of the bolts is not clipped at what they carry.
 #[test]
 fn an_overload_is_refused_without_an_analysis() {
     let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB140, steel: S235}, beam: {profile: IPE270, steel: \
@@ -90,7 +91,8 @@ fn an_overload_is_refused_without_an_analysis() {
     }
 }
 
-/// A web panel beyond 69 ε keeps its checks: refused where the load exceeds even its buckling, undecided below.
+/// A web panel beyond 69 ε keeps its checks: refused where the load exceeds even its buckling,
+/// undecided below.
 #[test]
 fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
     let of = |my: f64| {
@@ -162,8 +164,9 @@ fn rank(v: Verdict) -> usize {
         .unwrap_or(9)
 }
 
-/// Demands of 0.5 to 3 times M_j,Rd beside axial and shear forces on 200 joints: OK only where every binding check holds, and a
-/// larger load never has a better verdict or a smaller utilisation.
+/// Demands of 0.5 to 3 times M_j,Rd beside axial and shear forces on 200 joints: OK only where
+/// every binding check holds, and a larger load never has a better verdict or a smaller
+/// utilisation.
 #[test]
 fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_load() {
     let catalog = builtin();
@@ -239,8 +242,8 @@ fn one_sided(more: &str, members: &str, rows: &str, actions: &str) -> Option<Han
 
 const ROWS: &str = "[-90, 90, 190]";
 
-/// What no bracket may stand for: checks that a hand check cannot make are missing, and the verdict is open however much a limit
-/// analysis carries.
+/// What no bracket may stand for: checks that a hand check cannot make are missing, and the verdict
+/// is open however much a limit analysis carries.
 #[test]
 fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     let open = |hand: &HandChecks, words: &str| {
@@ -278,7 +281,8 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     open(&checks(text, &builtin()).expect("a joint"), "Table 4.1 has no β_w");
 }
 
-/// 5 % of N_pl,Rd of the beam are left out beside a moment, not on a joint that carries less than that.
+/// 5 % of N_pl,Rd of the beam are left out beside a moment, not on a joint that carries less than
+/// that.
 #[test]
 fn a_small_axial_force_is_held_against_a_weak_joint() {
     let text = |n: f64, m: f64| {
@@ -343,8 +347,8 @@ fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
     assert!((panel(", V_Ed: 1000 kN", 30.0) - (1000e3 - up)).abs() < 1.0);
 }
 
-/// UB762x267x134 of S355: h_w/t_w = 59.9 > 72 ε = 58.6. χ_w = 0.83/(718.9/(86.4 · 12 · 0.8136)) = 0.974, V_bw,Rd = 0.974 · 718.9 · 12 ·
-/// 355/√3 = 1722 kN.
+/// UB762x267x134 of S355: h_w/t_w = 59.9 > 72 ε = 58.6. χ_w = 0.83/(718.9/(86.4 · 12 · 0.8136)) =
+/// 0.974, V_bw,Rd = 0.974 · 718.9 · 12 · 355/√3 = 1722 kN.
 #[test]
 fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     let of = |v: f64| {
@@ -367,7 +371,8 @@ fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     assert_eq!(of(1750.0).status, Status::Failed);
 }
 
-/// Four bolts in a row: geometry, drawing and list have all of them, the checks the inner two and say so; spacing is that of all.
+/// Four bolts in a row: geometry, drawing and list have all of them, the checks the inner two and
+/// say so; spacing is that of all.
 #[test]
 fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     let spec = |outer: &str, gauge: f64| {

@@ -1,9 +1,12 @@
-//! Coulomb's law in elastic analysis, perfectly plastic or not: a fixed point over problems with associated friction and shifted cones.
+//! Coulomb's law in elastic analysis, perfectly plastic or not: a fixed point over problems with
+//! associated friction and shifted cones.
 //!
-//! Slip under associated friction dilates by `μ‖g_T‖`. With the cones opened by a shift s, `g_N + g₀ + s ≥ μ‖g_T‖`, it
-//! dilates by `μ‖g_T‖ − s`; where s is `μ‖g_T‖` of the solution itself, not at all. The shift is read off the displacements, so
-//! the kinematic program alone is iterated: its offsets change, all else is used again. The static program then solves the
-//! last of these problems, with the very shift that program was solved with: both bounds are strict for one problem.
+//! Slip under associated friction dilates by `μ‖g_T‖`. With the cones opened by a shift s,
+//! `g_N + g₀ + s ≥ μ‖g_T‖`, it dilates by `μ‖g_T‖ − s`; where s is `μ‖g_T‖` of the solution itself,
+//! not at all. The shift is read off the displacements, so the kinematic program alone is iterated:
+//! its offsets change, all else is used again. The static program then solves the last of these
+//! problems, with the very shift that program was solved with: both bounds are strict for one
+//! problem.
 
 use crate::analysis::engine::{Both, Pass, PassError, PassOptions, Progress, both};
 use crate::analysis::fixed_point::FixedPoint;
@@ -29,12 +32,14 @@ use std::time::Instant;
 pub const TOLERANCE: f64 = 1e-3;
 /// Problems solved at most.
 const MOST_SOLVES: usize = 60;
-/// The same in limit analysis, where a problem costs many times more and its answer is an estimate: the slips change by less than
-/// this part of the largest, or what is missing to Coulomb's law dissipates less than this part of the load factor.
+/// The same in limit analysis, where a problem costs many times more and its answer is an estimate:
+/// the slips change by less than this part of the largest, or what is missing to Coulomb's law
+/// dissipates less than this part of the load factor.
 const LIMIT_TOLERANCE: [f64; 2] = [1e-2, 1e-3];
 /// Problems of limit analysis at most.
 const MOST_LIMIT_SOLVES: usize = 10;
-/// A contact point whose pressure is below this part of the largest is open: its slip means nothing.
+/// A contact point whose pressure is below this part of the largest is open: its slip means
+/// nothing.
 const PRESSED: f64 = 1e-6;
 /// Changes below this part of the largest displacement are the solver's noise.
 const NOISE: f64 = 1e-7;
@@ -44,12 +49,14 @@ const NOISE: f64 = 1e-7;
 pub struct FixedPointRun {
     /// Problems solved, the one with associated friction included.
     pub solves: usize,
-    /// Largest change of the shift at the last of them, part of the largest shift; 0 where all that slips is noise.
+    /// Largest change of the shift at the last of them, part of the largest shift; 0 where all that
+    /// slips is noise.
     pub change: f64,
     /// Part of the change that a plain step leaves, where two of them show it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contraction: Option<f64>,
-    /// Limit analysis: `∫ r_N |s − μ‖g_T‖|`, what the last shift misses Coulomb's law by, part of the load factor.
+    /// Limit analysis: `∫ r_N |s − μ‖g_T‖|`, what the last shift misses Coulomb's law by, part of
+    /// the load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missing: Option<f64>,
 }
@@ -85,7 +92,8 @@ struct State {
 }
 
 impl Slips {
-    /// Of a program whose cones are not shifted yet; it starts with the shift that another one with the same contacts ended with.
+    /// Of a program whose cones are not shifted yet; it starts with the shift that another one with
+    /// the same contacts ended with.
     pub(crate) fn new(kinematic: &Kinematic, start: Option<&Slid>) -> Self {
         let points = kinematic.points.len();
         let (values, run) = match start {
@@ -95,7 +103,8 @@ impl Slips {
         Self::with(kinematic, FixedPoint::starting_at(values), run)
     }
 
-    /// Of a program of limit analysis; it starts after the problem with associated friction, which has these velocities.
+    /// Of a program of limit analysis; it starts after the problem with associated friction, which
+    /// has these velocities.
     pub(crate) fn after(
         model: &AnalysisModel,
         kinematic: &Kinematic,
@@ -129,7 +138,8 @@ impl Slips {
         h
     }
 
-    /// Offsets of the rows at the shift of the problem that was solved last, or is to be solved first.
+    /// Offsets of the rows at the shift of the problem that was solved last, or is to be solved
+    /// first.
     pub(crate) fn offsets(&self) -> Vec<f64> {
         self.at(self.state().fixed_point.point())
     }
@@ -225,7 +235,8 @@ fn slips(model: &AnalysisModel, of: &Kinematic, u: &[V3]) -> Vec<f64> {
     of.points.iter().map(slip).collect()
 }
 
-/// The load factor of a program of limit analysis, the multiplier of the unit power; `None`: another kind.
+/// The load factor of a program of limit analysis, the multiplier of the unit power; `None`:
+/// another kind.
 pub(crate) fn load_factor(of: &Kinematic, solution: &Solution) -> Option<f64> {
     solution.x.last().copied().filter(|_| !of.program.live.is_empty())
 }
@@ -301,7 +312,8 @@ impl<'a> DiscreteProgram<'a> for Sliding {
     }
 }
 
-/// Runs the fixed point on the kinematic program, then the static program of the problem it ends with.
+/// Runs the fixed point on the kinematic program, then the static program of the problem it ends
+/// with.
 pub(crate) fn run(
     model: &AnalysisModel,
     options: &PassOptions,

@@ -1,15 +1,17 @@
 //! Coulomb's law in limit analysis: the load factor of a fixed point, an estimate.
 //!
-//! The kinematic program with shifted cones, `g_N + s ≥ μ‖g_T‖`, has the dual `max λ − ∫ r_N s` over stresses that obey the friction
-//! cone. Where s is `μ‖g_T‖` of the solution itself nothing dilates by its slip, and the load factor of the dual solution is the
-//! power of yield and friction, `λ = D(u) + ∫ μ r_N ‖g_T‖` less the power of the dead loads, at unit power of the live ones. The
-//! dual solution obeys the cones of the associated law, and the velocities are admissible without friction: on one mesh λ lies
-//! between the factor without friction and the one with associated friction. Coulomb's law may have several load factors for one
-//! structure, where wedging decides what presses; this is one of them.
+//! The kinematic program with shifted cones, `g_N + s ≥ μ‖g_T‖`, has the dual `max λ − ∫ r_N s`
+//! over stresses that obey the friction cone. Where s is `μ‖g_T‖` of the solution itself nothing
+//! dilates by its slip, and the load factor of the dual solution is the power of yield and
+//! friction, `λ = D(u) + ∫ μ r_N ‖g_T‖` less the power of the dead loads, at unit power of the live
+//! ones. The dual solution obeys the cones of the associated law, and the velocities are admissible
+//! without friction: on one mesh λ lies between the factor without friction and the one with
+//! associated friction. Coulomb's law may have several load factors for one structure, where
+//! wedging decides what presses; this is one of them.
 //!
 //! # Source
-//! V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb friction problem via convex
-//! optimization, ZAMM 91 (2011), 155–175.
+//! V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb
+//! friction problem via convex optimization, ZAMM 91 (2011), 155–175.
 
 use crate::analysis::coulomb::{FixedPointRun, Slips, load_factor};
 use crate::analysis::engine::{Both, Event, PassError, PassOptions, Progress, both_of};
@@ -30,11 +32,12 @@ use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 /// What the fixed point has come to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoulombEstimate {
-    /// The load factor at the fixed point, the dissipation evaluated as that of the upper bound is; where it is a little beyond a bound
-    /// of the structure under Coulomb's law, that bound. `None`: it was not reached.
+    /// The load factor at the fixed point, the dissipation evaluated as that of the upper bound is;
+    /// where it is a little beyond a bound of the structure under Coulomb's law, that bound.
+    /// `None`: it was not reached.
     pub factor: Option<f64>,
-    /// The load factor of the program itself, whose quadrature of the dissipation is coarser (measured on coarse stacks of blocks: up to
-    /// a tenth more than the upper bound).
+    /// The load factor of the program itself, whose quadrature of the dissipation is coarser
+    /// (measured on coarse stacks of blocks: up to a tenth more than the upper bound).
     pub raw: Option<f64>,
     /// How it went, the problem with associated friction included.
     pub run: FixedPointRun,
@@ -60,8 +63,8 @@ impl Sliding {
 }
 
 impl<'a> DiscreteProgram<'a> for Sliding {
-    /// The load factor by the finer quadrature and the program's own, the steps that led there, and whether they have come to a fixed
-    /// point.
+    /// The load factor by the finer quadrature and the program's own, the steps that led there, and
+    /// whether they have come to a fixed point.
     type Answer = ([f64; 2], FixedPointRun, bool);
     const PROGRAM: Program = Program::Kinematic;
 

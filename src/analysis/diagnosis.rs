@@ -1,4 +1,5 @@
-//! What a certificate of the solver means, in sentences: which parts move away, which contacts exclude each other.
+//! What a certificate of the solver means, in sentences: which parts move away, which contacts
+//! exclude each other.
 
 use crate::math::vec3::{self, V3};
 use crate::model::analysis::AnalysisModel;
@@ -7,8 +8,9 @@ use crate::programs::conic::{ConicProgram, cone_margin};
 /// Share of the largest that a part's motion or a contact's multiplier must reach to be named.
 const NAMED: f64 = 0.05;
 
-/// Largest part of its own terms that `Gᵀ z` of a certificate may keep. Solvers measure it against unknowns that grow without
-/// limit in an infeasible program, so it need not be small to rounding: enough to say which contacts, not to prove it.
+/// Largest part of its own terms that `Gᵀ z` of a certificate may keep. Solvers measure it against
+/// unknowns that grow without limit in an infeasible program, so it need not be small to rounding:
+/// enough to say which contacts, not to prove it.
 const VANISHES: f64 = 1e-2;
 
 /// Which parts move along an unbounded direction, in words; `moved`: points with their part.
@@ -41,8 +43,8 @@ pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3
     }
 }
 
-/// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in words; `flow`: what each body
-/// dissipates on it. `None`: nothing flows.
+/// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in
+/// words; `flow`: what each body dissipates on it. `None`: nothing flows.
 pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
     let total: f64 = flow.iter().sum();
     let mut bodies: Vec<(f64, &String)> =
@@ -61,7 +63,8 @@ pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
     }
 }
 
-/// A contact as people call it: its name and the parts it joins. `contact` counts interfaces first, then the ground's.
+/// A contact as people call it: its name and the parts it joins. `contact` counts interfaces first,
+/// then the ground's.
 fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     let part = |tet: u32| &model.parts[model.tet_part[tet as usize] as usize];
     if let Some(i) = model.interfaces.get(contact) {
@@ -85,8 +88,9 @@ fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     format!("`{}`{side}", g.name)
 }
 
-/// The contacts that no motion satisfies together, in words, from the certificate `z` of an infeasible program: `z ∈ K`,
-/// `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x that is not huge. `None` when z is no such certificate.
+/// The contacts that no motion satisfies together, in words, from the certificate `z` of an
+/// infeasible program: `z ∈ K`, `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x
+/// that is not huge. `None` when z is no such certificate.
 ///
 /// `contacts`: the contact each cone belongs to.
 pub fn conflict(
@@ -108,7 +112,8 @@ pub fn conflict(
     let terms = largest(&terms.mul_transpose(&z.iter().map(|z| z.abs()).collect::<Vec<_>>()));
     let work: f64 = h.iter().zip(z).map(|(h, z)| h * z).sum();
     let size = largest(z);
-    // the share of each contact: the normal components of its multipliers, which z ∈ K makes the largest ones
+    // the share of each contact: the normal components of its multipliers, which z ∈ K makes the
+    // largest ones
     let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];
     let mut worst = f64::INFINITY;
     for ((start, cone), &contact) in

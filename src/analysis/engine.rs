@@ -64,12 +64,13 @@ pub struct ProgramRun {
     pub certify_seconds: f64,
     /// What the solve was expected to cost, where that could be told.
     pub forecast: Option<Forecast>,
-    /// Every iteration, seconds counted from the start of the solve. Numbers begin again where another solver took over or
-    /// another problem of a sequence began.
+    /// Every iteration, seconds counted from the start of the solve. Numbers begin again where
+    /// another solver took over or another problem of a sequence began.
     pub trace: Vec<Iteration>,
     /// For a program too large for the memory: how much it lacks.
     pub refusal: Option<Refusal>,
-    /// Tets with a yield condition in the last of its solves, in an elastic, perfectly plastic analysis.
+    /// Tets with a yield condition in the last of its solves, in an elastic, perfectly plastic
+    /// analysis.
     pub yielding: Option<usize>,
     /// Solves that led here.
     pub rounds: u32,
@@ -119,7 +120,8 @@ pub enum PassError {
     /// The two bounds contradict each other.
     #[error(transparent)]
     Contradiction(#[from] Contradiction),
-    /// The contributions of elements and contacts do not add up to the gap: the two certificates do not fit together.
+    /// The contributions of elements and contacts do not add up to the gap: the two certificates do
+    /// not fit together.
     #[error("the contributions to the gap sum to {sum:.9e}, the bounds differ by {gap:.9e}")]
     Identity {
         /// The upper bound less the lower one, of the meshed part.
@@ -212,7 +214,8 @@ struct Built<P> {
     problem: P,
     /// How long its assembly took \[s\].
     seconds: f64,
-    /// The point that the solver measures its unknowns from, and the program in those; `None`: zero.
+    /// The point that the solver measures its unknowns from, and the program in those; `None`:
+    /// zero.
     moved: Option<(Vec<f64>, ConicProgram)>,
 }
 
@@ -245,14 +248,16 @@ enum Ticket {
 struct Turns {
     kinematic: Ticket,
     statics: Ticket,
-    /// In turn, the smaller one first: a bound early is worth more than one late. `None`: side by side.
+    /// In turn, the smaller one first: a bound early is worth more than one late. `None`: side by
+    /// side.
     first: Option<Program>,
 }
 
-/// Runs both programs: side by side where the memory allows it, else in turn; one that does not fit is not started.
+/// Runs both programs: side by side where the memory allows it, else in turn; one that does not fit
+/// is not started.
 ///
-/// With Coulomb friction the kinematic program is solved a few times first, and both bounds are of the problem with shifted
-/// contact cones that this ends with.
+/// With Coulomb friction the kinematic program is solved a few times first, and both bounds are of
+/// the problem with shifted contact cones that this ends with.
 pub fn run(
     model: &AnalysisModel,
     options: &PassOptions,
@@ -484,8 +489,8 @@ impl<'a> Context<'a> {
         let refusal = match ticket {
             Ticket::Start => None,
             Ticket::Refused(refusal) => Some(refusal),
-            // others may have taken memory meanwhile; what the user allows was counted by the plan, and what this process
-            // still holds of the first program it will use again
+            // others may have taken memory meanwhile; what the user allows was counted by the plan,
+            // and what this process still holds of the first program it will use again
             Ticket::StartIf(needed) => {
                 let now = (self.options.room)().filter(|r| r.limit == Limit::Machine);
                 let refusal = now.filter(|r| r.bytes < needed).map(|room| Refusal { needed, room });
@@ -562,7 +567,8 @@ impl<'a> Context<'a> {
         solution
     }
 
-    /// Field and bound of an optimal solution; of any other, its certificate in words. Only optimal ones give a bound.
+    /// Field and bound of an optimal solution; of any other, its certificate in words. Only optimal
+    /// ones give a bound.
     fn judge<P: DiscreteProgram<'a>>(
         &self,
         problem: &P,

@@ -1,8 +1,8 @@
 //! A fixed point `s = G(s)` of many unknowns, plain or accelerated (Anderson).
 //!
 //! # Source
-//! D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965); in the form of H. F. Walker and
-//! P. Ni, SIAM J. Numer. Anal. 49 (2011).
+//! D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965); in the
+//! form of H. F. Walker and P. Ni, SIAM J. Numer. Anal. 49 (2011).
 
 use std::collections::VecDeque;
 
@@ -10,7 +10,8 @@ use std::collections::VecDeque;
 const DEPTH: usize = 3;
 /// Where a plain step leaves more than this part of the change, steps are accelerated.
 const SLOW: f64 = 0.5;
-/// An accelerated step that leaves this many times the change before it forgets what it looked back on.
+/// An accelerated step that leaves this many times the change before it forgets what it looked back
+/// on.
 const WORSE: f64 = 2.0;
 /// Columns of the least squares whose new part is smaller than this are left out.
 const DEPENDENT: f64 = 1e-8;
@@ -48,13 +49,14 @@ impl FixedPoint {
         &self.changes
     }
 
-    /// The part of the change that a plain step leaves, as the last two plain steps have it; `None` before the second.
+    /// The part of the change that a plain step leaves, as the last two plain steps have it; `None`
+    /// before the second.
     pub fn contraction(&self) -> Option<f64> {
         self.contraction
     }
 
-    /// Tells the image `G(s)` of the point; entries that do not `count` neither measure the change nor steer the
-    /// acceleration. The point stays until [`Self::step`].
+    /// Tells the image `G(s)` of the point; entries that do not `count` neither measure the change
+    /// nor steer the acceleration. The point stays until [`Self::step`].
     pub fn image(&mut self, image: &[f64], counts: &[bool]) -> f64 {
         let change: Vec<f64> = image.iter().zip(&self.point).map(|(g, s)| g - s).collect();
         let size = counted(&change, counts).fold(0.0, |m: f64, x| m.max(x.abs()));

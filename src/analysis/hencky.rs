@@ -1,12 +1,15 @@
-//! A pass of elastic, perfectly plastic analysis (Hencky): both programs on one mesh, yield conditions only where they are needed.
+//! A pass of elastic, perfectly plastic analysis (Hencky): both programs on one mesh, yield
+//! conditions only where they are needed.
 //!
-//! An elastic solution tells where the stress can reach yield; there, with some margin, the tets get yield conditions (flow, in the
-//! kinematic program), the others stay elastic and cost nothing. The solution tells which of those are beyond yield all the
-//! same; they join, and it is solved again until none is. The static field is then admissible at every point and optimal among
-//! all fields of the mesh; the kinematic one is admissible whatever flows.
+//! An elastic solution tells where the stress can reach yield; there, with some margin, the tets
+//! get yield conditions (flow, in the kinematic program), the others stay elastic and cost nothing.
+//! The solution tells which of those are beyond yield all the same; they join, and it is solved
+//! again until none is. The static field is then admissible at every point and optimal among all
+//! fields of the mesh; the kinematic one is admissible whatever flows.
 //!
-//! Under Coulomb's law each of the kinematic solves is a fixed point as in elastic analysis, which starts from the slips of the one
-//! before; the static program then solves the last of these problems.
+//! Under Coulomb's law each of the kinematic solves is a fixed point as in elastic analysis, which
+//! starts from the slips of the one before; the static program then solves the last of these
+//! problems.
 
 use crate::analysis::coulomb::{Slid, Slips};
 use crate::analysis::diagnosis;
@@ -35,28 +38,33 @@ use crate::recover::plastic::{approximate_stress, plastic_motion, yielding_stres
 use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
-/// Accuracy of an elastic solution that only tells where yield conditions go: relative gap and residual.
+/// Accuracy of an elastic solution that only tells where yield conditions go: relative gap and
+/// residual.
 const ROUGH: [f64; 2] = [2e-2, 5e-3];
 /// Relative gap at which a solve ends.
 pub const GAP: f64 = 1e-7;
 /// Residual at which it ends: fields are made admissible all the same.
 const RESIDUAL: f64 = 1e-7;
-/// Residual of a stress in equilibrium to rounding, and how many times what it may hide is left as room: measured, what bringing
-/// a solution into equilibrium adds to the largest utilisation is about ten times that on a joint of 7 000 tets.
+/// Residual of a stress in equilibrium to rounding, and how many times what it may hide is left as
+/// room: measured, what bringing a solution into equilibrium adds to the largest utilisation is
+/// about ten times that on a joint of 7 000 tets.
 const ROUNDING: f64 = 2e-13;
 const CORRECTION: f64 = 30.0;
 /// Room that is left before any stress has asked for it, at most.
 const MOST_FIRST: f64 = 1e-4;
-/// Utilisation by the elastic stress from which on a tet has a yield condition, and that from which on those that share a face
-/// with it have one too: what a tet loses by yielding its neighbours take over.
+/// Utilisation by the elastic stress from which on a tet has a yield condition, and that from which
+/// on those that share a face with it have one too: what a tet loses by yielding its neighbours
+/// take over.
 const FIRST: f64 = 0.6;
 const AROUND: f64 = 0.9;
-/// Utilisation from which on tets join, when some are found beyond yield, solve after solve; then all.
+/// Utilisation from which on tets join, when some are found beyond yield, solve after solve; then
+/// all.
 const LATER: [f64; 4] = [0.8, 0.7, 0.5, 0.3];
-/// Room under the yield surface that the program leaves for bringing its stress into equilibrium, relative: the first that is
-/// tried, and the last.
+/// Room under the yield surface that the program leaves for bringing its stress into equilibrium,
+/// relative: the first that is tried, and the last.
 const ROOM: [f64; 2] = [2e-7, 1e-3];
-/// Dissipation, relative to the energy, of tets without flow in the program that is not worth another solve.
+/// Dissipation, relative to the energy, of tets without flow in the program that is not worth
+/// another solve.
 const WORTH: f64 = 1e-6;
 
 /// The kinematic program.
@@ -137,7 +145,8 @@ impl<A> Side<A> {
         });
     }
 
-    /// Tets used from a threshold on join, and neighbours of those near yield; the threshold falls with every solve.
+    /// Tets used from a threshold on join, and neighbours of those near yield; the threshold falls
+    /// with every solve.
     fn grow(&mut self, model: &AnalysisModel, used: &[f64]) {
         let rounds = self.run.as_ref().map_or(0, |r| r.rounds as usize);
         let least = match self.count() {
@@ -169,7 +178,8 @@ impl<A> Side<A> {
 type Motion = Side<(Moved, UpperBound)>;
 type Stress = Side<(StressField, LowerBound)>;
 
-/// Runs both programs; under Coulomb's law one after the other, the static one with the shift of the kinematic one.
+/// Runs both programs; under Coulomb's law one after the other, the static one with the shift of
+/// the kinematic one.
 pub fn run(
     model: &AnalysisModel,
     options: &PassOptions,
@@ -318,8 +328,8 @@ fn pass(model: &AnalysisModel, kinematic: Motion, statics: Stress) -> Result<Pas
     Ok(pass)
 }
 
-/// Which bodies flow along an unbounded direction, and where the parts move; `own`: where each element's own unknowns start,
-/// `points`: how many yield points it has then.
+/// Which bodies flow along an unbounded direction, and where the parts move; `own`: where each
+/// element's own unknowns start, `points`: how many yield points it has then.
 fn collapse(
     model: &AnalysisModel,
     own: &[usize],

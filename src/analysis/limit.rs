@@ -25,11 +25,12 @@ use crate::recover::unlimited::{self, Unlimited};
 use crate::solve::{self, Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
-/// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who repeats the certificate.
+/// Halvings of the tets on which the dissipation of the final velocities is evaluated, also by who
+/// repeats the certificate.
 pub const SUBDIVISIONS: u32 = 1;
 
-/// How far beyond a bound an estimate may be, part of it: what the fixed point leaves open, and the quadrature
-/// of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
+/// How far beyond a bound an estimate may be, part of it: what the fixed point leaves open, and the
+/// quadrature of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
 const OPEN: f64 = 1e-2;
 
 /// The kinematic program of limit analysis.
@@ -55,31 +56,34 @@ pub struct LimitPass {
     pub lower: Option<LowerFactor>,
     /// Both.
     pub bracket: Option<FactorBracket>,
-    /// The lower bound without any friction, where there is friction: it bounds the load factor of a structure under
-    /// Coulomb's law, which the bound with associated friction does not.
+    /// The lower bound without any friction, where there is friction: it bounds the load factor of
+    /// a structure under Coulomb's law, which the bound with associated friction does not.
     pub frictionless: Option<LowerFactor>,
     /// The program it comes from.
     pub frictionless_run: Option<ProgramRun>,
     /// The stresses it comes from.
     pub frictionless_stress: Option<StressField>,
-    /// For a structure that friction alone holds against its loads: which parts, in words. Its load factor without friction
-    /// is 0.
+    /// For a structure that friction alone holds against its loads: which parts, in words. Its load
+    /// factor without friction is 0.
     pub slides: Option<String>,
-    /// The lower bound without friction and the upper one with associated friction: the bracket of the structure under
-    /// Coulomb's law.
+    /// The lower bound without friction and the upper one with associated friction: the bracket of
+    /// the structure under Coulomb's law.
     pub coulomb: Option<FactorBracket>,
     /// What a fixed point finds for Coulomb's law, where the model asks for it.
     pub coulomb_estimate: Option<CoulombEstimate>,
     /// A stress field that proves that the load factor has no limit. No program was solved then.
     pub unlimited: Option<Unlimited>,
-    /// A mechanism at zero load. No program was solved then; `lower` is zero, from no stress at all or that of the dead loads.
+    /// A mechanism at zero load. No program was solved then; `lower` is zero, from no stress at all
+    /// or that of the dead loads.
     pub free: Option<FreeMechanism>,
     /// Which parts it moves, in words.
     pub moves: Option<String>,
-    /// Contributions to the gap of the bracket that answers: under Coulomb's law that with the bound without friction.
+    /// Contributions to the gap of the bracket that answers: under Coulomb's law that with the
+    /// bound without friction.
     pub contributions: Option<Contributions>,
-    /// What each tet's yield conditions hold the lower bound that answers down by: shares of the load factor, the dissipation of
-    /// the static program's own multipliers. Where they are is no mechanism of the kinematic program.
+    /// What each tet's yield conditions hold the lower bound that answers down by: shares of the
+    /// load factor, the dissipation of the static program's own multipliers. Where they are is no
+    /// mechanism of the kinematic program.
     pub yield_multiplier_share: Option<Vec<f64>>,
 }
 
@@ -96,7 +100,8 @@ impl LimitPass {
         runs(&self.kinematic, &self.statics)
     }
 
-    /// The stress of the lower bound that answers, and that bound: under Coulomb's law the one without friction.
+    /// The stress of the lower bound that answers, and that bound: under Coulomb's law the one
+    /// without friction.
     pub fn carried(&self, coulomb: bool) -> Option<(&StressField, &LowerFactor)> {
         let (stress, bound) = match coulomb {
             true => (&self.frictionless_stress, &self.frictionless),
@@ -105,7 +110,8 @@ impl LimitPass {
         stress.as_ref().zip(bound.as_ref())
     }
 
-    /// Contributions to the gap of the bracket that answers; their sum is asserted where both fields are admissible.
+    /// Contributions to the gap of the bracket that answers; their sum is asserted where both
+    /// fields are admissible.
     fn add_contributions(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
         let smooth = model.has_coulomb().then(|| model.without_friction());
         let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
@@ -126,7 +132,8 @@ impl LimitPass {
         Ok(())
     }
 
-    /// The estimate within the certified bounds of the structure under Coulomb's law; one that is far beyond them is none.
+    /// The estimate within the certified bounds of the structure under Coulomb's law; one that is
+    /// far beyond them is none.
     fn inside_bounds(&self, found: CoulombEstimate) -> CoulombEstimate {
         let Some(factor) = found.factor else { return found };
         // only a bound with its certificate corrects an estimate
@@ -185,7 +192,8 @@ fn moves(model: &AnalysisModel, field: &VelocityField) -> String {
     diagnosis::mechanism(model, model.node_parts().into_iter().zip(field.nodes.u.iter().copied()))
 }
 
-/// What can be told of a load factor without limit or of zero without any program; `None` where neither can be proved.
+/// What can be told of a load factor without limit or of zero without any program; `None` where
+/// neither can be proved.
 fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPass>, PassError> {
     model.check_limit_analysis()?;
     let dead = || dead_stress(model, patterns).transpose();
@@ -225,8 +233,8 @@ fn extreme(model: &AnalysisModel, patterns: &Patterns) -> Result<Option<LimitPas
     Ok(Some(pass))
 }
 
-/// Runs both programs of limit analysis, and the static one without friction where there is friction; none where a
-/// load factor without limit or of zero can be proved without them.
+/// Runs both programs of limit analysis, and the static one without friction where there is
+/// friction; none where a load factor without limit or of zero can be proved without them.
 pub fn run(
     model: &AnalysisModel,
     options: &PassOptions,
@@ -415,7 +423,8 @@ fn in_words(e: LowerError) -> RecoverError {
     }
 }
 
-/// A stress field of the dead loads alone, from the elastic, perfectly plastic program under them; `None` without any.
+/// A stress field of the dead loads alone, from the elastic, perfectly plastic program under them;
+/// `None` without any.
 fn dead_stress(
     model: &AnalysisModel,
     patterns: &Patterns,

@@ -3,11 +3,12 @@
 use crate::solve::forecast::available_memory;
 use std::sync::Arc;
 
-/// What a forecast leaves out: fields, certificates and files after the solve, the allocator's own losses.
+/// What a forecast leaves out: fields, certificates and files after the solve, the allocator's own
+/// losses.
 const RESERVE: f64 = 0.05;
 
-/// At least so much is left to the machine \[bytes\]: below that the kernel starts to throw out programs and files in use, and
-/// everything on the machine, this run included, slows down or dies.
+/// At least so much is left to the machine \[bytes\]: below that the kernel starts to throw out
+/// programs and files in use, and everything on the machine, this run included, slows down or dies.
 const LEAST_RESERVE: u64 = 256 << 20;
 
 /// Who sets the limit.
@@ -31,8 +32,8 @@ pub struct Room {
 /// Asked for the room whenever solves are about to start; `None`: nobody can tell.
 pub type RoomSource = Arc<dyn Fn() -> Option<Room> + Send + Sync>;
 
-/// The room there is now; `asked`: what the process may use in all \[bytes\]. `None` where neither the system nor the user
-/// tells.
+/// The room there is now; `asked`: what the process may use in all \[bytes\]. `None` where neither
+/// the system nor the user tells.
 pub fn room(asked: Option<u64>) -> Option<Room> {
     room_of(available_memory(), asked, resident())
 }
@@ -63,7 +64,8 @@ pub struct Plan {
     pub together: bool,
 }
 
-/// Plans programs that need so much memory each \[bytes\] for a room \[bytes\]; what fits alone starts.
+/// Plans programs that need so much memory each \[bytes\] for a room \[bytes\]; what fits alone
+/// starts.
 pub fn plan(needs: &[u64], room: u64) -> Plan {
     let starts: Vec<bool> = needs.iter().map(|n| *n <= room).collect();
     let sum = needs
@@ -128,7 +130,8 @@ mod tests {
         assert_eq!(room_of(Some(GIB), None, 0), machine(GIB - (256 << 20)));
         assert_eq!(room_of(Some(100 * GIB), None, 0), machine(95 * GIB));
         assert_eq!(room_of(Some(100 << 20), None, 0), machine(0));
-        // what the process holds already counts against the user's limit, not against what the machine has left
+        // what the process holds already counts against the user's limit, not against what the
+        // machine has left
         assert_eq!(room_of(Some(100 * GIB), Some(20 * GIB), 4 * GIB), asked(15 * GIB, 20 * GIB));
         assert_eq!(
             room_of(Some(10 * GIB), Some(20 * GIB), 4 * GIB),

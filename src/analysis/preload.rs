@@ -1,8 +1,9 @@
 //! Preloaded bolts: first tightened, then loaded with the cuts of their shanks frozen.
 //!
-//! Step 1, under the dead loads: every cut closes by δ, driven by its preload: `−F_p δ` in the kinematic program, a resultant F_p of
-//! the tractions in the static one. The two closures enclose the exact one where nothing else is loaded; their mean is
-//! taken. Step 2: the same closure on both sides, all loads: both bounds are strict for the structure with that closure.
+//! Step 1, under the dead loads: every cut closes by δ, driven by its preload: `−F_p δ` in the
+//! kinematic program, a resultant F_p of the tractions in the static one. The two closures enclose
+//! the exact one where nothing else is loaded; their mean is taken. Step 2: the same closure on
+//! both sides, all loads: both bounds are strict for the structure with that closure.
 
 use crate::analysis::engine::{
     Both, Done, Event, Pass, PassError, PassOptions, Progress, both, run,
@@ -105,7 +106,8 @@ pub(crate) fn tighten_and_run(
     run(&frozen, &options, progress)
 }
 
-/// The bolts of a model whose cuts are frozen, with the tension that a static field leaves in each \[N\].
+/// The bolts of a model whose cuts are frozen, with the tension that a static field leaves in each
+/// \[N\].
 pub fn tightened(model: &AnalysisModel, tensions: Option<&[f64]>) -> Vec<Tightened> {
     let bolts = model.preload.iter().enumerate();
     bolts

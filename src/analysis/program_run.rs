@@ -76,7 +76,8 @@ pub(crate) trait DiscreteProgram<'a>: Sized + Send + Sync {
     fn another(&self, _: &AnalysisModel, _: &Solution) -> Option<Another> {
         None
     }
-    /// Field and certified bound of an optimal solution, the last of its sequence; `patterns`: what is known of the mesh's matrices.
+    /// Field and certified bound of an optimal solution, the last of its sequence; `patterns`: what
+    /// is known of the mesh's matrices.
     fn recover(
         &self,
         model: &AnalysisModel,

@@ -1,4 +1,5 @@
-//! Forces and moments at member ends: from the member's own axes to a force and a moment in global axes, and to the bolt plane.
+//! Forces and moments at member ends: from the member's own axes to a force and a moment in global
+//! axes, and to the bolt plane.
 
 use super::assembly::{Action as Acting, FaceLoad, FaceRule};
 use super::error::AssemblyError;
@@ -116,8 +117,8 @@ pub(super) fn check(
     }
 }
 
-/// What a load puts on the end section: one entry for what carries the load factor, one for what does not. Adds the section
-/// to the named faces.
+/// What a load puts on the end section: one entry for what carries the load factor, one for what
+/// does not. Adds the section to the named faces.
 pub(super) fn on_end(
     load: &LoadSpec,
     i: usize,
@@ -182,15 +183,16 @@ pub(super) fn on_end(
         .collect())
 }
 
-/// What a load case puts on the bolt plane of a member end, in the member's own axes: x′ out of the joint, y′ across, z′ up its
-/// section.
+/// What a load case puts on the bolt plane of a member end, in the member's own axes: x′ out of the
+/// joint, y′ across, z′ up its section.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaneActions {
     /// Load case.
     pub case: String,
     /// Member end.
     pub end: String,
-    /// N, Vy, Vz \[N\] and T, My, Mz \[N mm\] that the load factor multiplies; My about y′ pulls the top of the section.
+    /// N, Vy, Vz \[N\] and T, My, Mz \[N mm\] that the load factor multiplies; My about y′ pulls
+    /// the top of the section.
     pub live: [V3; 2],
     /// The same of what stays fixed.
     pub dead: [V3; 2],
@@ -237,7 +239,8 @@ pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, 
     ends.iter().filter(|e| wanted.contains(&e.name)).filter_map(of).collect()
 }
 
-/// The actions of every load case on the bolt planes of the member ends `wanted`; the directions of a polygon are no demand.
+/// The actions of every load case on the bolt planes of the member ends `wanted`; the directions of
+/// a polygon are no demand.
 pub(super) fn on_planes(
     loads: &[LoadSpec],
     ends: &[End<'_>],

@@ -1,6 +1,8 @@
-//! The assembly: parts with their solids, materials, interfaces, supports and loads, in global coordinates.
+//! The assembly: parts with their solids, materials, interfaces, supports and loads, in global
+//! coordinates.
 //!
-//! Produced from spec + template + catalogue; consumed by `geometry` (solids → CAD script), `mesh` and `model`.
+//! Produced from spec + template + catalogue; consumed by `geometry` (solids → CAD script), `mesh`
+//! and `model`.
 
 use crate::spec::friction::FrictionLaw;
 use serde::{Deserialize, Serialize};
@@ -50,7 +52,8 @@ pub enum Solid {
         /// Length along `u × v`, > 0.
         length: f64,
     },
-    /// A circular cylinder; meshed as a regular prism of `segments` sides with the area of the circle.
+    /// A circular cylinder; meshed as a regular prism of `segments` sides with the area of the
+    /// circle.
     Cylinder {
         /// Centre of the first end.
         base: [f64; 3],
@@ -118,7 +121,8 @@ pub struct Part {
     pub material: String,
     /// Its shape, before symmetry cuts it.
     pub solid: Solid,
-    /// Pieces its bounding boxes for clash checks are made of: convex solids whose union covers the part closely.
+    /// Pieces its bounding boxes for clash checks are made of: convex solids whose union covers the
+    /// part closely.
     pub convex: Vec<Solid>,
     /// Mid-thickness planes.
     pub mid_planes: Vec<MidPlane>,
@@ -126,7 +130,8 @@ pub struct Part {
     pub size: f64,
 }
 
-/// An open interface, found in the mesh as the faces shared by two parts (and lying on `surface`, if given).
+/// An open interface, found in the mesh as the faces shared by two parts (and lying on `surface`,
+/// if given).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceRule {
     /// The two parts; the normal points out of the first.
@@ -154,7 +159,8 @@ pub struct WeldRule {
     pub imprint: bool,
     /// Throat of each weld \[mm\].
     pub throat: f64,
-    /// Area of the interface over half of the length of its welds \[mm\]: the thickness of a plate with a weld on either side.
+    /// Area of the interface over half of the length of its welds \[mm\]: the thickness of a plate
+    /// with a weld on either side.
     pub thickness: f64,
     /// Strength f_u/(√3 β_w γ_M2) on the throat \[MPa\].
     pub strength: f64,
@@ -197,7 +203,8 @@ pub struct FaceRule {
     pub part: String,
     /// Where it is.
     pub surface: Surface,
-    /// True when the rectangle is not bounded by edges of the part and must be imprinted (a load or support footprint).
+    /// True when the rectangle is not bounded by edges of the part and must be imprinted (a load or
+    /// support footprint).
     pub imprint: bool,
 }
 
@@ -231,7 +238,8 @@ pub struct FaceSupport {
 pub enum Action {
     /// Constant traction \[MPa\].
     Traction([f64; 3]),
-    /// Force and moment on a section that stays plane and keeps its shape. Global axes, moments right-handed.
+    /// Force and moment on a section that stays plane and keeps its shape. Global axes, moments
+    /// right-handed.
     Resultant {
         /// Point the force passes through and the moment is taken about \[mm\].
         at: [f64; 3],
@@ -255,14 +263,16 @@ pub struct FaceLoad {
     pub dead: bool,
 }
 
-/// A symmetry plane `x[axis] = 0` of geometry, supports and loads; the side with positive coordinates is kept.
+/// A symmetry plane `x[axis] = 0` of geometry, supports and loads; the side with positive
+/// coordinates is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SymmetryPlane {
     /// Normal axis, 0 = x, 1 = y, 2 = z.
     pub axis: usize,
 }
 
-/// A joint ready for geometry and meshing. Coordinates: x along the beams, y across, z up along the column \[mm\].
+/// A joint ready for geometry and meshing. Coordinates: x along the beams, y across, z up along the
+/// column \[mm\].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assembly {
     /// Name of the joint.

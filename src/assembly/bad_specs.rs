@@ -1,4 +1,5 @@
-//! Specs that cannot be built: each ends with one code, one place and a message that names the cure.
+//! Specs that cannot be built: each ends with one code, one place and a message that names the
+//! cure.
 
 use super::tests::{PAPER, joint, with};
 use crate::diag::{Diagnostic, Fault};
@@ -310,7 +311,8 @@ fn every_bad_spec_is_told_what_where_and_how_to_cure_it() {
         let d = first_fault(&text);
         let said = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
         let lacks: Vec<&&str> = case.words.iter().filter(|w| !said.contains(**w)).collect();
-        // the line shown must be the changed one, or, where something is missing, any line of the file
+        // the line shown must be the changed one, or, where something is missing, any line of the
+        // file
         let line = PAPER[..PAPER.find(case.old).expect("old")].matches('\n').count() + 1;
         let at_line = d.place.line.is_some_and(|l| l == line || case.code == "spec/missing");
         let right = d.code == case.code

@@ -1,4 +1,5 @@
-//! What the hand checks of a code see of a bolted end plate: the template's `hand_checks` with its values.
+//! What the hand checks of a code see of a bolted end plate: the template's `hand_checks` with its
+//! values.
 
 use super::actions::PlaneActions;
 use super::error::AssemblyError;
@@ -13,18 +14,21 @@ use crate::spec::loads::LoadSpec;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual practice.
+/// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual
+/// practice.
 const CLIP_BEYOND_ROOT: f64 = 5.0;
 
 /// The entry of a template: which of its names are what the code means. Lengths unless said.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndPlateEntry {
-    /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the other beam.
+    /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the
+    /// other beam.
     pub column: Option<String>,
     /// Member role of the beam.
     pub beam: String,
-    /// Whose steel the plate has: the first of these that the spec gives (`plate` or a member role).
+    /// Whose steel the plate has: the first of these that the spec gives (`plate` or a member
+    /// role).
     pub steel: Vec<String>,
     /// Thickness of the plate.
     pub thickness: Expr,
@@ -36,24 +40,30 @@ pub struct EndPlateEntry {
     pub top: Expr,
     /// Distance of the two columns of bolts.
     pub gauge: Expr,
-    /// Distance of the two outer columns of bolts of rows with four; zero or absent: two bolts in a row.
+    /// Distance of the two outer columns of bolts of rows with four; zero or absent: two bolts in a
+    /// row.
     pub outer_gauge: Option<Expr>,
     /// The list parameter that holds the rows, from the beam's axis.
     pub rows: String,
     /// Diameter of the holes.
     pub hole: Expr,
-    /// From the beam's axis to where the column really ends above; zero or absent: it continues beyond the model.
+    /// From the beam's axis to where the column really ends above; zero or absent: it continues
+    /// beyond the model.
     pub column_above: Option<Expr>,
-    /// From the beam's axis to where the column really ends below; zero or absent: it continues beyond the model.
+    /// From the beam's axis to where the column really ends below; zero or absent: it continues
+    /// beyond the model.
     pub column_below: Option<Expr>,
-    /// Thickness of the stiffeners of the column level with both beam flanges; zero or absent for none.
+    /// Thickness of the stiffeners of the column level with both beam flanges; zero or absent for
+    /// none.
     pub stiffener: Option<Expr>,
-    /// Thickness of a supplementary plate on one side of the column web, as wide as the web is flat and as high as the end
-    /// plate; zero or absent for none.
+    /// Thickness of a supplementary plate on one side of the column web, as wide as the web is flat
+    /// and as high as the end plate; zero or absent for none.
     pub doubler: Option<Expr>,
-    /// Throat of the fillet welds on either side of each stiffener, to web and flanges of the column; zero or absent: butt welds.
+    /// Throat of the fillet welds on either side of each stiffener, to web and flanges of the
+    /// column; zero or absent: butt welds.
     pub stiffener_throat: Option<Expr>,
-    /// How much of a stiffener is cut away at the root of the column; absent: the root radius and 5 mm.
+    /// How much of a stiffener is cut away at the root of the column; absent: the root radius and 5
+    /// mm.
     pub stiffener_clip: Option<Expr>,
     /// Throat of the fillet welds round the supplementary web plate; zero or absent: butt welds.
     pub doubler_throat: Option<Expr>,
@@ -65,11 +75,12 @@ pub struct EndPlateEntry {
     pub flange_throat: Option<Expr>,
     /// Throat of the fillet welds of the beam's web; absent: butt welds.
     pub web_throat: Option<Expr>,
-    /// Length of beam that bends between the section that carries the actions and the plates, in a splice with that of the held
-    /// beam: its rotation is not the joint's. Absent: the analysis gives no stiffness of the joint.
+    /// Length of beam that bends between the section that carries the actions and the plates, in a
+    /// splice with that of the held beam: its rotation is not the joint's. Absent: the analysis
+    /// gives no stiffness of the joint.
     pub bending_length: Option<Expr>,
-    /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on one side alone. Load cases
-    /// with actions at `ends` have their own.
+    /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on
+    /// one side alone. Load cases with actions at `ends` have their own.
     pub beta: Option<Expr>,
     /// Member ends that are joined by such a plate each; every one has a point `bolt_plane`.
     #[serde(default)]
@@ -98,7 +109,8 @@ impl Strength {
         if other.fu < self.fu { other } else { self }
     }
 
-    /// Design shear strength of a fillet weld \[MPa\], `f_vw,d = f_u/(√3 β_w γ_M2)`; `None` for grades without β_w.
+    /// Design shear strength of a fillet weld \[MPa\], `f_vw,d = f_u/(√3 β_w γ_M2)`; `None` for
+    /// grades without β_w.
     ///
     /// # Source
     /// EN 1993-1-8:2005 4.5.3.3(3), formula 4.4.
@@ -132,7 +144,8 @@ pub struct ColumnSide {
     pub doubler_throat: f64,
     /// β where a load case has none of its own.
     pub beta: f64,
-    /// Largest longitudinal compressive stress at the web's root, from N and M of the spec \[MPa\]; `None` where it gives none.
+    /// Largest longitudinal compressive stress at the web's root, from N and M of the spec \[MPa\];
+    /// `None` where it gives none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub longitudinal: Option<f64>,
     /// What the column's shear forces take off that of the web panel, (V_c1 − V_c2)/2 \[N\].
@@ -141,8 +154,8 @@ pub struct ColumnSide {
     pub system_length: Option<f64>,
 }
 
-/// A bolted end plate between a beam and the flange of a column, or the same plate on another beam. Lengths in mm, z from the
-/// beam's axis, up positive.
+/// A bolted end plate between a beam and the flange of a column, or the same plate on another beam.
+/// Lengths in mm, z from the beam's axis, up positive.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EndPlate {
     /// The column; `None` in a splice.
@@ -181,7 +194,8 @@ pub struct EndPlate {
     pub flange_throat: f64,
     /// Throat of the welds of the beam's web; 0 for butt welds.
     pub web_throat: f64,
-    /// Length of beam between the section that carries the actions and the plates; 0 where it is not known.
+    /// Length of beam between the section that carries the actions and the plates; 0 where it is
+    /// not known.
     pub bending_length: f64,
     /// System length of the beam, where the spec gives it.
     pub system_length: Option<f64>,
@@ -214,7 +228,8 @@ pub struct EndPlate {
     pub gamma_m7: f64,
 }
 
-/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` where the spec gives neither N nor M.
+/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` where
+/// the spec gives neither N nor M.
 ///
 /// `σ = −N/A + |M| (h/2 − t_f − r)/I_y`, not below 0.
 fn longitudinal(

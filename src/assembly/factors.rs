@@ -1,4 +1,5 @@
-//! Partial factors of a spec: what it gives, else what its national annex sets, else the recommended values.
+//! Partial factors of a spec: what it gives, else what its national annex sets, else the
+//! recommended values.
 
 use super::error::AssemblyError;
 use super::scope::Resolved;

@@ -1,4 +1,5 @@
-//! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter values, friction.
+//! What the spec says, checked against template and catalogue: profiles, steels, bolts, parameter
+//! values, friction.
 
 use super::assembly::PartMaterial;
 use super::end_plate::Strength;
@@ -174,7 +175,8 @@ impl<'a> Inputs<'a> {
         self.profiles.iter().find(|(r, _)| r == role).map(|(_, p)| *p)
     }
 
-    /// Adds the material of a part and returns its key: grade, and thickness where two strengths of a grade meet.
+    /// Adds the material of a part and returns its key: grade, and thickness where two strengths of
+    /// a grade meet.
     pub fn steel_material(
         &self,
         spec: &ConnectionSpec,
@@ -221,8 +223,8 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// What the reader of the report must know about factors and grades: partial factors below the recommended ones, ASTM steels and
-    /// bolts under the checks of a European code.
+    /// What the reader of the report must know about factors and grades: partial factors below the
+    /// recommended ones, ASTM steels and bolts under the checks of a European code.
     pub fn notes(&self) -> Vec<String> {
         let foreign = |standard: &str| standard.starts_with("ASTM");
         let mut grades: Vec<String> = Vec::new();
@@ -251,7 +253,8 @@ impl<'a> Inputs<'a> {
         &self.factors
     }
 
-    /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN 1993-1-8 Table 3.4.
+    /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN
+    /// 1993-1-8 Table 3.4.
     pub fn bolt_material(
         &self,
         size: &BoltSize,
@@ -316,7 +319,8 @@ fn thread_yields(size: &BoltSize, grade: &BoltGrade) -> f64 {
     grade.fyb * size.stress_area
 }
 
-/// The preload a spec asks for \[N\], if any: above zero, below what the thread yields at, of a grade made for it (EN 1993-1-8:2005
+/// The preload a spec asks for \[N\], if any: above zero, below what the thread yields at, of a
+/// grade made for it (EN 1993-1-8:2005
 /// 3.1.2).
 fn preload(
     spec: &ConnectionSpec,

@@ -41,8 +41,8 @@ pub struct Joint {
     pub bolts: Vec<BoltLine>,
 }
 
-/// A bolt as a line of action. Its force is what the last part it passes puts on it: the nut's pressure along the shank, and what bears on
-/// the shank across.
+/// A bolt as a line of action. Its force is what the last part it passes puts on it: the nut's
+/// pressure along the shank, and what bears on the shank across.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct BoltLine {
     /// The bolt's part.
@@ -55,7 +55,8 @@ pub struct BoltLine {
     pub position: [f64; 3],
 }
 
-/// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by path).
+/// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by
+/// path).
 pub fn build(
     spec: &Parsed<ConnectionSpec>,
     base: &Path,
@@ -408,7 +409,8 @@ impl<'a> Builder<'a> {
         Ok(out)
     }
 
-    /// The cuts of preloaded shanks: at half the thickness of the part under the head, where its own mesh has a plane as well.
+    /// The cuts of preloaded shanks: at half the thickness of the part under the head, where its
+    /// own mesh has a plane as well.
     fn preloads(&self, bolts: &[Bolt<'_>]) -> Vec<BoltPreload> {
         let Some(force) = self.inputs.preload else { return Vec::new() };
         let cut = |b: &Bolt<'_>| {

@@ -21,11 +21,13 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// The diagnostic of a fault that is the template's own, placed in its file; any other fault as it is.
+    /// The diagnostic of a fault that is the template's own, placed in its file; any other fault as
+    /// it is.
     pub fn placed(&self, template: &Template, error: AssemblyError) -> Diagnostic {
         let entry = match &error {
             AssemblyError::Template { at, cause } => {
-                // a value is settled for another one that needs it: the expression tells whose fault it is
+                // a value is settled for another one that needs it: the expression tells whose
+                // fault it is
                 let own = template.define.iter().position(|d| d.value.text() == cause.text);
                 Some(own.map(|i| format!("define[{i}]")).or_else(|| template.path_of(at)))
             }
@@ -49,8 +51,9 @@ impl Origin {
 }
 
 impl Template {
-    /// The path of an entry in the template's file, from the word an [`AssemblyError`] has for it: the entry's name, as it stands there or
-    /// with its loops filled in, the text of a check, or a key of `hand_checks`.
+    /// The path of an entry in the template's file, from the word an [`AssemblyError`] has for it:
+    /// the entry's name, as it stands there or with its loops filled in, the text of a check, or a
+    /// key of `hand_checks`.
     fn path_of(&self, at: &str) -> Option<String> {
         if at.starts_with("hand_checks.") {
             return Some(at.to_owned());

@@ -46,7 +46,8 @@ impl Placed<'_> {
         ((self.along + 1) % 3, (self.along + 2) % 3)
     }
 
-    /// A point of the section (across, deep) in the outline's frame; a quarter turn keeps the sense of rotation.
+    /// A point of the section (across, deep) in the outline's frame; a quarter turn keeps the sense
+    /// of rotation.
     fn turn(&self, [w, d]: [f64; 2]) -> [f64; 2] {
         if self.frame().1 == self.depth { [w, d] } else { [d, -w] }
     }
@@ -69,7 +70,8 @@ impl Placed<'_> {
     pub fn solid(&self) -> Solid {
         let p = self.profile;
         let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
-        // counter-clockwise from the lower right corner, width to the right and depth upwards; `true` ends a fillet
+        // counter-clockwise from the lower right corner, width to the right and depth upwards;
+        // `true` ends a fillet
         let c = [w + r, f - r];
         let points: [([f64; 2], Option<[f64; 2]>); 16] = [
             ([b, -h], None),
@@ -126,7 +128,8 @@ impl Placed<'_> {
                 [sw * (w + r - r * a.cos()), sd * (f - r + r * a.sin())]
             };
             for i in 0..if r > 0.0 { FILLET_WEDGES } else { 0 } {
-                // the arc runs from the web to the flange; the sense of the triangle follows the quadrant
+                // the arc runs from the web to the flange; the sense of the triangle follows the
+                // quadrant
                 let (from, to) =
                     if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
                 let start = self.turn(corner);
@@ -137,8 +140,8 @@ impl Placed<'_> {
         out
     }
 
-    /// Mid-thickness planes of the flanges and of the web; the web's ends on the flanges', so that no edge of a plane
-    /// hangs inside the steel.
+    /// Mid-thickness planes of the flanges and of the web; the web's ends on the flanges', so that
+    /// no edge of a plane hangs inside the steel.
     pub fn mid_planes(&self) -> Vec<MidPlane> {
         let p = self.profile;
         let middle = (p.h - p.tf) / 2.0;
@@ -187,8 +190,8 @@ impl Hole {
         x
     }
 
-    /// Half side of the square that clash checks spare: no corner of the meshed polygon, which has the circle's area,
-    /// reaches beyond it.
+    /// Half side of the square that clash checks spare: no corner of the meshed polygon, which has
+    /// the circle's area, reaches beyond it.
     fn spared(&self) -> f64 {
         let step = std::f64::consts::TAU / f64::from(self.segments);
         self.radius * (step / step.sin()).sqrt()
@@ -226,7 +229,8 @@ pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
     [hole.cylinder(), head, nut]
 }
 
-/// A hexagon prism that stands on `base` towards `sign` times the axis, two corners on axis `corner`.
+/// A hexagon prism that stands on `base` towards `sign` times the axis, two corners on axis
+/// `corner`.
 fn hexagon(
     base: [f64; 3],
     axis: usize,

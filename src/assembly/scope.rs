@@ -1,4 +1,5 @@
-//! Names and their values while a template is evaluated: profiles, bolts, parameters, definitions, loop variables.
+//! Names and their values while a template is evaluated: profiles, bolts, parameters, definitions,
+//! loop variables.
 
 use super::error::AssemblyError;
 use super::template::{Default, Loop, Parameter, ParameterKind, Template};
@@ -209,9 +210,11 @@ impl Scope {
         }
     }
 
-    /// Resolves all parameters and definitions of a template: what the spec gives, otherwise the default.
+    /// Resolves all parameters and definitions of a template: what the spec gives, otherwise the
+    /// default.
     ///
-    /// Order does not matter; a loop of defaults is an error that lists it. Ranges are checked afterwards.
+    /// Order does not matter; a loop of defaults is an error that lists it. Ranges are checked
+    /// afterwards.
     pub fn resolve(
         &mut self,
         template: &Template,
@@ -391,7 +394,8 @@ fn show(value: f64, dim: Dim) -> String {
     Value::Quantity(crate::units::Quantity { value, dim }).to_string()
 }
 
-/// Where a parameter stands in the spec: `plate.*` and `bolts.*` in the fixed part, everything else under `parameters`.
+/// Where a parameter stands in the spec: `plate.*` and `bolts.*` in the fixed part, everything else
+/// under `parameters`.
 pub fn path_of(parameter: &str) -> String {
     if parameter.starts_with("plate.") || parameter.starts_with("bolts.") {
         parameter.to_owned()

@@ -1,4 +1,5 @@
-//! The bolts that are meshed against the bolts that the hand checks see: a verdict by code about half of the bolts is none.
+//! The bolts that are meshed against the bolts that the hand checks see: a verdict by code about
+//! half of the bolts is none.
 
 use super::actions::Frame;
 use super::assembly::{Part, PartRole};
@@ -23,8 +24,9 @@ pub(super) struct Meshed<'a> {
     pub through: Vec<&'a str>,
 }
 
-/// Refuses a template whose bolts through an end plate are others than rows × columns of its `hand_checks`. `frames` are those of
-/// the member ends it names; without any, the beam runs along x through the origin.
+/// Refuses a template whose bolts through an end plate are others than rows × columns of its
+/// `hand_checks`. `frames` are those of the member ends it names; without any, the beam runs along
+/// x through the origin.
 pub(super) fn check(
     bolts: &[Meshed<'_>],
     parts: &[Part],

@@ -1,7 +1,8 @@
-//! Symmetry of a whole joint: geometry, materials, interfaces, supports and loads against their mirror images.
+//! Symmetry of a whole joint: geometry, materials, interfaces, supports and loads against their
+//! mirror images.
 //!
-//! Solids are compared as sets of rounded points, so that it does not matter in which order or sense a template draws
-//! them.
+//! Solids are compared as sets of rounded points, so that it does not matter in which order or
+//! sense a template draws them.
 
 use super::assembly::{
     Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane, WeldRule,
@@ -107,8 +108,8 @@ fn surface(s: &Surface, mirror: Option<usize>) -> Signature {
     }
 }
 
-/// What acts on a face: traction, or point, force and moment. A mirror turns moments the other way round, but for the one
-/// about its normal.
+/// What acts on a face: traction, or point, force and moment. A mirror turns moments the other way
+/// round, but for the one about its normal.
 fn action(a: &Action, mirror: Option<usize>) -> Vec<Point> {
     match *a {
         Action::Traction(t) => vec![round(t, mirror)],
@@ -121,7 +122,8 @@ fn action(a: &Action, mirror: Option<usize>) -> Vec<Point> {
     }
 }
 
-/// Everything about a joint that symmetry must keep, with part names replaced by numbers of equal shapes.
+/// Everything about a joint that symmetry must keep, with part names replaced by numbers of equal
+/// shapes.
 fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
     let shapes: BTreeMap<&str, (Signature, &str, i64)> = a
         .parts

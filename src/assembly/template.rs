@@ -1,6 +1,7 @@
 //! Connection templates: what a template file may say, and where the shipped ones are.
 //!
-//! A template is data. Adding a connection type means adding a file; no line of Rust knows a template by name.
+//! A template is data. Adding a connection type means adding a file; no line of Rust knows a
+//! template by name.
 
 use super::end_plate::EndPlateEntry;
 use super::origin::Origin;
@@ -15,7 +16,8 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The shipped templates: name and text, in the order of the names. They are the files of `templates/`.
+/// The shipped templates: name and text, in the order of the names. They are the files of
+/// `templates/`.
 pub const SHIPPED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
 /// A coordinate axis.
@@ -115,7 +117,8 @@ pub enum ParameterKind {
     Lengths,
 }
 
-/// A parameter of the spec. `plate.*` and `bolts.*` stand there; everything else under `parameters`.
+/// A parameter of the spec. `plate.*` and `bolts.*` stand there; everything else under
+/// `parameters`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Parameter {
@@ -207,8 +210,8 @@ pub struct Definition {
 
 /// One loop; several make nested loops, the last runs fastest.
 ///
-/// In expressions `each` is the value and `each.n` the number from 1; in texts `{#each}` is the label (or the number)
-/// and `{@each}` the index from 0.
+/// In expressions `each` is the value and `each.n` the number from 1; in texts `{#each}` is the
+/// label (or the number) and `{@each}` the index from 0.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Loop {
@@ -340,7 +343,8 @@ pub struct MidEntry {
     pub z: Option<[Expr; 2]>,
 }
 
-/// A bolt with hexagon head and nut, from the bearing face of the head through parts to that of the nut.
+/// A bolt with hexagon head and nut, from the bearing face of the head through parts to that of the
+/// nut.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoltEntry {
@@ -429,7 +433,8 @@ pub struct WeldEntry {
     pub each: Vec<Loop>,
     /// Only where this holds.
     pub when: Option<Expr>,
-    /// The two parts, parts of members or plates; the weld is as strong as the weaker steel lets it be.
+    /// The two parts, parts of members or plates; the weld is as strong as the weaker steel lets it
+    /// be.
     pub between: [String; 2],
     /// Where.
     pub face: RectangleEntry,
@@ -438,7 +443,8 @@ pub struct WeldEntry {
     pub imprint: bool,
     /// Throat of each weld; 0 mm: full penetration, the parts are tied.
     pub throat: Expr,
-    /// Area of the interface over half of the length of its welds: the thickness of a plate with a weld on either side.
+    /// Area of the interface over half of the length of its welds: the thickness of a plate with a
+    /// weld on either side.
     pub thickness: Expr,
 }
 
@@ -461,8 +467,8 @@ pub struct SectionEntry {
     pub imprint: bool,
 }
 
-/// A member end that N, V, M and T can act on. The member's own axes: x′ along `outward`, out of the joint; z′ along `depth`;
-/// y′ = z′ × x′. The end section stays plane.
+/// A member end that N, V, M and T can act on. The member's own axes: x′ along `outward`, out of
+/// the joint; z′ along `depth`; y′ = z′ × x′. The end section stays plane.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EndEntry {
@@ -548,8 +554,8 @@ pub fn is_path(name: &str) -> bool {
     name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml")
 }
 
-/// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or `.yml` or holds a
-/// separator, and is taken relative to `base` (the folder of the spec).
+/// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or
+/// `.yml` or holds a separator, and is taken relative to `base` (the folder of the spec).
 pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
     if is_path(name) {
         let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };

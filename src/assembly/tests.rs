@@ -33,7 +33,8 @@ fn part<'a>(j: &'a Joint, name: &str) -> &'a Part {
     j.assembly.parts.iter().find(|p| p.name == name).unwrap_or_else(|| panic!("no part {name}"))
 }
 
-/// Lowest and highest corner of a solid's vertices (arcs bulge inwards in every solid of the paper's joint).
+/// Lowest and highest corner of a solid's vertices (arcs bulge inwards in every solid of the
+/// paper's joint).
 fn extent(s: &Solid) -> ([f64; 3], [f64; 3]) {
     let mut points = Vec::new();
     match s {
@@ -97,8 +98,8 @@ fn paper_joint_has_the_extents_of_the_reference_mesh() {
         extent(&part(&j, "BOLT_L3M").solid),
         ([-126.5, -65.58845727, 96.5], [-69.2, -34.41154273, 123.5]),
     );
-    // column stiffener level with the beam's upper flange, support stiffener of the beam: between the flanges,
-    // flush with their edges
+    // column stiffener level with the beam's upper flange, support stiffener of the beam: between
+    // the flanges, flush with their edges
     let Solid::Difference(list) = &part(&j, "COLUMN").solid else { panic!("the column has holes") };
     assert_eq!(list.len(), 1 + 12);
     let Solid::Union(pieces) = &list[0] else { panic!("the column has stiffeners") };
@@ -195,7 +196,8 @@ fn loads_decide_which_planes_of_symmetry_are_left() {
 
 #[test]
 fn geometry_decides_too() {
-    // rows, plate and supports symmetric about the beam axis: only load and supports forbid the plane z = 0
+    // rows, plate and supports symmetric about the beam axis: only load and supports forbid the
+    // plane z = 0
     let j = ok(&with("rows: [-215, -125, 110]}", "rows: [-110, 110]}")
         .replace("z: [-250, 200]", "z: [-220, 220]"));
     assert_eq!(j.assembly.symmetry.len(), 2);
@@ -206,7 +208,8 @@ fn geometry_decides_too() {
     if let Solid::Difference(list) = &mut a.parts[1].solid {
         list.pop();
     }
-    // a hole less in one plate: no plane is left but none either that maps the plate onto itself without that hole
+    // a hole less in one plate: no plane is left but none either that maps the plate onto itself
+    // without that hole
     assert!(super::symmetry::planes(&a).is_empty());
 }
 
@@ -283,7 +286,8 @@ fn convex_pieces_cover_the_part_and_spare_the_holes() {
     assert!((sum - section - twice).abs() < 0.01 * section, "{sum} {section}");
 }
 
-/// A connection type the program has never heard of: two lapped plates and a bolt, in a file of the user's.
+/// A connection type the program has never heard of: two lapped plates and a bolt, in a file of the
+/// user's.
 #[test]
 fn a_new_connection_type_needs_no_rust() {
     let template = "

@@ -11,8 +11,9 @@ pub const PLAIN_SYSTEM: &str = "ISO 4014";
 /// A bolt assembly of one size. All lengths in mm.
 ///
 /// # Source
-/// Thread ISO 261 / ISO 898-1, head ISO 4014, nut ISO 4032, washer ISO 7089, holes EN 1090-2 Table 11; preloaded
-/// systems: head, nut and washer of EN 14399-3 (HR) or EN 14399-4 (HV) with EN 14399-6.
+/// Thread ISO 261 / ISO 898-1, head ISO 4014, nut ISO 4032, washer ISO 7089, holes EN 1090-2 Table
+/// 11; preloaded systems: head, nut and washer of EN 14399-3 (HR) or EN 14399-4 (HV) with EN
+/// 14399-6.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoltSize {
     /// System: `ISO 4014` (plain), `HR` or `HV`.
@@ -144,7 +145,8 @@ impl BoltSize {
         Ok(bolts)
     }
 
-    /// Reads a table of preloaded assemblies; thread and holes come from the plain bolt of the same size.
+    /// Reads a table of preloaded assemblies; thread and holes come from the plain bolt of the same
+    /// size.
     pub(super) fn read_preloaded<'a>(
         table: &RawTable,
         plain: impl Fn(&str) -> Option<&'a Self>,

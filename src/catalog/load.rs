@@ -31,8 +31,8 @@ const BUILTIN: [(&str, &str); 13] = [
 /// Where each built-in table comes from; its table of files is read, not copied.
 const README: &str = include_str!("../../catalogs/README.md");
 
-/// What a table describes, told by its columns. The order is the order of reading: sizes before the assemblies and
-/// grades before the bands that refer to them.
+/// What a table describes, told by its columns. The order is the order of reading: sizes before the
+/// assemblies and grades before the bands that refer to them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Profiles,
@@ -104,9 +104,10 @@ impl Catalog {
         Ok(catalog)
     }
 
-    /// Adds every `.csv` file of a folder, in the order of their names. A name that is already there is refused with
-    /// both places. Sections whose tabulated and recomputed A or I_y differ by more than 0.5 % are added with a
-    /// warning ([`Catalog::warnings`]). On an error the catalogue is left as it was.
+    /// Adds every `.csv` file of a folder, in the order of their names. A name that is already
+    /// there is refused with both places. Sections whose tabulated and recomputed A or I_y differ
+    /// by more than 0.5 % are added with a warning ([`Catalog::warnings`]). On an error the
+    /// catalogue is left as it was.
     pub fn merge(&mut self, path: &Path) -> Result<(), CatalogError> {
         let io = |cause| CatalogError::Io { path: path.to_owned(), cause };
         let mut files = Vec::new();

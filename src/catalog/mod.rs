@@ -1,4 +1,5 @@
-//! Facts about sections, bolts and steels, each with its source: the tables of `catalogs/` and the user's own.
+//! Facts about sections, bolts and steels, each with its source: the tables of `catalogs/` and the
+//! user's own.
 //!
 //! ```
 //! use bracket::catalog::Catalog;
@@ -43,7 +44,8 @@ pub struct Provenance {
     pub cross_check: Option<String>,
 }
 
-/// All tables, looked up by name. Names are accepted in the usual spellings: `HE 200 B`, `HEB200`, `533x210x92 UB`.
+/// All tables, looked up by name. Names are accepted in the usual spellings: `HE 200 B`, `HEB200`,
+/// `533x210x92 UB`.
 #[derive(Clone, Debug, Default)]
 pub struct Catalog {
     profiles: Named<IProfile>,
@@ -63,7 +65,8 @@ impl Catalog {
         self.profiles.get(name)
     }
 
-    /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded systems.
+    /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded
+    /// systems.
     pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
         self.bolts.get(name)
     }
@@ -73,8 +76,8 @@ impl Catalog {
         self.bolt_grades.get(name)
     }
 
-    /// The steel: a grade (`S235`, `S355 J2+N`) or, where several standards share the grade, standard and grade
-    /// (`EN 10210-1 S355H`).
+    /// The steel: a grade (`S235`, `S355 J2+N`) or, where several standards share the grade,
+    /// standard and grade (`EN 10210-1 S355H`).
     pub fn steel(&self, name: &str) -> Result<&Steel, CatalogError> {
         if let Some(steel) = self.steels.find(name) {
             return Ok(steel);
@@ -111,7 +114,8 @@ impl Catalog {
         self.factors.get(name)
     }
 
-    /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the code without one.
+    /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the
+    /// code without one.
     pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
         let country =
             || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
@@ -153,12 +157,14 @@ impl Catalog {
         self.annexes.rows()
     }
 
-    /// Where the numbers of a file come from; nothing where the user's table has no `# source:` line.
+    /// Where the numbers of a file come from; nothing where the user's table has no `# source:`
+    /// line.
     pub fn provenance(&self, file: &str) -> Option<&Provenance> {
         self.provenance.get(file)
     }
 
-    /// What was odd in the user's tables: section properties that do not fit the dimensions, tables that were skipped.
+    /// What was odd in the user's tables: section properties that do not fit the dimensions, tables
+    /// that were skipped.
     pub fn warnings(&self) -> &[Diagnostic] {
         &self.warnings
     }

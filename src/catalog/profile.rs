@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 /// A rolled I or H section: nominal dimensions and tabulated properties.
 ///
 /// # Units
-/// Dimensions in mm, properties in the units of the tables (cm², cm³, cm⁴, cm⁶), mass in kg/m. Axis y is the strong
-/// axis (parallel to the flanges), z the weak one (EN 1993 convention).
+/// Dimensions in mm, properties in the units of the tables (cm², cm³, cm⁴, cm⁶), mass in kg/m. Axis
+/// y is the strong axis (parallel to the flanges), z the weak one (EN 1993 convention).
 ///
 /// # Source
 /// `source` names file and line; the provenance of the file is in `catalogs/README.md`.
@@ -63,7 +63,8 @@ pub struct IProfile {
     pub source: Source,
 }
 
-/// Relative difference above which tabulated and recomputed section properties are said to disagree (0.5 %).
+/// Relative difference above which tabulated and recomputed section properties are said to disagree
+/// (0.5 %).
 pub const PROPERTY_TOLERANCE: f64 = 0.005;
 
 impl IProfile {
@@ -94,11 +95,13 @@ impl IProfile {
         2.0 * self.b * self.tf + (self.h - 2.0 * self.tf) * self.tw + 4.0 * fillet_area(self.r)
     }
 
-    /// Second moment of area of the outline about the strong axis, exact quarter-circle fillets \[mm⁴\].
+    /// Second moment of area of the outline about the strong axis, exact quarter-circle fillets
+    /// \[mm⁴\].
     ///
     /// # Source
-    /// Each fillet is a square of side r less a quarter disc: about the flange's inner face its moment is
-    /// (1 − 5π/16) r⁴, its centroid lies (10 − 3π)/(12 − 3π) r from that face; then the parallel-axis theorem.
+    /// Each fillet is a square of side r less a quarter disc: about the flange's inner face its
+    /// moment is (1 − 5π/16) r⁴, its centroid lies (10 − 3π)/(12 − 3π) r from that face; then the
+    /// parallel-axis theorem.
     pub fn outline_i_y(&self) -> f64 {
         let clear = self.h - 2.0 * self.tf;
         let plates = (self.b * self.h.powi(3) - (self.b - self.tw) * clear.powi(3)) / 12.0;

@@ -35,7 +35,8 @@ pub struct Steel {
     pub nu: f64,
     /// Density \[kg/m³\].
     pub density: f64,
-    /// Correlation factor of fillet welds β_w \[-\]; absent where Table 4.1 does not list the grade.
+    /// Correlation factor of fillet welds β_w \[-\]; absent where Table 4.1 does not list the
+    /// grade.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beta_w: Option<f64>,
     /// Bands of Table 3.1, ascending.

@@ -10,7 +10,8 @@ use std::fmt;
 /// Where a row stands.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Source {
-    /// The file, as the user named it; for the built-in catalogue its path in the project (`catalogs/…`).
+    /// The file, as the user named it; for the built-in catalogue its path in the project
+    /// (`catalogs/…`).
     pub file: String,
     /// 1-based line.
     pub line: usize,
@@ -215,7 +216,8 @@ pub(super) trait Entry {
     const NOUN: &'static str;
     /// What `bracket catalog list` calls the kind.
     const KIND: &'static str;
-    /// Whether names are a series and sizes, so that the nearest size is a better proposal than the nearest spelling.
+    /// Whether names are a series and sizes, so that the nearest size is a better proposal than the
+    /// nearest spelling.
     const SIZED: bool = false;
     /// The name as printed.
     fn name(&self) -> String;

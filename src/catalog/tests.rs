@@ -33,7 +33,8 @@ fn profile_with(cell: &str, value: &str) -> String {
     format!("{HEAD}{}\n", cells.join(","))
 }
 
-/// The outline formulae against HEB 200 of EN 10365: A = 78.08 cm², I_y = 5696 cm⁴, read in two tables.
+/// The outline formulae against HEB 200 of EN 10365: A = 78.08 cm², I_y = 5696 cm⁴, read in two
+/// tables.
 #[test]
 fn outline_of_heb200() {
     let catalog = builtin();
@@ -65,7 +66,8 @@ fn outline_i_y_equals_numerical_integration() {
     }
 }
 
-/// Every shipped I section of the European and British tables: A and I_y recomputed within 0.5 %, no exception.
+/// Every shipped I section of the European and British tables: A and I_y recomputed within 0.5 %,
+/// no exception.
 #[test]
 fn european_sections_reproduce_their_tables() {
     let catalog = builtin();
@@ -83,10 +85,11 @@ fn european_sections_reproduce_their_tables() {
     }
 }
 
-/// W shapes with the radius that reproduces the area. A: 0.5 %, except W18X234, whose flanges and web alone (r = 0)
-/// already exceed the tabulated area by 0.513 %. I_y: the American tables print dimensions and I to three figures, and
-/// 54 of the 289 rows differ by more than 0.5 %, the worst (W12X53) by 0.98 %: these figures are pinned, so that a
-/// change of the data or of the formula shows.
+/// W shapes with the radius that reproduces the area. A: 0.5 %, except W18X234, whose flanges and
+/// web alone (r = 0) already exceed the tabulated area by 0.513 %. I_y: the American tables print
+/// dimensions and I to three figures, and 54 of the 289 rows differ by more than 0.5 %, the worst
+/// (W12X53) by 0.98 %: these figures are pinned, so that a change of the data or of the formula
+/// shows.
 #[test]
 fn w_shapes_reproduce_their_tables_with_known_exceptions() {
     let catalog = builtin();
@@ -171,7 +174,8 @@ fn unknown_names_come_with_a_proposal() {
     assert!(d.help.is_some_and(|h| h.contains("bracket catalog list profiles")));
 }
 
-/// 36 ksi and 50 ksi in the figures of the metric editions; no β_w, because EN 1993-1-8 Table 4.1 does not list them.
+/// 36 ksi and 50 ksi in the figures of the metric editions; no β_w, because EN 1993-1-8 Table 4.1
+/// does not list them.
 #[test]
 fn astm_grades_have_the_metric_values_of_their_standards() {
     let catalog = builtin();
@@ -393,7 +397,8 @@ fn a_refused_folder_leaves_the_catalogue_as_it_was() {
     assert!(catalog.profile("MY200").is_err());
 }
 
-/// The folder of the project itself is a valid user folder; the shapes not used yet are skipped with a warning.
+/// The folder of the project itself is a valid user folder; the shapes not used yet are skipped
+/// with a warning.
 #[test]
 fn the_shipped_folder_loads_as_a_user_folder() {
     let catalog =

@@ -1,8 +1,10 @@
-//! Bounds as types: a number is a bound only with its certificate, and only [`Bracket::new`] joins two.
+//! Bounds as types: a number is a bound only with its certificate, and only [`Bracket::new`] joins
+//! two.
 
 use crate::certify::certificate::{KinematicCertificate, StaticCertificate, TOLERANCE};
 
-/// A lower bound, strict as far as its certificate says, of the exact potential energy, −Π_c \[N mm\].
+/// A lower bound, strict as far as its certificate says, of the exact potential energy, −Π_c \[N
+/// mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
     value: f64,
@@ -11,7 +13,8 @@ pub struct LowerBound {
     certificate: StaticCertificate,
 }
 
-/// An upper bound, strict as far as its certificate says, of the exact potential energy, Π_p \[N mm\].
+/// An upper bound, strict as far as its certificate says, of the exact potential energy, Π_p \[N
+/// mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct UpperBound {
     value: f64,
@@ -107,8 +110,8 @@ impl Bracket {
 
     /// Relative gap `(Π_p + Π_c) / |Π_c|`; 0 when both energies vanish.
     ///
-    /// With preload, under which the energy passes through zero, the largest of `|Π_p|`, `|Π_c|` and `½ ∫ σ:C⁻¹:σ` takes the
-    /// place of `|Π_c|`.
+    /// With preload, under which the energy passes through zero, the largest of `|Π_p|`, `|Π_c|`
+    /// and `½ ∫ σ:C⁻¹:σ` takes the place of `|Π_c|`.
     ///
     /// # Source
     /// Paper, equation (7).

@@ -1,8 +1,9 @@
 //! The certificate: what makes a number a bound, recomputed from the fields and the model alone.
 //!
-//! Shares nothing with the solver, and with the programs only the model itself (mesh, loads, shape functions): strain
-//! energy comes from Gauss points, work from direct quadrature, equilibrium, tractions and contact from the stored values,
-//! face by face. The identity Σ contributions = gap, asserted in every run, ties both certificates together.
+//! Shares nothing with the solver, and with the programs only the model itself (mesh, loads, shape
+//! functions): strain energy comes from Gauss points, work from direct quadrature, equilibrium,
+//! tractions and contact from the stored values, face by face. The identity Σ contributions = gap,
+//! asserted in every run, ties both certificates together.
 
 use crate::certify::faces::{FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
@@ -32,8 +33,8 @@ pub struct StaticCertificate {
     pub energy: f64,
     /// max |div σ + b| h / max |σ|.
     pub equilibrium: f64,
-    /// max |Δt| / max |t|: inner faces, tied faces, loaded and free faces, both sides of contacts, resultants on rigid
-    /// faces.
+    /// max |Δt| / max |t|: inner faces, tied faces, loaded and free faces, both sides of contacts,
+    /// resultants on rigid faces.
     pub traction_jump: f64,
     /// Largest violation of a friction cone / max(|r|, |t|); `None` without contact.
     pub contact: Option<f64>,
@@ -41,9 +42,11 @@ pub struct StaticCertificate {
     pub peak_pressure: Option<f64>,
     /// Largest traction of a weld over its strength; `None` without welds.
     pub weld: Option<f64>,
-    /// Largest utilisation of the yield strength, what the residuals may hide included, less 1; `None` where nothing yields.
+    /// Largest utilisation of the yield strength, what the residuals may hide included, less 1;
+    /// `None` where nothing yields.
     pub yields: Option<f64>,
-    /// With preload: ½ ∫ σ:C⁻¹:σ alone \[N mm\], what a gap is measured against where the energy may vanish.
+    /// With preload: ½ ∫ σ:C⁻¹:σ alone \[N mm\], what a gap is measured against where the energy
+    /// may vanish.
     pub strain_energy: Option<f64>,
     /// Tension of each preloaded bolt in its cut \[N\].
     pub tensions: Vec<f64>,
@@ -58,11 +61,14 @@ pub struct KinematicCertificate {
     pub work: f64,
     /// max |u − u_d| / max |u| on supports and rigid faces.
     pub compatibility: f64,
-    /// Largest violation of the contact law by a Bernstein coefficient / max |g|; `None` without contact.
+    /// Largest violation of the contact law by a Bernstein coefficient / max |g|; `None` without
+    /// contact.
     pub contact: Option<f64>,
-    /// Smallest margin of a Bernstein coefficient `g_N + g₀ − μ‖g_T‖` \[mm\]; `None` without contact.
+    /// Smallest margin of a Bernstein coefficient `g_N + g₀ − μ‖g_T‖` \[mm\]; `None` without
+    /// contact.
     pub smallest_margin: Option<f64>,
-    /// Largest normal gap between faces in contact, initial gap included \[mm\]; `None` without contact.
+    /// Largest normal gap between faces in contact, initial gap included \[mm\]; `None` without
+    /// contact.
     pub largest_gap: Option<f64>,
     /// Largest contact pressure of the displacement's stress at face vertices \[MPa\], an estimate.
     pub peak_pressure: Option<f64>,
@@ -98,7 +104,8 @@ pub(crate) fn stress_at(
     nodes.map(|n| own.iter().position(|m| *m == n).map_or([0.0; 6], |p| s[p]))
 }
 
-/// Traction of an interface `r = −(σ n − load)` on side A at the face's vertices, pressure positive along the normal \[MPa\].
+/// Traction of an interface `r = −(σ n − load)` on side A at the face's vertices, pressure positive
+/// along the normal \[MPa\].
 pub fn contact_tractions<L>(
     model: &AnalysisModel,
     field: &StressField,
@@ -222,7 +229,8 @@ pub fn certify_stress(
         energy: energy.value(),
         equilibrium: ratio(imbalance, max_stress),
         traction_jump: ratio(jump, max_traction),
-        // open contacts carry nothing but the rounding of the stress: measure against the larger of the two
+        // open contacts carry nothing but the rounding of the stress: measure against the larger of
+        // the two
         contact: contact.then(|| ratio(cone, max_r.max(max_traction))),
         peak_pressure: contact.then_some(peak),
         weld: largest_of_each(&welds::utilisations(model, field)),
@@ -255,7 +263,8 @@ fn sides_differ<L>(
     )
 }
 
-/// Tension of a preloaded bolt along its axis \[N\], and the largest jump of traction across the cut \[MPa\].
+/// Tension of a preloaded bolt along its axis \[N\], and the largest jump of traction across the
+/// cut \[MPa\].
 fn cut_tension(model: &AnalysisModel, field: &StressField, bolt: &Preload) -> (f64, f64) {
     let (mut tension, mut torn) = (Sum::default(), 0.0f64);
     for f in &bolt.faces {
@@ -291,8 +300,8 @@ fn inner_jump(points: &[[V3; 4]; 4], s: &[[Mandel; 4]; 4], k: usize, l: usize) -
     }))
 }
 
-/// Resultant of the tractions on a rigid face against its action, as a traction \[MPa\]: per area, moments per area and
-/// reach.
+/// Resultant of the tractions on a rigid face against its action, as a traction \[MPa\]: per area,
+/// moments per area and reach.
 fn rigid_resultant_error(
     model: &AnalysisModel,
     field: &StressField,
@@ -397,8 +406,8 @@ pub fn certify_displacement(
     certify_motion(model, &space, u, &inside, &stress)
 }
 
-/// Certifies nodal displacements u whose elements tell the energy stored in a tet and the work of the forces there, and the stress
-/// at the vertices of one of its faces.
+/// Certifies nodal displacements u whose elements tell the energy stored in a tet and the work of
+/// the forces there, and the stress at the vertices of one of its faces.
 pub(crate) fn certify_motion(
     model: &AnalysisModel,
     space: &Tet10Space,
@@ -471,8 +480,8 @@ pub(crate) fn certify_motion(
     }
 }
 
-/// The rigid motion nearest to the displacement of a rigid face, among its free motions, and the largest deviation in
-/// its components \[mm\].
+/// The rigid motion nearest to the displacement of a rigid face, among its free motions, and the
+/// largest deviation in its components \[mm\].
 pub(crate) fn fit_rigid(
     model: &AnalysisModel,
     space: &Tet10Space,

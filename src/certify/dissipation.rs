@@ -1,12 +1,14 @@
 //! Plastic dissipation of a linear strain rate, bounded from above.
 //!
-//! `π(ε) = √2 k ‖ε‖` is convex and ε linear in a tet, so the value interpolated between any points of a partition is at least
-//! `∫ π(ε)`: the vertex rule, or the same on the 8 tets that the edge middles make.
+//! `π(ε) = √2 k ‖ε‖` is convex and ε linear in a tet, so the value interpolated between any points
+//! of a partition is at least `∫ π(ε)`: the vertex rule, or the same on the 8 tets that the edge
+//! middles make.
 
 use crate::math::mandel::{self, Mandel};
 use crate::mesh::tet::EDGES;
 
-/// Positions in [`EDGES`] of the three pairs of opposite edges: the ends of an octahedron's diagonals.
+/// Positions in [`EDGES`] of the three pairs of opposite edges: the ends of an octahedron's
+/// diagonals.
 const OPPOSITE: [[usize; 2]; 3] = [[0, 5], [1, 3], [2, 4]];
 
 fn middle(a: &Mandel, b: &Mandel) -> Mandel {
@@ -19,8 +21,9 @@ fn at_middles(strains: &[Mandel; 4]) -> [Mandel; 6] {
 
 /// An upper bound of the mean of `‖ε‖` over a tet with the given strain rates at its vertices.
 ///
-/// Ten points: the vertex rule on the 8 tets that edge middles make, averaged over the three diagonals of the octahedron
-/// among them; weights 1/32 at vertices, 7/48 at edge middles. Each further subdivision applies it to those 8 tets.
+/// Ten points: the vertex rule on the 8 tets that edge middles make, averaged over the three
+/// diagonals of the octahedron among them; weights 1/32 at vertices, 7/48 at edge middles. Each
+/// further subdivision applies it to those 8 tets.
 pub fn mean_norm(strains: &[Mandel; 4], subdivisions: u32) -> f64 {
     let middles = at_middles(strains);
     let norms = middles.map(|m| mandel::norm(&m));
@@ -60,8 +63,9 @@ mod tests {
         std::array::from_fn(|i| (0..5).map(|a| c[a] * DEVIATORIC[a][i]).sum())
     }
 
-    /// `|x|` with x = 1, −1, −1, −1 at the vertices: the mean is known, `E|2λ₀ − 1|` with λ₀ of density 3 (1 − λ)², 9/16;
-    /// the vertex rule gives 1. The bounds fall towards the mean and never below it.
+    /// `|x|` with x = 1, −1, −1, −1 at the vertices: the mean is known, `E|2λ₀ − 1|` with λ₀ of
+    /// density 3 (1 − λ)², 9/16; the vertex rule gives 1. The bounds fall towards the mean and
+    /// never below it.
     #[test]
     fn a_strain_that_changes_sign() {
         let tet = [1.0, -1.0, -1.0, -1.0].map(|x| deviatoric([x, 0.0, 0.0, 0.0, 0.0]));
@@ -73,8 +77,8 @@ mod tests {
         assert!(bounds[4] - exact < 1e-12, "{bounds:?}");
     }
 
-    /// On random strains: above the mean of many random points, falling with each subdivision, exact where the strain is
-    /// constant, below the vertex rule.
+    /// On random strains: above the mean of many random points, falling with each subdivision,
+    /// exact where the strain is constant, below the vertex rule.
     #[test]
     fn bounds_from_above() {
         let mut seed = 5;

@@ -1,10 +1,13 @@
-//! Contributions to the gap: Fenchel's inequality element by element and interface face by interface face.
+//! Contributions to the gap: Fenchel's inequality element by element and interface face by
+//! interface face.
 //!
 //! Elastic: `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T + Σ_weld (D − ∫ t·g)`, every term
 //! ≥ 0; D is the dissipation of a weld face, an upper bound of `∫ strength ‖g‖`.
 //!
-//! Limit analysis, at unit power of the live loads: `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`,
-//! the dissipation by the rule of the upper bound: every term is ≥ 0 as far as the stress is inside the yield surface.
+//! Limit analysis, at unit power of the live loads:
+//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, the
+//! dissipation by the rule of the upper bound: every term is ≥ 0 as far as the stress is inside the
+//! yield surface.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
@@ -29,7 +32,8 @@ use crate::model::loads::Loads;
 use crate::model::opening::bernstein_at;
 use rayon::prelude::*;
 
-/// The gap of a pair of fields on the meshed part, split over elements and contact faces \[N mm; of load factors 1\].
+/// The gap of a pair of fields on the meshed part, split over elements and contact faces \[N mm; of
+/// load factors 1\].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contributions {
     /// Of each macro tet.
@@ -102,8 +106,8 @@ pub struct LimitPair<'a> {
     pub factor: f64,
 }
 
-/// Contributions of a pair of limit analysis, per power of the live loads; they sum to the upper factor less the lower one,
-/// residuals apart.
+/// Contributions of a pair of limit analysis, per power of the live loads; they sum to the upper
+/// factor less the lower one, residuals apart.
 pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contributions {
     let LimitPair { velocity: v, live_power, stress: s, factor, subdivisions } = *pair;
     let space = Tet10Space::new(&model.mesh);
@@ -143,7 +147,8 @@ fn mean_product(stress: &[Mandel; 4], strain: &[Mandel; 4]) -> f64 {
 }
 
 /// Contributions of a displacement with plastic strain p and a stress field, tet by tet
-/// `½ ∫ (σ − C(ε − p)):C⁻¹:(σ − C(ε − p)) + ∫ (π(p) − σ:p)`, contact and weld faces as in [`contributions`].
+/// `½ ∫ (σ − C(ε − p)):C⁻¹:(σ − C(ε − p)) + ∫ (π(p) − σ:p)`, contact and weld faces as in
+/// [`contributions`].
 pub fn plastic_contributions(
     model: &AnalysisModel,
     field: &PlasticField,
@@ -176,7 +181,8 @@ fn minus(a: &PointStress, b: &PointStress) -> PointStress {
     })
 }
 
-/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, shifts as gaps; without `gaps` initial gaps count as closed.
+/// `∫ r_N (g_N + g₀) + r_T·g_T` of each contact face, shifts as gaps; without `gaps` initial gaps
+/// count as closed.
 fn contact_work(
     model: &AnalysisModel,
     space: &Tet10Space,

@@ -36,7 +36,8 @@ fn key(f: &BoundaryFace) -> FaceKey {
     (f.tet, f.local)
 }
 
-/// The roles of all outer faces that have one under the given loads; faces without an entry are free.
+/// The roles of all outer faces that have one under the given loads; faces without an entry are
+/// free.
 pub fn roles(
     model: &AnalysisModel,
     loads: Loads,
@@ -82,7 +83,8 @@ pub struct InterfaceFace<'a, L> {
     pub index: usize,
     /// Its law.
     pub law: &'a L,
-    /// Which interface of its kind it belongs to; contacts with the ground follow those between parts.
+    /// Which interface of its kind it belongs to; contacts with the ground follow those between
+    /// parts.
     pub of: usize,
     /// Side A.
     pub a: BoundaryFace,

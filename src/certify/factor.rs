@@ -1,4 +1,5 @@
-//! Bounds of the load factor as types: a number is a bound only with its certificate, and only [`FactorBracket::new`] joins two.
+//! Bounds of the load factor as types: a number is a bound only with its certificate, and only
+//! [`FactorBracket::new`] joins two.
 
 use crate::certify::bracket::Contradiction;
 use crate::certify::certificate::TOLERANCE;
@@ -34,8 +35,8 @@ impl LowerFactor {
     pub fn certificate(&self) -> &LowerCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface, tractions of welds within their
-    /// strength, what the residuals may hide included.
+    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface,
+    /// tractions of welds within their strength, what the residuals may hide included.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         c.factor.is_finite()
@@ -128,7 +129,8 @@ mod tests {
         })
     }
 
-    /// Lower above upper is refused, numbers equal to rounding are not, and the gap is relative to the lower bound.
+    /// Lower above upper is refused, numbers equal to rounding are not, and the gap is relative to
+    /// the lower bound.
     #[test]
     fn joins_only_what_agrees() {
         let bracket = FactorBracket::new(lower(2.0), upper(2.5)).expect("in order");

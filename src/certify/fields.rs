@@ -3,7 +3,8 @@
 use crate::elements::super_element::PointStress;
 use crate::math::vec3::V3;
 
-/// Displacements of vertices and mid-side nodes, in the order of [`crate::elements::space::Tet10Space`] \[mm\].
+/// Displacements of vertices and mid-side nodes, in the order of
+/// [`crate::elements::space::Tet10Space`] \[mm\].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DisplacementField {
     /// Displacement of each node.

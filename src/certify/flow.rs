@@ -7,14 +7,17 @@ use crate::elements::{split_flow, split_tet10};
 use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 
-/// Velocities of vertices and mid-side nodes, and the elements of the bodies that flow \[mm per unit of time\].
+/// Velocities of vertices and mid-side nodes, and the elements of the bodies that flow \[mm per
+/// unit of time\].
 ///
-/// In split elements the inner velocities follow from the outer ones as in [`crate::elements::split_flow`]: they are not stored.
+/// In split elements the inner velocities follow from the outer ones as in
+/// [`crate::elements::split_flow`]: they are not stored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VelocityField {
     /// The velocity of each node.
     pub nodes: DisplacementField,
-    /// What bodies with a yield strength are made of; the others are rigid and made of plain elements.
+    /// What bodies with a yield strength are made of; the others are rigid and made of plain
+    /// elements.
     pub flow: Flow,
 }
 

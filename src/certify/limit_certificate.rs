@@ -1,11 +1,13 @@
 //! Certificates of load factors, recomputed from the stored field and the model alone.
 //!
-//! Lower: a stress field in equilibrium with `factor · live + dead`, inside yield surface and friction cones. Upper:
-//! velocities that keep the volume, hold supports and contact law; the factor is `(dissipation − power of dead loads) / power of
-//! live loads`. In limit analysis initial gaps count as closed, and bodies without a yield strength are rigid.
+//! Lower: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
+//! friction cones. Upper: velocities that keep the volume, hold supports and contact law; the
+//! factor is `(dissipation − power of dead loads) / power of live loads`. In limit analysis initial
+//! gaps count as closed, and bodies without a yield strength are rigid.
 //!
-//! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near by: how near, measured from
-//! the residuals, is the certificate's `cover`. A bound has to leave room for it.
+//! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near
+//! by: how near, measured from the residuals, is the certificate's `cover`. A bound has to leave
+//! room for it.
 
 use crate::certify::certificate::{
     add_work, certify_stress, fit_rigid, largest, off_supports, ratio,
@@ -46,7 +48,8 @@ pub struct LowerCertificate {
     pub weld: Option<f64>,
     /// Utilisation that the residuals may hide: an exact equilibrium differs by no more.
     pub cover: f64,
-    /// Part of the field given that is left after it was drawn into the yield surface; 1 when it was taken as it is.
+    /// Part of the field given that is left after it was drawn into the yield surface; 1 when it
+    /// was taken as it is.
     pub scaled_by: f64,
 }
 
@@ -71,9 +74,11 @@ pub struct UpperCertificate {
     pub rigid: f64,
     /// max |u − u_d| / max |u| on supports and rigid faces.
     pub compatibility: f64,
-    /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without contact.
+    /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without
+    /// contact.
     pub contact: Option<f64>,
-    /// Smallest margin `g_N − μ‖g_T‖` of a Bernstein coefficient \[mm per unit of time\]; `None` without contact.
+    /// Smallest margin `g_N − μ‖g_T‖` of a Bernstein coefficient \[mm per unit of time\]; `None`
+    /// without contact.
     pub smallest_margin: Option<f64>,
     /// Dissipation of each part, an upper bound \[N mm per unit of time\].
     pub dissipation: Vec<f64>,
@@ -83,7 +88,8 @@ pub struct UpperCertificate {
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
     pub dead_power: f64,
-    /// Load factor that the residuals may hide: exactly admissible velocities near by give no more than the factor and this.
+    /// Load factor that the residuals may hide: exactly admissible velocities near by give no more
+    /// than the factor and this.
     pub cover: f64,
 }
 
@@ -99,7 +105,8 @@ fn slenderness(model: &AnalysisModel) -> f64 {
     vec3::norm(vec3::sub(hi, lo)) / smallest
 }
 
-/// Largest utilisation of the yield surface and the tet where it is reached; not a number if any stress is none.
+/// Largest utilisation of the yield surface and the tet where it is reached; not a number if any
+/// stress is none.
 pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<usize>) {
     let radii = model.yield_radii();
     let mut worst = (0.0, None);
@@ -116,10 +123,11 @@ pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<u
     worst
 }
 
-/// Utilisation that the largest relative residual of a stress field's equilibrium may hide: an exact equilibrium differs by no
-/// more.
+/// Utilisation that the largest relative residual of a stress field's equilibrium may hide: an
+/// exact equilibrium differs by no more.
 pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: f64) -> f64 {
-    // forces left over on every face, all of one sign, add up over L/h faces and bend a section one element deep with a lever L
+    // forces left over on every face, all of one sign, add up over L/h faces and bend a section one
+    // element deep with a lever L
     let stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
     let strengths =
         model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
@@ -209,7 +217,8 @@ pub fn dissipation_densities(
         .collect()
 }
 
-/// Certifies velocities as an upper bound; each subdivision of the dissipation's rule brings it nearer to the field's own value.
+/// Certifies velocities as an upper bound; each subdivision of the dissipation's rule brings it
+/// nearer to the field's own value.
 pub fn certify_upper(
     model: &AnalysisModel,
     field: &VelocityField,
@@ -257,8 +266,9 @@ pub fn certify_upper(
     let strain = largest(shares.iter().map(|s| s.strain));
     let welds = welds::dissipations(model, u);
     let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(welds.iter().copied()));
-    // a volume change is undone by a flow that is larger by the inf-sup constant, about 10 in a compact body and more by the
-    // slenderness; every other residual moves a neighbouring element likewise
+    // a volume change is undone by a flow that is larger by the inf-sup constant, about 10 in a
+    // compact body and more by the slenderness; every other residual moves a neighbouring element
+    // likewise
     let residual = trace + strain + off + violation.unwrap_or(0.0);
     let smallest =
         (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
@@ -285,13 +295,15 @@ pub fn certify_upper(
     }
 }
 
-/// The motions that velocities give the rigid faces, about their reference points \[mm, rad per unit of time\].
+/// The motions that velocities give the rigid faces, about their reference points \[mm, rad per
+/// unit of time\].
 pub fn rigid_motions(model: &AnalysisModel, field: &VelocityField) -> Vec<[f64; 6]> {
     let space = Tet10Space::new(&model.mesh);
     model.rigid.iter().map(|r| fit_rigid(model, &space, &field.nodes.u, r).0).collect()
 }
 
-/// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of every contact face, with its own normal; gaps closed.
+/// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of every contact face, with its own
+/// normal; gaps closed.
 fn smallest_margin(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> Option<f64> {
     let margins = contact_faces(model).into_iter().flat_map(|f| {
         let (n, _) = f.normal(model);

@@ -1,8 +1,10 @@
-//! Certificates of the elastic, perfectly plastic energy (Hencky), recomputed from the fields and the model alone.
+//! Certificates of the elastic, perfectly plastic energy (Hencky), recomputed from the fields and
+//! the model alone.
 //!
-//! Upper bound: `½ ∫ (ε − p):C:(ε − p) + ∫ π(p) − work` of any displacement with any traceless plastic strain p, the dissipation
-//! `π(p) = √(2/3) f_y ‖p‖` from above as in [`crate::certify::dissipation`]. Lower bound: −Π_c of a stress in equilibrium and inside the yield
-//! surface; what the residuals of its equilibrium may hide must find room there too.
+//! Upper bound: `½ ∫ (ε − p):C:(ε − p) + ∫ π(p) − work` of any displacement with any traceless
+//! plastic strain p, the dissipation `π(p) = √(2/3) f_y ‖p‖` from above as in
+//! [`crate::certify::dissipation`]. Lower bound: −Π_c of a stress in equilibrium and inside the
+//! yield surface; what the residuals of its equilibrium may hide must find room there too.
 
 use crate::certify::certificate::{
     KinematicCertificate, StaticCertificate, certify_motion, certify_stress, largest,
@@ -24,7 +26,8 @@ use crate::model::loads::Loads;
 /// Halvings of the tets on which the dissipation is evaluated.
 const SUBDIVISIONS: u32 = 1;
 
-/// `∫ π(p)` of a tet's pieces, an upper bound \[N mm\]; infinite where plastic strain has no yield strength.
+/// `∫ π(p)` of a tet's pieces, an upper bound \[N mm\]; infinite where plastic strain has no yield
+/// strength.
 pub fn dissipated(pieces: &[PlasticPiece], radius: Option<f64>) -> f64 {
     let of = |p: &PlasticPiece| {
         if p.plastic == [[0.0; 5]; 4] {
@@ -125,8 +128,9 @@ pub fn utilisations(model: &AnalysisModel, field: &StressField) -> Vec<f64> {
     field.points.iter().zip(&model.mesh.tet_body).map(of).collect()
 }
 
-/// Largest utilisation in each tet of the elastic stress that a displacement alone stands for, as the vertex rule of the plastic
-/// strain measures it: below 1 the best plastic strain is zero. 0 where nothing yields.
+/// Largest utilisation in each tet of the elastic stress that a displacement alone stands for, as
+/// the vertex rule of the plastic strain measures it: below 1 the best plastic strain is zero. 0
+/// where nothing yields.
 pub fn trial_utilisations(model: &AnalysisModel, field: &PlasticField) -> Vec<f64> {
     let space = Tet10Space::new(&model.mesh);
     let (materials, radii) = (model.stiffnesses(), model.yield_radii());
@@ -149,8 +153,8 @@ pub fn trial_utilisations(model: &AnalysisModel, field: &PlasticField) -> Vec<f6
 /// What has become of a body that may yield.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {
-    /// Part of its volume with plastic strain larger than [`FLOWS`] times the strain at yield: of the upper bound's field, an
-    /// estimate.
+    /// Part of its volume with plastic strain larger than [`FLOWS`] times the strain at yield: of
+    /// the upper bound's field, an estimate.
     pub flowing: f64,
     /// Its dissipation \[N mm\], an upper bound of that of the upper bound's field.
     pub dissipation: f64,

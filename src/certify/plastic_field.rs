@@ -1,8 +1,10 @@
-//! Displacements with plastic strain (Hencky) as plain data, and the tets on which they are quadratic and linear.
+//! Displacements with plastic strain (Hencky) as plain data, and the tets on which they are
+//! quadratic and linear.
 //!
-//! The plastic strain is linear in a plain tet, or in each of the four subtets of a split one, and stored by its five deviatoric
-//! components: it keeps the volume as it stands. Any such field is admissible; of a displacement the best one follows tet by
-//! tet ([`plastic_strain`]), with no solver asked.
+//! The plastic strain is linear in a plain tet, or in each of the four subtets of a split one, and
+//! stored by its five deviatoric components: it keeps the volume as it stands. Any such field is
+//! admissible; of a displacement the best one follows tet by tet ([`plastic_strain`]), with no
+//! solver asked.
 
 use crate::certify::fields::DisplacementField;
 use crate::elements::space::Tet10Space;
@@ -18,7 +20,8 @@ use rayon::prelude::*;
 pub type Deviator = [f64; 5];
 /// Plastic strain at the four vertices of a (sub)tet.
 pub type VertexFlow = [Deviator; 4];
-/// Displacements of the nodes inside a split tet, as [`split_tet10`] numbers them from 10 on \[mm\].
+/// Displacements of the nodes inside a split tet, as [`split_tet10`] numbers them from 10 on
+/// \[mm\].
 pub type InnerNodes = [V3; split_tet10::NODES - split_tet10::OUTER];
 
 /// What a tet is made of, and its plastic strain.
@@ -46,7 +49,8 @@ pub struct PlasticField {
     pub tets: Vec<PlasticTet>,
 }
 
-/// A tet in which the displacement is quadratic and the plastic strain linear: a plain element or a subtet of a split one.
+/// A tet in which the displacement is quadratic and the plastic strain linear: a plain element or a
+/// subtet of a split one.
 pub struct PlasticPiece {
     /// Its corners \[mm\].
     pub corners: [V3; 4],
@@ -93,7 +97,8 @@ impl PlasticField {
         }
     }
 
-    /// Plastic strain at the 16 points of tet `e`, numbered as those of [`crate::elements::super_element`].
+    /// Plastic strain at the 16 points of tet `e`, numbered as those of
+    /// [`crate::elements::super_element`].
     pub fn plastic_at_points(&self, e: usize) -> [VertexFlow; 4] {
         match &self.tets[e] {
             PlasticTet::Elastic => [[[0.0; 5]; 4]; 4],
@@ -103,7 +108,8 @@ impl PlasticField {
     }
 }
 
-/// Values of a field linear in the whole tet at the points of its subtets; the last point of each is the centroid.
+/// Values of a field linear in the whole tet at the points of its subtets; the last point of each
+/// is the centroid.
 pub(crate) fn at_points<const N: usize>(v: &[[f64; N]; 4]) -> [[[f64; N]; 4]; 4] {
     let centre = std::array::from_fn(|c| 0.25 * (v[0][c] + v[1][c] + v[2][c] + v[3][c]));
     std::array::from_fn(|k| std::array::from_fn(|p| if p < 3 { v[FACES[k][p]] } else { centre }))
@@ -115,9 +121,11 @@ fn subtet_displacements(outer: &[V3; 10], inner: &InnerNodes, k: usize) -> [V3; 
 }
 
 /// The plastic strain that costs least at the given strain of a (sub)tet: the least
-/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between its vertices, by exact minimisation vertex after vertex.
+/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between its vertices, by exact
+/// minimisation vertex after vertex.
 ///
-/// Zero where `2G ‖dev (ε_i + Σ_j ε_j)‖/5 ≤ √(2/3) f_y` at every vertex. `two_mu` = 2G and `radius` = √(2/3) f_y in MPa.
+/// Zero where `2G ‖dev (ε_i + Σ_j ε_j)‖/5 ≤ √(2/3) f_y` at every vertex. `two_mu` = 2G and `radius`
+/// = √(2/3) f_y in MPa.
 pub fn plastic_strain(strains: &[Mandel; 4], two_mu: f64, radius: f64) -> VertexFlow {
     // sweeps of a system with condition 5: rounding is reached in some 40
     const SWEEPS: usize = 100;
@@ -147,8 +155,8 @@ pub fn plastic_strain(strains: &[Mandel; 4], two_mu: f64, radius: f64) -> Vertex
     p
 }
 
-/// The field of a displacement in which every tet of a body with a yield strength has the plastic strain that costs least;
-/// `inner`: displacements inside, for the tets that are split.
+/// The field of a displacement in which every tet of a body with a yield strength has the plastic
+/// strain that costs least; `inner`: displacements inside, for the tets that are split.
 pub fn with_plastic_strain(
     model: &AnalysisModel,
     nodes: DisplacementField,
@@ -225,7 +233,8 @@ mod tests {
         (e, e.map(|e| std::array::from_fn(|i| tensor(&e)[i] + if i < 3 { 0.01 } else { 0.0 })))
     }
 
-    /// No random neighbour, near or far, costs less; and none at all where the trial stress says so.
+    /// No random neighbour, near or far, costs less; and none at all where the trial stress says
+    /// so.
     #[test]
     fn no_other_plastic_strain_costs_less() {
         let mut seed = 77;

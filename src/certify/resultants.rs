@@ -1,4 +1,5 @@
-//! Resultants of contact: with which force, and where, one body presses on another, from a stress field.
+//! Resultants of contact: with which force, and where, one body presses on another, from a stress
+//! field.
 
 use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::contact_faces;
@@ -30,8 +31,9 @@ struct Sums {
 
 /// The resultants of all pairs of bodies in contact, in the order of the bodies.
 ///
-/// Tractions are linear over each face, so that the integrals are exact: `∫ r = A/3 Σ r_i`, `∫ r_N x = A/12 Σ (1 + δ_ij) r_Ni x_j`. Loads on
-/// faces in contact count as carried by the contact.
+/// Tractions are linear over each face, so that the integrals are exact: `∫ r = A/3 Σ r_i`,
+/// `∫ r_N x = A/12 Σ (1 + δ_ij) r_Ni x_j`. Loads on faces in contact count as carried by the
+/// contact.
 pub fn contact_resultants(model: &AnalysisModel, field: &StressField) -> Vec<ContactResultant> {
     let mut pairs: BTreeMap<(u32, Option<u32>), Sums> = BTreeMap::new();
     let body = |tet: u32| model.mesh.tet_body[tet as usize];

@@ -1,4 +1,5 @@
-//! Random points inside elements and on faces: the fields must be admissible there too, with no exception.
+//! Random points inside elements and on faces: the fields must be admissible there too, with no
+//! exception.
 
 use crate::certify::certificate::{contact_tractions, stress_at};
 use crate::certify::faces::{contact_faces, roles, weld_faces};
@@ -108,7 +109,8 @@ pub fn sample(
     out
 }
 
-/// Tries `points` random points of each kind on a stress field in equilibrium with `factor · live + dead`.
+/// Tries `points` random points of each kind on a stress field in equilibrium with
+/// `factor · live + dead`.
 pub fn sample_lower(
     model: &AnalysisModel,
     s: &StressField,
@@ -132,8 +134,9 @@ pub fn sample_lower(
     SampledLower { traction_jump, traction_cone, utilisation }
 }
 
-/// Largest violation at `points` random points of each kind by a stress field that carries the live loads alone, over its
-/// largest stress: traction jumps, friction cones, deviators in bodies that yield.
+/// Largest violation at `points` random points of each kind by a stress field that carries the live
+/// loads alone, over its largest stress: traction jumps, friction cones, deviators in bodies that
+/// yield.
 pub fn sample_live(model: &AnalysisModel, s: &StressField, points: usize) -> f64 {
     let mut random = Random(SEED);
     let jump = jumps(model, s, points, &mut random);
@@ -219,8 +222,8 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     worst
 }
 
-/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps and shifts, else they count as
-/// closed.
+/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps and shifts, else they
+/// count as closed.
 fn gap_cones(
     model: &AnalysisModel,
     u: &DisplacementField,

@@ -7,8 +7,8 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;
 
-/// By how much a shift differs from `μ‖g_T‖` of a displacement, largest over the contact faces under Coulomb's law, part of the
-/// largest shift; 0 where nothing slips.
+/// By how much a shift differs from `μ‖g_T‖` of a displacement, largest over the contact faces
+/// under Coulomb's law, part of the largest shift; 0 where nothing slips.
 ///
 /// Coefficients count where the faces touch, to a thousandth of the largest shift.
 pub fn distance_from_coulomb(

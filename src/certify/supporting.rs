@@ -1,8 +1,10 @@
-//! The half plane of two actions that a mechanism bounds: stronger than its load factor, which is one point of its edge.
+//! The half plane of two actions that a mechanism bounds: stronger than its load factor, which is
+//! one point of its edge.
 //!
-//! Let actions `x₁ A₁ + x₂ A₂` act. For every pair x that some admissible stress carries, virtual work with admissible velocities
-//! gives `x₁ P₁ + x₂ P₂ ≤ D`: P_k is the power of the unit action A_k, D the dissipation. The certificate of the mechanism found
-//! for one direction d of x has D and `P = d₁ P₁ + d₂ P₂`; divided by P, the half plane is `n · x ≤ λ_up` with `n · d = 1`.
+//! Let actions `x₁ A₁ + x₂ A₂` act. For every pair x that some admissible stress carries, virtual
+//! work with admissible velocities gives `x₁ P₁ + x₂ P₂ ≤ D`: P_k is the power of the unit action
+//! A_k, D the dissipation. The certificate of the mechanism found for one direction d of x has D
+//! and `P = d₁ P₁ + d₂ P₂`; divided by P, the half plane is `n · x ≤ λ_up` with `n · d = 1`.
 
 use crate::certify::factor::UpperFactor;
 use crate::certify::flow::VelocityField;
@@ -11,17 +13,19 @@ use crate::math::Sum;
 use crate::math::convex::HalfPlane;
 use crate::model::AnalysisModel;
 
-/// Two unit actions, each a force and a moment about its reference point on every rigid face of a model \[N, N mm\].
+/// Two unit actions, each a force and a moment about its reference point on every rigid face of a
+/// model \[N, N mm\].
 pub type Axes = [Vec<[f64; 6]>; 2];
 
 /// Part of the powers by which they may differ from the power of the certificate.
 const SAME: f64 = 1e-9;
 
-/// The half plane, in multiples of the two actions, that the certified velocities of the direction `direction` prove; `None` where the
-/// bound is not strict, or where other loads than these actions do work.
+/// The half plane, in multiples of the two actions, that the certified velocities of the direction
+/// `direction` prove; `None` where the bound is not strict, or where other loads than these actions
+/// do work.
 ///
-/// `model` is under `direction[0] · axes[0] + direction[1] · axes[1]` and nothing else. What the residuals may hide is in the offset, as it is in
-/// the load factor.
+/// `model` is under `direction[0] · axes[0] + direction[1] · axes[1]` and nothing else. What the
+/// residuals may hide is in the offset, as it is in the load factor.
 pub fn half_plane(
     model: &AnalysisModel,
     velocity: &VelocityField,

@@ -1,4 +1,5 @@
-//! Welds of finite strength: what a stress asks of them, what a jump of the displacement dissipates in them.
+//! Welds of finite strength: what a stress asks of them, what a jump of the displacement dissipates
+//! in them.
 
 use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::{WeldFace, weld_faces};
@@ -19,10 +20,11 @@ pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
     std::array::from_fn(|i| vec3::sub(b.map_or([0.0; 3], |b| u[b[i]]), u[a[i]]))
 }
 
-/// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at vertices and mid-sides.
+/// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at
+/// vertices and mid-sides.
 ///
-/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6. A subdivision applies that to the
-/// four triangles that the mid-sides make.
+/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6. A
+/// subdivision applies that to the four triangles that the mid-sides make.
 pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
     if subdivisions == 0 {
         let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
@@ -79,8 +81,8 @@ pub fn dissipations(model: &AnalysisModel, u: &[V3]) -> Vec<f64> {
 pub struct Utilisation {
     /// Largest traction over the strength; not a number if any traction is none.
     pub largest: f64,
-    /// An upper bound of the mean of the traction's length over the strength: that of its values at the vertices of the faces, between
-    /// which it is linear.
+    /// An upper bound of the mean of the traction's length over the strength: that of its values at
+    /// the vertices of the faces, between which it is linear.
     pub mean: f64,
 }
 

@@ -37,7 +37,8 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The unit of a printed page and the factor from the internal unit to it: forces in kN, moments in kN m.
+    /// The unit of a printed page and the factor from the internal unit to it: forces in kN,
+    /// moments in kN m.
     pub fn printed(self) -> (f64, &'static str) {
         match self {
             Unit::Number => (1.0, ""),
@@ -104,7 +105,8 @@ pub struct Worked {
 }
 
 impl Worked {
-    /// A value with its clause; `formula` is the formula with its numbers, the result is added to it.
+    /// A value with its clause; `formula` is the formula with its numbers, the result is added to
+    /// it.
     pub fn new(
         clause: &'static str,
         title: &'static str,
@@ -141,7 +143,8 @@ impl Worked {
         }
     }
 
-    /// The value as a resistance against a demand ≥ 0 in the same unit; `otherwise` is the status where it does not suffice.
+    /// The value as a resistance against a demand ≥ 0 in the same unit; `otherwise` is the status
+    /// where it does not suffice.
     pub fn against(
         self,
         topic: Topic,
@@ -175,7 +178,8 @@ pub enum Topic {
     Welds,
     /// The beam's cross-section and the column's stiffeners at the joint.
     Member,
-    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case answers as well.
+    /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case
+    /// answers as well.
     ComponentMethod,
     /// Buckling and slenderness, which no limit analysis sees.
     Stability,
@@ -195,14 +199,15 @@ pub enum Status {
     Failed,
     /// The code gives no resistance here: it is neither allowed nor refused.
     Undecided,
-    /// A recommendation is not followed, or strength by the component method where a limit analysis decides; it does not decide
-    /// the verdict.
+    /// A recommendation is not followed, or strength by the component method where a limit analysis
+    /// decides; it does not decide the verdict.
     Warning,
     /// A value without demand.
     Information,
 }
 
-/// One check of the report and of `result.json`. Values are in the internal units (mm, N, MPa, N mm).
+/// One check of the report and of `result.json`. Values are in the internal units (mm, N, MPa, N
+/// mm).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
     /// What it is about.
@@ -272,8 +277,8 @@ impl Check {
         }
     }
 
-    /// A length that must reach a least value: demand is what is asked for, resistance what is there. `otherwise` is the
-    /// status when it does not.
+    /// A length that must reach a least value: demand is what is asked for, resistance what is
+    /// there. `otherwise` is the status when it does not.
     pub fn at_least(
         (topic, subject): (Topic, impl Into<String>),
         (clause, title): (&str, &str),
@@ -287,7 +292,8 @@ impl Check {
         Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
     }
 
-    /// A length that must not exceed a greatest value: demand is what is there, resistance what is allowed.
+    /// A length that must not exceed a greatest value: demand is what is there, resistance what is
+    /// allowed.
     pub fn at_most(
         (topic, subject): (Topic, impl Into<String>),
         (clause, title): (&str, &str),

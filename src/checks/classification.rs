@@ -44,10 +44,11 @@ pub struct StiffnessLimits {
     pub pinned: Worked,
 }
 
-/// Limits of the classes by stiffness; `length` of the beam between the centres of columns \[mm\], `inertia` I_b \[mm⁴\].
+/// Limits of the classes by stiffness; `length` of the beam between the centres of columns \[mm\],
+/// `inertia` I_b \[mm⁴\].
 ///
-/// Rigid: `S_j,ini ≥ k_b E I_b/L_b`; nominally pinned: `S_j,ini ≤ 0.5 E I_b/L_b`. An unbraced frame with K_b/K_c < 0.1 has no rigid
-/// joints: `stiff_columns` says so.
+/// Rigid: `S_j,ini ≥ k_b E I_b/L_b`; nominally pinned: `S_j,ini ≤ 0.5 E I_b/L_b`. An unbraced frame
+/// with K_b/K_c < 0.1 has no rigid joints: `stiff_columns` says so.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), figure 5.4.
@@ -131,10 +132,11 @@ impl StrengthClass {
 /// Least K_b/K_c of a storey of an unbraced frame whose joints can be rigid, 5.2.2.5(1).
 pub const STIFF_COLUMNS: f64 = 0.1;
 
-/// Class by strength; moments \[N mm\] of the joint, of the beam and of the column, `storeys` how many columns meet at the
-/// joint (1 at the top, 2 within the height).
+/// Class by strength; moments \[N mm\] of the joint, of the beam and of the column, `storeys` how
+/// many columns meet at the joint (1 at the top, 2 within the height).
 ///
-/// Full strength: M_j,Rd ≥ min(M_b,pl,Rd, storeys · M_c,pl,Rd); nominally pinned: at most 0.25 of that.
+/// Full strength: M_j,Rd ≥ min(M_b,pl,Rd, storeys · M_c,pl,Rd); nominally pinned: at most 0.25 of
+/// that.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.3.2, 5.2.3.3, figure 5.5.

@@ -16,7 +16,8 @@ pub struct Clamped {
     pub fy: f64,
 }
 
-/// Whether bending of a plate or flange that governs gives enough rotation for plastic analysis; not followed: a warning.
+/// Whether bending of a plate or flange that governs gives enough rotation for plastic analysis;
+/// not followed: a warning.
 ///
 /// `t ≤ 0.36 d √(f_ub/f_y)`.
 ///
@@ -56,7 +57,8 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
     )
 }
 
-/// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed: a warning.
+/// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed:
+/// a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(1).

@@ -1,8 +1,9 @@
 //! The hand checks of a bolted end plate, from the values of a resolved spec.
 //!
-//! Detailing is checked and can fail. With actions at member ends, what they ask of bolts, plates and welds is checked as well
-//! (`loaded.rs`) and the component method is held against the analysis (`comparison.rs`). Without them resistances, the component
-//! method and stiffness are information: what acts on a bolt is not known from pressures on sections.
+//! Detailing is checked and can fail. With actions at member ends, what they ask of bolts, plates
+//! and welds is checked as well (`loaded.rs`) and the component method is held against the analysis
+//! (`comparison.rs`). Without them resistances, the component method and stiffness are information:
+//! what acts on a bolt is not known from pressures on sections.
 
 use super::check::{Check, Status, Step, Topic, Unit, Worked, number as n};
 use super::component_method::column_web::{STIFFENER_SLENDERNESS, epsilon};
@@ -54,7 +55,8 @@ pub struct HandChecks {
     pub moments: Vec<PureMoment>,
     /// Why the verdict of a limit analysis may not be OK: no rule of rotation capacity holds.
     pub brittle: Option<String>,
-    /// Load cases in which a component may buckle: the component method binds there, whatever a limit analysis says.
+    /// Load cases in which a component may buckle: the component method binds there, whatever a
+    /// limit analysis says.
     pub unstable: Vec<String>,
     /// Load cases at serviceability: of them only slip is checked.
     pub serviceability: Vec<String>,
@@ -82,7 +84,8 @@ pub fn hand_checks(e: &EndPlate) -> HandChecks {
         Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
     };
     out.checks.extend(e.unseen.iter().map(unseen));
-    // of every sense: the parts whose bending limits a row, and whether a web panel that governs may turn
+    // of every sense: the parts whose bending limits a row, and whether a web panel that governs
+    // may turn
     let mut turning: Vec<(Sense, Vec<&str>, bool)> = Vec::new();
     out.notes.extend(left_out(e));
     for (sense, beta) in senses(e) {
@@ -175,7 +178,8 @@ impl Sense {
     }
 }
 
-/// Senses of bending and β to show: those of the load cases, and the template's β for a sense no case has.
+/// Senses of bending and β to show: those of the load cases, and the template's β for a sense no
+/// case has.
 fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
     let mut out: Vec<(Sense, f64)> = Vec::new();
     for a in &e.actions {
@@ -213,7 +217,8 @@ fn left_out(e: &EndPlate) -> Vec<String> {
 /// Why a supplementary web plate does not count.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.2.6.1, supplementary web plates (from paragraph 6 on): b_s ≤ 40 ε t_s, t_s ≥ t_wc.
+/// EN 1993-1-8:2005 6.2.6.1, supplementary web plates (from paragraph 6 on): b_s ≤ 40 ε t_s, t_s ≥
+/// t_wc.
 fn doubler_fault(c: &ColumnSide) -> Option<String> {
     let (s, width) = (&c.section, doubler_width(c));
     let widest = 40.0 * epsilon(c.steel.fy) * c.doubler;
@@ -317,7 +322,8 @@ fn detailing(e: &EndPlate) -> Vec<Check> {
     out
 }
 
-/// A plate wider than the column's flange, which bears on the flange alone: allowed, but seldom meant. Nothing where it fits.
+/// A plate wider than the column's flange, which bears on the flange alone: allowed, but seldom
+/// meant. Nothing where it fits.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Figure 6.8(b): e_min is then the edge distance in the column's flange.
@@ -348,13 +354,15 @@ pub fn grip(e: &EndPlate) -> f64 {
     e.thickness + other_thickness(e)
 }
 
-/// Nominal length of the bolts: the shortest stocked one that reaches through; `None` beyond the longest.
+/// Nominal length of the bolts: the shortest stocked one that reaches through; `None` beyond the
+/// longest.
 pub fn stocked_length(e: &EndPlate) -> Option<f64> {
     bolt_length::stocked_length(bolt_length::least_length(&e.bolt, grip(e), WASHERS).value)
 }
 
-/// Whether the stiffeners of the column can buckle about their weld: `c/t_s ≤ 13 ε` is 9.2.1(8), I_T/I_p ≥ 5.3 f_y/E, of a flat bar;
-/// a warning here, and undecided under a load that presses them (`Stability`).
+/// Whether the stiffeners of the column can buckle about their weld: `c/t_s ≤ 13 ε` is 9.2.1(8),
+/// I_T/I_p ≥ 5.3 f_y/E, of a flat bar; a warning here, and undecided under a load that presses them
+/// (`Stability`).
 ///
 /// # Source
 /// EN 1993-1-5:2006 9.2.1(8).
@@ -422,8 +430,8 @@ fn bolts(e: &EndPlate) -> Vec<Check> {
     out
 }
 
-/// The steel the welds of the beam are designed for: the weaker of the parts joined. Grades without β_w have no fillet welds by
-/// this code.
+/// The steel the welds of the beam are designed for: the weaker of the parts joined. Grades without
+/// β_w have no fillet welds by this code.
 fn welded(e: &EndPlate) -> Option<WeldedSteel> {
     let weaker = e.beam_steel.weaker(&e.plate_steel);
     Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.gamma_m2 })
@@ -556,8 +564,9 @@ fn component_method(sense: &str, mirrored: bool, column: bool, a: &Assessment) -
     out
 }
 
-/// The rules of plate and column flange: one of them that holds makes the joint ductile. Those of 6.4.2 hold for S235, S275 and S355 and
-/// for axial forces up to 5 % of N_pl,Rd (6.4.2(1)), where bending of that part limits a row (6.4.2(2)).
+/// The rules of plate and column flange: one of them that holds makes the joint ductile. Those of
+/// 6.4.2 hold for S235, S275 and S355 and for axial forces up to 5 % of N_pl,Rd (6.4.2(1)), where
+/// bending of that part limits a row (6.4.2(2)).
 fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
     let (d, fub) = (e.bolt.d, e.grade.fub);
     let plate = ("end plate", Clamped { d, fub, thickness: e.thickness, fy: e.plate_steel.fy });
@@ -595,7 +604,8 @@ fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
 /// Grades that the rules of rotation capacity are made for, EN 1993-1-8:2005 6.4.2(1).
 const EN_6_4_2_STEELS: [&str; 3] = ["S235", "S275", "S355"];
 
-/// Why the verdict of a limit analysis may not be OK, with the numbers of the rules that are missed.
+/// Why the verdict of a limit analysis may not be OK, with the numbers of the rules that are
+/// missed.
 fn brittle(rules: &[Check]) -> String {
     let each: Vec<String> =
         rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();

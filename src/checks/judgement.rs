@@ -1,8 +1,9 @@
 //! The verdict on the demands of a spec: by code, by analysis, and the joint one with its reason.
 //!
-//! By code: every binding check, and the strength part of the component method where no limit analysis of the case decides. By
-//! analysis: the strict bracket of the load factor. The joint verdict is the worse of the two, so that a bound never overrules
-//! a check of what limit analysis does not know: buckling, fracture, slenderness.
+//! By code: every binding check, and the strength part of the component method where no limit
+//! analysis of the case decides. By analysis: the strict bracket of the load factor. The joint
+//! verdict is the worse of the two, so that a bound never overrules a check of what limit analysis
+//! does not know: buckling, fracture, slenderness.
 
 use super::check::number;
 use super::verdict::Verdict;
@@ -14,8 +15,8 @@ use serde::{Deserialize, Serialize};
 pub struct Analysed {
     /// Load case with a demand.
     pub case: String,
-    /// From strict bounds of limit analysis; `None` of an analysis that brackets no resistance, undecided where an
-    /// analysis that was asked for gave no certificate.
+    /// From strict bounds of limit analysis; `None` of an analysis that brackets no resistance,
+    /// undecided where an analysis that was asked for gave no certificate.
     pub verdict: Verdict,
     /// Bracket of demand over capacity.
     pub utilisation: Option<[f64; 2]>,
@@ -40,7 +41,8 @@ pub struct Governing {
     pub what: String,
     /// Clause, or `limit analysis`.
     pub clause: String,
-    /// Demand over resistance, lower and upper bound; equal for a hand check, absent without a number.
+    /// Demand over resistance, lower and upper bound; equal for a hand check, absent without a
+    /// number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<[f64; 2]>,
 }
@@ -61,8 +63,8 @@ pub struct Judgement {
     pub governing: Option<Governing>,
 }
 
-/// Judges the load cases and all of them together. Strength by the component method becomes information in `checks` where a
-/// limit analysis decides the case and nothing may buckle.
+/// Judges the load cases and all of them together. Strength by the component method becomes
+/// information in `checks` where a limit analysis decides the case and nothing may buckle.
 pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Judgement>) {
     for a in cases.iter().filter(|a| matches!(a.verdict, Verdict::Ok | Verdict::NotOk)) {
         checks.beside_analysis(&a.case);
@@ -85,7 +87,8 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         .iter()
         .filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c))
         .collect();
-    // without any check of the load there is no verdict by code, but what fails without a load fails
+    // without any check of the load there is no verdict by code, but what fails without a load
+    // fails
     let loaded = binding.iter().any(|c| c.case.is_some());
     let word = |c: &&Check| match c.status {
         Status::Failed => Verdict::NotOk,
@@ -145,7 +148,8 @@ fn binds(c: &Check) -> bool {
     !matches!(c.status, Status::Information | Status::Warning)
 }
 
-/// The check that stands for a verdict by code: a strength before a least length, the more used before the less.
+/// The check that stands for a verdict by code: a strength before a least length, the more used
+/// before the less.
 fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     let status = match by_code {
         Verdict::NotOk => Status::Failed,
@@ -257,8 +261,8 @@ fn exit_meaning(code: u8) -> &'static str {
 }
 
 impl HandChecks {
-    /// Makes strength by the component method information in a case that a limit analysis decides; not where a component may
-    /// buckle.
+    /// Makes strength by the component method information in a case that a limit analysis decides;
+    /// not where a component may buckle.
     fn beside_analysis(&mut self, case: &str) {
         if self.unstable.iter().any(|c| c == case) {
             return;
@@ -320,7 +324,8 @@ mod tests {
         assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
     }
 
-    /// Where a component may buckle the component method binds; no bracket overrules it, or any other binding check.
+    /// Where a component may buckle the component method binds; no bracket overrules it, or any
+    /// other binding check.
     #[test]
     fn no_bracket_overrules_what_limit_analysis_does_not_know() {
         let over = [check(Topic::ComponentMethod, 1.05, Some("A"))];
@@ -335,7 +340,8 @@ mod tests {
             verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine),
             [NotOk, NotOk, Fine]
         );
-        // what the method does not cover is no strength that a bracket answers: its checks are missing
+        // what the method does not cover is no strength that a bracket answers: its checks are
+        // missing
         let missing =
             Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
                 .of_case("A");
@@ -347,7 +353,8 @@ mod tests {
         );
     }
 
-    /// Another case's check decides nothing here; without checks and without a bracket nothing is decided.
+    /// Another case's check decides nothing here; without checks and without a bracket nothing is
+    /// decided.
     #[test]
     fn a_demand_always_ends_with_a_verdict() {
         assert_eq!(
@@ -372,7 +379,8 @@ mod tests {
         assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
     }
 
-    /// The line names what governs: the failed check of the worst case, with clause and utilisation.
+    /// The line names what governs: the failed check of the worst case, with clause and
+    /// utilisation.
     #[test]
     fn the_last_line_names_what_governs() {
         let checks =

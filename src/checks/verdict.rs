@@ -1,4 +1,5 @@
-//! The three values of a verdict, and the one of strict bounds; `judgement` joins it with the code's checks.
+//! The three values of a verdict, and the one of strict bounds; `judgement` joins it with the
+//! code's checks.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,10 +18,11 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The verdict on loads of factor 1, from strict bounds of the load factor at collapse; `None`: no strict bound.
+    /// The verdict on loads of factor 1, from strict bounds of the load factor at collapse; `None`:
+    /// no strict bound.
     ///
-    /// With friction, `lower` is the bound without it: associated friction dilates and is not safe for a real joint
-    /// (MECHANICS section 4: Radenkovic, Drucker).
+    /// With friction, `lower` is the bound without it: associated friction dilates and is not safe
+    /// for a real joint (MECHANICS section 4: Radenkovic, Drucker).
     pub fn of(lower: Option<f64>, upper: Option<f64>) -> Self {
         match (lower, upper) {
             (Some(l), _) if l >= 1.0 => Verdict::Ok,
@@ -51,8 +53,8 @@ impl Verdict {
     }
 }
 
-/// Demand over capacity, lower first: the reciprocals of strict bounds of the load factor. `None` unless both are there
-/// and positive.
+/// Demand over capacity, lower first: the reciprocals of strict bounds of the load factor. `None`
+/// unless both are there and positive.
 pub fn utilisation(lower: Option<f64>, upper: Option<f64>) -> Option<[f64; 2]> {
     let (l, u) = (lower.filter(|l| *l > 0.0)?, upper.filter(|u| *u > 0.0)?);
     Some([(1.0 / u).next_down(), (1.0 / l).next_up()])

@@ -28,7 +28,8 @@ pub struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// The folder of the report. Not the one of `run`: a look at the checks must not replace an analysis of an hour.
+    /// The folder of the report. Not the one of `run`: a look at the checks must not replace an
+    /// analysis of an hour.
     fn folder(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| {
             let mut name = self.spec.with_extension("").into_os_string();

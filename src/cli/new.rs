@@ -85,8 +85,8 @@ pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
     faults
 }
 
-/// The path of a template as a spec at `spec` says it: relative to the spec's folder, absolute where there is no such path or the user
-/// gave it so.
+/// The path of a template as a spec at `spec` says it: relative to the spec's folder, absolute
+/// where there is no such path or the user gave it so.
 fn seen_from(template: &Path, spec: &Path) -> String {
     let plain = || template.display().to_string();
     let folder = spec.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -135,7 +135,8 @@ fn write_new(path: &Path, text: &str) -> Result<(), Diagnostics> {
     })
 }
 
-/// The spec of a template's starter values: profiles, steels and examples; everything else by default.
+/// The spec of a template's starter values: profiles, steels and examples; everything else by
+/// default.
 fn example(template: &Template, name: &str) -> ConnectionSpec {
     let length = |v: &ParameterValue| -> Option<Length> {
         match v {
@@ -200,8 +201,8 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
     spec
 }
 
-/// The text of the starter: required values stand, defaults stand in comments that can be switched on. `date` is that of the title
-/// block.
+/// The text of the starter: required values stand, defaults stand in comments that can be switched
+/// on. `date` is that of the title block.
 pub fn starter(
     template: &Template,
     origin: &Origin,
@@ -463,7 +464,8 @@ mod tests {
         }
     }
 
-    /// Whatever the two folders are: the spec's folder and the path in the spec lead to the template's file.
+    /// Whatever the two folders are: the spec's folder and the path in the spec lead to the
+    /// template's file.
     #[test]
     fn a_template_by_path_is_named_as_the_spec_sees_it() {
         let folder = tempfile::tempdir().expect("a folder");

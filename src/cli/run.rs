@@ -278,7 +278,8 @@ pub fn demanded_cases(input: &SpecFile) -> Vec<String> {
     out
 }
 
-/// What the code says, before anything is meshed: faults of the detailing, and the verdict by code alone.
+/// What the code says, before anything is meshed: faults of the detailing, and the verdict by code
+/// alone.
 fn tell(hand: &HandChecks, cases: Vec<String>, log: &Log) {
     for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
         match c.status {
@@ -353,8 +354,8 @@ pub fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagn
     Ok(())
 }
 
-/// A case without load has nothing to answer, one of 1e300 MPa no number that a computer holds: both are told before the
-/// mesher starts.
+/// A case without load has nothing to answer, one of 1e300 MPa no number that a computer holds:
+/// both are told before the mesher starts.
 pub fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     let refuse = |path: String, code, message: String, help: &str| {
         let mut d = Diagnostic::input(code, message).help(help);
@@ -393,8 +394,8 @@ pub fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// A number of a load, and the sizes of it that make sense: energies go with their square, twice their exponent must be a
-/// number.
+/// A number of a load, and the sizes of it that make sense: energies go with their square, twice
+/// their exponent must be a number.
 struct Quantity {
     key: &'static str,
     value: f64,

@@ -174,7 +174,8 @@ mod tests {
         out
     }
 
-    /// The shipped templates are what the schema allows, and what the reader refuses the schema refuses too.
+    /// The shipped templates are what the schema allows, and what the reader refuses the schema
+    /// refuses too.
     #[test]
     fn the_schema_of_templates_fits_the_shipped_ones_and_refuses_ten_wrong_ones() {
         let schema: Value =

@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 /// Where catalogue tables of the user's own are; for every command that reads a spec.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct CatalogOptions {
-    /// Add the tables of your own folder to the built-in catalogue; in place of `catalog` in the spec.
+    /// Add the tables of your own folder to the built-in catalogue; in place of `catalog` in the
+    /// spec.
     #[arg(long, value_name = "DIR")]
     pub catalog: Option<PathBuf>,
 }
@@ -36,7 +37,8 @@ pub struct SpecFile {
     pub catalog: Catalog,
 }
 
-/// Reads a spec and builds its joint; `catalog_dir` is the folder of `--catalog`, which wins over `catalog` in the spec.
+/// Reads a spec and builds its joint; `catalog_dir` is the folder of `--catalog`, which wins over
+/// `catalog` in the spec.
 pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
     let text = text_file::read(path, |e| {
         Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
@@ -91,7 +93,8 @@ fn open_catalog(
     read.map_err(|fault| {
         let folder_itself = matches!(fault, CatalogError::Io { .. } | CatalogError::Empty { .. });
         let mut d = Diagnostic::from(fault);
-        // what is wrong with the folder is told where the folder is named, what is wrong with a table in the table
+        // what is wrong with the folder is told where the folder is named, what is wrong with a
+        // table in the table
         if let (true, None, Some(dir)) = (folder_itself, catalog_dir, of_spec) {
             d.message = format!("`catalog: {}`: {}", dir.display(), d.message);
             d.place = spec.index.place("catalog");
@@ -120,7 +123,8 @@ mod tests {
     const PROFILES: &str = "# source: mill sheet 7\nname,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,Iz_cm4,\
         Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\nMY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
 
-    /// A folder with `joint.yaml` (the paper's joint, with a column of its own) and the tables given.
+    /// A folder with `joint.yaml` (the paper's joint, with a column of its own) and the tables
+    /// given.
     fn folder(catalog: &str, tables: &[(&str, &str)]) -> tempfile::TempDir {
         let dir = tempfile::tempdir().expect("a folder");
         let spec = format!("{catalog}{}", JOINT.replace("profile: HEB200", "profile: MY200"));

@@ -62,7 +62,8 @@ pub struct StudyArgs {
 
 /// Where the meshes come from.
 trait Source {
-    /// The load cases on the uniform mesh of a level, 0 being the first mesh; with `adaptive` they can be meshed again.
+    /// The load cases on the uniform mesh of a level, 0 being the first mesh; with `adaptive` they
+    /// can be meshed again.
     fn cases(&self, level: u32, adaptive: bool) -> Result<Vec<Case<'_>>, Diagnostics>;
 }
 

@@ -1,4 +1,5 @@
-//! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and mesh alone.
+//! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and
+//! mesh alone.
 
 use crate::analysis::engine::Pass;
 use crate::analysis::limit::{self, LimitPass};
@@ -35,8 +36,9 @@ use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// How far the shift of the contact cones may be from the slips of the displacement, part of the largest. The fixed point ends
-/// far below; a shift that has nothing to do with Coulomb's law is not missed.
+/// How far the shift of the contact cones may be from the slips of the displacement, part of the
+/// largest. The fixed point ends far below; a shift that has nothing to do with Coulomb's law is
+/// not missed.
 const FAR_FROM_COULOMB: f64 = 0.02;
 
 /// Random points tried per field.
@@ -142,7 +144,8 @@ fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
 /// Sentences for what does not agree, and what the files of a case have proved.
 type Confirmed = (Vec<String>, Option<Proved>);
 
-/// Recomputes the bounds of a case, and everything that follows from them; sentences for what does not agree.
+/// Recomputes the bounds of a case, and everything that follows from them; sentences for what does
+/// not agree.
 fn verify_case(
     folder: &Path,
     case: &CaseResult,
@@ -407,8 +410,8 @@ impl Scene<'_> {
         (finding(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
     }
 
-    /// What the stored fields prove of a load factor that is claimed to have no limit. The finding's numbers are the
-    /// deviator that is left: nothing else is claimed.
+    /// What the stored fields prove of a load factor that is claimed to have no limit. The
+    /// finding's numbers are the deviator that is left: nothing else is claimed.
     fn no_limit(&self) -> Result<(Finding, Unlimited), Diagnostics> {
         let model = self.model;
         let field = read_stress(model, &self.field(LIVE_FIELD)?).map_err(Diagnostic::from)?;
@@ -456,7 +459,8 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
     };
     let end = |c: &CaseResult, i: usize| c.load_displacement.map(|d| d[i]);
     let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
-    // the answer is the best of its history: each bound stands in a row, both with their gap where one mesh gave both
+    // the answer is the best of its history: each bound stands in a row, both with their gap where
+    // one mesh gave both
     let upper = |u: Option<Upper>| u.and_then(|u| u.finite());
     let row = |l: bool, u: bool| {
         claimed.history.iter().any(|h| {
@@ -534,7 +538,8 @@ fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> 
         .collect()
 }
 
-/// Confirmed: the same number to 1e-9, and strict where strictness is claimed, at random points as well.
+/// Confirmed: the same number to 1e-9, and strict where strictness is claimed, at random points as
+/// well.
 fn finding(
     case: &CaseResult,
     bound: &'static str,

@@ -1,4 +1,5 @@
-//! `bracket watch`: the checks of a spec again, whenever a YAML or CSV file beside it or in the folder of `--catalog` changes.
+//! `bracket watch`: the checks of a spec again, whenever a YAML or CSV file beside it or in the
+//! folder of `--catalog` changes.
 
 use super::check::{self, CheckArgs};
 use super::{CommandResult, Common};
@@ -30,7 +31,8 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
             if before.is_some() && !common.quiet {
                 eprintln!();
             }
-            // a spec that is being edited is wrong now and then: that is told, and the next change looked for
+            // a spec that is being edited is wrong now and then: that is told, and the next change
+            // looked for
             if let Err(faults) = check::run(&args.check, common) {
                 let mut stderr = std::io::stderr();
                 let text = diag_render::text(&faults, stderr.is_terminal());
@@ -45,7 +47,8 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
     }
 }
 
-/// The inputs that a check may read: YAML and CSV files beside the spec, and the catalogue folder of the command line.
+/// The inputs that a check may read: YAML and CSV files beside the spec, and the catalogue folder
+/// of the command line.
 fn stamps(args: &CheckArgs) -> Stamps {
     let beside = args.spec.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut out = Stamps::new();

@@ -1,4 +1,5 @@
-//! Passes on ever better meshes until the gap asked for is reached or a limit ends it; the best bounds of all are the result.
+//! Passes on ever better meshes until the gap asked for is reached or a limit ends it; the best
+//! bounds of all are the result.
 
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -44,13 +45,15 @@ pub struct Adapted {
 
 /// What a case shares with the others.
 pub struct Share<'a> {
-    /// Seconds on the clock of the log at which it should be done with, if the cases that follow are to have theirs.
+    /// Seconds on the clock of the log at which it should be done with, if the cases that follow
+    /// are to have theirs.
     pub until: f64,
     /// What passes on the first mesh have found.
     pub patterns: &'a Patterns,
 }
 
-/// Analyses a case, mesh after mesh. `first`: nothing was analysed before, so what does not fit ends the run.
+/// Analyses a case, mesh after mesh. `first`: nothing was analysed before, so what does not fit
+/// ends the run.
 pub fn analyse(
     case: Case,
     first: bool,
@@ -111,7 +114,8 @@ pub fn analyse(
         entries.push(entry);
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
-        // fields of a pass that gives neither bound are not needed any more, but the last pass says where to refine
+        // fields of a pass that gives neither bound are not needed any more, but the last pass says
+        // where to refine
         kept.retain(|k| place.contains(&k.index) || k.index == index);
         let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
         let Some(step) = step else {

@@ -25,7 +25,8 @@ use crate::result::limit_case::limit_case_result;
 use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
 
-/// Kind of the field file of a stress that carries the live loads alone, which the word `unbounded` stands on.
+/// Kind of the field file of a stress that carries the live loads alone, which the word `unbounded`
+/// stands on.
 pub const LIVE_FIELD: &str = "static_live";
 /// Kind of the one of the dead loads alone beside it.
 pub const DEAD_FIELD: &str = "static_dead";
@@ -114,7 +115,8 @@ impl AnalysisPass {
         }
     }
 
-    /// Writes the fields of the kinematic program and those of the static one, as far as they are wanted.
+    /// Writes the fields of the kinematic program and those of the static one, as far as they are
+    /// wanted.
     pub fn write_fields(
         &self,
         model: &AnalysisModel,
@@ -173,7 +175,8 @@ impl AnalysisPass {
         Ok(())
     }
 
-    /// The part of a mechanism's dissipation that is not that of welds; `None` where nothing dissipates.
+    /// The part of a mechanism's dissipation that is not that of welds; `None` where nothing
+    /// dissipates.
     fn part_of_the_bodies(&self) -> Option<f64> {
         let AnalysisPass::Factor(pass) = self else { return None };
         let c = pass.upper.as_ref()?.certificate();
@@ -181,7 +184,8 @@ impl AnalysisPass {
         (bodies + welds > 0.0).then(|| bodies / (bodies + welds))
     }
 
-    /// The deformed shape with the size of the displacement as colours, or the mechanism with its dissipation.
+    /// The deformed shape with the size of the displacement as colours, or the mechanism with its
+    /// dissipation.
     pub fn picture(
         &self,
         name: &str,
@@ -243,7 +247,8 @@ impl AnalysisPass {
 /// Part of the dissipation below which bodies do not flow beside their welds.
 const LITTLE: f64 = 1e-3;
 
-/// A round factor that draws the largest displacement as about a twentieth of the shape; `None` where nothing moves.
+/// A round factor that draws the largest displacement as about a twentieth of the shape; `None`
+/// where nothing moves.
 fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
     if largest == 0.0 {
@@ -257,8 +262,9 @@ fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
 }
 
-/// Dissipation densities at the nodes over their mean where the mechanism dissipates, and the range of colours: up to the largest value
-/// drawn, but no further than the mean, for a single corner with a huge density must not leave all the rest dark.
+/// Dissipation densities at the nodes over their mean where the mechanism dissipates, and the range
+/// of colours: up to the largest value drawn, but no further than the mean, for a single corner
+/// with a huge density must not leave all the rest dark.
 fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
     let mesh = &model.mesh;
     let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];

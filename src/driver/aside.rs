@@ -1,4 +1,5 @@
-//! A folder of output that is no result folder: filled aside, then renamed; removed if anything fails.
+//! A folder of output that is no result folder: filled aside, then renamed; removed if anything
+//! fails.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::MesherError;
@@ -15,7 +16,8 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Starts a folder; one that exists is replaced only if it is empty or holds the file `mark`. `command`: who writes it.
+    /// Starts a folder; one that exists is replaced only if it is empty or holds the file `mark`.
+    /// `command`: who writes it.
     pub fn new(wanted: &Path, mark: &str, command: &str) -> Result<Self, Diagnostics> {
         let free = match std::fs::read_dir(wanted) {
             Ok(mut entries) => entries.next().is_none() || wanted.join(mark).exists(),

@@ -75,8 +75,8 @@ impl AnalysisOptions {
         self.out.clone().unwrap_or_else(|| input.with_extension(""))
     }
 
-    /// The limits of a run, as far as the options set them; a wrong option is refused. To be called before any thread starts:
-    /// from here on the user's interrupts are heard.
+    /// The limits of a run, as far as the options set them; a wrong option is refused. To be called
+    /// before any thread starts: from here on the user's interrupts are heard.
     pub fn limits(&self) -> Result<Limits, Diagnostics> {
         let memory = self.memory_limit.as_deref().map(memory_limit::parse).transpose()?;
         Ok(Limits { solver: self.solver, time: None, memory, interrupt: Interrupt::watch()? })
@@ -128,7 +128,8 @@ pub struct Case<'a> {
     pub mesh_seconds: Option<f64>,
     /// Of a direction of the spec's polygon: both actions in their units.
     pub direction: Option<[f64; 2]>,
-    /// The forces and moments that the loads demand of a joint; `None`: the loads are a model's, there is no demand.
+    /// The forces and moments that the loads demand of a joint; `None`: the loads are a model's,
+    /// there is no demand.
     pub demand: Option<Vec<EndAction>>,
 }
 
@@ -171,7 +172,8 @@ pub struct RunContext {
     pub polygon: Option<PolygonSpec>,
 }
 
-/// The file name of an entry of a result: that of its case, with the kind of analysis where an earlier entry has the same case.
+/// The file name of an entry of a result: that of its case, with the kind of analysis where an
+/// earlier entry has the same case.
 pub fn entry_stem(earlier: &[CaseResult], entry: &CaseResult) -> String {
     stem_of(&entry.name, entry.analysis, earlier.iter().any(|c| c.name == entry.name))
 }
@@ -189,7 +191,8 @@ pub fn file_stem(case: &str) -> String {
         .collect()
 }
 
-/// Without any load the answer is zero and there is nothing to bracket: most likely a load was forgotten.
+/// Without any load the answer is zero and there is nothing to bracket: most likely a load was
+/// forgotten.
 fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     let m = &case.model;
     let acts = m.surface_loads.iter().any(|l| match l.traction {
@@ -374,7 +377,8 @@ fn stems(cases: &[Case]) -> Vec<String> {
     cases.iter().enumerate().map(|(i, c)| stem_of(&c.name, c.model.analysis, again(i))).collect()
 }
 
-/// Writes the model file of a pass, and its mesh where it is not the first one, which stands in the folder already.
+/// Writes the model file of a pass, and its mesh where it is not the first one, which stands in the
+/// folder already.
 fn write_model(
     pass: &Kept,
     first: &ModelFile,
@@ -411,8 +415,8 @@ pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagn
     ))
 }
 
-/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves end, `patterns`: what earlier
-/// passes on that mesh have found.
+/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves
+/// end, `patterns`: what earlier passes on that mesh have found.
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
@@ -440,7 +444,8 @@ pub fn run_pass(
         SolverChoice::Condensed => Solver::Condensed,
         SolverChoice::Clarabel => Solver::Clarabel,
     };
-    // what is left of the time asked for; a solve that cannot finish in it ends with status `time limit`
+    // what is left of the time asked for; a solve that cannot finish in it ends with status
+    // `time limit`
     let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
     let patterns = patterns.clone();

@@ -1,4 +1,5 @@
-//! What every command that judges a spec ends with: verdict, files of the result folder, last words, exit code.
+//! What every command that judges a spec ends with: verdict, files of the result folder, last
+//! words, exit code.
 
 use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, judge};
@@ -113,7 +114,8 @@ fn judged(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
         let by_analysis =
             |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
-        // a bracket of the resistance decides; without one, an analysis that failed leaves the case open
+        // a bracket of the resistance decides; without one, an analysis that failed leaves the case
+        // open
         let verdict = match limit {
             Some(c) => by_analysis(c),
             None if entries().count() < kinds.len() => Verdict::Undecided,
@@ -146,7 +148,8 @@ fn judged(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses
     result.checks.clone_from(&context.checks.checks);
 }
 
-/// The exit code that fits the verdict; without a demand it says whether the analyses are certified.
+/// The exit code that fits the verdict; without a demand it says whether the analyses are
+/// certified.
 fn exit_code(result: &ResultFile, complete: bool) -> u8 {
     let certified = result.cases.iter().all(certified);
     match result.verdict {
@@ -158,7 +161,8 @@ fn exit_code(result: &ResultFile, complete: bool) -> u8 {
     }
 }
 
-/// Every program that ran gave its bound, on one mesh or another, with a certificate; where none had to run, there is one.
+/// Every program that ran gave its bound, on one mesh or another, with a certificate; where none
+/// had to run, there is one.
 pub fn certified(c: &CaseResult) -> bool {
     let ran = |program: fn(&HistoryRow) -> bool| c.history.iter().any(program);
     let given = |ran: bool, bound: bool| bound || !ran;

@@ -1,7 +1,8 @@
-//! Ctrl-C, and the polite signals of batch systems: the first ends the run in order, the second at once.
+//! Ctrl-C, and the polite signals of batch systems: the first ends the run in order, the second at
+//! once.
 //!
-//! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in place of others' while it
-//! orders, and blocked signals never reach a handler.
+//! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in
+//! place of others' while it orders, and blocked signals never reach a handler.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::report::console::log::Log;
@@ -31,7 +32,8 @@ struct Work {
 }
 
 impl Interrupt {
-    /// Watches for signals from now on. Must come before any other thread starts: threads inherit what is blocked.
+    /// Watches for signals from now on. Must come before any other thread starts: threads inherit
+    /// what is blocked.
     ///
     /// As long as no work has begun, a signal ends the program at once.
     pub fn watch() -> Result<Self, Diagnostics> {
@@ -40,8 +42,8 @@ impl Interrupt {
         Ok(interrupt)
     }
 
-    /// Work begins. The first signal from now on only asks for its end and says what that leads to (`now`); the second one ends
-    /// the program after `last_words`.
+    /// Work begins. The first signal from now on only asks for its end and says what that leads to
+    /// (`now`); the second one ends the program after `last_words`.
     pub fn begin(&self, log: &Arc<Log>, now: &'static str, last_words: impl Fn() + Send + 'static) {
         let work = Work { log: Arc::downgrade(log), now, last_words: Box::new(last_words) };
         *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
@@ -112,7 +114,8 @@ impl Interrupt {
     /// A signal has come; `first`: when the first one came.
     #[cfg(unix)]
     fn heard(&self, first: &mut Option<std::time::Instant>) {
-        /// `timeout` and some shells send a signal to the process and to its group: that is one wish, not two.
+        /// `timeout` and some shells send a signal to the process and to its group: that is one
+        /// wish, not two.
         const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {

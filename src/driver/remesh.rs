@@ -1,4 +1,5 @@
-//! How a case gets its next mesh: a spec's geometry is meshed again by a map of sizes, a user's mesh is bisected.
+//! How a case gets its next mesh: a spec's geometry is meshed again by a map of sizes, a user's
+//! mesh is bisected.
 
 use crate::assembly::Assembly;
 use crate::cli::analyse::quality_table;
@@ -31,7 +32,8 @@ pub struct Made {
 
 /// What makes the next mesh of a case.
 pub trait Remesh {
-    /// The parts it would make of those wanted of each tet of the last mesh, as far as that is known before.
+    /// The parts it would make of those wanted of each tet of the last mesh, as far as that is
+    /// known before.
     fn realised(&self, wanted: &[f64]) -> Vec<f64>;
 
     /// Makes the mesh of a design, in so many seconds at most.
@@ -50,7 +52,8 @@ const MESHER_SECONDS: f64 = 600.0;
 /// Where in the input file the text of a path stands.
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 
-/// Removes the mesher's working folder: script and log are of use only when it fails, and then they are in the message.
+/// Removes the mesher's working folder: script and log are of use only when it fails, and then they
+/// are in the message.
 pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
     let dir = &options.work_dir;
     match std::fs::remove_dir_all(dir) {
@@ -116,7 +119,8 @@ impl Remesh for ByMap<'_> {
         let field = SizeField::new(&self.mesh, &self.edges, &design.wanted);
         let mut scale = self.filling.cbrt();
         let mut made = None;
-        // once more where the count is not what was wanted: sizes that the geometry sets do not follow the map
+        // once more where the count is not what was wanted: sizes that the geometry sets do not
+        // follow the map
         for _ in 0..2 {
             let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, MESHER_SECONDS);
             let mut options = self.options.clone();

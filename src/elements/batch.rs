@@ -1,17 +1,20 @@
 //! Elements that yield as dense data, eight of one shape side by side.
 //!
-//! Such an element joins displacements v, shared with other elements or of its own, to parameters σ of its stress:
-//! minimise over v, maximise over σ of `vᵀ T σ − ½ σᵀ F σ`, the parameters kept in the yield set at some points,
-//! `(1, b_j + B_j σ) ∈ K⁶`. Parameters are normalised so that the yield radius is 1. Rigid-plastic elements have F = 0.
+//! Such an element joins displacements v, shared with other elements or of its own, to parameters σ
+//! of its stress: minimise over v, maximise over σ of `vᵀ T σ − ½ σᵀ F σ`, the parameters kept in
+//! the yield set at some points, `(1, b_j + B_j σ) ∈ K⁶`. Parameters are normalised so that the
+//! yield radius is 1. Rigid-plastic elements have F = 0.
 //!
 //! # Shapes
 //! - [`Shape::Stress`]: the static super-element, 30 parameters, 16 points.
-//! - [`Shape::Flow`]: the kinematic element, one or four (sub)tets with linear strain. The parameters are deviatoric
-//!   stresses at the points of a quadrature rule, times their weights; `T` is the strain there. A rigid-plastic element
-//!   has further parameters without a yield condition, the pressures that hold its volume.
+//! - [`Shape::Flow`]: the kinematic element, one or four (sub)tets with linear strain. The
+//!   parameters are deviatoric stresses at the points of a quadrature rule, times their weights;
+//!   `T` is the strain there. A rigid-plastic element has further parameters without a yield
+//!   condition, the pressures that hold its volume.
 //!
 //! # Layout
-//! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at once.
+//! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at
+//! once.
 
 use crate::math::lanes::{
     Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel,
@@ -39,7 +42,8 @@ pub enum Rule {
     Vertices,
 }
 
-/// The ten points as means of the vertices times their weights: `V/32` at vertices, `7 V/48` at mid-sides.
+/// The ten points as means of the vertices times their weights: `V/32` at vertices, `7 V/48` at
+/// mid-sides.
 const TEN_POINTS: [[f64; 4]; 10] = {
     const V: f64 = 1.0 / 32.0;
     const M: f64 = 7.0 / 96.0;
@@ -149,9 +153,10 @@ struct Parts {
 /// # Shape
 /// `data` is, one part after the other:
 /// - `Stress`: `Tᵀ` (30 × k), F (lower triangle by columns), B (16 × 5 × 30);
-/// - `Flow`: strain (per subtet 20 × (inner + k): component a at vertex v is row `5 v + a`) times volume and yield
-///   radius; per subtet the scalar f of its flexibility `f (20 δ_vw − 4)`, 0 for rigid-plastic; rows of the pressures
-///   (k each); stiffness of the inner displacements beside the flow (column by column, inner + k rows).
+/// - `Flow`: strain (per subtet 20 × (inner + k): component a at vertex v is row `5 v + a`) times
+///   volume and yield radius; per subtet the scalar f of its flexibility `f (20 δ_vw − 4)`, 0 for
+///   rigid-plastic; rows of the pressures (k each); stiffness of the inner displacements beside the
+///   flow (column by column, inner + k rows).
 #[derive(Clone, Debug, PartialEq)]
 pub struct YieldingElement {
     /// Kind and sizes.
@@ -272,7 +277,8 @@ kernel! {
 }
 
 kernel! {
-    /// `v += K x` of the inner displacements' stiffness, `inner` columns; the inner block is stored whole, its couplings once.
+    /// `v += K x` of the inner displacements' stiffness, `inner` columns; the inner block is stored
+    /// whole, its couplings once.
     fn add_inner_stiffness(simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane]) {
         let all = x.len();
         let (stiffness, x, v) = (registers::<S>(stiffness), registers::<S>(x), registers_mut::<S>(v));
@@ -401,7 +407,8 @@ impl Batch {
         }
     }
 
-    /// The element's displacements of the program's unknowns `x`; `scale` multiplies shared and inner ones (empty: 1).
+    /// The element's displacements of the program's unknowns `x`; `scale` multiplies shared and
+    /// inner ones (empty: 1).
     pub fn gather_displacements(&self, x: &[f64], scale: &[f64]) -> Vec<Lane> {
         let value = |i: u32| match i {
             NONE => 0.0,

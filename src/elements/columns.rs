@@ -4,7 +4,8 @@
 pub struct Columns {
     /// The program's unknowns; `NONE`: held.
     pub unknowns: Vec<u32>,
-    /// For each full unknown its terms: position in `unknowns`, factor. `None`: full unknowns and columns are the same.
+    /// For each full unknown its terms: position in `unknowns`, factor. `None`: full unknowns and
+    /// columns are the same.
     pub terms: Option<Vec<Vec<(usize, f64)>>>,
 }
 

@@ -1,19 +1,23 @@
-//! The 10-node tetrahedron that yields, plain or split: deviatoric stresses at its points beside its displacements.
+//! The 10-node tetrahedron that yields, plain or split: deviatoric stresses at its points beside
+//! its displacements.
 //!
 //! # Elastic, perfectly plastic (Hencky)
 //! Energy with displacements u and traceless plastic strain p, linear in every (sub)tet:
-//! `½ ∫ (ε − p):C:(ε − p) + ∫ √(2/3) f_y ‖p‖`. The elastic part is exact. The dissipation is convex, so the vertex rule
-//! `V/4 Σ_i √(2/3) f_y ‖p_i‖` bounds it from above, and is exact where p is constant or zero. Over p the energy is the
-//! largest, over deviators q conjugate to the vertex strains with `‖q_i‖ ≤ V/4 √(2/3) f_y`, of
-//! `Σ q_i·dev ε_i − ½ Σ q_i (M⁻¹)_ij q_j / 2G`, M the mass matrix; the change of volume stays elastic.
+//! `½ ∫ (ε − p):C:(ε − p) + ∫ √(2/3) f_y ‖p‖`. The elastic part is exact. The dissipation is
+//! convex, so the vertex rule `V/4 Σ_i √(2/3) f_y ‖p_i‖` bounds it from above, and is exact where p
+//! is constant or zero. Over p the energy is the largest, over deviators q conjugate to the vertex
+//! strains with `‖q_i‖ ≤ V/4 √(2/3) f_y`, of `Σ q_i·dev ε_i − ½ Σ q_i (M⁻¹)_ij q_j / 2G`, M the
+//! mass matrix; the change of volume stays elastic.
 //!
 //! # Rigid-plastic (limit analysis)
-//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the largest, over deviators q at the points with
-//! `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures hold `tr ε = 0`: the split element needs one, `∫ div u = 0`, since
-//! its inner displacements follow from the outer ones; the plain element four, at its vertices.
+//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the largest, over deviators q at the
+//! points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures hold `tr ε = 0`: the split
+//! element needs one, `∫ div u = 0`, since its inner displacements follow from the outer ones; the
+//! plain element four, at its vertices.
 //!
 //! # Sign
-//! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`, the deviatoric part against the plastic strain.
+//! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`, the deviatoric part against
+//! the plastic strain.
 
 use crate::elements::batch::{Rule, Shape, YieldingElement};
 use crate::elements::columns::Columns;
@@ -55,8 +59,8 @@ fn bulk(material: &Isotropic) -> Isotropic {
 }
 
 impl YieldingTet10 {
-    /// Stiffness on the outer displacements that stays beside the yielding part: resistance to a change of volume, the
-    /// inner displacements of the split element held.
+    /// Stiffness on the outer displacements that stays beside the yielding part: resistance to a
+    /// change of volume, the inner displacements of the split element held.
     pub fn outer_stiffness(&self) -> tet10::Matrix30 {
         let material = bulk(&self.material);
         if self.rule != Rule::Hencky {
@@ -149,7 +153,8 @@ impl YieldingTet10 {
         }
     }
 
-    /// Forms that must vanish for the volume to stay: `∫ div u` of the split element, `V/4 tr ε` at the vertices of the plain.
+    /// Forms that must vanish for the volume to stay: `∫ div u` of the split element, `V/4 tr ε` at
+    /// the vertices of the plain.
     fn pressure_rows(&self, count: usize) -> Vec<[f64; 30]> {
         match count {
             0 => Vec::new(),

@@ -1,7 +1,7 @@
 //! The finite elements: one a file, their geometry and quadrature beside them.
 //!
-//! The kinematic program uses 10-node tetrahedra, the static program super-elements of four subtets with linear stress.
-//! Each exists in an elastic form and in one with von Mises cones.
+//! The kinematic program uses 10-node tetrahedra, the static program super-elements of four subtets
+//! with linear stress. Each exists in an elastic form and in one with von Mises cones.
 
 pub mod batch;
 pub mod columns;

@@ -46,7 +46,8 @@ impl Tet10Space {
         })
     }
 
-    /// The six nodes of a triangle given by its vertices: the vertices, then the mid-sides of [`FACE_EDGES`].
+    /// The six nodes of a triangle given by its vertices: the vertices, then the mid-sides of
+    /// [`FACE_EDGES`].
     pub fn triangle(&self, v: [u32; 3]) -> [usize; 6] {
         std::array::from_fn(|i| {
             if i < 3 {

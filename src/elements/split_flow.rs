@@ -1,12 +1,15 @@
-//! Flow that keeps its volume in the split 10-node tetrahedron: the inner velocities as a constant map of the outer ones.
+//! Flow that keeps its volume in the split 10-node tetrahedron: the inner velocities as a constant
+//! map of the outer ones.
 //!
-//! `tr ε = 0` at the 4 vertices of the 4 subtets is 16 rows. Their block on the 15 inner velocities has rank 15; the one
-//! combination that no inner velocity touches is the sum of all, `∫ div u`. So the 15 inner velocities follow from the 30 outer
-//! ones and one row per element is left. The map used is the least squares solution of the 16 rows: its residual is the
-//! same at all 16 points, so `div u` is constant in the element whatever the outer velocities, and zero where the volume row is.
+//! `tr ε = 0` at the 4 vertices of the 4 subtets is 16 rows. Their block on the 15 inner velocities
+//! has rank 15; the one combination that no inner velocity touches is the sum of all, `∫ div u`. So
+//! the 15 inner velocities follow from the 30 outer ones and one row per element is left. The map
+//! used is the least squares solution of the 16 rows: its residual is the same at all 16 points, so
+//! `div u` is constant in the element whatever the outer velocities, and zero where the volume row
+//! is.
 //!
-//! The Piola map `u = J û` keeps divergences (`div u = div û`), so one map on the reference tetrahedron, for û, serves every
-//! element.
+//! The Piola map `u = J û` keeps divergences (`div u = div û`), so one map on the reference
+//! tetrahedron, for û, serves every element.
 //!
 //! # Shape
 //! Nodes as in [`crate::elements::split_tet10`]; velocity `3 i + d` is component d at node i.
@@ -47,7 +50,8 @@ pub fn divergence_rows(corners: &[V3; 4]) -> [[f64; 3 * NODES]; 16] {
     rows
 }
 
-/// Inner velocities from the outer ones, both in the components û of the reference tetrahedron, `u = J û`.
+/// Inner velocities from the outer ones, both in the components û of the reference tetrahedron,
+/// `u = J û`.
 pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
     static MAP: OnceLock<Box<[[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS]>> = OnceLock::new();
     MAP.get_or_init(|| {
@@ -56,7 +60,8 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
         let outer = Mat::from_fn(16, OUTER_UNKNOWNS, |r, c| -rows[r][c]);
         let factor = inner.qr();
         let mut x = factor.solve_lstsq(&outer);
-        // one refinement: the entries are small fractions, and rounding is all the divergence there may be
+        // one refinement: the entries are small fractions, and rounding is all the divergence there
+        // may be
         x += factor.solve_lstsq(&outer - &inner * &x);
         let mut map = Box::new([[0.0; OUTER_UNKNOWNS]; INNER_UNKNOWNS]);
         for (r, row) in map.iter_mut().enumerate() {
@@ -66,7 +71,8 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
     })
 }
 
-/// The 45 velocities of an element from those of its outer nodes: inside, the flow of constant divergence.
+/// The 45 velocities of an element from those of its outer nodes: inside, the flow of constant
+/// divergence.
 pub fn velocities(corners: &[V3; 4], outer: &[f64; OUTER_UNKNOWNS]) -> [f64; 3 * NODES] {
     let (j, inverse, _) = jacobian(corners);
     let mut hat = [0.0; OUTER_UNKNOWNS];
@@ -94,8 +100,8 @@ pub fn inner_rows(corners: &[V3; 4]) -> Box<[[f64; OUTER_UNKNOWNS]; INNER_UNKNOW
     rows
 }
 
-/// `∫ b·u` over the element of volume `volume` \[mm³\] as a linear form of the outer velocities, for a constant force b per
-/// volume \[N/mm³\]: the inner nodes bear their part too.
+/// `∫ b·u` over the element of volume `volume` \[mm³\] as a linear form of the outer velocities,
+/// for a constant force b per volume \[N/mm³\]: the inner nodes bear their part too.
 pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWNS] {
     let (j, inverse, _) = jacobian(corners);
     let weights = split_tet10::shape_integrals();
@@ -112,8 +118,9 @@ pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWN
     f
 }
 
-/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces, on which a quadratic
-/// integrates to a third of the sum of its mid-side values. It is the same in a plain element.
+/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces,
+/// on which a quadratic integrates to a third of the sum of its mid-side values. It is the same in
+/// a plain element.
 ///
 /// # Units
 /// mm², for mm³ per unit of time from mm.
@@ -121,7 +128,8 @@ pub fn volume_row(corners: &[V3; 4]) -> [f64; OUTER_UNKNOWNS] {
     let areas = FACES.map(|f| vec3::area_vector(&f.map(|i| corners[i])));
     let mut row = [0.0; OUTER_UNKNOWNS];
     for (e, [a, b]) in EDGES.into_iter().enumerate() {
-        // face k is opposite vertex k: an edge lies on the two faces opposite the other two vertices
+        // face k is opposite vertex k: an edge lies on the two faces opposite the other two
+        // vertices
         for k in (0..4).filter(|&k| k != a && k != b) {
             (0..3).for_each(|d| row[3 * (4 + e) + d] += areas[k][d] / 3.0);
         }
@@ -167,8 +175,9 @@ mod tests {
         out
     }
 
-    /// On random tets and random outer velocities the divergence is the volume row over the volume at every point; with
-    /// the row made zero it vanishes. The element's own 16 rows have rank 15 on the inner velocities, 16 on all.
+    /// On random tets and random outer velocities the divergence is the volume row over the volume
+    /// at every point; with the row made zero it vanishes. The element's own 16 rows have rank 15
+    /// on the inner velocities, 16 on all.
     #[test]
     fn divergence_is_constant_and_the_volume_row() {
         let mut seed = 0x9e37_79b9_7f4a_7c15;

@@ -1,9 +1,10 @@
-//! The 10-node tetrahedron split at its centroid into four (Alfeld split): the trace on its faces is that of the plain
-//! element, the five nodes inside let it flow without locking.
+//! The 10-node tetrahedron split at its centroid into four (Alfeld split): the trace on its faces
+//! is that of the plain element, the five nodes inside let it flow without locking.
 //!
 //! # Shape
-//! Nodes 0–3 are the vertices, 4–9 the mid-sides of [`EDGES`], 10 the centroid, 11–14 the middles between the centroid
-//! and vertex 0–3. Subtet k holds the face opposite vertex k, its corners [`FACES`] then the centroid.
+//! Nodes 0–3 are the vertices, 4–9 the mid-sides of [`EDGES`], 10 the centroid, 11–14 the middles
+//! between the centroid and vertex 0–3. Subtet k holds the face opposite vertex k, its corners
+//! [`FACES`] then the centroid.
 
 use crate::elements::super_element::centroid;
 use crate::elements::tet10;
@@ -97,8 +98,9 @@ mod tests {
         }
     }
 
-    /// Every node of a subtet lies where a 10-node tetrahedron on the subtet's corners has it, and the energy of a
-    /// quadratic displacement, which both elements hold, is that of the plain element.
+    /// Every node of a subtet lies where a 10-node tetrahedron on the subtet's corners has it, and
+    /// the energy of a quadratic displacement, which both elements hold, is that of the plain
+    /// element.
     #[test]
     fn holds_what_the_plain_element_holds() {
         for k in 0..4 {

@@ -1,7 +1,8 @@
 //! The stress basis of the static super-element, on the reference tetrahedron.
 //!
-//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 values less 66 rows of equilibrium leave
-//! 30 parameters. Points and tractions are numbered as in [`crate::elements::super_element`].
+//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 values less 66
+//! rows of equilibrium leave 30 parameters. Points and tractions are numbered as in
+//! [`crate::elements::super_element`].
 
 use crate::elements::super_element::{PARAMETERS, TRACTIONS, centroid, gradients};
 use crate::math::mandel::{self, Mandel};
@@ -15,16 +16,19 @@ use std::sync::OnceLock;
 pub(crate) struct Reference {
     /// Stress basis: `basis[k][p][parameter]`.
     pub(crate) basis: [[[Mandel; PARAMETERS]; 4]; 4],
-    /// Area- and mass-weighted tractions of each parameter, `[traction][parameter]`, before `J` rotates them.
+    /// Area- and mass-weighted tractions of each parameter, `[traction][parameter]`, before `J`
+    /// rotates them.
     pub(crate) traction: Box<[[f64; PARAMETERS]; TRACTIONS]>,
-    /// `flexibility[c]`: 30 × 30 matrix that multiplies entry c of the upper triangle of the transformed compliance.
+    /// `flexibility[c]`: 30 × 30 matrix that multiplies entry c of the upper triangle of the
+    /// transformed compliance.
     pub(crate) flexibility: Vec<Box<[[f64; PARAMETERS]; PARAMETERS]>>,
 }
 
 /// Corners of the reference tetrahedron.
 const CORNERS: [V3; 4] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// The 66 rows (12 equilibrium, 54 traction continuity) on the 96 stress values of a split tetrahedron.
+/// The 66 rows (12 equilibrium, 54 traction continuity) on the 96 stress values of a split
+/// tetrahedron.
 ///
 /// Rows are scaled to unit length. Rank 66 on any non-degenerate tetrahedron.
 ///

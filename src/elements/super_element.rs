@@ -1,12 +1,15 @@
-//! The static super-element: a tetrahedron split at its centroid into 4 subtets with linear stress in each.
+//! The static super-element: a tetrahedron split at its centroid into 4 subtets with linear stress
+//! in each.
 //!
-//! Self-equilibrated, traction-continuous stress fields have 30 parameters (of 96), one-to-one with the 36 − 6
-//! self-equilibrated linear tractions on the outer faces. Their basis is computed once, on the reference tetrahedron:
-//! the Piola map `σ = J σ̂ Jᵀ / det J` carries it to every element, so an element costs one 30 × 30 Cholesky factor.
+//! Self-equilibrated, traction-continuous stress fields have 30 parameters (of 96), one-to-one with
+//! the 36 − 6 self-equilibrated linear tractions on the outer faces. Their basis is computed once,
+//! on the reference tetrahedron: the Piola map `σ = J σ̂ Jᵀ / det J` carries it to every element,
+//! so an element costs one 30 × 30 Cholesky factor.
 //!
 //! # Shape
-//! Points are `[subtet k][p]`: subtet k holds the outer face opposite macro vertex k, p = 0, 1, 2 its vertices in
-//! [`FACES`] order, p = 3 the centroid. Tractions are `9 k + 3 p + d` (face, vertex in [`FACES`] order, component).
+//! Points are `[subtet k][p]`: subtet k holds the outer face opposite macro vertex k, p = 0, 1, 2
+//! its vertices in [`FACES`] order, p = 3 the centroid. Tractions are `9 k + 3 p + d` (face, vertex
+//! in [`FACES`] order, component).
 
 use crate::elements::stress_basis::reference;
 use crate::math::dense::Cholesky;
@@ -84,8 +87,9 @@ pub struct SuperElement {
 pub type Matrix36 = Box<[[f64; TRACTIONS]; TRACTIONS]>;
 
 impl SuperElement {
-    /// Sets up the element; `None` when its shape is so poor that its flexibility is not positive definite in floating
-    /// point. `body_force` \[N/mm³\] with the origin of its particular stress `−diag(b_i (x_i − origin_i))`.
+    /// Sets up the element; `None` when its shape is so poor that its flexibility is not positive
+    /// definite in floating point. `body_force` \[N/mm³\] with the origin of its particular stress
+    /// `−diag(b_i (x_i − origin_i))`.
     pub fn new(
         corners: [V3; 4],
         material: Isotropic,
@@ -156,7 +160,8 @@ impl SuperElement {
         flexibility(&columns, self.volume, &self.material)
     }
 
-    /// Mass-weighted outer tractions of each parameter, `T` as `[traction][parameter]`; no body force.
+    /// Mass-weighted outer tractions of each parameter, `T` as `[traction][parameter]`; no body
+    /// force.
     pub fn traction_matrix(&self) -> Box<[[f64; PARAMETERS]; TRACTIONS]> {
         let r = reference();
         let mut t = Box::new([[0.0; PARAMETERS]; TRACTIONS]);
@@ -245,8 +250,8 @@ impl SuperElement {
         &self.particular_flexibility
     }
 
-    /// What the body force's particular stress alone adds to the program: its mass-weighted outer tractions, linear in the
-    /// face displacements, and the constant `−½ ∫ σ_p:C⁻¹:σ_p`.
+    /// What the body force's particular stress alone adds to the program: its mass-weighted outer
+    /// tractions, linear in the face displacements, and the constant `−½ ∫ σ_p:C⁻¹:σ_p`.
     pub fn particular_terms(&self) -> ([f64; TRACTIONS], f64) {
         let s = self.particular();
         (self.particular_tractions(), -0.5 * integrate(self.volume, &self.material, &s, &s))
@@ -270,7 +275,8 @@ impl SuperElement {
         t
     }
 
-    /// What the body force adds to the program: the linear term on the face displacements and the constant.
+    /// What the body force adds to the program: the linear term on the face displacements and the
+    /// constant.
     pub fn body_terms(&self) -> ([f64; TRACTIONS], f64) {
         if self.body_force.is_none() {
             return ([0.0; TRACTIONS], 0.0);
@@ -348,8 +354,8 @@ mod tests {
         s.iter().filter(|x| **x > 1e-9 * s[0]).count()
     }
 
-    /// The 66 rows have rank 66, 30 parameters remain, and their tractions have rank 30, on 100 random tetrahedra; the
-    /// mapped reference basis satisfies the rows of the element itself.
+    /// The 66 rows have rank 66, 30 parameters remain, and their tractions have rank 30, on 100
+    /// random tetrahedra; the mapped reference basis satisfies the rows of the element itself.
     #[test]
     fn ranks_are_66_30_30() {
         let mut seed = 0x9e37_79b9_7f4a_7c15;

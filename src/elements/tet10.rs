@@ -1,6 +1,7 @@
 //! The 10-node tetrahedron with straight edges: quadratic displacement, linear strain.
 //!
-//! Nodes: four vertices, then the mid-side nodes of [`EDGES`]. Unknown `3 i + d` is component d at node i.
+//! Nodes: four vertices, then the mid-side nodes of [`EDGES`]. Unknown `3 i + d` is component d at
+//! node i.
 
 use crate::elements::super_element::gradients;
 use crate::math::mandel::{self, Isotropic, Mandel};
@@ -23,7 +24,8 @@ pub fn shape(l: [f64; 4]) -> [f64; 10] {
     })
 }
 
-/// Gradients of the shape functions at barycentric `l`, from the gradients `g` of the barycentric coordinates.
+/// Gradients of the shape functions at barycentric `l`, from the gradients `g` of the barycentric
+/// coordinates.
 pub fn shape_gradients(g: &[V3; 4], l: [f64; 4]) -> [V3; 10] {
     std::array::from_fn(|i| {
         if i < 4 {

@@ -1,8 +1,9 @@
 //! Volumes, contact areas and face areas of flat-faced solids, exact up to rounding.
 //!
-//! A plane section is swept by lines; between two neighbouring corners the length of a line inside changes linearly,
-//! so two Gauss points per strip integrate it exactly. Only strips in which edges of different prisms cross are
-//! approximate, and those are halved. Independent of the CAD kernel and of the mesh: both are checked against it.
+//! A plane section is swept by lines; between two neighbouring corners the length of a line inside
+//! changes linearly, so two Gauss points per strip integrate it exactly. Only strips in which edges
+//! of different prisms cross are approximate, and those are halved. Independent of the CAD kernel
+//! and of the mesh: both are checked against it.
 
 use super::flat::{FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
@@ -10,10 +11,12 @@ use super::scene::Body;
 use crate::assembly::assembly::Surface;
 use crate::math::vec3::{V3, along, cross, dot, sub};
 
-/// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far above rounding.
+/// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far
+/// above rounding.
 const BESIDE: f64 = 1e-5;
 
-/// Parts of a strip between two corners; > 1 limits the error where edges of different prisms cross.
+/// Parts of a strip between two corners; > 1 limits the error where edges of different prisms
+/// cross.
 const SUBSTRIPS: usize = 2;
 
 /// A plane with axes.
@@ -155,7 +158,8 @@ pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
     sum
 }
 
-/// Area of a body's outer face on the rectangle of a coordinate plane: material on one side, nothing on the other \[mm²\].
+/// Area of a body's outer face on the rectangle of a coordinate plane: material on one side,
+/// nothing on the other \[mm²\].
 pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, max: V3) -> f64 {
     let plane = Plane::coordinate(axis, at);
     let me = &bodies[body];
@@ -179,8 +183,8 @@ pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, m
     })
 }
 
-/// The plane of a body's facets if it carries the surface: the coordinate plane itself (with coordinate axes), or a
-/// facet's plane of the mantle (swept along the axis).
+/// The plane of a body's facets if it carries the surface: the coordinate plane itself (with
+/// coordinate axes), or a facet's plane of the mantle (swept along the axis).
 fn on_surface_plane(surface: &Surface, plane: Plane) -> Option<Plane> {
     match surface {
         Surface::Plane { axis, at, .. } => (plane.normal[*axis].abs() > 1.0 - 1e-9
@@ -230,8 +234,8 @@ impl Window {
     }
 }
 
-/// Relative distance from the nominal radius up to which a point lies on a mantle: a regular 12-gon with the area of
-/// its circle reaches from 0.988 to 1.023 radii.
+/// Relative distance from the nominal radius up to which a point lies on a mantle: a regular 12-gon
+/// with the area of its circle reaches from 0.988 to 1.023 radii.
 pub const MANTLE_TOLERANCE: f64 = 0.03;
 
 /// The distinct planes of all facets of a solid, also of the subtracted prisms.

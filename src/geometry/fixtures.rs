@@ -1,4 +1,5 @@
-//! Joints built by hand for tests: the paper's joint (design BENCHMARKS) and two plates with one bolt.
+//! Joints built by hand for tests: the paper's joint (design BENCHMARKS) and two plates with one
+//! bolt.
 
 use crate::assembly::Assembly;
 use crate::assembly::assembly::*;
@@ -9,7 +10,8 @@ const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Outline of an I-section with root fillets: first coordinate along the flanges, second along the web.
+/// Outline of an I-section with root fillets: first coordinate along the flanges, second along the
+/// web.
 fn i_outline(h: f64, b: f64, tw: f64, tf: f64, r: f64) -> ([f64; 2], Vec<OutlineEdge>) {
     let (hy, hz, w, i) = (b / 2.0, h / 2.0, tw / 2.0, h / 2.0 - tf);
     let line = |x: f64, y: f64| OutlineEdge::Line { to: [x, y] };
@@ -86,7 +88,8 @@ const SEGMENTS: u32 = 12;
 const ROWS: [f64; 3] = [-215.0, -125.0, 110.0];
 
 fn column() -> Part {
-    // HEB200 along z; first outline coordinate along y, second along x: u × v = y × x = −z, so extrude downwards.
+    // HEB200 along z; first outline coordinate along y, second along x: u × v = y × x = −z, so
+    // extrude downwards.
     let (start, edges) = i_outline(200.0, 200.0, 9.0, 15.0, 18.0);
     let profile =
         Solid::Prism { origin: [0.0, 0.0, 350.0], u: Y, v: X, start, edges, length: 700.0 };

@@ -1,8 +1,9 @@
 //! Solids with flat faces only: what the mesher gets and what volumes and areas are computed from.
 //!
-//! Circles become regular polygons and root fillets short chains of chords, both with the area of the smooth shape.
-//! Every facet is then an exact plane: meshes of any size fill the same body, areas can be checked to rounding, and
-//! both bounds refer to one and the same structure on every remesh.
+//! Circles become regular polygons and root fillets short chains of chords, both with the area of
+//! the smooth shape. Every facet is then an exact plane: meshes of any size fill the same body,
+//! areas can be checked to rounding, and both bounds refer to one and the same structure on every
+//! remesh.
 
 use crate::assembly::assembly::{OutlineEdge, Solid};
 use crate::math::vec3::{V3, along, cross, dot, unit};
@@ -167,8 +168,8 @@ impl Bounds {
     }
 }
 
-/// The frame a cylinder's polygon is drawn in: it depends on the line of the axis only, not on its sense, so that a
-/// shank and its hole get the same corners.
+/// The frame a cylinder's polygon is drawn in: it depends on the line of the axis only, not on its
+/// sense, so that a shank and its hole get the same corners.
 pub struct AxisFrame {
     /// First vector of the polygon's plane.
     pub u: V3,
@@ -187,7 +188,8 @@ impl AxisFrame {
             .fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
         let flipped = axis[largest] < 0.0;
         let w = if flipped { axis.map(|c| -c) } else { axis };
-        // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that axis.
+        // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that
+        // axis.
         let mut u = [0.0; 3];
         u[(largest + 1) % 3] = 1.0;
         let u = unit(along(u, -dot(u, w), w));
@@ -201,7 +203,8 @@ pub fn polygon_radius(radius: f64, n: u32) -> f64 {
     radius * (step / step.sin()).sqrt()
 }
 
-/// Corners of the regular `n`-gon with the area of the circle, first corner on the first axis \[mm\].
+/// Corners of the regular `n`-gon with the area of the circle, first corner on the first axis
+/// \[mm\].
 fn regular_polygon(radius: f64, n: u32) -> Vec<[f64; 2]> {
     let r = polygon_radius(radius, n);
     (0..n)
@@ -246,8 +249,8 @@ fn flatten_outline(start: [f64; 2], edges: &[OutlineEdge]) -> Vec<[f64; 2]> {
 
 /// Inner corners of the chain of chords that replaces an arc.
 ///
-/// The ends stay on the circle (radius r); the k − 1 inner corners lie at radius ρ so that the fan from the centre has
-/// the sector's area: ½ sin(θ/k) (2 r ρ + (k − 2) ρ²) = ½ r² θ.
+/// The ends stay on the circle (radius r); the k − 1 inner corners lie at radius ρ so that the fan
+/// from the centre has the sector's area: ½ sin(θ/k) (2 r ρ + (k − 2) ρ²) = ½ r² θ.
 fn arc_corners(from: [f64; 2], to: [f64; 2], centre: [f64; 2]) -> Vec<[f64; 2]> {
     use std::f64::consts::PI;
     let a = [from[0] - centre[0], from[1] - centre[1]];
@@ -327,7 +330,8 @@ mod tests {
 
     #[test]
     fn fillet_keeps_its_area_convex_and_concave() {
-        // A 10 × 10 square with one corner rounded by r = 4, and with one corner cut out by a concave arc.
+        // A 10 × 10 square with one corner rounded by r = 4, and with one corner cut out by a
+        // concave arc.
         let exact_round = 100.0 - (1.0 - std::f64::consts::PI / 4.0) * 16.0;
         let round = flatten_outline(
             [0.0, 0.0],

@@ -1,7 +1,8 @@
 //! Scene → a script for gmsh's OpenCASCADE kernel.
 //!
-//! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is written into it. The
-//! script stops at the first error; the caller still checks what came out (gmsh likes to exit with success).
+//! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is
+//! written into it. The script stops at the first error; the caller still checks what came out
+//! (gmsh likes to exit with success).
 
 use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};
@@ -68,7 +69,8 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
         w.line("Mesh.MeshSizeFromCurvature = 0;");
         w.line("Mesh.MeshSizeExtendFromBoundary = 0;");
         w.line("Mesh.Algorithm3D = 10;");
-        // Halved plates cannot reach gmsh's own threshold of 0.3: it costs four fifths of the time for a degree or two.
+        // Halved plates cannot reach gmsh's own threshold of 0.3: it costs four fifths of the time
+        // for a degree or two.
         w.line("Mesh.OptimizeThreshold = 0.25;");
         w.line("Mesh.MshFileVersion = 2.2;");
         w.line("Mesh.Binary = 0;");
@@ -97,7 +99,8 @@ impl Writer {
         self.text.push('\n');
     }
 
-    /// One part: its solid, cut by symmetry, cut by planes inside it; the list `partI()` holds its volumes.
+    /// One part: its solid, cut by symmetry, cut by planes inside it; the list `partI()` holds its
+    /// volumes.
     fn body(&mut self, index: usize, body: &Body, planes: &[MidPlane]) {
         self.put(format_args!("// {}", body.part.name));
         if index > 0 {
@@ -258,8 +261,9 @@ impl Writer {
         name
     }
 
-    /// Cuts the volumes by the parts of planes (mid-thickness, cuts of preloaded shanks) that lie inside them. A plane piece that ends inside
-    /// the part stays as an inner face: it needs no exact fit.
+    /// Cuts the volumes by the parts of planes (mid-thickness, cuts of preloaded shanks) that lie
+    /// inside them. A plane piece that ends inside the part stays as an inner face: it needs no
+    /// exact fit.
     fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
         let kept: Vec<_> = planes
             .iter()
@@ -395,7 +399,8 @@ mod tests {
         };
         // column flange, two stiffeners; plate; two beam flanges, support stiffener
         assert_eq!(cuts(false, true), 7);
-        // column: two flanges, web, four stiffeners; each side: plate, two flanges, web, two stiffeners
+        // column: two flanges, web, four stiffeners; each side: plate, two flanges, web, two
+        // stiffeners
         assert_eq!(cuts(true, true), 7 + 2 * 6);
         assert_eq!(cuts(true, false), 0);
     }

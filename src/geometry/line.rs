@@ -124,7 +124,8 @@ impl Line {
         if speed < 1e-12 {
             return if contains(&prism.polygon, p) { vec![slab] } else { Vec::new() };
         }
-        // Crossings by the half-open rule: a corner on the line belongs to one of its two edges only.
+        // Crossings by the half-open rule: a corner on the line belongs to one of its two edges
+        // only.
         let n = prism.polygon.len();
         let side = |q: [f64; 2]| d[0] * (q[1] - p[1]) - d[1] * (q[0] - p[0]);
         let mut cuts = Vec::new();

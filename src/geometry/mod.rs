@@ -1,4 +1,5 @@
-//! Solids → a CAD script for the mesher, exact volumes and contact areas, clash and clearance checks.
+//! Solids → a CAD script for the mesher, exact volumes and contact areas, clash and clearance
+//! checks.
 
 pub mod error;
 pub mod exact;

@@ -1,8 +1,9 @@
-//! Clashes, slivers of air, missing contacts and clearances: checked with part names before anything is meshed.
+//! Clashes, slivers of air, missing contacts and clearances: checked with part names before
+//! anything is meshed.
 //!
-//! The mesher does not see overlaps (it drops bodies and reports success), and gaps far below the element size ruin
-//! its mesh. parry finds the pairs; whether material really overlaps is then asked of the solids themselves, so that a
-//! bolt in its hole is no clash.
+//! The mesher does not see overlaps (it drops bodies and reports success), and gaps far below the
+//! element size ruin its mesh. parry finds the pairs; whether material really overlaps is then
+//! asked of the solids themselves, so that a bolt in its hole is no clash.
 
 use super::error::GeometryError;
 use super::flat::{Bounds, FlatSolid};
@@ -21,7 +22,8 @@ pub const TOUCH: f64 = 1e-3;
 /// Gaps between `TOUCH` and this are refused \[mm\].
 pub const SMALLEST_GAP: f64 = 1.0;
 
-/// Lines per direction that look for overlapping material; quasi-random, so that no grid is missed in step.
+/// Lines per direction that look for overlapping material; quasi-random, so that no grid is missed
+/// in step.
 const PROBES: usize = 900;
 
 /// A convex piece of a part, centred for precision.
@@ -130,8 +132,8 @@ fn piece(solid: &Solid) -> Option<Piece> {
     Some(Piece { shape, pose: Pose::translation(centre[0], centre[1], centre[2]), bounds })
 }
 
-/// Overlap of two parts' material: its depth and a point in it. Depth: the longest stretch that a line along a
-/// coordinate axis spends in both, in the direction in which that is shortest.
+/// Overlap of two parts' material: its depth and a point in it. Depth: the longest stretch that a
+/// line along a coordinate axis spends in both, in the direction in which that is shortest.
 fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
     let mut worst: Option<(f64, V3)> = None;
     for p in &a.pieces {
@@ -157,8 +159,8 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
     worst
 }
 
-/// Quasi-random lines along one axis through a box: the additive recurrence of the plastic number covers the
-/// rectangle evenly. Parameters count from the box's lower face.
+/// Quasi-random lines along one axis through a box: the additive recurrence of the plastic number
+/// covers the rectangle evenly. Parameters count from the box's lower face.
 fn probes(axis: usize, min: V3, max: V3) -> impl Iterator<Item = Line> {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut direction = [0.0; 3];
@@ -202,7 +204,8 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f6
 
 /// Smallest gap between the two parts that is neither contact nor room.
 ///
-/// Where pieces come close, lines ask the solids: pieces around a hole stay clear of a shank that fills it.
+/// Where pieces come close, lines ask the solids: pieces around a hole stay clear of a shank that
+/// fills it.
 fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
     let mut smallest: Option<f64> = None;
     for p in &a.pieces {
@@ -227,7 +230,8 @@ fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
     smallest
 }
 
-/// Shortest stretch of air in (`TOUCH`, `SMALLEST_GAP`) between the two solids on lines along an axis.
+/// Shortest stretch of air in (`TOUCH`, `SMALLEST_GAP`) between the two solids on lines along an
+/// axis.
 fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
     let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
     let mut shortest: Option<f64> = None;

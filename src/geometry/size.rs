@@ -1,8 +1,9 @@
 //! Wanted element sizes as gmsh fields.
 //!
-//! Near every plate and bolt the part's own size, growing with the distance from it; in members the part's size near
-//! the joint, growing along the span to a limit; at imprinted footprints of loads and supports, whose edges concentrate
-//! stress, a fraction of their width. Only box and formula fields: they work on gmsh 4.8 too.
+//! Near every plate and bolt the part's own size, growing with the distance from it; in members the
+//! part's size near the joint, growing along the span to a limit; at imprinted footprints of loads
+//! and supports, whose edges concentrate stress, a fraction of their width. Only box and formula
+//! fields: they work on gmsh 4.8 too.
 
 use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
@@ -73,7 +74,8 @@ pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     .collect()
 }
 
-/// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies on a symmetry plane.
+/// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies
+/// on a symmetry plane.
 pub(super) fn clip(
     axis: usize,
     at: f64,

@@ -23,8 +23,8 @@ fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// The corners of the smallest convex polygon that holds the points, turning left, the leftmost (of those the lowest) first; points
-/// on its sides are left out.
+/// The corners of the smallest convex polygon that holds the points, turning left, the leftmost (of
+/// those the lowest) first; points on its sides are left out.
 ///
 /// # Source
 /// Andrew's monotone chain.
@@ -51,7 +51,8 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     out
 }
 
-/// What is left of a convex polygon within all half planes, turning as it does; empty when nothing is.
+/// What is left of a convex polygon within all half planes, turning as it does; empty when nothing
+/// is.
 pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
     let mut left = polygon.to_vec();
     for plane in half_planes {

@@ -1,4 +1,5 @@
-//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors, systems that may be singular.
+//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors, systems that may
+//! be singular.
 
 use faer::Mat;
 use faer::prelude::Solve;
@@ -68,8 +69,9 @@ impl<const N: usize> Cholesky<N> {
     }
 }
 
-/// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: eigenvectors whose eigenvalue is
-/// below `tolerance` times the largest. Columns of the result; empty when the matrix is regular.
+/// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: eigenvectors
+/// whose eigenvalue is below `tolerance` times the largest. Columns of the result; empty when the
+/// matrix is regular.
 pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
     let n = gram.nrows();
     if n == 0 {

@@ -1,6 +1,8 @@
-//! Small dense products and solves of eight matrices at once, entry by entry, the eight side by side.
+//! Small dense products and solves of eight matrices at once, entry by entry, the eight side by
+//! side.
 //!
-//! Registers are named outright: left to itself, the compiler turns loops over the eight into gathered loads.
+//! Registers are named outright: left to itself, the compiler turns loops over the eight into
+//! gathered loads.
 
 use super::wide::{Lane, parts, registers, registers_mut};
 use pulp::Simd;
@@ -8,7 +10,8 @@ use pulp::Simd;
 /// Rows taken together.
 const ROWS: usize = 4;
 
-/// Writes a kernel as a function: its arguments travel in a struct to the code of the instruction set at hand.
+/// Writes a kernel as a function: its arguments travel in a struct to the code of the instruction
+/// set at hand.
 macro_rules! kernel {
     ($(#[$meta:meta])* $vis:vis fn $name:ident($simd:ident; $($argument:ident: $type:ty),* $(,)?) $body:block) => {
         $(#[$meta])*
@@ -48,7 +51,8 @@ impl Place {
     }
 }
 
-/// `y += A x` for one register of each lane, A by rows; `at` for A and x, `to` for y of the given number of rows.
+/// `y += A x` for one register of each lane, A by rows; `at` for A and x, `to` for y of the given
+/// number of rows.
 #[inline(always)]
 pub fn add_times_part<S: Simd>(
     simd: S,
@@ -82,7 +86,8 @@ pub fn add_times_part<S: Simd>(
     }
 }
 
-/// `y += Aᵀ x` for one register of each lane, A by rows; `at` for A and y, `from` for x of the given number of rows.
+/// `y += Aᵀ x` for one register of each lane, A by rows; `at` for A and y, `from` for x of the
+/// given number of rows.
 #[inline(always)]
 pub fn add_transposed_part<S: Simd>(
     simd: S,

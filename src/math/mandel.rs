@@ -1,4 +1,5 @@
-//! Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`, in which inner products are dot products.
+//! Symmetric tensors in Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]`, in which inner products
+//! are dot products.
 
 use super::vec3::{M3, V3};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -59,7 +60,8 @@ pub const DEVIATORIC: [Mandel; 5] = {
     ]
 };
 
-/// Components of the deviator in the basis [`DEVIATORIC`]; their Euclidean norm is the deviator's norm.
+/// Components of the deviator in the basis [`DEVIATORIC`]; their Euclidean norm is the deviator's
+/// norm.
 pub fn deviator(s: &Mandel) -> [f64; 5] {
     DEVIATORIC.map(|d| dot(&d, s))
 }
@@ -120,8 +122,8 @@ pub fn to_matrix(s: &Mandel) -> M3 {
 
 /// The 6 × 6 matrix of the contravariant Piola map `σ̂ ↦ J σ̂ Jᵀ / det J` in Mandel form.
 ///
-/// It maps divergence-free fields to divergence-free fields and keeps tractions continuous, so one null space computed
-/// on a reference tetrahedron serves every element.
+/// It maps divergence-free fields to divergence-free fields and keeps tractions continuous, so one
+/// null space computed on a reference tetrahedron serves every element.
 pub fn piola(j: &M3, det: f64) -> [Mandel; 6] {
     let mut p = [[0.0; 6]; 6];
     for c in 0..6 {
@@ -157,7 +159,8 @@ pub fn mul(m: &[Mandel; 6], s: &Mandel) -> Mandel {
 mod tests {
     use super::*;
 
-    /// The deviator's components keep inner products, forget the trace, and give f_y in uniaxial stress.
+    /// The deviator's components keep inner products, forget the trace, and give f_y in uniaxial
+    /// stress.
     #[test]
     fn deviators() {
         for (i, a) in DEVIATORIC.iter().enumerate() {

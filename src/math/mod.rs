@@ -1,4 +1,5 @@
-//! Small mathematics: convex polygons, vectors, Mandel tensors, quadrature, dense factors, compensated sums.
+//! Small mathematics: convex polygons, vectors, Mandel tensors, quadrature, dense factors,
+//! compensated sums.
 
 pub mod convex;
 pub mod dense;

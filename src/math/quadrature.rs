@@ -3,7 +3,8 @@
 /// Six-point rule on the triangle, exact to degree 4.
 ///
 /// # Source
-/// D. A. Dunavant, High degree efficient symmetrical Gaussian quadrature rules for the triangle, IJNME 21 (1985).
+/// D. A. Dunavant, High degree efficient symmetrical Gaussian quadrature rules for the triangle,
+/// IJNME 21 (1985).
 pub const TRIANGLE_4: [([f64; 3], f64); 6] = {
     const A: f64 = 0.445_948_490_915_965;
     const B: f64 = 0.091_576_213_509_771;
@@ -28,7 +29,8 @@ pub const TETRAHEDRON_2: [([f64; 4], f64); 4] = {
     [([B, A, A, A], 0.25), ([A, B, A, A], 0.25), ([A, A, B, A], 0.25), ([A, A, A, B], 0.25)]
 };
 
-/// Quadratic shape functions of a 6-node triangle at barycentric `l`: three vertices, then edges 01, 12, 02.
+/// Quadratic shape functions of a 6-node triangle at barycentric `l`: three vertices, then edges
+/// 01, 12, 02.
 pub fn triangle_p2(l: [f64; 3]) -> [f64; 6] {
     [
         l[0] * (2.0 * l[0] - 1.0),

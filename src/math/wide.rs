@@ -1,8 +1,10 @@
-//! Eight numbers side by side, and code compiled for the widest registers of the machine it runs on.
+//! Eight numbers side by side, and code compiled for the widest registers of the machine it runs
+//! on.
 //!
-//! The build's baseline is a plain processor; kernels written against [`Simd`] exist once for each instruction set and are
-//! chosen when they are called. What is not inlined into a kernel stays with the baseline: closures handed to pulp's
-//! dispatcher, which arrive through a shim of the compiler, and closures handed to most iterators.
+//! The build's baseline is a plain processor; kernels written against [`Simd`] exist once for each
+//! instruction set and are chosen when they are called. What is not inlined into a kernel stays
+//! with the baseline: closures handed to pulp's dispatcher, which arrive through a shim of the
+//! compiler, and closures handed to most iterators.
 
 use pulp::{Arch, Simd, WithSimd};
 

@@ -1,11 +1,13 @@
-//! Conformal refinement by bisection of longest edges: every tet around an edge is halved with it, so no node hangs, bodies
-//! keep sharing their faces, and flat faces stay the flat faces they are.
+//! Conformal refinement by bisection of longest edges: every tet around an edge is halved with it,
+//! so no node hangs, bodies keep sharing their faces, and flat faces stay the flat faces they are.
 //!
-//! A tet is refined by walking to ever longer edges until one is the longest of all the tets around it; that one is halved.
-//! Edges are ordered by length, then by their nodes, so the walk cannot turn in circles.
+//! A tet is refined by walking to ever longer edges until one is the longest of all the tets around
+//! it; that one is halved. Edges are ordered by length, then by their nodes, so the walk cannot
+//! turn in circles.
 //!
 //! # Source
-//! Rivara, New longest-edge algorithms for the refinement and/or improvement of unstructured triangulations, IJNME 40 (1997).
+//! Rivara, New longest-edge algorithms for the refinement and/or improvement of unstructured
+//! triangulations, IJNME 40 (1997).
 
 use super::TetMesh;
 use super::tet::{EDGES, signed_volume};
@@ -49,8 +51,9 @@ fn edge(a: u32, b: u32) -> Edge {
     if a < b { [a, b] } else { [b, a] }
 }
 
-/// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts, to the nearest power of two, and more where the
-/// neighbours ask for it. Wants below 2 leave a tet alone: nothing is made coarser.
+/// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts, to the nearest
+/// power of two, and more where the neighbours ask for it. Wants below 2 leave a tet alone: nothing
+/// is made coarser.
 pub fn refine(mesh: &TetMesh, wanted: &[f64]) -> Refined {
     let goals: Vec<f64> = wanted
         .iter()
@@ -112,7 +115,8 @@ impl Bisection {
         a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).is_gt()
     }
 
-    /// Halves one edge on the way from tet `t` to ever longer edges; in the end, when called often enough, that of `t` itself.
+    /// Halves one edge on the way from tet `t` to ever longer edges; in the end, when called often
+    /// enough, that of `t` itself.
     fn halve_for(&mut self, t: u32) {
         let mut e = self.longest(t);
         loop {
@@ -207,8 +211,8 @@ mod tests {
         (mesh, refined)
     }
 
-    /// No hanging node: every face has one or two owners, those of one lie on the hull; volumes of bodies and areas of named
-    /// faces stay, every named triangle is a face of the mesh.
+    /// No hanging node: every face has one or two owners, those of one lie on the hull; volumes of
+    /// bodies and areas of named faces stay, every named triangle is a face of the mesh.
     #[test]
     fn stays_conformal() {
         let (old, Refined { mesh, parent }) = refined();

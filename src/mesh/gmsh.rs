@@ -11,7 +11,8 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Environment variable with the mesher's command: words separated by blanks, or a JSON list of words.
+/// Environment variable with the mesher's command: words separated by blanks, or a JSON list of
+/// words.
 pub const VARIABLE: &str = "BRACKET_GMSH";
 
 /// Oldest version the scripts are written for.
@@ -80,7 +81,8 @@ pub enum MesherError {
     Failed {
         /// Its exit code, when it is not 0.
         code: Option<i32>,
-        /// Its first error lines. The log itself goes with the working folder, so it is quoted, not named.
+        /// Its first error lines. The log itself goes with the working folder, so it is quoted, not
+        /// named.
         said: String,
     },
     /// It ended well and left no usable file.
@@ -119,7 +121,8 @@ impl MesherError {
     }
 }
 
-/// The path as the user knows it: `joint/mesh.msh` for `joint.part/mesh.msh`, which is written aside and renamed.
+/// The path as the user knows it: `joint/mesh.msh` for `joint.part/mesh.msh`, which is written
+/// aside and renamed.
 fn whole(path: &Path) -> PathBuf {
     let ours = |word: &str| {
         word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()))
@@ -205,8 +208,8 @@ impl Mesher {
 
     /// Runs it in `dir` with `arguments`, its talk going to `dir/log_name`; returns the log's text.
     ///
-    /// The process is killed, with all it has started, when `limit` has passed or `interrupt` is set. Every error line of the
-    /// log is a failure, whatever the exit code.
+    /// The process is killed, with all it has started, when `limit` has passed or `interrupt` is
+    /// set. Every error line of the log is a failure, whatever the exit code.
     pub fn run(
         &self,
         arguments: &[&str],
@@ -280,8 +283,8 @@ fn shown(command: &[OsString]) -> String {
     command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// In a process group of its own: a Ctrl-C in the terminal reaches us alone, and we end the mesher with all it has started (a
-/// wrapper's gmsh too).
+/// In a process group of its own: a Ctrl-C in the terminal reaches us alone, and we end the mesher
+/// with all it has started (a wrapper's gmsh too).
 #[cfg(unix)]
 fn alone(command: &mut Command) -> &mut Command {
     std::os::unix::process::CommandExt::process_group(command, 0)
@@ -365,7 +368,8 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
     if !matches!(end, End::Exit(_)) {
         return Err(fail("no answer within 60 s".into()));
     }
-    // 4.8 answers on standard error, later versions on standard output. The answer is short: the pipes cannot fill.
+    // 4.8 answers on standard error, later versions on standard output. The answer is short: the
+    // pipes cannot fill.
     let mut text = String::new();
     if let Some(mut out) = child.stdout.take() {
         let _ = out.read_to_string(&mut text);
@@ -425,8 +429,8 @@ fn parse_command(value: &str) -> Result<Vec<OsString>, MesherError> {
     Ok(words.into_iter().map(OsString::from).collect())
 }
 
-/// The wheel's `gmsh` is a Python script that asks `env` for a Python: without an activated venv it gets the wrong
-/// one. The Python beside it is the right one.
+/// The wheel's `gmsh` is a Python script that asks `env` for a Python: without an activated venv it
+/// gets the wrong one. The Python beside it is the right one.
 fn command_of_file(gmsh: &Path) -> Vec<OsString> {
     let mut head = [0u8; 64];
     let n = File::open(gmsh).and_then(|mut f| f.read(&mut head)).unwrap_or(0);

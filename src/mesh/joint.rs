@@ -55,7 +55,8 @@ impl MeshOptions {
 /// A meshed joint.
 #[derive(Clone, Debug)]
 pub struct JointMesh {
-    /// The mesh: bodies in the assembly's order share their nodes; faces: named interfaces, loads, supports, symmetry.
+    /// The mesh: bodies in the assembly's order share their nodes; faces: named interfaces, loads,
+    /// supports, symmetry.
     pub mesh: TetMesh,
     /// Quality of each body's tets.
     pub quality: Vec<BodyQuality>,
@@ -126,9 +127,11 @@ pub fn mesh_joint(
     })
 }
 
-/// Smallest dihedral angle that is left as it is \[degrees\]; flatter tets spoil the static program.
+/// Smallest dihedral angle that is left as it is \[degrees\]; flatter tets spoil the static
+/// program.
 const FLAT: f64 = 0.5;
-/// Sizes of the attempts, of those asked for: gmsh leaves now and then a sliver where a fillet ends, and none with slightly other sizes.
+/// Sizes of the attempts, of those asked for: gmsh leaves now and then a sliver where a fillet
+/// ends, and none with slightly other sizes.
 const SCALES: [f64; 4] = [1.0, 0.97, 0.94, 1.03];
 /// What the reader says of a mesh with tets without volume.
 const FLAT_CODES: [&str; 2] = ["mesh/flat", "mesh/folded"];

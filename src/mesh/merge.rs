@@ -1,4 +1,5 @@
-//! Meshes that come already split: coincident nodes of different bodies become one, so that every mesh is treated alike.
+//! Meshes that come already split: coincident nodes of different bodies become one, so that every
+//! mesh is treated alike.
 
 use super::TetMesh;
 use super::error::MeshError;
@@ -6,7 +7,8 @@ use super::topology::{FaceTable, face_nodes};
 use crate::math::vec3::{cross, dot, sub, unit};
 use std::collections::{BTreeMap, HashMap};
 
-/// Nodes of different bodies closer than this times the size of the mesh (diagonal of its box) are one.
+/// Nodes of different bodies closer than this times the size of the mesh (diagonal of its box) are
+/// one.
 pub const COINCIDENT: f64 = 1e-6;
 
 /// Merges coincident nodes of different bodies; returns how many nodes went away.
@@ -38,7 +40,8 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     for n in outer {
         let x = mesh.nodes[n as usize];
         let mut found = None;
-        // cells are two tolerances wide: a near node lies in this cell or a neighbour on the near side of each axis
+        // cells are two tolerances wide: a near node lies in this cell or a neighbour on the near
+        // side of each axis
         let near: Vec<[i64; 2]> = x
             .iter()
             .map(|c| [c - tolerance, c + tolerance].map(|c| (c / (2.0 * tolerance)).floor() as i64))
@@ -94,8 +97,8 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     Ok(gone)
 }
 
-/// Refuses interfaces whose two triangulations differ: outer faces of two bodies that share an edge, lie in one plane,
-/// face each other and overlap.
+/// Refuses interfaces whose two triangulations differ: outer faces of two bodies that share an
+/// edge, lie in one plane, face each other and overlap.
 pub fn check_matching(mesh: &TetMesh, table: &FaceTable) -> Result<(), MeshError> {
     let mut by_edge: Vec<([u32; 2], u32, u32, [u32; 3])> = Vec::new();
     for owners in table.faces().filter(|o| o.len() == 1) {
@@ -120,7 +123,8 @@ pub fn check_matching(mesh: &TetMesh, table: &FaceTable) -> Result<(), MeshError
     Ok(())
 }
 
-/// True when two outward triangles with a common edge lie in one plane, face each other and lie on one side of the edge.
+/// True when two outward triangles with a common edge lie in one plane, face each other and lie on
+/// one side of the edge.
 fn facing_overlap(mesh: &TetMesh, edge: [u32; 2], f: (u32, [u32; 3]), g: (u32, [u32; 3])) -> bool {
     let x = |n: u32| mesh.nodes[n as usize];
     let normal = |t: [u32; 3]| unit(cross(sub(x(t[1]), x(t[0])), sub(x(t[2]), x(t[0]))));

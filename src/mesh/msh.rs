@@ -1,4 +1,5 @@
-//! gmsh files, formats 2.2 and 4.1, ASCII: tets in physical volumes, triangles in physical surfaces.
+//! gmsh files, formats 2.2 and 4.1, ASCII: tets in physical volumes, triangles in physical
+//! surfaces.
 
 mod check;
 mod lines;
@@ -40,8 +41,8 @@ pub(super) struct RawCell<const N: usize> {
 
 /// Reads a mesh file.
 ///
-/// Tets of negative volume are turned (two nodes swapped). Points, lines, and triangles without a physical surface are
-/// ignored; nodes that belong to no tet are dropped.
+/// Tets of negative volume are turned (two nodes swapped). Points, lines, and triangles without a
+/// physical surface are ignored; nodes that belong to no tet are dropped.
 pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
     read_with_notes(path).map(|(mesh, _)| mesh)
 }

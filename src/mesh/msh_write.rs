@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// The file's text: bodies are physical volumes 1, 2, …; named faces are physical surfaces 1001, 1002, ….
+/// The file's text: bodies are physical volumes 1, 2, …; named faces are physical surfaces 1001,
+/// 1002, ….
 pub fn text(mesh: &TetMesh) -> String {
     let mut out = String::with_capacity(64 * mesh.nodes.len() + 40 * mesh.tets.len());
     let first_face = 1001;

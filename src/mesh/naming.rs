@@ -1,4 +1,5 @@
-//! Names for the faces of a freshly meshed joint, found by coordinates, and the checks that the mesh is the joint.
+//! Names for the faces of a freshly meshed joint, found by coordinates, and the checks that the
+//! mesh is the joint.
 
 use super::topology::{FaceRow, FaceTable, face_nodes};
 use super::{NamedFaces, TetMesh};
@@ -11,8 +12,8 @@ use crate::math::vec3::{V3, cross, dot, sub};
 /// Nodes closer than this to a named plane are on it and are moved there exactly \[mm\].
 const SNAP: f64 = 1e-6;
 
-/// Allowed relative difference of meshed and exact volumes and areas. All facets are planes, so both agree to the
-/// CAD kernel's rounding; 0.01 % leaves room for the strips `exact` approximates.
+/// Allowed relative difference of meshed and exact volumes and areas. All facets are planes, so
+/// both agree to the CAD kernel's rounding; 0.01 % leaves room for the strips `exact` approximates.
 const AGREE: f64 = 1e-4;
 
 /// Area of a mesh face set and what it should be.
@@ -78,7 +79,8 @@ pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagn
         interface(mesh, scene, &table, (&rule.between, on), &mut faces, &mut checks, &mut faults);
     }
     for weld in &scene.assembly.welds {
-        // parts that a plane of symmetry halves may have welds wholly on the side that is not modelled
+        // parts that a plane of symmetry halves may have welds wholly on the side that is not
+        // modelled
         if matches!(weld.surface, Surface::Plane { min, max, .. } if beyond(scene, &min, &max)) {
             continue;
         }
@@ -345,7 +347,8 @@ fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
         }),
         Surface::Mantle { base, axis, radius, length } => {
             let normal = cross(sub(t[1], t[0]), sub(t[2], t[0]));
-            // The ring around the mantle's end has corners at the right radius too: its normal is the axis.
+            // The ring around the mantle's end has corners at the right radius too: its normal is
+            // the axis.
             dot(normal, *axis).abs() < 1e-3 * dot(normal, normal).sqrt()
                 && t.iter().all(|x| {
                     let r = sub(*x, *base);

@@ -41,7 +41,8 @@ impl FaceNumbering {
         table
     }
 
-    /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's increasing nodes.
+    /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's
+    /// increasing nodes.
     pub fn positions(&self, mesh: &TetMesh, tet: usize, k: usize) -> [usize; 3] {
         let nodes = self.nodes[self.of_tet[tet][k] as usize];
         FACES[k].map(|i| {

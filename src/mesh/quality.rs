@@ -18,9 +18,11 @@ pub struct BodyQuality {
     pub worst_dihedral: f64,
     /// Median over the tets of their smallest dihedral angle \[degrees\].
     pub median_dihedral: f64,
-    /// Largest aspect ratio: longest edge over smallest height, over that of the regular tet (1 = regular).
+    /// Largest aspect ratio: longest edge over smallest height, over that of the regular tet (1 =
+    /// regular).
     pub worst_aspect: f64,
-    /// Tets all of whose corners lie on the body's surface, as a fraction: such a tet alone spans a thickness.
+    /// Tets all of whose corners lie on the body's surface, as a fraction: such a tet alone spans a
+    /// thickness.
     pub surface_only: f64,
 }
 

@@ -1,4 +1,5 @@
-//! Wanted element sizes at the nodes of a mesh: from wanted subdivisions of its tets, graded, and as a view for gmsh.
+//! Wanted element sizes at the nodes of a mesh: from wanted subdivisions of its tets, graded, and
+//! as a view for gmsh.
 
 use super::TetMesh;
 use super::tet::EDGES;
@@ -9,7 +10,8 @@ use std::fmt::Write;
 /// Largest change of the wanted size along an edge, per length of the edge.
 pub const GRADING: f64 = 0.4;
 
-/// Tetrahedra in a mesh of gmsh (HXT) per regular tetrahedra of the wanted size in its volume: 0.66 to 0.77 were measured.
+/// Tetrahedra in a mesh of gmsh (HXT) per regular tetrahedra of the wanted size in its volume: 0.66
+/// to 0.77 were measured.
 pub const FILLING: f64 = 0.71;
 
 /// Edge of the regular tetrahedron of volume `v` \[mm from mm³\].
@@ -17,7 +19,8 @@ pub fn regular_edge(v: f64) -> f64 {
     (6.0 * std::f64::consts::SQRT_2 * v).cbrt()
 }
 
-/// Wanted sizes at the nodes of a mesh whose bodies share nodes, as edges of regular tetrahedra \[mm\].
+/// Wanted sizes at the nodes of a mesh whose bodies share nodes, as edges of regular tetrahedra
+/// \[mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeField {
     /// One a node.
@@ -76,8 +79,8 @@ impl Edges {
 }
 
 impl SizeField {
-    /// Sizes that split each tet into `wanted` parts of its size, fractions allowed; averaged at the nodes so that the count is
-    /// kept, then graded.
+    /// Sizes that split each tet into `wanted` parts of its size, fractions allowed; averaged at
+    /// the nodes so that the count is kept, then graded.
     pub fn new(mesh: &TetMesh, edges: &Edges, wanted: &[f64]) -> Self {
         let mut density = vec![(0.0, 0.0); mesh.nodes.len()];
         for (e, (t, n)) in mesh.tets.iter().zip(wanted).enumerate() {
@@ -169,7 +172,8 @@ mod tests {
         assert_eq!(field.view(&mesh, 1.0).matches("SS(").count(), mesh.tets.len());
     }
 
-    /// One tet to be split in very many: sizes grow from it no faster than allowed, and nowhere larger than asked for.
+    /// One tet to be split in very many: sizes grow from it no faster than allowed, and nowhere
+    /// larger than asked for.
     #[test]
     fn sizes_are_graded() {
         let cells: Vec<_> = (0..216).map(|i| ([i % 6, i / 6 % 6, i / 36], "B")).collect();

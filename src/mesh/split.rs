@@ -1,9 +1,9 @@
 //! Nodes of their own for the two sides of every open interface.
 //!
-//! A node gets one copy per connected component of its tets, joined through shared faces that contain the node and are
-//! not open. So a bolt whose head is tied to a plate and whose shank is in contact with the same plate keeps common
-//! nodes on the circle where both meet, two bodies that touch in a line or a point only come apart, and no list of
-//! special junctions is needed.
+//! A node gets one copy per connected component of its tets, joined through shared faces that
+//! contain the node and are not open. So a bolt whose head is tied to a plate and whose shank is in
+//! contact with the same plate keeps common nodes on the circle where both meet, two bodies that
+//! touch in a line or a point only come apart, and no list of special junctions is needed.
 
 use super::TetMesh;
 use super::tet::FACES;
@@ -26,8 +26,9 @@ impl From<&FaceRow> for TetFace {
 
 /// The two sides of an opened face.
 ///
-/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` runs around the normal out of side
-/// A. Where the two sides stay connected around an end of the opening, the two indices are equal.
+/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` runs around the
+/// normal out of side A. Where the two sides stay connected around an end of the opening, the two
+/// indices are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenPair {
     /// Side A.
@@ -57,7 +58,8 @@ pub struct SplitMesh {
 
 /// Splits the nodes of `mesh` along the faces `open` (side A, side B).
 ///
-/// `table` is the face table of `mesh`. Every pair of `open` must be the two sides of one interior face.
+/// `table` is the face table of `mesh`. Every pair of `open` must be the two sides of one interior
+/// face.
 pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitMesh {
     let ne = mesh.tets.len();
     let mut is_open = vec![[false; 4]; ne];
@@ -81,7 +83,8 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
     }
     boundary.sort_unstable();
 
-    // the first component of a node, in the order of the tets, keeps its number; the others are appended
+    // the first component of a node, in the order of the tets, keeps its number; the others are
+    // appended
     let mut out = mesh.clone();
     let mut taken = vec![false; mesh.nodes.len()];
     let mut number = vec![u32::MAX; 4 * ne];

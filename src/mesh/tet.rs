@@ -11,8 +11,8 @@ pub struct NamedFaces {
 
 /// A mesh of straight 4-node tetrahedra.
 ///
-/// As read from a file, bodies that touch share nodes; [`crate::mesh::split`] gives each side of an open interface its
-/// own nodes.
+/// As read from a file, bodies that touch share nodes; [`crate::mesh::split`] gives each side of an
+/// open interface its own nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TetMesh {
     /// Node coordinates \[mm\].

@@ -52,7 +52,8 @@ impl FaceTable {
         Self { rows }
     }
 
-    /// The tets at the face with these nodes (any order): none, one (outer face), two, or more in a broken mesh.
+    /// The tets at the face with these nodes (any order): none, one (outer face), two, or more in a
+    /// broken mesh.
     pub fn owners(&self, nodes: [u32; 3]) -> &[FaceRow] {
         let (key, _) = sorted(nodes);
         let start = self.rows.partition_point(|r| r.key < key);

@@ -1,4 +1,5 @@
-//! The analysis model: a split mesh with materials, interfaces, supports and loads attached to its faces.
+//! The analysis model: a split mesh with materials, interfaces, supports and loads attached to its
+//! faces.
 //!
 //! This is where the two ways in meet: a connection spec becomes one, a user's `MODEL.yaml` is one.
 
@@ -33,8 +34,8 @@ pub struct BoundaryFace {
 
 /// A pair of coincident faces, one on each side of an open interface.
 ///
-/// `nodes_a[i]` and `nodes_b[i]` have bit-equal coordinates; `nodes_a` is ordered so that its normal points out of
-/// side A.
+/// `nodes_a[i]` and `nodes_b[i]` have bit-equal coordinates; `nodes_a` is ordered so that its
+/// normal points out of side A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FacePair {
     /// The face on side A.
@@ -50,8 +51,8 @@ pub struct FacePair {
 /// Unilateral contact with Coulomb friction.
 ///
 /// # Sign
-/// Gap `g = u_B − u_A` and the initial gap count opening positive along the normal out of A; the traction
-/// `r = −σ n` on A is positive in pressure, `‖r_T‖ ≤ μ r_N`.
+/// Gap `g = u_B − u_A` and the initial gap count opening positive along the normal out of A; the
+/// traction `r = −σ n` on A is positive in pressure, `‖r_T‖ ≤ μ r_N`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactLaw {
     /// FrictionLaw coefficient, ≥ 0.
@@ -73,7 +74,8 @@ pub struct Interface {
     pub faces: Vec<FacePair>,
 }
 
-/// A weld of finite strength: its two sides move together until the traction between them reaches the strength.
+/// A weld of finite strength: its two sides move together until the traction between them reaches
+/// the strength.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weld {
     /// For messages: `WEB-PLATE` or the face's name.
@@ -165,15 +167,17 @@ pub struct BodyLoad {
     pub force: [f64; 3],
 }
 
-/// A rigid motion of the whole assembly that nothing resists and on which no load works: one `[U, θ]` (rotation about
-/// the origin, \[mm, rad\]) per part. The programs remove it by holding one dof per mode.
+/// A rigid motion of the whole assembly that nothing resists and on which no load works: one
+/// `[U, θ]` (rotation about the origin, \[mm, rad\]) per part. The programs remove it by holding
+/// one dof per mode.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMode {
     /// `motions[p]` is the motion of part `p`.
     pub motions: Vec<[f64; 6]>,
 }
 
-/// A preloaded bolt: a cut severs its shank, and one side is drawn towards the other along the axis, `u_B − u_A = −δ a`.
+/// A preloaded bolt: a cut severs its shank, and one side is drawn towards the other along the
+/// axis, `u_B − u_A = −δ a`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preload {
     /// Body of the bolt.
@@ -199,7 +203,8 @@ pub struct AnalysisModel {
     pub bounds: Bounds,
     /// Limit analysis: estimate the load factor under Coulomb's law as well.
     pub coulomb_estimate: bool,
-    /// The mesh, split along open interfaces; load cases of one joint and what is derived from a model share it.
+    /// The mesh, split along open interfaces; load cases of one joint and what is derived from a
+    /// model share it.
     pub mesh: Arc<TetMesh>,
     /// Materials.
     pub materials: Vec<Material>,

@@ -1,4 +1,5 @@
-//! `MODEL.yaml` (CONTRACT.md): what a user writes for `bracket analyse`, and what `bracket run` writes for itself.
+//! `MODEL.yaml` (CONTRACT.md): what a user writes for `bracket analyse`, and what `bracket run`
+//! writes for itself.
 
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::friction::FrictionLaw;
@@ -12,7 +13,8 @@ use std::collections::BTreeMap;
 pub struct ModelFile {
     /// gmsh 2.2 or 4.1 ASCII file of 4-node tets, path relative to this file.
     pub mesh: String,
-    /// `shared`: bodies share nodes, the reader splits them; `split`: already split, coincident nodes are paired.
+    /// `shared`: bodies share nodes, the reader splits them; `split`: already split, coincident
+    /// nodes are paired.
     #[serde(default)]
     pub nodes: Nodes,
     /// Which pair of programs to solve.
@@ -20,8 +22,8 @@ pub struct ModelFile {
     /// Which bounds to compute.
     #[serde(default)]
     pub bounds: Bounds,
-    /// Limit analysis with `friction: coulomb`: estimate the load factor under Coulomb's law by a fixed point, which solves the
-    /// kinematic program up to ten times more.
+    /// Limit analysis with `friction: coulomb`: estimate the load factor under Coulomb's law by a
+    /// fixed point, which solves the kinematic program up to ten times more.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub coulomb_estimate: bool,
     /// Materials by name.
@@ -117,7 +119,8 @@ pub enum Law {
 pub enum Gap {
     /// The same everywhere.
     Constant(f64),
-    /// Quadratic polynomial of global coordinates: `c + g·x + gxx x² + gyy y² + gzz z² + gyz yz + gxz xz + gxy xy`.
+    /// Quadratic polynomial of global coordinates:
+    /// `c + g·x + gxx x² + gyy y² + gzz z² + gyz yz + gxz xz + gxy xy`.
     Quadratic {
         /// `[c, gx, gy, gz, gxx, gyy, gzz, gyz, gxz, gxy]`.
         quadratic: [f64; 10],
@@ -320,7 +323,8 @@ pub struct PreloadEntry {
     pub cut: String,
     /// Direction of the shank.
     pub axis: [f64; 3],
-    /// Preload of the meshed part of the bolt \[N\], > 0: the tension in the cut before the loads come.
+    /// Preload of the meshed part of the bolt \[N\], > 0: the tension in the cut before the loads
+    /// come.
     pub force: f64,
 }
 

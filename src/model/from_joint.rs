@@ -1,4 +1,5 @@
-//! A meshed joint's `MODEL.yaml`: bodies, materials, interfaces, supports, symmetry and loads by the mesh's names.
+//! A meshed joint's `MODEL.yaml`: bodies, materials, interfaces, supports, symmetry and loads by
+//! the mesh's names.
 
 use super::file::{
     Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
@@ -27,9 +28,9 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 
 /// The model of one load case on a joint's mesh.
 ///
-/// `mesh` decides what is there: rules about parts or faces beyond a symmetry plane are left out. `mesh_name` is the
-/// mesh file's path relative to the model file. Forces and moments become rigid faces that may move in every way the
-/// symmetry planes through them leave. A preloaded bolt that a
+/// `mesh` decides what is there: rules about parts or faces beyond a symmetry plane are left out.
+/// `mesh_name` is the mesh file's path relative to the model file. Forces and moments become rigid
+/// faces that may move in every way the symmetry planes through them leave. A preloaded bolt that a
 /// symmetry plane halves has half its preload. There is no entry for adaptation.
 pub fn model_file(
     assembly: &Assembly,
@@ -116,8 +117,8 @@ pub fn model_file(
     }
 }
 
-/// The fillet welds of the meshed part: of finite strength where bodies yield. In elastic analysis they are tied like all else that would
-/// yield.
+/// The fillet welds of the meshed part: of finite strength where bodies yield. In elastic analysis
+/// they are tied like all else that would yield.
 fn weld_entries(
     assembly: &Assembly,
     mesh: &TetMesh,
@@ -167,8 +168,8 @@ fn halves(surface: &Surface, plane: &SymmetryPlane) -> bool {
     }
 }
 
-/// The sections that forces and moments of a load case act on. A symmetry plane that halves a section halves what acts on
-/// it, and leaves it the motions in the plane.
+/// The sections that forces and moments of a load case act on. A symmetry plane that halves a
+/// section halves what acts on it, and leaves it the motions in the plane.
 fn rigid_entries(
     assembly: &Assembly,
     loads: &[&FaceLoad],

@@ -82,8 +82,8 @@ impl AnalysisModel {
             || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
     }
 
-    /// What limit analysis asks of a model: something that can give way, a live load, and no live force per volume. Bodies
-    /// without a yield strength are rigid.
+    /// What limit analysis asks of a model: something that can give way, a live load, and no live
+    /// force per volume. Bodies without a yield strength are rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
         let slips =
@@ -146,7 +146,8 @@ impl AnalysisModel {
             .collect()
     }
 
-    /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never yields.
+    /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never
+    /// yields.
     pub fn yield_radii(&self) -> Vec<Option<f64>> {
         let radius =
             |m: &u32| self.materials[*m as usize].fy.map(crate::math::mandel::yield_radius);

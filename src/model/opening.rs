@@ -1,8 +1,9 @@
-//! How far contact faces are open before anything moves: initial gap, and the shift of the cones under Coulomb's law.
+//! How far contact faces are open before anything moves: initial gap, and the shift of the cones
+//! under Coulomb's law.
 //!
-//! Both are quadratic on a face and given by their six Bernstein coefficients, so that the two programs and their
-//! certificates read one and the same field: the kinematic program takes the coefficients as they are, the static one
-//! integrates the polynomial.
+//! Both are quadratic on a face and given by their six Bernstein coefficients, so that the two
+//! programs and their certificates read one and the same field: the kinematic program takes the
+//! coefficients as they are, the static one integrates the polynomial.
 
 use super::analysis::{AnalysisModel, ContactLaw};
 use super::file::Gap;
@@ -10,7 +11,8 @@ use crate::elements::space::FACE_EDGES;
 use crate::math::vec3::{self, V3};
 use crate::spec::friction::FrictionLaw;
 
-/// Bernstein coefficients of a quadratic polynomial on a triangle: of the vertices, then of the edges [`FACE_EDGES`].
+/// Bernstein coefficients of a quadratic polynomial on a triangle: of the vertices, then of the
+/// edges [`FACE_EDGES`].
 pub type Bernstein = [f64; 6];
 
 /// The polynomial at a point given by its barycentric coordinates.
@@ -26,11 +28,12 @@ pub fn bernstein_at(c: &Bernstein, l: [f64; 3]) -> f64 {
 /// With `s = μ‖g_T‖` of the solution itself slip does not dilate: Coulomb's law.
 ///
 /// # Source
-/// V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb friction problem via convex
-/// optimization, ZAMM 91 (2011), 155–175.
+/// V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb
+/// friction problem via convex optimization, ZAMM 91 (2011), 155–175.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ConeShift {
-    /// Coefficients of each contact face, interfaces first, vertices in outward order of side A; empty: no shift.
+    /// Coefficients of each contact face, interfaces first, vertices in outward order of side A;
+    /// empty: no shift.
     pub faces: Vec<Bernstein>,
 }
 

@@ -51,9 +51,11 @@ pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
     Ok(model)
 }
 
-/// Checks `file` against `mesh` and makes the model; `place` tells where a path such as `supports[1].face` stands.
+/// Checks `file` against `mesh` and makes the model; `place` tells where a path such as
+/// `supports[1].face` stands.
 ///
-/// All faults of the file's values are told at once; faults of the geometry, which need sound values, follow alone.
+/// All faults of the file's values are told at once; faults of the geometry, which need sound
+/// values, follow alone.
 pub fn resolve(
     file: &ModelFile,
     mesh: TetMesh,
@@ -173,8 +175,8 @@ pub fn resolve(
     Ok(model)
 }
 
-/// The model with every contact smooth and held where no friction holds it any more; an error naming the parts where a load
-/// drives what friction held.
+/// The model with every contact smooth and held where no friction holds it any more; an error
+/// naming the parts where a load drives what friction held.
 pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, Diagnostics> {
     let mut smooth = model.without_friction();
     smooth.free_modes = motions::free_modes(&smooth)?;

@@ -9,8 +9,8 @@ const BATCH: usize = 2048;
 
 /// Assembles `Σ_e S_eᵀ K_e S_e`.
 ///
-/// `dofs(e)` lists the M full unknowns of element `e`, `matrix(e)` its symmetric matrix; unknowns are mapped by `map`.
-/// Every diagonal entry is stored.
+/// `dofs(e)` lists the M full unknowns of element `e`, `matrix(e)` its symmetric matrix; unknowns
+/// are mapped by `map`. Every diagonal entry is stored.
 pub fn assemble<const M: usize, E: Send>(
     elements: usize,
     map: &DofMap,

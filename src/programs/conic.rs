@@ -1,12 +1,13 @@
 //! A conic program as plain data, with no solver in sight.
 //!
-//! `min ½ xᵀPx + qᵀx + c` subject to `s = G x + h`, `s ∈ K`, with K a product of small cones. The multipliers `z ∈ K*`
-//! satisfy `P x + q = Gᵀ z`.
+//! `min ½ xᵀPx + qᵀx + c` subject to `s = G x + h`, `s ∈ K`, with K a product of small cones. The
+//! multipliers `z ∈ K*` satisfy `P x + q = Gᵀ z`.
 //!
-//! Elements that yield and the load factor of limit analysis make it a saddle. Their parameters y are maximised over; they
-//! stand in the same vector behind the unknowns that elements share, and the matrix of the quadratic term is then
-//! `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or maximised ones, never both. Rows keep their natural sign: the
-//! gradient is `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
+//! Elements that yield and the load factor of limit analysis make it a saddle. Their parameters y
+//! are maximised over; they stand in the same vector behind the unknowns that elements share, and
+//! the matrix of the quadratic term is then `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or
+//! maximised ones, never both. Rows keep their natural sign: the gradient is `P x + q − Gᵀz` for
+//! minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
 
 use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
@@ -74,11 +75,11 @@ pub struct ConicProgram {
     pub h: Vec<f64>,
     /// The cones.
     pub cones: Vec<Cone>,
-    /// Elements that yield. Their own unknowns stand behind the shared ones, the rows of their yield points behind those of
-    /// `g`; `h` and `cones` hold both.
+    /// Elements that yield. Their own unknowns stand behind the shared ones, the rows of their
+    /// yield points behind those of `g`; `h` and `cones` hold both.
     pub elements: Elements,
-    /// Loads multiplied by the load factor, on the shared unknowns \[N\]; empty: there is no load factor. It is the last
-    /// unknown, maximised over.
+    /// Loads multiplied by the load factor, on the shared unknowns \[N\]; empty: there is no load
+    /// factor. It is the last unknown, maximised over.
     pub live: Vec<f64>,
     /// Stiffness that measures each unknown; empty: the diagonal of P.
     pub stiffness: Vec<f64>,
@@ -114,7 +115,8 @@ impl SymmetricCsc {
         y
     }
 
-    /// What the given columns and their mirror images add to `A X`; as long as the last of them needs.
+    /// What the given columns and their mirror images add to `A X`; as long as the last of them
+    /// needs.
     fn mul_columns<const SIDES: usize>(
         &self,
         columns: Range<usize>,
@@ -214,15 +216,16 @@ impl ConicProgram {
         self.q.len()
     }
 
-    /// Appends the load factor of limit analysis, which multiplies the given loads on the shared unknowns \[N\] and is to be
-    /// as large as can be.
+    /// Appends the load factor of limit analysis, which multiplies the given loads on the shared
+    /// unknowns \[N\] and is to be as large as can be.
     pub fn add_load_factor(&mut self, live: Vec<f64>) {
         self.live = live;
         self.q.push(1.0);
     }
 
-    /// Gives shared unknown `k` a value: what it does to the others goes into their linear terms and into the offsets, and it
-    /// keeps a term of its own that is least at that value, so that the pattern stays. The objective is the same there.
+    /// Gives shared unknown `k` a value: what it does to the others goes into their linear terms
+    /// and into the offsets, and it keeps a term of its own that is least at that value, so that
+    /// the pattern stays. The objective is the same there.
     ///
     /// Only of programs whose elements are all elastic.
     pub fn freeze(&mut self, k: usize, value: f64) {
@@ -250,8 +253,8 @@ impl ConicProgram {
         }
     }
 
-    /// The same program in unknowns that are measured from the given point: its solutions are those of this one less the point.
-    /// Unknowns behind the end of `from` are measured from zero.
+    /// The same program in unknowns that are measured from the given point: its solutions are those
+    /// of this one less the point. Unknowns behind the end of `from` are measured from zero.
     pub fn measured_from(&self, from: &[f64]) -> Self {
         let mut out = self.clone();
         let mut x = from.to_vec();
@@ -278,7 +281,8 @@ impl ConicProgram {
         out
     }
 
-    /// Value of the minimiser's objective, `½ xᵀPx + ½ yᵀFy + qᵀx + hᵀz + c`: z the multipliers of the yield points alone.
+    /// Value of the minimiser's objective, `½ xᵀPx + ½ yᵀFy + qᵀx + hᵀz + c`: z the multipliers of
+    /// the yield points alone.
     pub fn objective(&self, x: &[f64], z: &[f64]) -> f64 {
         let [px] = self.quadratic([x]);
         let maximised = self.maximised();
@@ -303,8 +307,8 @@ impl ConicProgram {
         y
     }
 
-    /// The blocks of that matrix on its diagonal, minimised with minimised and maximised with maximised unknowns, times a
-    /// vector.
+    /// The blocks of that matrix on its diagonal, minimised with minimised and maximised with
+    /// maximised unknowns, times a vector.
     pub fn quadratic_diagonal(&self, x: &[f64]) -> Vec<f64> {
         let mut y = self.p.mul_all([&x[..self.shared()]]);
         y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
@@ -428,7 +432,8 @@ impl ConicProgram {
     }
 }
 
-/// Distance of a point from the boundary of its cone along the axis: `s₀ − ‖s₁…‖` (or `s` itself); ≥ 0 inside.
+/// Distance of a point from the boundary of its cone along the axis: `s₀ − ‖s₁…‖` (or `s` itself);
+/// ≥ 0 inside.
 pub fn cone_margin(s: &[f64]) -> f64 {
     s[0] - s[1..].iter().map(|x| x * x).sum::<f64>().sqrt()
 }

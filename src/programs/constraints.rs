@@ -1,4 +1,5 @@
-//! What holds the unknowns of either program: the points on its faces, and pins against free rigid motions.
+//! What holds the unknowns of either program: the points on its faces, and pins against free rigid
+//! motions.
 
 use crate::math::vec3::V3;
 use crate::model::ModelError;
@@ -25,9 +26,9 @@ pub fn that_work(live: Vec<f64>) -> Result<Vec<f64>, ModelError> {
     if live.iter().all(|f| *f == 0.0) { Err(ModelError::LiveLoadsHeld) } else { Ok(live) }
 }
 
-/// Unknowns to hold so that none of the given motions remains: one per motion, by complete pivoting. Unknowns in `held`
-/// are held already and use up the motions they stop. Holding them changes no stress, since no load works on the motions
-/// and there is one hold per motion, no more.
+/// Unknowns to hold so that none of the given motions remains: one per motion, by complete
+/// pivoting. Unknowns in `held` are held already and use up the motions they stop. Holding them
+/// changes no stress, since no load works on the motions and there is one hold per motion, no more.
 pub fn pins(mut motions: Vec<Vec<f64>>, held: &[usize]) -> Vec<usize> {
     let mut first = 0;
     for &pivot in held {

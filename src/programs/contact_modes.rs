@@ -13,7 +13,8 @@ pub struct ContactMode {
     pub parts: Vec<[f64; 6]>,
 }
 
-/// All such motions of a program whose full unknowns `3 i + d` are displacements of `points[i]`, each with its part.
+/// All such motions of a program whose full unknowns `3 i + d` are displacements of `points[i]`,
+/// each with its part.
 pub fn contact_modes(
     model: &AnalysisModel,
     map: &DofMap,

@@ -1,8 +1,10 @@
-//! Preloaded cuts: the points on their far sides follow those on the near ones, moved on by the closures.
+//! Preloaded cuts: the points on their far sides follow those on the near ones, moved on by the
+//! closures.
 //!
-//! A given closure strains the elements at the cut alone as long as nothing else moves: their energy is that of the whole joint times
-//! the length of the shank over that of an element, and a solver that starts there stalls. So solvers measure the unknowns from a
-//! displacement that spreads the closure along the body of the bolt.
+//! A given closure strains the elements at the cut alone as long as nothing else moves: their
+//! energy is that of the whole joint times the length of the shank over that of an element, and a
+//! solver that starts there stalls. So solvers measure the unknowns from a displacement that
+//! spreads the closure along the body of the bolt.
 
 use crate::math::vec3::{self, V3};
 use crate::model::ModelError;
@@ -17,8 +19,8 @@ const ACROSS: f64 = 1e-9;
 /// Points on side B of the cuts: which cut, and the point on side A that each follows.
 pub type Followers = BTreeMap<usize, (usize, usize)>;
 
-/// The points that follow others. What is held on one side is held on the other; an error where that would hold the closure,
-/// or where the points belong to something else too.
+/// The points that follow others. What is held on one side is held on the other; an error where
+/// that would hold the closure, or where the points belong to something else too.
 pub fn followers(
     model: &AnalysisModel,
     points: &impl FacePoints,
@@ -63,7 +65,8 @@ pub fn followers(
     }
 }
 
-/// The combinations of what follows: `u_B = u_A − δ a`, the closures δ from unknown `first` on, one a bolt.
+/// The combinations of what follows: `u_B = u_A − δ a`, the closures δ from unknown `first` on, one
+/// a bolt.
 pub fn follow(
     model: &AnalysisModel,
     followers: &Followers,
@@ -90,9 +93,9 @@ pub fn add_preload(model: &AnalysisModel, map: &DofMap, f: &mut [f64]) {
     }
 }
 
-/// Unknowns of a displacement that closes the frozen cuts: each closure is spread linearly over the body of its bolt, half of it on
-/// either side of the cut. Full unknowns `3 i + d` are displacements of `points[i]`, each with a tet it belongs to. Empty: nothing
-/// is frozen.
+/// Unknowns of a displacement that closes the frozen cuts: each closure is spread linearly over the
+/// body of its bolt, half of it on either side of the cut. Full unknowns `3 i + d` are
+/// displacements of `points[i]`, each with a tet it belongs to. Empty: nothing is frozen.
 pub fn spread(
     model: &AnalysisModel,
     map: &DofMap,
@@ -104,7 +107,8 @@ pub fn spread(
     let mesh = &model.mesh;
     let mut x = vec![0.0; map.n];
     map.keep_frozen(&mut x);
-    // of each bolt: its body, axis and closure, and where along the axis it begins, is cut, and ends
+    // of each bolt: its body, axis and closure, and where along the axis it begins, is cut, and
+    // ends
     let bolts: Vec<(u32, V3, f64, [f64; 3])> = model
         .preload
         .iter()

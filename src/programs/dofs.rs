@@ -1,9 +1,11 @@
-//! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid face.
+//! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid
+//! face.
 
 use crate::elements::batch::NONE;
 use crate::elements::columns::Columns;
 
-/// Each full unknown as a linear combination of the program's unknowns; an empty combination is held at zero.
+/// Each full unknown as a linear combination of the program's unknowns; an empty combination is
+/// held at zero.
 #[derive(Clone, Debug, Default)]
 pub struct DofMap {
     start: Vec<usize>,
@@ -73,7 +75,8 @@ impl DofMap {
             .collect()
     }
 
-    /// Forces on the program's unknowns from forces on the full ones (the transpose of [`Self::expand`]).
+    /// Forces on the program's unknowns from forces on the full ones (the transpose of
+    /// [`Self::expand`]).
     pub fn reduce(&self, f: &[f64]) -> Vec<f64> {
         let mut r = vec![0.0; self.n];
         for (i, &fi) in f.iter().enumerate() {
@@ -84,7 +87,8 @@ impl DofMap {
         r
     }
 
-    /// Diagonal of the stiffness on the program's unknowns from one that is diagonal on the full ones.
+    /// Diagonal of the stiffness on the program's unknowns from one that is diagonal on the full
+    /// ones.
     pub fn reduce_diagonal(&self, d: &[f64]) -> Vec<f64> {
         let mut r = vec![0.0; self.n];
         for (i, &di) in d.iter().enumerate() {
@@ -113,7 +117,8 @@ impl DofMap {
         Columns { unknowns, terms: Some(terms) }
     }
 
-    /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled terms dropped.
+    /// A row `Σ wᵢ uᵢ` of full unknowns in the program's unknowns, columns increasing, cancelled
+    /// terms dropped.
     pub fn row(&self, full: &[(usize, f64)]) -> Vec<(u32, f64)> {
         let mut row: Vec<(u32, f64)> = full
             .iter()

@@ -1,14 +1,16 @@
-//! A program with every element written out: one sparse matrix, one matrix of rows, for solvers that know nothing of
-//! elements.
+//! A program with every element written out: one sparse matrix, one matrix of rows, for solvers
+//! that know nothing of elements.
 //!
-//! The cones of yield points hold maximised unknowns. Written out, their multipliers λ ∈ K⁶ become unknowns behind all
-//! others, coupled to the parameters by `B`, with `h` as their linear term; the multiplier of `λ ∈ K⁶` is then `h + B σ`.
+//! The cones of yield points hold maximised unknowns. Written out, their multipliers λ ∈ K⁶ become
+//! unknowns behind all others, coupled to the parameters by `B`, with `h` as their linear term; the
+//! multiplier of `λ ∈ K⁶` is then `h + B σ`.
 
 use crate::elements::batch::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
 use crate::math::wide::LANES;
 use crate::programs::conic::{Cone, ConicProgram, Csr, SymmetricCsc};
 
-/// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones hold minimised unknowns only.
+/// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones hold
+/// minimised unknowns only.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explicit {
     /// The matrix of the saddle, `[P E; Eᵀ −F]`, every diagonal entry stored.
@@ -23,7 +25,8 @@ pub struct Explicit {
     pub cones: Vec<Cone>,
     /// True for unknowns maximised over.
     pub maximised: Vec<bool>,
-    /// Unknowns of the program this was made from; behind them stand the multipliers of its yield points.
+    /// Unknowns of the program this was made from; behind them stand the multipliers of its yield
+    /// points.
     pub unknowns: usize,
     /// Rows of the program's own cones; the rows behind them are those multipliers.
     pub rows: usize,

@@ -1,8 +1,9 @@
-//! The kinematic program: 10-node tetrahedra, contact cones at the Bernstein coefficients of gap and slip.
+//! The kinematic program: 10-node tetrahedra, contact cones at the Bernstein coefficients of gap
+//! and slip.
 //!
-//! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. Gap and slip are quadratic on a
-//! face; a quadratic polynomial lies in a convex cone wherever its six Bernstein coefficients do, so the contact law
-//! holds at every point of the interface, not only at nodes.
+//! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. Gap and slip
+//! are quadratic on a face; a quadratic polynomial lies in a convex cone wherever its six Bernstein
+//! coefficients do, so the contact law holds at every point of the interface, not only at nodes.
 
 use crate::elements::batch::Rule;
 use crate::elements::hencky_kinematic::{Flow, YieldingTet10};
@@ -77,9 +78,11 @@ impl ControlPoint {
         if self.edge { &[2.0, -0.5, -0.5] } else { &[1.0] }
     }
 
-    /// Its identity: contact, nodes on both sides and the normal, rounded so that faces of one plane share it.
+    /// Its identity: contact, nodes on both sides and the normal, rounded so that faces of one
+    /// plane share it.
     fn key(&self) -> (usize, usize, usize, [i64; 3]) {
-        // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a bound would not be one
+        // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a
+        // bound would not be one
         let rounded = self.normal.map(|x| (x * 1e12).round() as i64);
         (self.contact, self.a[0], self.b.map_or(usize::MAX, |b| b[0]), rounded)
     }
@@ -115,8 +118,8 @@ pub struct Kinematic {
     pub rigid: Vec<RigidMotions>,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
-    /// Where the unknowns of each element's own start, after those that elements share, and of each weld face behind them;
-    /// empty without plasticity and welds.
+    /// Where the unknowns of each element's own start, after those that elements share, and of each
+    /// weld face behind them; empty without plasticity and welds.
     pub own: Vec<usize>,
     /// Tets whose element flows and is split; empty without plasticity.
     pub split: Vec<bool>,
@@ -133,7 +136,8 @@ enum Kind<'f> {
     Limit(Flow),
 }
 
-/// The six control points of every contact face, interfaces first; neighbours in one plane repeat each other's.
+/// The six control points of every contact face, interfaces first; neighbours in one plane repeat
+/// each other's.
 fn points_of_faces(model: &AnalysisModel, space: &Tet10Space) -> Vec<[ControlPoint; 6]> {
     let interfaces = model.interfaces.iter().enumerate().flat_map(|(contact, interface)| {
         interface.faces.iter().map(move |f| {
@@ -267,14 +271,15 @@ impl Kinematic {
         Self::build(model, Kind::Elastic)
     }
 
-    /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are made of elements that
-    /// yield, the others stay elastic.
+    /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are
+    /// made of elements that yield, the others stay elastic.
     pub fn with_plasticity(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
         Self::build(model, Kind::Hencky(&vec![Some(flow); model.mesh.tets.len()]))
     }
 
-    /// The same with flow only where `flow` names an element for a tet; the other tets are plain and stay elastic, whatever
-    /// their strength. Still an upper bound: to flow less is to choose among fewer fields.
+    /// The same with flow only where `flow` names an element for a tet; the other tets are plain
+    /// and stay elastic, whatever their strength. Still an upper bound: to flow less is to choose
+    /// among fewer fields.
     pub fn with_plasticity_in(
         model: &AnalysisModel,
         flow: &[Option<Flow>],
@@ -282,15 +287,16 @@ impl Kinematic {
         Self::build(model, Kind::Hencky(flow))
     }
 
-    /// Builds the program of limit analysis: the least dissipation at unit power of the live loads, less the power of the
-    /// dead ones. Bodies without a yield strength are rigid; initial gaps count as closed.
+    /// Builds the program of limit analysis: the least dissipation at unit power of the live loads,
+    /// less the power of the dead ones. Bodies without a yield strength are rigid; initial gaps
+    /// count as closed.
     pub fn limit(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
         Self::build(model, Kind::Limit(flow))
     }
 
-    /// Builds the elastic program in which bodies without a yield strength are rigid: a measure of how far velocities of
-    /// limit analysis are apart.
+    /// Builds the elastic program in which bodies without a yield strength are rigid: a measure of
+    /// how far velocities of limit analysis are apart.
     pub fn around_rigid_bodies(model: &AnalysisModel) -> Result<Self, ModelError> {
         Self::build(model, Kind::AroundRigidBodies)
     }
@@ -431,7 +437,8 @@ impl Kinematic {
         self.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()
     }
 
-    /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns that elements share.
+    /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns
+    /// that elements share.
     pub fn weld_rows(&self, model: &AnalysisModel) -> Csr {
         let faces = model.weld_faces();
         weld_face::rows(
@@ -440,9 +447,11 @@ impl Kinematic {
         )
     }
 
-    /// Loads on the unknowns that elements share, in limit analysis: their product with velocities is the power \[N\].
+    /// Loads on the unknowns that elements share, in limit analysis: their product with velocities
+    /// is the power \[N\].
     ///
-    /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones as in [`split_flow`].
+    /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones
+    /// as in [`split_flow`].
     pub fn limit_forces(&self, model: &AnalysisModel, flow: Flow, loads: Loads) -> Vec<f64> {
         let radii = model.yield_radii();
         let inside = |e: usize| match (radii[model.mesh.tet_body[e] as usize], flow) {
@@ -452,7 +461,8 @@ impl Kinematic {
         shared_forces(model, &self.space, &self.map, &self.rigid, &inside, loads)
     }
 
-    /// The shift with the given values at the control points, face by face; points that cannot move have none.
+    /// The shift with the given values at the control points, face by face; points that cannot move
+    /// have none.
     pub fn cone_shift(&self, model: &AnalysisModel, values: &[f64]) -> ConeShift {
         let of: BTreeMap<_, f64> =
             self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
@@ -462,8 +472,8 @@ impl Kinematic {
         }
     }
 
-    /// A displacement that closes the frozen cuts with little strain, from which a solver measures the unknowns; empty: there are
-    /// none.
+    /// A displacement that closes the frozen cuts with little strain, from which a solver measures
+    /// the unknowns; empty: there are none.
     pub fn closed(&self, model: &AnalysisModel) -> Vec<f64> {
         let mut tet = vec![0; self.space.nodes.len()];
         for e in 0..model.mesh.tets.len() {
@@ -486,7 +496,8 @@ impl Kinematic {
     }
 }
 
-/// Adds the cone `(g_N + g₀, μ g_T) ∈ K³` (or `g_N + g₀ ≥ 0`) of a control point; false when nothing of it can move.
+/// Adds the cone `(g_N + g₀, μ g_T) ∈ K³` (or `g_N + g₀ ≥ 0`) of a control point; false when
+/// nothing of it can move.
 fn push_cone(program: &mut ConicProgram, map: &DofMap, point: &ControlPoint) -> bool {
     let (t1, t2) = vec3::tangents(point.normal);
     let direction = |n: V3, factor: f64| {
@@ -570,8 +581,8 @@ fn free_mode_pins(
     constraints::pins(motions, &[])
 }
 
-/// Stiffens the given unknowns by the mean of `stiffness` (empty: P's diagonal); their force is zero, so their value
-/// becomes zero.
+/// Stiffens the given unknowns by the mean of `stiffness` (empty: P's diagonal); their force is
+/// zero, so their value becomes zero.
 pub fn hold(p: &mut crate::programs::conic::SymmetricCsc, unknowns: &[usize], stiffness: &[f64]) {
     let diagonal = if stiffness.is_empty() { p.diagonal() } else { stiffness.to_vec() };
     let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;

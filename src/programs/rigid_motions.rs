@@ -1,8 +1,8 @@
 //! What moves as one: rigid faces and, in limit analysis, bodies without a yield strength.
 //!
-//! Rigid faces and rigid bodies that share points of a program must agree there, and what supports hold of them stays at rest:
-//! the motions that all of a group may make together are the null space of these conditions. One unknown of the program
-//! stands for each.
+//! Rigid faces and rigid bodies that share points of a program must agree there, and what supports
+//! hold of them stays at rest: the motions that all of a group may make together are the null space
+//! of these conditions. One unknown of the program stands for each.
 
 use crate::math::dense::{null_space, pseudo_solve};
 use crate::math::rigid_motion::rigid_displacement;
@@ -17,7 +17,8 @@ use crate::programs::dofs::DofMap;
 use faer::Mat;
 use std::collections::BTreeMap;
 
-/// Displacements of unit motions below this are rounding of the null space: what they belong to stays at rest.
+/// Displacements of unit motions below this are rounding of the null space: what they belong to
+/// stays at rest.
 const AT_REST: f64 = 1e-14;
 
 /// Motions of a group of rigid faces and bodies.
@@ -27,8 +28,9 @@ pub struct RigidMotions {
     pub first: usize,
     /// Number of unknowns.
     pub count: usize,
-    /// The rigid faces of the group: position in the model, and the motion `[ux, uy, uz, rx, ry, rz]` about the face's own
-    /// reference point for each unknown at unit value.
+    /// The rigid faces of the group: position in the model, and the motion
+    /// `[ux, uy, uz, rx, ry, rz]` about the face's own reference point for each unknown at unit
+    /// value.
     pub faces: Vec<(usize, Vec<[f64; 6]>)>,
 }
 
@@ -85,8 +87,8 @@ impl RigidPieces {
     }
 }
 
-/// A rigid face or piece: a reference point and the motions it may make alone. Rotations are scaled to move it as much as a
-/// unit translation does.
+/// A rigid face or piece: a reference point and the motions it may make alone. Rotations are scaled
+/// to move it as much as a unit translation does.
 struct Mover {
     at: V3,
     motions: Vec<[f64; 6]>,
@@ -175,8 +177,8 @@ fn movers(
         .collect()
 }
 
-/// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of rigid faces and pieces, plus the
-/// closures of preloaded cuts.
+/// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of
+/// rigid faces and pieces, plus the closures of preloaded cuts.
 pub fn number_unknowns(
     model: &AnalysisModel,
     points: &impl FacePoints,
@@ -264,8 +266,8 @@ fn groups(movers: usize, claims: &Claims) -> Vec<usize> {
         .collect()
 }
 
-/// The motions that the members of a group may make together, by member and unknown: those that move no held component and
-/// agree wherever two members share a point.
+/// The motions that the members of a group may make together, by member and unknown: those that
+/// move no held component and agree wherever two members share a point.
 fn common_motions(
     members: &[usize],
     movers: &[Mover],
@@ -328,7 +330,8 @@ pub fn add_rigid_actions(
     }
 }
 
-/// The program's unknowns nearest to full values: held ones are dropped, groups get the motion that fits best.
+/// The program's unknowns nearest to full values: held ones are dropped, groups get the motion that
+/// fits best.
 pub fn nearest_unknowns(
     map: &DofMap,
     motions: &[RigidMotions],

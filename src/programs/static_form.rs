@@ -1,8 +1,10 @@
-//! The static program: super-elements condensed to displacements of their faces, traction cones at face vertices.
+//! The static program: super-elements condensed to displacements of their faces, traction cones at
+//! face vertices.
 //!
-//! `min ½ vᵀKv − fᵀv` over face displacements v, the multipliers of traction equilibrium; its optimal value is −Π_c of a
-//! statically admissible stress field, a lower bound of the exact potential energy. Cones bound the mass-weighted jumps
-//! `Σ_b M_ab (v_B − v_A)_b + ∫ φ_a g₀ n`, conjugate to the traction at face vertex a.
+//! `min ½ vᵀKv − fᵀv` over face displacements v, the multipliers of traction equilibrium; its
+//! optimal value is −Π_c of a statically admissible stress field, a lower bound of the exact
+//! potential energy. Cones bound the mass-weighted jumps `Σ_b M_ab (v_B − v_A)_b + ∫ φ_a g₀ n`,
+//! conjugate to the traction at face vertex a.
 
 use crate::elements::batch::{NONE, YIELD_ROWS};
 use crate::elements::hencky_static;
@@ -32,7 +34,8 @@ use rayon::prelude::*;
 /// Geometry shared by the static program and the recovery of its stresses.
 pub struct SuperElements<'a> {
     model: &'a AnalysisModel,
-    /// The faces, each with 9 displacement unknowns (3 vertices in increasing node order × 3 components).
+    /// The faces, each with 9 displacement unknowns (3 vertices in increasing node order × 3
+    /// components).
     pub faces: FaceNumbering,
     materials: Vec<Isotropic>,
     body: Vec<V3>,
@@ -42,7 +45,8 @@ pub struct SuperElements<'a> {
 impl<'a> SuperElements<'a> {
     /// Numbers the faces of the model's mesh.
     pub fn new(model: &'a AnalysisModel) -> Self {
-        // the particular stress of a body force vanishes at the mesh's first node: small numbers, any origin of axes
+        // the particular stress of a body force vanishes at the mesh's first node: small numbers,
+        // any origin of axes
         let origin = model.mesh.nodes.first().copied().unwrap_or_default();
         Self {
             model,
@@ -53,7 +57,8 @@ impl<'a> SuperElements<'a> {
         }
     }
 
-    /// The same elements under other loads: their particular stress is that of the body forces among `loads`.
+    /// The same elements under other loads: their particular stress is that of the body forces
+    /// among `loads`.
     pub fn under(self, loads: Loads) -> Self {
         Self { body: self.model.body_forces(loads), ..self }
     }
@@ -104,8 +109,8 @@ impl<'a> SuperElements<'a> {
         self.model
     }
 
-    /// First full unknown of each vertex of a triangle that is local face `face.local` of `face.tet`; `nodes` gives the
-    /// order.
+    /// First full unknown of each vertex of a triangle that is local face `face.local` of
+    /// `face.tet`; `nodes` gives the order.
     pub fn vertex_dofs(&self, face: &BoundaryFace, nodes: [u32; 3]) -> [usize; 3] {
         let f = self.faces.of_tet[face.tet as usize][face.local as usize] as usize;
         nodes.map(|n| {
@@ -199,16 +204,19 @@ pub struct Static<'a> {
     pub rigid: Vec<RigidMotions>,
     /// The face vertex of each contact cone; the cones of yielding elements follow.
     pub vertices: Vec<ContactVertex>,
-    /// Where the unknowns of each element's own start, after those of the faces, and of each weld face behind them; empty
-    /// without plasticity and welds.
+    /// Where the unknowns of each element's own start, after those of the faces, and of each weld
+    /// face behind them; empty without plasticity and welds.
     pub own: Vec<usize>,
-    /// The mass-weighted jumps at the vertices of every weld face, three rows each, on the unknowns of the faces.
+    /// The mass-weighted jumps at the vertices of every weld face, three rows each, on the unknowns
+    /// of the faces.
     pub welds: Csr,
-    /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions must balance.
+    /// Loads on the program's unknowns, without the relaxation of body forces \[N\]: what tractions
+    /// must balance.
     pub loads: Vec<f64>,
     /// Unknowns held against free rigid motions.
     pub pinned: Vec<usize>,
-    /// Radius of the yield surface of each tet as the program has it \[MPa\]; `None`: it stays elastic.
+    /// Radius of the yield surface of each tet as the program has it \[MPa\]; `None`: it stays
+    /// elastic.
     radii: Vec<Option<f64>>,
 }
 
@@ -298,17 +306,19 @@ impl<'a> Static<'a> {
         Self::build(model, vec![None; model.mesh.tets.len()], false)
     }
 
-    /// Builds the elastic, perfectly plastic program (Hencky): in bodies with a yield strength the stress parameters stay
-    /// unknowns (maximised over) and every point of their linear stress satisfies von Mises; the others are condensed as in
-    /// the elastic program.
+    /// Builds the elastic, perfectly plastic program (Hencky): in bodies with a yield strength the
+    /// stress parameters stay unknowns (maximised over) and every point of their linear stress
+    /// satisfies von Mises; the others are condensed as in the elastic program.
     pub fn with_plasticity(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         Self::build(model, radii_of_tets(model), false)
     }
 
-    /// The same with the yield condition only where `yields` says so, every radius `1 − room` of its own: the stress of an
-    /// interior-point method, brought into equilibrium to rounding, has that room to stay inside.
+    /// The same with the yield condition only where `yields` says so, every radius `1 − room` of
+    /// its own: the stress of an interior-point method, brought into equilibrium to rounding, has
+    /// that room to stay inside.
     ///
-    /// The other tets stay elastic: a lower bound follows only where their stress is found admissible all the same.
+    /// The other tets stay elastic: a lower bound follows only where their stress is found
+    /// admissible all the same.
     pub fn with_plasticity_in(
         model: &'a AnalysisModel,
         yields: &[bool],
@@ -320,9 +330,10 @@ impl<'a> Static<'a> {
         Self::build(model, radii_of_tets(model).into_iter().zip(yields).map(of).collect(), false)
     }
 
-    /// Builds the program of limit analysis: the largest load factor whose loads, with the dead ones, some stress within
-    /// the yield strength balances. Bodies without a yield strength are rigid: their stress is left out, what acts on them is
-    /// balanced as a whole. Initial gaps count as closed.
+    /// Builds the program of limit analysis: the largest load factor whose loads, with the dead
+    /// ones, some stress within the yield strength balances. Bodies without a yield strength are
+    /// rigid: their stress is left out, what acts on them is balanced as a whole. Initial gaps
+    /// count as closed.
     pub fn limit(model: &'a AnalysisModel) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
         Self::build(model, radii_of_tets(model), true)
@@ -454,7 +465,8 @@ fn push_cone(program: &mut ConicProgram, map: &DofMap, v: &ContactVertex) -> boo
     push_rows(program, &[&normal, &slip[0], &slip[1]], v.mu, v.gap)
 }
 
-/// The motion of every part as displacements of the program's own unknowns (motions of rigid faces are left at zero).
+/// The motion of every part as displacements of the program's own unknowns (motions of rigid faces
+/// are left at zero).
 pub fn part_motions(
     elements: &SuperElements,
     map: &DofMap,
@@ -516,11 +528,12 @@ fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, 
 }
 
 impl Static<'_> {
-    /// What the yield conditions of each tet hold the optimum down by, from the rows' multipliers z: they are velocities, and this is
-    /// their dissipation. Zero in bodies that never yield.
+    /// What the yield conditions of each tet hold the optimum down by, from the rows' multipliers
+    /// z: they are velocities, and this is their dissipation. Zero in bodies that never yield.
     ///
     /// # Units
-    /// Those of the objective; in limit analysis of proportional loads, parts of the load factor that add up to it (welds apart).
+    /// Those of the objective; in limit analysis of proportional loads, parts of the load factor
+    /// that add up to it (welds apart).
     pub fn yield_shares(&self, z: &[f64]) -> Vec<f64> {
         let mut shares = vec![0.0; self.elements.model.mesh.tets.len()];
         for batch in self.program.elements.batches.iter() {
@@ -528,7 +541,8 @@ impl Static<'_> {
             for (own, first) in
                 batch.own.into_iter().zip(batch.rows).filter(|(own, _)| *own != NONE)
             {
-                // tets without unknowns of their own share their start with the next that has some; welds follow the tets
+                // tets without unknowns of their own share their start with the next that has some;
+                // welds follow the tets
                 let e = self.own.partition_point(|start| *start <= own as usize) - 1;
                 if let Some(share) = shares.get_mut(e) {
                     let first = first as usize;
@@ -539,8 +553,8 @@ impl Static<'_> {
         shares
     }
 
-    /// Stress parameters of every element from the unknowns of a program, as [`SuperElement::stress`] takes them; zero in bodies
-    /// that never yield.
+    /// Stress parameters of every element from the unknowns of a program, as
+    /// [`SuperElement::stress`] takes them; zero in bodies that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
         (0..self.elements.model.mesh.tets.len())
             .into_par_iter()
@@ -552,8 +566,8 @@ impl Static<'_> {
             .collect()
     }
 
-    /// Stress parameters of every element from the unknowns of an elastic, perfectly plastic program: an element's own, or
-    /// those that its faces' displacements strain it to.
+    /// Stress parameters of every element from the unknowns of an elastic, perfectly plastic
+    /// program: an element's own, or those that its faces' displacements strain it to.
     pub fn all_parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {
         let v = self.map.expand(x);
         (0..self.elements.model.mesh.tets.len())
@@ -578,13 +592,14 @@ impl Static<'_> {
         Some(std::array::from_fn(|a| unit * own[a]))
     }
 
-    /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]: what the elements' tractions, those of
-    /// particular stresses included, must balance.
+    /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]: what the
+    /// elements' tractions, those of particular stresses included, must balance.
     pub fn forces(&self, loads: Loads) -> Vec<f64> {
         forces(&self.elements, &self.map, &self.rigid, loads)
     }
 
-    /// Mass-weighted tractions of the particular stresses of body forces on the unknowns of the faces \[N\].
+    /// Mass-weighted tractions of the particular stresses of body forces on the unknowns of the
+    /// faces \[N\].
     pub fn particular_forces(&self, loads: Loads) -> Result<Vec<f64>, ModelError> {
         let elements = SuperElements::new(self.elements.model).under(loads);
         let mut full = vec![0.0; self.map.full()];
@@ -597,8 +612,8 @@ impl Static<'_> {
         Ok(self.map.reduce(&full))
     }
 
-    /// Tractions `σ n` of side A at the vertices of every weld face, from the program's unknowns, three components each
-    /// \[MPa\].
+    /// Tractions `σ n` of side A at the vertices of every weld face, from the program's unknowns,
+    /// three components each \[MPa\].
     pub fn weld_tractions(&self, x: &[f64]) -> Vec<f64> {
         let model = self.elements.model;
         let first = model.mesh.tets.len();
@@ -609,8 +624,8 @@ impl Static<'_> {
         faces.flat_map(|(i, (strength, _))| weld_face::tractions(strength, 3, own(i))).collect()
     }
 
-    /// Multipliers of every contact vertex of the model from those of this program, which leaves out cones where nothing can
-    /// move: those are zero.
+    /// Multipliers of every contact vertex of the model from those of this program, which leaves
+    /// out cones where nothing can move: those are zero.
     pub fn spread_contact(&self, z: &[f64]) -> Vec<f64> {
         let mut rest = z;
         let mut own = self.vertices.iter().peekable();
@@ -626,7 +641,8 @@ impl Static<'_> {
         all.collect()
     }
 
-    /// The other way round: multipliers of this program's contact cones among those of every contact vertex of the model.
+    /// The other way round: multipliers of this program's contact cones among those of every
+    /// contact vertex of the model.
     pub fn gather_contact(&self, all: &[f64]) -> Vec<f64> {
         let mut rest = all;
         let mut own = self.vertices.iter().peekable();
@@ -641,7 +657,8 @@ impl Static<'_> {
         out
     }
 
-    /// Multipliers that close the frozen cuts with little strain, as in the kinematic program; empty: there are none.
+    /// Multipliers that close the frozen cuts with little strain, as in the kinematic program;
+    /// empty: there are none.
     pub fn closed(&self) -> Vec<f64> {
         let (model, faces) = (self.elements.model, &self.elements.faces);
         let of_face = |(f, nodes): (usize, &[u32; 3])| {
@@ -651,8 +668,8 @@ impl Static<'_> {
         cuts::spread(model, &self.map, faces.nodes.iter().enumerate().flat_map(of_face))
     }
 
-    /// The rigid motions that only contact resists: along them the stiffness is zero and contact forces must balance the
-    /// loads.
+    /// The rigid motions that only contact resists: along them the stiffness is zero and contact
+    /// forces must balance the loads.
     pub fn contact_modes(&self) -> Vec<ContactMode> {
         let (model, faces) = (self.elements.model, &self.elements.faces);
         let points: Vec<(usize, V3)> = faces

@@ -1,16 +1,18 @@
-//! A face of a weld of finite strength: tied until its traction reaches the strength, then it flows.
+//! A face of a weld of finite strength: tied until its traction reaches the strength, then it
+//! flows.
 //!
-//! As a saddle: minimise over displacements v, maximise over tractions t with `‖t_p‖ ≤ strength` at some points, of
-//! `Σ_p t_p · J_p v`, J_p a weighted jump of the displacement from side A to side B. What is left after maximising,
-//! `strength Σ_p ‖J_p v‖`, is the work the weld dissipates.
+//! As a saddle: minimise over displacements v, maximise over tractions t with `‖t_p‖ ≤ strength` at
+//! some points, of `Σ_p t_p · J_p v`, J_p a weighted jump of the displacement from side A to side
+//! B. What is left after maximising, `strength Σ_p ‖J_p v‖`, is the work the weld dissipates.
 //!
-//! - Static program: J_a is the mass-weighted jump `Σ_b M_ab (v_B − v_A)_b` at face vertex a, so that t_a is the traction `σ n` of
-//!   side A there. It is linear on the face: vertices suffice.
-//! - Kinematic program: the jump is quadratic on the face, its norm at most the norms of its six Bernstein coefficients weighted
-//!   with the Bernstein polynomials, and each of these has the mean 1/6: J_p is a coefficient times a sixth of the area.
+//! - Static program: J_a is the mass-weighted jump `Σ_b M_ab (v_B − v_A)_b` at face vertex a, so
+//!   that t_a is the traction `σ n` of side A there. It is linear on the face: vertices suffice.
+//! - Kinematic program: the jump is quadratic on the face, its norm at most the norms of its six
+//!   Bernstein coefficients weighted with the Bernstein polynomials, and each of these has the mean
+//!   1/6: J_p is a coefficient times a sixth of the area.
 //!
-//! Both are data of the same kind as an element that flows ([`Shape::Flow`]) with [`Rule::Vertices`]: four points to a group, three
-//! of the five components of each used.
+//! Both are data of the same kind as an element that flows ([`Shape::Flow`]) with
+//! [`Rule::Vertices`]: four points to a group, three of the five components of each used.
 
 use crate::elements::batch::{NONE, Rule, Shape, YieldingElement};
 use crate::elements::space::{FACE_EDGES, Tet10Space};
@@ -47,8 +49,8 @@ pub fn static_jumps(elements: &SuperElements, face: &FacePair) -> Vec<Jump> {
     (0..3).map(|vertex| [0, 1, 2].map(|d| form(vertex, d))).collect()
 }
 
-/// The Bernstein coefficients of the jump on a face, each times its weight in the integral if `weighted`, on nodal
-/// displacements.
+/// The Bernstein coefficients of the jump on a face, each times its weight in the integral if
+/// `weighted`, on nodal displacements.
 pub fn kinematic_jumps(space: &Tet10Space, face: &FacePair, weighted: bool) -> Vec<Jump> {
     let area = vec3::norm(vec3::area_vector(&face.nodes_a.map(|n| space.nodes[n as usize])));
     let weight = if weighted { area / 6.0 } else { 1.0 };
@@ -106,7 +108,8 @@ pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingEl
     })
 }
 
-/// The tractions at the points of a face from its element's own unknowns \[MPa\]; zero where it has none.
+/// The tractions at the points of a face from its element's own unknowns \[MPa\]; zero where it has
+/// none.
 pub fn tractions(strength: f64, points: usize, own: &[f64]) -> Vec<f64> {
     (0..3 * points)
         .map(|i| own.get(COMPONENTS * (i / 3) + i % 3).map_or(0.0, |y| strength * y))

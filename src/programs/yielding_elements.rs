@@ -10,8 +10,9 @@ use std::sync::Arc;
 /// Elements that exist beside the program at the same time.
 const AT_A_TIME: usize = 512;
 
-/// Appends the elements' own unknowns and yield points to a program, `None` for an element that does not yield; returns
-/// where each element's unknowns start: those of element `e` are `first[e]..first[e + 1]`.
+/// Appends the elements' own unknowns and yield points to a program, `None` for an element that
+/// does not yield; returns where each element's unknowns start: those of element `e` are
+/// `first[e]..first[e + 1]`.
 pub fn append<E: Send>(
     program: &mut ConicProgram,
     elements: usize,

@@ -1,8 +1,9 @@
 //! From a solver's unknowns to fields that are admissible to rounding.
 //!
-//! A conic solver satisfies its constraints to its tolerance. The displacement is opened by the last violation along a
-//! field that opens every contact; the stress is projected: contact tractions (strictly inside their cones) are first
-//! brought into balance with the loads part by part, then the bodies are solved for exact equilibrium with them.
+//! A conic solver satisfies its constraints to its tolerance. The displacement is opened by the
+//! last violation along a field that opens every contact; the stress is projected: contact
+//! tractions (strictly inside their cones) are first brought into balance with the loads part by
+//! part, then the bodies are solved for exact equilibrium with them.
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
@@ -52,9 +53,11 @@ pub enum RecoverError {
     Factor(String),
 }
 
-/// The displacement field of a kinematic solution, contacts opened where the solver left them violated.
+/// The displacement field of a kinematic solution, contacts opened where the solver left them
+/// violated.
 ///
-/// `model` is the one the program was made from; `patterns` here and below: what is known of the mesh's matrices.
+/// `model` is the one the program was made from; `patterns` here and below: what is known of the
+/// mesh's matrices.
 pub fn displacement(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -75,8 +78,8 @@ pub fn displacement_at(
     opened(model, kinematic, offsets, solution.x.clone(), patterns)
 }
 
-/// The displacement field of an elastic program's unknowns `x`, at least those that elements share, contacts opened where they are
-/// violated.
+/// The displacement field of an elastic program's unknowns `x`, at least those that elements share,
+/// contacts opened where they are violated.
 pub(crate) fn opened(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -110,8 +113,8 @@ pub(crate) fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
     cones.map(|(at, dim)| cone_margin(&s[at..at + dim])).fold(f64::INFINITY, f64::min)
 }
 
-/// A displacement that opens every contact by about 1 mm with little slip and opens no weld: least squares on the gaps and on the
-/// jumps of `welds`, regularised by the stiffness.
+/// A displacement that opens every contact by about 1 mm with little slip and opens no weld: least
+/// squares on the gaps and on the jumps of `welds`, regularised by the stiffness.
 fn opening_field(
     program: &ConicProgram,
     welds: Option<&Csr>,
@@ -187,8 +190,9 @@ pub(crate) fn interface_tractions(statics: &Static, solution: &Solution) -> Vec<
     found
 }
 
-/// The stress field in equilibrium to rounding nearest, in elastic energy, to the given parameters; `tractions`: those of contacts
-/// and welds as in [`interface_tractions`], `statics`: the elastic program.
+/// The stress field in equilibrium to rounding nearest, in elastic energy, to the given parameters;
+/// `tractions`: those of contacts and welds as in [`interface_tractions`], `statics`: the elastic
+/// program.
 pub(crate) fn balanced_stress(
     statics: &Static,
     tractions: Vec<f64>,
@@ -198,7 +202,8 @@ pub(crate) fn balanced_stress(
     let modes = statics.contact_modes();
     let (z, t) = balanced_tractions(statics, tractions, &modes)?;
     let mut p = statics.program.p.clone();
-    // the free motions among them are held by the program already: one hold per motion, or the holds would carry force
+    // the free motions among them are held by the program already: one hold per motion, or the
+    // holds would carry force
     hold(
         &mut p,
         &constraints::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned),
@@ -211,8 +216,8 @@ pub(crate) fn balanced_stress(
     Ok(stress_field(&statics.elements, &parameters)?)
 }
 
-/// Corrects the stress parameters by elastic solutions for the forces that `rhs` and the elements' tractions leave
-/// unbalanced, until these stop falling.
+/// Corrects the stress parameters by elastic solutions for the forces that `rhs` and the elements'
+/// tractions leave unbalanced, until these stop falling.
 pub(crate) fn balance_elements(
     elements: &SuperElements,
     map: &DofMap,
@@ -287,7 +292,8 @@ fn tractions(
     Ok(map.reduce(&full))
 }
 
-/// Adds the forces of contact tractions `z` (multipliers of the contact cones) and weld tractions `t` on the faces.
+/// Adds the forces of contact tractions `z` (multipliers of the contact cones) and weld tractions
+/// `t` on the faces.
 pub(crate) fn add_interface_forces(statics: &Static, z: &[f64], t: &[f64], forces: &mut [f64]) {
     if !z.is_empty() {
         statics.program.g.mul_transpose(z).iter().zip(&mut *forces).for_each(|(a, b)| *b += a);
@@ -304,7 +310,8 @@ pub(crate) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
     row
 }
 
-/// Where interface tractions must stay: contact tractions in their cones, then those of welds within their strength.
+/// Where interface tractions must stay: contact tractions in their cones, then those of welds
+/// within their strength.
 pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
     let mut sets: Vec<Within> = cone_ranges(&statics.program)
         .into_iter()
@@ -318,10 +325,11 @@ pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
     sets
 }
 
-/// Contact and weld tractions, corrected so that they balance the loads on every rigid motion only they resist.
+/// Contact and weld tractions, corrected so that they balance the loads on every rigid motion only
+/// they resist.
 ///
-/// A contact whose force is lost in the solver's noise may have to carry none at all (a loose part that nothing loads):
-/// such forces are dropped when the balance cannot be found with them.
+/// A contact whose force is lost in the solver's noise may have to carry none at all (a loose part
+/// that nothing loads): such forces are dropped when the balance cannot be found with them.
 fn balanced_tractions(
     statics: &Static,
     mut found: Vec<f64>,
@@ -403,8 +411,8 @@ impl Within {
         }
     }
 
-    /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z² of the half-line),
-    /// `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
+    /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z²
+    /// of the half-line), `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
     fn metric(self, z: &[f64], r: &[f64], out: &mut [f64]) {
         let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
         match self {
@@ -446,11 +454,11 @@ pub(crate) fn into_cone(s: &mut [f64], slope: f64) {
     }
 }
 
-/// Corrects `z` by the smallest change, measured in each set's own (Dikin) metric, that makes `rows · z = needed`; true
-/// when every force is still in its set.
+/// Corrects `z` by the smallest change, measured in each set's own (Dikin) metric, that makes
+/// `rows · z = needed`; true when every force is still in its set.
 ///
-/// The inverse Hessian of a cone's barrier lets a force near the cone's surface grow or shrink freely along itself but hardly
-/// leave; a change of length below 1 stays inside.
+/// The inverse Hessian of a cone's barrier lets a force near the cone's surface grow or shrink
+/// freely along itself but hardly leave; a change of length below 1 stays inside.
 pub(crate) fn balance(sets: &[Within], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
     let n = rows.len();
     for _ in 0..3 {

@@ -1,9 +1,10 @@
 //! Collapse at zero load: a mechanism that moves every part rigidly and costs nothing.
 //!
-//! Parts that only contact holds can lift off, or slide and dilate with associated friction, without dissipation. Where
-//! the live loads work on such a motion and the dead ones do not work against it, `λ_up = (0 − dead power)/live power ≤ 0`.
-//! Rigid motions are the only ones without strain, so that the search has a handful of unknowns; the certificate is that of
-//! an upper bound with every body rigid, and asks nobody how the motion was found.
+//! Parts that only contact holds can lift off, or slide and dilate with associated friction,
+//! without dissipation. Where the live loads work on such a motion and the dead ones do not work
+//! against it, `λ_up = (0 − dead power)/live power ≤ 0`. Rigid motions are the only ones without
+//! strain, so that the search has a handful of unknowns; the certificate is that of an upper bound
+//! with every body rigid, and asks nobody how the motion was found.
 
 use crate::certify::certificate::{largest, ratio};
 use crate::certify::faces::weld_faces;
@@ -40,8 +41,9 @@ pub struct FreeMechanism {
     pub certificate: UpperCertificate,
 }
 
-/// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld rigid, nothing dissipates.
-/// A weld's jump over the largest velocity counts among the strains of rigid bodies.
+/// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld
+/// rigid, nothing dissipates. A weld's jump over the largest velocity counts among the strains of
+/// rigid bodies.
 pub fn certify_free(model: &AnalysisModel, field: &VelocityField) -> UpperCertificate {
     let mut rigid = model.clone();
     rigid.materials.iter_mut().for_each(|m| m.fy = None);
@@ -122,8 +124,8 @@ fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     null_space(&gram, 1e-12).into_iter().map(combine).collect()
 }
 
-/// The motion with its closed cones closed to rounding and the others not violated: the small program is solved to its
-/// tolerance only.
+/// The motion with its closed cones closed to rounding and the others not violated: the small
+/// program is solved to its tolerance only.
 fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let n = modes.len();
     let combine = |c: &[f64]| -> Vec<f64> {

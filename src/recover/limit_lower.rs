@@ -1,14 +1,17 @@
 //! From an approximate stress field to a strict lower bound of the load factor.
 //!
-//! A solver's field misses equilibrium, yield surface and friction cones by its tolerance. Three steps repair it, none of which
-//! asks the solver:
+//! A solver's field misses equilibrium, yield surface and friction cones by its tolerance. Three
+//! steps repair it, none of which asks the solver:
 //!
-//! 1. contact tractions are put inside their cones and brought into balance with `factor · live + dead` part by part, the factor
-//!    giving way with them: where every contact slips, friction itself is the limit;
-//! 2. one elastic solution (refined) carries the forces that the stress leaves unbalanced; rigid bodies, which a solver may
-//!    leave without any stress, are so much stiffer that they carry what acts on them;
-//! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every point is inside: `c σ +
-//!    (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead loads σ_d is zero.
+//! 1. contact tractions are put inside their cones and brought into balance with
+//!    `factor · live + dead` part by part, the factor giving way with them: where every contact
+//!    slips, friction itself is the limit;
+//! 2. one elastic solution (refined) carries the forces that the stress leaves unbalanced; rigid
+//!    bodies, which a solver may leave without any stress, are so much stiffer that they carry what
+//!    acts on them;
+//! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every
+//!    point is inside: `c σ + (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without
+//!    dead loads σ_d is zero.
 
 use crate::certify::certificate::{TOLERANCE, contact_tractions, largest, largest_of_each};
 use crate::certify::faces::{contact_faces, roles, weld_faces};
@@ -31,7 +34,8 @@ use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// How much stiffer bodies are that never yield.
 const RIGID: f64 = 1e8;
-/// How far inside their cones contact tractions are put, relative to the pressure: the first that can be balanced.
+/// How far inside their cones contact tractions are put, relative to the pressure: the first that
+/// can be balanced.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 /// Live tractions over the yield radius that count as none.
 const NOTHING: f64 = 1e-6;
@@ -41,12 +45,14 @@ const ROUNDING: f64 = 1e-12;
 /// What a solver of the static limit program leaves, admissible to its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub struct ApproximateStress<'a> {
-    /// Parameters of every super-element, as [`crate::elements::super_element::SuperElement::stress`] takes them under
+    /// Parameters of every super-element, as
+    /// [`crate::elements::super_element::SuperElement::stress`] takes them under
     /// `factor · live + dead`; those of bodies that never yield may be zero.
     pub parameters: &'a [[f64; PARAMETERS]],
     /// Multipliers of every contact vertex of the model, see [`Static::spread_contact`] \[MPa\].
     pub contact: &'a [f64],
-    /// Tractions of side A at the vertices of every weld face, see [`Static::weld_tractions`] \[MPa\]; empty without welds.
+    /// Tractions of side A at the vertices of every weld face, see [`Static::weld_tractions`]
+    /// \[MPa\]; empty without welds.
     pub welds: &'a [f64],
     /// Load factor.
     pub factor: f64,
@@ -93,8 +99,9 @@ pub enum LowerError {
 
 /// The strict lower bound near an approximate field.
 ///
-/// `dead`: a field in equilibrium with the dead loads alone, strictly admissible (see [`dead_field`]); needed with dead loads.
-/// `patterns`, here and below: what is known of the mesh's matrices.
+/// `dead`: a field in equilibrium with the dead loads alone, strictly admissible (see
+/// [`dead_field`]); needed with dead loads. `patterns`, here and below: what is known of the mesh's
+/// matrices.
 pub fn project(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
@@ -106,7 +113,8 @@ pub fn project(
     let found = equilibrium(model, approximate, dead.is_some(), patterns)
         .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
     match found {
-        // no stress of this mesh carries the live loads: none at all carries nothing, and that is a bound
+        // no stress of this mesh carries the live loads: none at all carries nothing, and that is a
+        // bound
         Ok(lower) if dead.is_none() && lower.certificate.factor <= 0.0 => Ok(at_rest(model)),
         Err(_) if dead.is_none() && is_nothing(model, approximate.factor) => Ok(at_rest(model)),
         found => found,
@@ -120,8 +128,8 @@ fn at_rest(model: &AnalysisModel) -> Lower {
     Lower { field, certificate }
 }
 
-/// True when the live loads at the factor are nothing beside the strength: no structure of the slenderness that a mesh can show
-/// collapses under so little, unless it carries nothing at all.
+/// True when the live loads at the factor are nothing beside the strength: no structure of the
+/// slenderness that a mesh can show collapses under so little, unless it carries nothing at all.
 fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
     let mut traction = 0.0f64;
     for load in model.surface_loads.iter().filter(|l| !l.dead) {
@@ -146,7 +154,8 @@ fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
     weakest.is_finite() && !bodies && factor.abs() * traction < NOTHING * weakest
 }
 
-/// A strictly admissible field of the dead loads alone, near an approximate one whose factor is zero.
+/// A strictly admissible field of the dead loads alone, near an approximate one whose factor is
+/// zero.
 pub fn dead_field(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
@@ -180,7 +189,8 @@ fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(), LowerErr
     Err(LowerError::DeadField { what })
 }
 
-/// The model with bodies that never yield made stiff: they carry, without help, whatever acts on them.
+/// The model with bodies that never yield made stiff: they carry, without help, whatever acts on
+/// them.
 fn stiffened(model: &AnalysisModel) -> AnalysisModel {
     let mut stiff = model.clone();
     let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
@@ -198,8 +208,8 @@ fn stiffened(model: &AnalysisModel) -> AnalysisModel {
     stiff
 }
 
-/// The field in equilibrium to rounding nearest to the approximate one, and its factor; with `lenient` contact tractions
-/// may be left outside their cones.
+/// The field in equilibrium to rounding nearest to the approximate one, and its factor; with
+/// `lenient` contact tractions may be left outside their cones.
 fn equilibrium(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
@@ -227,8 +237,8 @@ fn equilibrium(
     Ok((field, factor))
 }
 
-/// Tractions of contacts inside their cones and of welds within their strength, in balance with the loads on every rigid motion
-/// that only they resist, and the load factor that this leaves.
+/// Tractions of contacts inside their cones and of welds within their strength, in balance with the
+/// loads on every rigid motion that only they resist, and the load factor that this leaves.
 fn balanced(
     statics: &Static,
     approximate: &ApproximateStress,
@@ -282,8 +292,8 @@ fn balanced(
     }
 }
 
-/// The nearest forces at least `shrink` times their pressure inside the cones, and times their strength within the balls;
-/// those with less pressure than `least` are dropped.
+/// The nearest forces at least `shrink` times their pressure inside the cones, and times their
+/// strength within the balls; those with less pressure than `least` are dropped.
 fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
     let mut z = z.to_vec();
     for set in sets {
@@ -311,7 +321,8 @@ fn mixed(a: &StressField, b: Option<&StressField>, c: f64) -> StressField {
     StressField { points: (0..a.points.len()).map(tet).collect() }
 }
 
-/// Draws a field in equilibrium with `factor · live + dead` towards that of the dead loads until it is admissible.
+/// Draws a field in equilibrium with `factor · live + dead` towards that of the dead loads until it
+/// is admissible.
 pub fn draw_inside(
     model: &AnalysisModel,
     field: StressField,
@@ -346,8 +357,8 @@ pub fn draw_inside(
     result.ok_or(LowerError::Unbalanced { residual })
 }
 
-/// The largest c ≤ 1 at which `c field + (1 − c) dead` is within `room` times the yield surface and, with dead loads, inside the
-/// friction cones.
+/// The largest c ≤ 1 at which `c field + (1 − c) dead` is within `room` times the yield surface
+/// and, with dead loads, inside the friction cones.
 fn part_inside(
     model: &AnalysisModel,
     field: &StressField,
@@ -436,8 +447,8 @@ fn largest_part(c: f64, slack: impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    /// Every force lands inside its cone or ball, forces inside stay as they are, and no nearer force inside exists (compared with
-    /// random ones).
+    /// Every force lands inside its cone or ball, forces inside stay as they are, and no nearer
+    /// force inside exists (compared with random ones).
     #[test]
     fn nearest_forces_inside() {
         let sets = [

@@ -1,11 +1,13 @@
 //! From approximate velocities to a strict upper bound of the load factor.
 //!
-//! Wanted is the least change d, in elastic energy, that makes velocities keep their volume wherever bodies flow and leaves
-//! rigid bodies without strain: `min ½ dᵀK̃ d` with `C (u + d) = 0`. K̃ is the elastic stiffness with the jumps across contacts
-//! held by springs; C are the equations, weighted: one volume row per split element, four per plain one, the strain of rigid
-//! bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve `C S⁻¹Cᵀ y = C u`, nearly a multiple of the
-//! identity, so that conjugate gradients need few steps, and `d = −S⁻¹Cᵀ y`. The same system opens contacts that are left
-//! violated, by flows that keep their volume as well.
+//! Wanted is the least change d, in elastic energy, that makes velocities keep their volume
+//! wherever bodies flow and leaves rigid bodies without strain: `min ½ dᵀK̃ d` with
+//! `C (u + d) = 0`. K̃ is the elastic stiffness with the jumps across contacts held by springs; C
+//! are the equations, weighted: one volume row per split element, four per plain one, the strain of
+//! rigid bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve
+//! `C S⁻¹Cᵀ y = C u`, nearly a multiple of the identity, so that conjugate gradients need few
+//! steps, and `d = −S⁻¹Cᵀ y`. The same system opens contacts that are left violated, by flows that
+//! keep their volume as well.
 
 use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
@@ -31,11 +33,14 @@ const AUGMENTED: f64 = 1e6;
 const SPRING: f64 = 1e4;
 /// What moving a rigid body costs, in the stiffness it would have: little, but more than nothing.
 const RIGID_MOTION: f64 = 1e-6;
-/// Margin wanted in contact cones, over the largest velocity: what rounding of the nodal velocities cannot use up.
+/// Margin wanted in contact cones, over the largest velocity: what rounding of the nodal velocities
+/// cannot use up.
 const MARGIN: f64 = 1e-13;
-/// Power of the live loads, over that of the velocities given, below which the velocities were no mechanism at all.
+/// Power of the live loads, over that of the velocities given, below which the velocities were no
+/// mechanism at all.
 const LEAST_POWER: f64 = 1e-6;
-/// Runs of conjugate gradients, steps in each, and what each run reduces the equations' residual by.
+/// Runs of conjugate gradients, steps in each, and what each run reduces the equations' residual
+/// by.
 const STAGES: usize = 6;
 const STEPS: usize = 200;
 const REDUCTION: f64 = 1e-10;
@@ -69,8 +74,8 @@ pub enum UpperError {
     },
 }
 
-/// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`; `patterns`: what is known of the mesh's
-/// matrices.
+/// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`;
+/// `patterns`: what is known of the mesh's matrices.
 pub fn project(
     model: &AnalysisModel,
     field: &VelocityField,
@@ -204,7 +209,8 @@ impl<'a> Projector<'a> {
         let (mut r, mut rounding) = self.values(x);
         let mut rr = square(&r);
         for _ in 0..STAGES {
-            // rounding is no change of volume that a flow could undo: the system for it has no solution
+            // rounding is no change of volume that a flow could undo: the system for it has no
+            // solution
             if rr.sqrt() <= rounding {
                 return;
             }
@@ -240,9 +246,10 @@ impl<'a> Projector<'a> {
         }
     }
 
-    /// The velocities with a margin in every contact, by adding flows that keep the volume: contacts that are violated asked for
-    /// the nearest jump inside and the others for none, or all of them opened alike. Which costs less depends on the field;
-    /// one field alone when nothing is violated.
+    /// The velocities with a margin in every contact, by adding flows that keep the volume:
+    /// contacts that are violated asked for the nearest jump inside and the others for none, or all
+    /// of them opened alike. Which costs less depends on the field; one field alone when nothing is
+    /// violated.
     fn opened(&self, x: Vec<f64>) -> Vec<Vec<f64>> {
         let g = &self.kinematic.program.g;
         let cones = cone_ranges(&self.kinematic.program);
@@ -255,7 +262,8 @@ impl<'a> Projector<'a> {
         if first >= wanted {
             return vec![x];
         }
-        // springs give way, so that a jump comes near what is asked for: ask for more than is needed, always the same
+        // springs give way, so that a jump comes near what is asked for: ask for more than is
+        // needed, always the same
         let aim = wanted + 0.1 * (wanted - first);
         let mut one_by_one = x.clone();
         for _ in 0..OPENINGS {
@@ -303,8 +311,9 @@ fn dofs(model: &AnalysisModel, kinematic: &Kinematic, e: usize) -> [usize; 30] {
     std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
 }
 
-/// The equations of tet `e` on its 30 velocities, so weighted that the sum of their squares compares with strain energy: its
-/// change of volume if it is split, `tr ε` at its vertices if it is not, the whole strain there if it is rigid.
+/// The equations of tet `e` on its 30 velocities, so weighted that the sum of their squares
+/// compares with strain energy: its change of volume if it is split, `tr ε` at its vertices if it
+/// is not, the whole strain there if it is rigid.
 fn equations(
     model: &AnalysisModel,
     yields: &[bool],

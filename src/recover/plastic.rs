@@ -1,8 +1,10 @@
-//! From the unknowns of the elastic, perfectly plastic programs to fields that are admissible to rounding.
+//! From the unknowns of the elastic, perfectly plastic programs to fields that are admissible to
+//! rounding.
 //!
-//! Displacements: contacts are opened as in the elastic recovery; the plastic strain is not the solver's but the best one of these
-//! displacements, tet by tet. Stresses: contact tractions are balanced and the elements brought into equilibrium by an elastic
-//! solution for what the solver left, as in the elastic recovery. That changes the stress by the solver's tolerance, for which
+//! Displacements: contacts are opened as in the elastic recovery; the plastic strain is not the
+//! solver's but the best one of these displacements, tet by tet. Stresses: contact tractions are
+//! balanced and the elements brought into equilibrium by an elastic solution for what the solver
+//! left, as in the elastic recovery. That changes the stress by the solver's tolerance, for which
 //! the program kept room under the yield surface.
 
 use crate::certify::fields::{DisplacementField, StressField};
@@ -16,10 +18,11 @@ use crate::recover::elastic::{
 };
 use crate::solve::{Patterns, Solution};
 
-/// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers the energy.
+/// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers
+/// the energy.
 ///
-/// `model` is the one whose cones are shifted as the program's rows are by `offsets`; `patterns` here and below: what is known of
-/// the mesh's matrices.
+/// `model` is the one whose cones are shifted as the program's rows are by `offsets`; `patterns`
+/// here and below: what is known of the mesh's matrices.
 pub fn plastic_motion(
     model: &AnalysisModel,
     kinematic: &Kinematic,

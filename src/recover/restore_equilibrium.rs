@@ -8,14 +8,17 @@ use crate::model::AnalysisModel;
 use faer::Mat;
 use rayon::prelude::*;
 
-/// A tet with `|div σ + b| h` above this times the largest stress is settled: a hundredth of what a strict bound may have.
+/// A tet with `|div σ + b| h` above this times the largest stress is settled: a hundredth of what a
+/// strict bound may have.
 const SETTLED: f64 = 1e-11;
 
-/// Under the body forces `body` \[N/mm³\], brings the stress of every sliver into equilibrium with itself again, by the smallest change; leaves other tets as they are.
+/// Under the body forces `body` \[N/mm³\], brings the stress of every sliver into equilibrium with
+/// itself again, by the smallest change; leaves other tets as they are.
 ///
-/// The Piola map of a tet with dihedral angle θ cancels numbers 1/θ² times its stress, and the divergence divides what is left by
-/// the height: 1e-16/θ³ of the stress, too much for a strict bound below about half a degree. The tractions on outer faces
-/// change by what the map had left in them, 1e-16/θ².
+/// The Piola map of a tet with dihedral angle θ cancels numbers 1/θ² times its stress, and the
+/// divergence divides what is left by the height: 1e-16/θ³ of the stress, too much for a strict
+/// bound below about half a degree. The tractions on outer faces change by what the map had left in
+/// them, 1e-16/θ².
 pub(crate) fn settle(model: &AnalysisModel, body: &[V3], points: &mut [PointStress]) {
     let largest = points.iter().flatten().flatten().map(mandel::norm).fold(0.0, f64::max);
     points.par_iter_mut().enumerate().for_each(|(e, s)| {
@@ -36,8 +39,8 @@ fn imbalance(corners: &[V3; 4], body: V3, s: &PointStress) -> f64 {
     SuperElement::points(corners).iter().zip(s).map(divergence).fold(0.0, f64::max)
 }
 
-/// Least-squares correction of the rows `div σ = 0` and `[t] = 0`, on the stress less `−diag(b_i (x_i − c_i))`, which carries the
-/// body force.
+/// Least-squares correction of the rows `div σ = 0` and `[t] = 0`, on the stress less
+/// `−diag(b_i (x_i − c_i))`, which carries the body force.
 fn correct(corners: &[V3; 4], body: V3, s: &mut PointStress) {
     let centre = centroid(corners);
     let points = SuperElement::points(corners);

@@ -1,12 +1,15 @@
-//! Load factors without limit: a stress field that carries the live loads alone and nowhere comes nearer to yield.
+//! Load factors without limit: a stress field that carries the live loads alone and nowhere comes
+//! nearer to yield.
 //!
-//! Let a field be in equilibrium with the live loads alone, its contact tractions inside their cones and its deviator zero in
-//! every body that yields, and no traction in any weld of finite strength. Any multiple of it may then be added to an admissible field of the dead loads: the yield surface
-//! sees no difference and cones are convex. So every load factor can be carried, under Coulomb's law as well, for such
-//! a field presses contacts without any shear.
+//! Let a field be in equilibrium with the live loads alone, its contact tractions inside their
+//! cones and its deviator zero in every body that yields, and no traction in any weld of finite
+//! strength. Any multiple of it may then be added to an admissible field of the dead loads: the
+//! yield surface sees no difference and cones are convex. So every load factor can be carried,
+//! under Coulomb's law as well, for such a field presses contacts without any shear.
 //!
-//! Without a deviator `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live body force. Tractions are continuous, so that
-//! c is one number in each body and its connected pieces: all that is to be found, by least squares on the faces.
+//! Without a deviator `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live body force.
+//! Tractions are continuous, so that c is one number in each body and its connected pieces: all
+//! that is to be found, by least squares on the faces.
 
 use crate::certify::certificate::{TOLERANCE, certify_stress, contact_tractions, largest, ratio};
 use crate::certify::faces::{FaceRole, contact_faces, roles, weld_faces};
@@ -23,7 +26,8 @@ use crate::model::AnalysisModel;
 use crate::model::loads::{Loads, face_corners};
 use faer::Mat;
 
-/// What a field that carries the live loads alone proves: with strict residuals the load factor has no limit.
+/// What a field that carries the live loads alone proves: with strict residuals the load factor has
+/// no limit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct UnlimitedCertificate {
     /// max |div σ + b| h / max |σ|, b the live body force.
@@ -34,9 +38,11 @@ pub struct UnlimitedCertificate {
     pub contact: Option<f64>,
     /// max ‖dev σ‖ / max |σ| in bodies that yield.
     pub deviator: f64,
-    /// max |t| / max |σ| over welds of finite strength, which must carry nothing; `None` without welds.
+    /// max |t| / max |σ| over welds of finite strength, which must carry nothing; `None` without
+    /// welds.
     pub weld: Option<f64>,
-    /// What the field of the dead loads alone proves; `None` where there are none, or no field of theirs is given.
+    /// What the field of the dead loads alone proves; `None` where there are none, or no field of
+    /// theirs is given.
     pub dead: Option<LowerCertificate>,
     /// Dead loads without a field of theirs: nothing is proved.
     pub unproved: bool,
@@ -71,7 +77,8 @@ pub struct Unlimited {
     pub certificate: UnlimitedCertificate,
 }
 
-/// Certifies a field that carries the live loads alone, and one of the dead loads where there are any.
+/// Certifies a field that carries the live loads alone, and one of the dead loads where there are
+/// any.
 pub fn certify_unlimited(
     model: &AnalysisModel,
     field: &StressField,
@@ -107,8 +114,8 @@ pub fn certify_unlimited(
     }
 }
 
-/// The pressures that carry the live loads alone; `None` where there are none. `dead` is asked for a strictly admissible field
-/// of the dead loads only where there are pressures and dead loads.
+/// The pressures that carry the live loads alone; `None` where there are none. `dead` is asked for
+/// a strictly admissible field of the dead loads only where there are pressures and dead loads.
 pub fn find<E>(
     model: &AnalysisModel,
     dead: impl FnOnce() -> Result<Option<StressField>, E>,
@@ -223,7 +230,8 @@ fn pressures(model: &AnalysisModel) -> StressField {
             normal.add(area, &[(piece[a], 1.0), (piece[b], -1.0)], own(b, x) - own(a, x) - load);
         }
     }
-    // a weld may carry no multiple of anything: no pressure on either side, but for loads on the face itself
+    // a weld may carry no multiple of anything: no pressure on either side, but for loads on the
+    // face itself
     for f in weld_faces(model) {
         let (n, area) = f.normal(model);
         for (side, sign) in [Some((f.a, 1.0)), f.b.map(|b| (b.0, -1.0))].into_iter().flatten() {

@@ -1,8 +1,9 @@
 //! The mesh with the fewest elements for a gap, or the least gap for a number of elements.
 //!
-//! A tet that is split into n parts keeps `η n^(−2q/3)` of its contribution. The sum of these is least for its `Σ n` where
-//! the last part made helps everywhere alike, `n = (μ q η)^(3 / (2q + 3))`: with one q everywhere the formula of the paper. The
-//! mesher then grades and rounds, so what it will really make is asked for, and μ is set by that.
+//! A tet that is split into n parts keeps `η n^(−2q/3)` of its contribution. The sum of these is
+//! least for its `Σ n` where the last part made helps everywhere alike,
+//! `n = (μ q η)^(3 / (2q + 3))`: with one q everywhere the formula of the paper. The mesher then
+//! grades and rounds, so what it will really make is asked for, and μ is set by that.
 //!
 //! # Source
 //! Ladevèze and Pelle, optimal meshes; paper, section 4.1.
@@ -19,7 +20,8 @@ const POINTS: usize = 80;
 /// How near to the tets asked for a design must come.
 const NEAR: f64 = 0.01;
 
-/// What is known of the last mesh: each tet's contribution to the gap and the rate at which refinement lessens it.
+/// What is known of the last mesh: each tet's contribution to the gap and the rate at which
+/// refinement lessens it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Contributions, in any unit.
@@ -84,8 +86,8 @@ impl Estimate {
         Design { tets: parts.iter().sum(), gap: self.gap_after(&parts), wanted }
     }
 
-    /// Designs from a third of the tets there are to `most`, as far as one pass may go; `realised`: the parts a mesher makes of
-    /// those wanted.
+    /// Designs from a third of the tets there are to `most`, as far as one pass may go; `realised`:
+    /// the parts a mesher makes of those wanted.
     pub fn curve(&self, most: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Curve {
         let total = self.total();
         let mut points = Vec::new();
@@ -148,7 +150,8 @@ impl Curve {
         self.points.insert(at, point);
     }
 
-    /// A quantity of the points against their tets, straight between points on the scales given, constant beyond the ends.
+    /// A quantity of the points against their tets, straight between points on the scales given,
+    /// constant beyond the ends.
     fn at(&self, tets: f64, quantity: impl Fn(&Point) -> f64) -> Option<f64> {
         let after = self.points.partition_point(|p| p.tets < tets);
         let (a, b) =
@@ -188,8 +191,9 @@ mod tests {
         estimate.with_tets(&estimate.curve(10.0 * tets, &same), tets, &same)
     }
 
-    /// With one rate everywhere and no clipping, the paper's closed formula: `h' = h e₀^(1/q) / (e^(2/(2q+3)) [Σ e^(6/(2q+3))]^(1/2q))`
-    /// with e² the contributions and e₀² the target.
+    /// With one rate everywhere and no clipping, the paper's closed formula:
+    /// `h' = h e₀^(1/q) / (e^(2/(2q+3)) [Σ e^(6/(2q+3))]^(1/2q))` with e² the contributions and e₀²
+    /// the target.
     #[test]
     fn the_formula_of_the_paper() {
         let q = 2.0;
@@ -207,7 +211,8 @@ mod tests {
         }
     }
 
-    /// No other distribution of as many parts leaves a smaller gap (compared with random ones), rates different.
+    /// No other distribution of as many parts leaves a smaller gap (compared with random ones),
+    /// rates different.
     #[test]
     fn nothing_beats_it() {
         let mut seed = 7u64;
@@ -231,7 +236,8 @@ mod tests {
         }
     }
 
-    /// Finer meshes leave smaller gaps; more than one pass can give is answered with all it can; no contribution, no curve.
+    /// Finer meshes leave smaller gaps; more than one pass can give is answered with all it can; no
+    /// contribution, no curve.
     #[test]
     fn goals_out_of_reach() {
         let estimate = Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10] };

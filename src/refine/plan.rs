@@ -1,4 +1,5 @@
-//! Which mesh comes next: the one that reaches the target in the least time, as far as limits allow; or none.
+//! Which mesh comes next: the one that reaches the target in the least time, as far as limits
+//! allow; or none.
 
 use crate::refine::optimum::Curve;
 
@@ -79,14 +80,16 @@ pub enum Next {
 /// Factor between the meshes that are considered.
 const LADDER: f64 = 1.12;
 
-/// Growth beyond which a map of the coarser mesh is not trusted, where the target is out of reach anyway.
+/// Growth beyond which a map of the coarser mesh is not trusted, where the target is out of reach
+/// anyway.
 const GROWTH: f64 = 4.0;
 
 /// A pass that is expected to leave more of the gap than this is not worth its time.
 const GAIN: f64 = 0.9;
 
-/// How much larger than ideal the gap turns out for every four-fold growth of the mesh, and for any redesign at least, before any
-/// experience: the map comes from another mesh, and the mesher follows it roughly.
+/// How much larger than ideal the gap turns out for every four-fold growth of the mesh, and for any
+/// redesign at least, before any experience: the map comes from another mesh, and the mesher
+/// follows it roughly.
 const LOSS: f64 = 1.15;
 
 /// Exponent of a pass's time in its number of tets, before any experience.
@@ -106,7 +109,8 @@ struct Experience<'a> {
     time_exponent: f64,
 }
 
-/// Tets to ask of the mesher for so many: what it made of earlier orders teaches what it will make of this one.
+/// Tets to ask of the mesher for so many: what it made of earlier orders teaches what it will make
+/// of this one.
 pub fn order(steps: &[Step], tets: f64) -> f64 {
     let made = steps.iter().filter_map(|s| s.predicted.map(|p| s.tets as f64 / p.tets));
     // an order that was met counts as the experience before any
@@ -156,8 +160,8 @@ impl<'a> Experience<'a> {
     }
 }
 
-/// Decides after some passes; `best_gap`: of the best bracket so far; `curve`: what the next mesh could give, asked for only where
-/// it is needed, with the largest number of tets of interest.
+/// Decides after some passes; `best_gap`: of the best bracket so far; `curve`: what the next mesh
+/// could give, asked for only where it is needed, with the largest number of tets of interest.
 pub fn next(
     steps: &[Step],
     best_gap: f64,
@@ -325,7 +329,8 @@ mod tests {
         assert!((order(&[step(1000, 0.04), second], 3000.0) - 3000.0 / 1.2f64.sqrt()).abs() < 1e-9);
     }
 
-    /// A pass that fell short of its prediction makes the next prediction humbler, also where the mesh does not grow.
+    /// A pass that fell short of its prediction makes the next prediction humbler, also where the
+    /// mesh does not grow.
     #[test]
     fn experience_teaches() {
         let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };

@@ -1,8 +1,9 @@
 //! How fast the contribution of each tet falls with its size: `η ~ h^(2q)`.
 //!
-//! Where the solution is smooth q is 2: strains and stresses are linear in an element, the gap is the square of their error. Next to
-//! an edge where stresses grow without limit refinement helps far less. Such tets are told by their contributions alone: the
-//! error per volume, freed of the size of the tets (`η / V h⁴`, for smooth solutions the square of a second derivative of the
+//! Where the solution is smooth q is 2: strains and stresses are linear in an element, the gap is
+//! the square of their error. Next to an edge where stresses grow without limit refinement helps
+//! far less. Such tets are told by their contributions alone: the error per volume, freed of the
+//! size of the tets (`η / V h⁴`, for smooth solutions the square of a second derivative of the
 //! strain), is there a multiple of what it is one ring of tets farther on.
 
 use crate::certify::error::Contributions;
@@ -16,14 +17,16 @@ use rayon::prelude::*;
 /// Rate of the energy's gap where the solution is smooth.
 pub const SMOOTH: f64 = 2.0;
 
-/// Rate next to a re-entrant right-angled edge; other notches and rigid corners lie between 0.5 and 1.
+/// Rate next to a re-entrant right-angled edge; other notches and rigid corners lie between 0.5 and
+/// 1.
 pub const SINGULAR: f64 = 0.55;
 
 /// Rate of limit analysis: the dissipation is as wrong as the strain.
 pub const PLASTIC: f64 = 0.5;
 
-/// Ratios of the freed contribution per volume around a node to that of the ring beyond at which a node counts as one of a smooth
-/// region, and as one of a singular edge; between them rates go from one to the other.
+/// Ratios of the freed contribution per volume around a node to that of the ring beyond at which a
+/// node counts as one of a smooth region, and as one of a singular edge; between them rates go from
+/// one to the other.
 const STEEP: [f64; 2] = [1.2, 2.5];
 
 /// Tets at each node.
@@ -90,15 +93,18 @@ pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
     mesh.tets.iter().map(|t| t.iter().map(|n| nodes[*n as usize]).fold(SMOOTH, f64::min)).collect()
 }
 
-/// Rounds of averaging over the tets around a node before two mechanisms are compared: what lies that near is one place.
+/// Rounds of averaging over the tets around a node before two mechanisms are compared: what lies
+/// that near is one place.
 const BLUR: usize = 2;
 
-/// What the next mesh is designed by: contributions of a pass on `model`, those of contacts shared out to the tets beside them, and of
-/// limit analysis what holds the lower bound down in each tet.
+/// What the next mesh is designed by: contributions of a pass on `model`, those of contacts shared
+/// out to the tets beside them, and of limit analysis what holds the lower bound down in each tet.
 ///
-/// Contributions follow the mechanism: a tet at rest has none, whatever its stress. But the mechanism of the static program's multipliers may
-/// be another one (the paper's joint: its supports, plate and bolts, against the beam's end), and the lower bound rises only where that one
-/// is. The farther [`apart`] the two are, the more of the gap stands where the lower bound is held.
+/// Contributions follow the mechanism: a tet at rest has none, whatever its stress. But the
+/// mechanism of the static program's multipliers may be another one (the paper's joint: its
+/// supports, plate and bolts, against the beam's end), and the lower bound rises only where that
+/// one is. The farther [`apart`] the two are, the more of the gap stands where the lower bound is
+/// held.
 pub fn estimate(
     model: &AnalysisModel,
     contributions: &Contributions,
@@ -114,7 +120,8 @@ pub fn estimate(
     if let Some((held, all)) =
         yield_multiplier_share.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0 && gap > 0.0)
     {
-        // squared: two mechanisms in one place (C1: 0.2 to 0.4) are hardly told apart, two in different ones (the joint: 0.7) are
+        // squared: two mechanisms in one place (C1: 0.2 to 0.4) are hardly told apart, two in
+        // different ones (the joint: 0.7) are
         let part = apart(&model.mesh, &contributions, held).powi(2);
         for (c, held) in contributions.iter_mut().zip(held) {
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
@@ -123,7 +130,8 @@ pub fn estimate(
     Estimate { contributions, rates }
 }
 
-/// How much of two distributions over the tets lies in different places: 0 the same, 1 nothing in common.
+/// How much of two distributions over the tets lies in different places: 0 the same, 1 nothing in
+/// common.
 fn apart(mesh: &TetMesh, a: &[f64], b: &[f64]) -> f64 {
     let stars = Stars::new(mesh);
     let blurred = |x: &[f64]| {
@@ -148,7 +156,8 @@ mod tests {
     use super::*;
     use crate::mesh::fixtures::cubes;
 
-    /// The same in other amounts is nowhere apart; neighbours are not far apart, the two ends of a bar have nothing in common.
+    /// The same in other amounts is nowhere apart; neighbours are not far apart, the two ends of a
+    /// bar have nothing in common.
     #[test]
     fn distance_of_distributions() {
         let bar: Vec<_> = (0..40).map(|i| ([i, 0, 0], "A")).collect();

@@ -13,7 +13,8 @@ pub enum Rounding {
     Up,
 }
 
-/// `x` with `decimals` places (negative: to tens, hundreds), thousands set apart by a no-break space.
+/// `x` with `decimals` places (negative: to tens, hundreds), thousands set apart by a no-break
+/// space.
 pub fn fixed(x: f64, decimals: i32, rounding: Rounding) -> String {
     let places = decimals.max(0) as usize;
     let step = 10.0_f64.powi(decimals.saturating_neg().max(0));
@@ -84,8 +85,9 @@ pub fn significant(x: f64, digits: i32, rounding: Rounding) -> String {
     fixed(x, digits - 1 - x.abs().log10().floor() as i32, rounding)
 }
 
-/// Lower and upper bound with so many digits of their distance, four of the larger at least and twelve at most. The lower
-/// one is rounded down, the upper one up: three digits widen the bracket by 2 % of itself at most, four by 0.2 %.
+/// Lower and upper bound with so many digits of their distance, four of the larger at least and
+/// twelve at most. The lower one is rounded down, the upper one up: three digits widen the bracket
+/// by 2 % of itself at most, four by 0.2 %.
 pub fn bracket(lower: f64, upper: f64, gap_digits: i32) -> (String, String) {
     let size = lower.abs().max(upper.abs());
     if size == 0.0 {
@@ -113,8 +115,8 @@ pub fn percent_up(fraction: f64) -> String {
 }
 
 impl CaseResult {
-    /// The bracket of the only load at collapse, rounded outwards, and its unit; `None` unless both bounds are finite and
-    /// positive.
+    /// The bracket of the only load at collapse, rounded outwards, and its unit; `None` unless both
+    /// bounds are finite and positive.
     pub fn collapse_load(&self) -> Option<(String, String, &'static str)> {
         let (Quantity::LoadFactor, Some(load)) = (self.quantity, self.load) else { return None };
         let (lower, Upper::Finite(upper)) = (self.lower.filter(|l| *l > 0.0)?, self.upper?) else {

@@ -5,7 +5,8 @@
 use crate::result::folder::ResultFolder;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
-/// The look of the page: narrow tables that do not break, headings with what follows them, A4 when printed.
+/// The look of the page: narrow tables that do not break, headings with what follows them, A4 when
+/// printed.
 const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;color:#1b1f24;max-width:60rem;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.7rem;border-bottom:2px solid #2b5d8a;padding-bottom:.3rem}

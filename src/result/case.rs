@@ -77,7 +77,8 @@ pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     if laws.is_empty() {
         FrictionModel::Frictionless
     } else if laws.iter().any(|l| l.is_coulomb()) {
-        // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed point
+        // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed
+        // point
         if model.analysis == AnalysisKind::Limit {
             FrictionModel::Coulomb
         } else {
@@ -88,8 +89,9 @@ pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     }
 }
 
-/// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one proportional load, no
-/// dead load, no initial gap, no preload, no shifted cones, no weld that may give way.
+/// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one
+/// proportional load, no dead load, no initial gap, no preload, no shifted cones, no weld that may
+/// give way.
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
     let shifted = model.has_coulomb_friction() || model.has_preload();
@@ -101,8 +103,8 @@ fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     if bent { None } else { only_load(model) }
 }
 
-/// The resultant of the only load that carries the load factor: a force \[N\] on a plane face, or one force or moment on a
-/// rigid face.
+/// The resultant of the only load that carries the load factor: a force \[N\] on a plane face, or
+/// one force or moment on a rigid face.
 pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     if model.body_loads.iter().any(|l| !l.dead) {
         return None;
@@ -153,7 +155,8 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
         let common = run_warning(name, bound, run);
         warnings.push(match (run.status, run) {
             _ if common.is_some() => common.unwrap_or_default(),
-            // the static program's motion may only show that the stresses of this mesh cannot reach equilibrium
+            // the static program's motion may only show that the stresses of this mesh cannot reach
+            // equilibrium
             (_, ProgramRun { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
             }
@@ -169,7 +172,8 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
     warnings
 }
 
-/// Why a program that was interrupted, refused or not certified gave no bound; `None` for every other end.
+/// Why a program that was interrupted, refused or not certified gave no bound; `None` for every
+/// other end.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramRun { trouble: Some(t), .. }) => {
@@ -267,7 +271,8 @@ pub fn case_result(
         }
         _ => None,
     };
-    // −Π grows at least with the square of the load, for a part of a stress stays admissible: its slope is at least −2Π
+    // −Π grows at least with the square of the load, for a part of a stress stays admissible: its
+    // slope is at least −2Π
     let load_displacement_at_least = match (upper, load) {
         (Some(u), Some(f)) if !elastic => Some((-2.0 * u / f.value()).max(0.0)),
         _ => None,

@@ -1,4 +1,5 @@
-//! The result of several passes: the largest lower bound and the smallest upper one, each with all that belongs to it.
+//! The result of several passes: the largest lower bound and the smallest upper one, each with all
+//! that belongs to it.
 
 use crate::certify::bracket::Contradiction;
 use crate::result::data::{
@@ -14,10 +15,11 @@ pub struct Best {
     pub upper: usize,
 }
 
-/// The best of the entries of passes, in their order; strict bounds before estimates. `None` without any entry.
+/// The best of the entries of passes, in their order; strict bounds before estimates. `None`
+/// without any entry.
 ///
-/// Where every pass has a problem of its own, its contact cones shifted or its preloaded cuts frozen, bounds of two passes bracket
-/// nothing: then both are of the pass with the smallest gap.
+/// Where every pass has a problem of its own, its contact cones shifted or its preloaded cuts
+/// frozen, bounds of two passes bracket nothing: then both are of the pass with the smallest gap.
 pub fn best(entries: &[CaseResult]) -> Option<Best> {
     let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
     let any = entries.iter().any(strict);
@@ -55,7 +57,8 @@ fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     [a, b].into_iter().flatten().reduce(f64::max)
 }
 
-/// One entry with the upper bound of the first and the lower bound of the second; both are of one structure.
+/// One entry with the upper bound of the first and the lower bound of the second; both are of one
+/// structure.
 pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradiction> {
     let raw = |l: Option<RawBracket>, u: Option<RawBracket>| {
         let joined = RawBracket { lower: l.and_then(|l| l.lower), upper: u.and_then(|u| u.upper) };

@@ -1,7 +1,8 @@
 //! `result.json` (CONTRACT.md, schema 1): the numbers a run leaves behind for other programs.
 //!
-//! Absent is absent: what was not computed is `None` and leaves no key behind; no zero, NaN or null stands for it.
-//! [`ResultFile::to_json`] refuses a result that breaks this or that calls itself strict without the residuals to show.
+//! Absent is absent: what was not computed is `None` and leaves no key behind; no zero, NaN or null
+//! stands for it. [`ResultFile::to_json`] refuses a result that breaks this or that calls itself
+//! strict without the residuals to show.
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::analysis::preload::Tightened;
@@ -89,7 +90,8 @@ pub enum FrictionModel {
     Associated,
     /// Coulomb friction.
     Coulomb,
-    /// The last problem of the fixed point for Coulomb friction: cones shifted by the slip of the one before.
+    /// The last problem of the fixed point for Coulomb friction: cones shifted by the slip of the
+    /// one before.
     ShiftedCones,
 }
 
@@ -152,10 +154,12 @@ pub struct CaseResult {
     pub quantity: Quantity,
     /// Whose solution is bracketed.
     pub problem: FrictionModel,
-    /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the certificate is strict.
+    /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the
+    /// certificate is strict.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<f64>,
-    /// Upper bound of the whole structure (Π_p \[N mm\] or load factor); an estimate unless the certificate is strict.
+    /// Upper bound of the whole structure (Π_p \[N mm\] or load factor); an estimate unless the
+    /// certificate is strict.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<Upper>,
     /// Relative gap, a fraction (MECHANICS section 1).
@@ -173,21 +177,23 @@ pub struct CaseResult {
     /// Raw bracket of the problem with associated friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub associated: Option<RawBracket>,
-    /// Limit analysis, where asked for: the load factor of the fixed point for Coulomb's law, an estimate. That law may have several
-    /// load factors for one structure; this is one of them.
+    /// Limit analysis, where asked for: the load factor of the fixed point for Coulomb's law, an
+    /// estimate. That law may have several load factors for one structure; this is one of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
     /// The preloaded bolts of an elastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<Tightened>,
-    /// Coulomb friction: how the fixed point went; in limit analysis that of the estimate, where it was reached.
+    /// Coulomb friction: how the fixed point went; in limit analysis that of the estimate, where it
+    /// was reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_point: Option<FixedPointRun>,
-    /// The only load, at load factor 1, of the whole structure: the one whose displacement or collapse is bracketed.
+    /// The only load, at load factor 1, of the whole structure: the one whose displacement or
+    /// collapse is bracketed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<LoadSize>,
-    /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\], lower first; only where
-    /// it is rigorous.
+    /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\],
+    /// lower first; only where it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement: Option<[f64; 2]>,
     /// Forces of the bolts and between the parts of a joint, from the stress of the lower bound.
@@ -199,21 +205,23 @@ pub struct CaseResult {
     /// Residuals of the two fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
-    /// Elastic, perfectly plastic analysis: the load's own displacement at load factor 1 is at least so much \[mm; rad for a
-    /// moment\]; only where it is rigorous.
+    /// Elastic, perfectly plastic analysis: the load's own displacement at load factor 1 is at
+    /// least so much \[mm; rad for a moment\]; only where it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement_at_least: Option<f64>,
     /// One row a mesh.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<HistoryRow>,
-    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the bodies.
+    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the
+    /// bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dissipation: Vec<PartShare>,
-    /// Elastic, perfectly plastic analysis: what has become of each body that can yield, in the order of the bodies.
+    /// Elastic, perfectly plastic analysis: what has become of each body that can yield, in the
+    /// order of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<PartYield>,
-    /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound; absent where a weld is nearer
-    /// to its strength.
+    /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
+    /// absent where a weld is nearer to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limiting_part: Option<String>,
     /// Each weld of finite strength.
@@ -247,13 +255,15 @@ pub struct WeldUse {
     /// Mean of the length of that traction over the strength, at most; a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mean_utilisation: Option<f64>,
-    /// Strength on the throat, of which these are parts \[MPa\]; absent where the model gives a traction instead.
+    /// Strength on the throat, of which these are parts \[MPa\]; absent where the model gives a
+    /// traction instead.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub throat_strength: Option<f64>,
     /// Limit analysis: its share in the dissipation of the mechanism, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Elastic kinds: the work it dissipates with the displacements of the upper bound, of the meshed part \[N mm\].
+    /// Elastic kinds: the work it dissipates with the displacements of the upper bound, of the
+    /// meshed part \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
 }
@@ -266,7 +276,8 @@ pub struct PartYield {
     /// Largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
-    /// Part of its volume where the upper bound's field has plastic strain, a fraction; an estimate.
+    /// Part of its volume where the upper bound's field has plastic strain, a fraction; an
+    /// estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yielded: Option<f64>,
     /// Plastic work of that field in all copies of the body \[N mm\].
@@ -284,7 +295,8 @@ pub enum LoadSize {
     Moment(f64),
 }
 
-/// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is claimed.
+/// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is
+/// claimed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PeakPressure {
     /// Of the displacement's stress at the vertices of contact faces.
@@ -295,10 +307,12 @@ pub struct PeakPressure {
     pub static_: Option<f64>,
 }
 
-/// Residuals of the recovered fields, dimensionless (definitions in CONTRACT.md), recomputed without the solver.
+/// Residuals of the recovered fields, dimensionless (definitions in CONTRACT.md), recomputed
+/// without the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
-    /// True when every residual is within [`RESIDUAL_TOLERANCE`]: only then `lower` and `upper` are bounds.
+    /// True when every residual is within [`RESIDUAL_TOLERANCE`]: only then `lower` and `upper` are
+    /// bounds.
     pub strict: bool,
     /// max |div σ + b| h / max |σ|.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -473,8 +487,8 @@ fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
     }
 }
 
-/// Hash of the named pieces of an input (spec, mesh, catalogue): BLAKE3 in hex, over names and lengths as well, so
-/// that no two different lists of pieces hash alike by concatenation.
+/// Hash of the named pieces of an input (spec, mesh, catalogue): BLAKE3 in hex, over names and
+/// lengths as well, so that no two different lists of pieces hash alike by concatenation.
 pub fn input_hash(pieces: &[(&str, &[u8])]) -> String {
     let mut hasher = blake3::Hasher::new();
     for (name, bytes) in pieces {

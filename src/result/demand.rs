@@ -30,8 +30,9 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// The demand of a load case under one kind of analysis. In limit analysis strict bounds judge it; a joint that may not
-    /// yield as limit analysis takes it to is at most undecided. `certified`: the analysis gave what was asked of it.
+    /// The demand of a load case under one kind of analysis. In limit analysis strict bounds judge
+    /// it; a joint that may not yield as limit analysis takes it to is at most undecided.
+    /// `certified`: the analysis gave what was asked of it.
     pub fn new(
         entry: &CaseResult,
         certified: bool,
@@ -113,7 +114,8 @@ impl ActionValue {
 }
 
 impl CaseResult {
-    /// The strict bounds a verdict stands on: with friction, the lower one is that without it. `None`: no such bound.
+    /// The strict bounds a verdict stands on: with friction, the lower one is that without it.
+    /// `None`: no such bound.
     pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
         if !self.certificate.is_some_and(|c| c.strict) {
             return (None, None);
@@ -210,8 +212,9 @@ mod tests {
         case
     }
 
-    /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK; bounds below 1 still refuse it.
-    /// Energies judge nothing, but an analysis without a certificate leaves the case open.
+    /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK;
+    /// bounds below 1 still refuse it. Energies judge nothing, but an analysis without a
+    /// certificate leaves the case open.
     #[test]
     fn a_brittle_joint_is_at_most_undecided() {
         let brittle =

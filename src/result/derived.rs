@@ -1,5 +1,5 @@
-//! What a result tells beside its bounds, from the fields that `verify` has confirmed: the capacity polygon, the joint's stiffness and the
-//! forces of the static field.
+//! What a result tells beside its bounds, from the fields that `verify` has confirmed: the capacity
+//! polygon, the joint's stiffness and the forces of the static field.
 
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
@@ -39,7 +39,8 @@ fn near_beside(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= SAME * size
 }
 
-/// What a polygon claims against the bounds and half planes of the cases proved; sentences for what does not agree.
+/// What a polygon claims against the bounds and half planes of the cases proved; sentences for what
+/// does not agree.
 pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<String> {
     let of_case = |name: &str| proved.iter().find(|p| p.entry.name == name);
     let along = |direction: [f64; 2]| {
@@ -144,7 +145,8 @@ fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
         .collect()
 }
 
-/// What a case claims of the joint's stiffness and of forces, against its bracket and the stress of its lower bound.
+/// What a case claims of the joint's stiffness and of forces, against its bracket and the stress of
+/// its lower bound.
 pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
     let stiffness = stiffness_difference(claimed, &proved.entry);
     stiffness
@@ -154,8 +156,8 @@ pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
         .collect()
 }
 
-/// The stiffness from the confirmed bracket of the rotation. The beam's own rotation and the component method stand as they are told: the
-/// fields do not hold them.
+/// The stiffness from the confirmed bracket of the rotation. The beam's own rotation and the
+/// component method stand as they are told: the fields do not hold them.
 fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<String> {
     let told = claimed.joint_stiffness.as_ref()?;
     let (Some(LoadSize::Moment(total)), Some(rotation)) = (found.load, found.load_displacement)

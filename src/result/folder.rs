@@ -1,7 +1,7 @@
 //! A result folder, written aside and renamed: it is whole or it is not there.
 //!
-//! Everything goes into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into place; when a run
-//! ends in any other way the part is removed and the target is as it was.
+//! Everything goes into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into
+//! place; when a run ends in any other way the part is removed and the target is as it was.
 
 use crate::diag::Diagnostic;
 use crate::result::data::{RESULT_FILE, ResultError, ResultFile};
@@ -134,7 +134,8 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Starts a folder for `target`, after checking that `target` may be replaced. Call it before the work begins.
+    /// Starts a folder for `target`, after checking that `target` may be replaced. Call it before
+    /// the work begins.
     pub fn begin(target: &Path) -> Result<Self, FolderError> {
         let target = resolve(target)?;
         check_replaceable(&target)?;
@@ -168,7 +169,8 @@ impl ResultFolder {
         &self.target
     }
 
-    /// Writes one file, `name` relative to the folder (`fields/TOP_static.vtu`); sub-folders are made.
+    /// Writes one file, `name` relative to the folder (`fields/TOP_static.vtu`); sub-folders are
+    /// made.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let inside = !name.is_empty()
             && Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)))
@@ -188,15 +190,16 @@ impl ResultFolder {
         file.sync_all().map_err(io_error("write", &shown))
     }
 
-    /// For a program that ends right after, from whatever thread: removes what is written so far. A folder that is finished is
-    /// left alone, one that is being moved into place is waited for.
+    /// For a program that ends right after, from whatever thread: removes what is written so far. A
+    /// folder that is finished is left alone, one that is being moved into place is waited for.
     pub fn give_up(&self) -> impl Fn() + Send + 'static {
         let (finished, part, parents) =
             (self.finished.clone(), self.part.clone(), self.parents.clone());
         move || {
             let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
             if !*finished {
-                // what is written meanwhile stays in the part; the next run to the same target removes it
+                // what is written meanwhile stays in the part; the next run to the same target
+                // removes it
                 let _ = fs::remove_dir_all(&part);
                 remove_empty(&parents);
             }
@@ -227,7 +230,8 @@ impl ResultFolder {
         }
         if let Err(source) = fs::rename(&self.part, &self.target) {
             if replaces {
-                // put the earlier result back; if that fails too, it is still there under its aside name
+                // put the earlier result back; if that fails too, it is still there under its aside
+                // name
                 let _ = fs::rename(&old, &self.target);
             }
             return Err(FolderError::Io { action: "finish", path: self.target.clone(), source });
@@ -258,7 +262,8 @@ fn remove_empty(parents: &[PathBuf]) {
     }
 }
 
-/// Follows a link or a name such as `.` to the folder itself, so that the part stands beside it on the same disk.
+/// Follows a link or a name such as `.` to the folder itself, so that the part stands beside it on
+/// the same disk.
 fn resolve(target: &Path) -> Result<PathBuf, FolderError> {
     if target.symlink_metadata().is_ok() && (target.is_symlink() || target.file_name().is_none()) {
         return target.canonicalize().map_err(io_error("find", target));
@@ -301,7 +306,8 @@ fn check_replaceable(target: &Path) -> Result<(), FolderError> {
     Ok(())
 }
 
-/// Makes the part folder and locks its marker; the left-over of a killed run is removed first. Messages name the target.
+/// Makes the part folder and locks its marker; the left-over of a killed run is removed first.
+/// Messages name the target.
 fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
     let marker = part.join(MARKER);
     if part.symlink_metadata().is_ok() {

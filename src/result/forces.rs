@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 /// Coordinates nearer to a plane of symmetry lie on it \[mm\].
 pub(crate) const ON_PLANE: f64 = 1e-6;
 
-/// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates of the bolts' forces; in limit
-/// analysis one of the distributions that plasticity may choose.
+/// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates
+/// of the bolts' forces; in limit analysis one of the distributions that plasticity may choose.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StaticForces {
     /// The load factor they belong to.
@@ -43,7 +43,8 @@ pub struct BoltForce {
     pub place: Option<BoltPlace>,
 }
 
-/// Where a bolt is, and which part its force is taken from: enough to find its force again in the field.
+/// Where a bolt is, and which part its force is taken from: enough to find its force again in the
+/// field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoltPlace {
     /// The part under its nut.
@@ -89,7 +90,8 @@ pub fn static_forces(
         let mut force = force_on(&line.part, &line.last)?;
         for &k in mirror {
             if line.axis[k] == 0.0 && line.position[k].abs() < ON_PLANE {
-                // the other half: what acts along the plane is doubled, what acts across it balances
+                // the other half: what acts along the plane is doubled, what acts across it
+                // balances
                 force = vec3::scale(2.0, force);
                 force[k] = 0.0;
             }

@@ -3,7 +3,8 @@
 use crate::result::data::Upper;
 use serde::{Deserialize, Serialize};
 
-/// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed part.
+/// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed
+/// part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HistoryRow {
     /// Tetrahedra of the mesh, before any is split in four.
@@ -67,7 +68,8 @@ pub struct ProgramRun {
     /// Elastic, perfectly plastic analysis: tets with a yield condition.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yielding_tets: Option<usize>,
-    /// Elastic, perfectly plastic analysis: solves, until no tet without a yield condition was beyond yield.
+    /// Elastic, perfectly plastic analysis: solves, until no tet without a yield condition was
+    /// beyond yield.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solves: Option<u32>,
     /// The solver's own word for how it ended.

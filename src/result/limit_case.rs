@@ -19,8 +19,8 @@ use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
 
-/// The lower bound, the bracket and the static program that answer for the problem the user asked about: under Coulomb's law
-/// those without friction.
+/// The lower bound, the bracket and the static program that answer for the problem the user asked
+/// about: under Coulomb's law those without friction.
 fn answer(
     pass: &LimitPass,
     problem: FrictionModel,
@@ -67,7 +67,8 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
     })
 }
 
-/// The load can grow without limit, says the static program: any multiple of it finds its equilibrium.
+/// The load can grow without limit, says the static program: any multiple of it finds its
+/// equilibrium.
 fn unbounded(run: Option<&ProgramRun>) -> bool {
     run.is_some_and(|r| r.status == SolveStatus::Infeasible)
 }
@@ -178,11 +179,13 @@ pub fn limit_case_result(
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
     warnings.extend(estimate_missing(model, pass));
-    // what a solver says of an upper bound no residual proves, and a result is strict only as a whole
+    // what a solver says of an upper bound no residual proves, and a result is strict only as a
+    // whole
     if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
         c.strict = false;
     }
-    // a raw value beside the answer has no certificate of its own there: it is told only where it is a bound
+    // a raw value beside the answer has no certificate of its own there: it is told only where it
+    // is a bound
     let strict =
         |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
     let frictionless =

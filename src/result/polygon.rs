@@ -1,8 +1,10 @@
-//! The capacity polygon of two actions: inner and outer hull from the bounds of several directions, as data, table and drawing.
+//! The capacity polygon of two actions: inner and outer hull from the bounds of several directions,
+//! as data, table and drawing.
 //!
-//! Inner: loads that an admissible stress carries form a convex set (a mean of two admissible stresses is admissible, and carries the mean
-//! of their loads), so the hull of the strict lower points belongs to it. Outer: the mechanism of every direction bounds a half
-//! plane, and what can be carried lies in all of them.
+//! Inner: loads that an admissible stress carries form a convex set (a mean of two admissible
+//! stresses is admissible, and carries the mean of their loads), so the hull of the strict lower
+//! points belongs to it. Outer: the mechanism of every direction bounds a half plane, and what can
+//! be carried lies in all of them.
 
 use crate::math::convex::{HalfPlane, bounded, clip, hull};
 use crate::report::draw::axes::Axes;
@@ -55,8 +57,8 @@ pub struct Point {
     /// Strict upper bound of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
-    /// What the mechanism bounds, in the units of the axes: the normal is the powers of the two units over the power of the direction, the
-    /// offset the upper bound.
+    /// What the mechanism bounds, in the units of the axes: the normal is the powers of the two
+    /// units over the power of the direction, the offset the upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub half_plane: Option<HalfPlane>,
 }

@@ -1,9 +1,10 @@
 //! Clarabel (homogeneous embedding, Nesterov–Todd) as the conic solver, with faer's sparse kernels.
 //!
-//! Clarabel minimises. A saddle, `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy` with y maximised over, becomes
-//! `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these equations, stationarity reads
-//! `P x + q + Eᵀw = Gᵀz` and `F y = F w`: w is the y of the saddle, whether F is regular or not; the y of the minimum
-//! is so only where F is regular. Rows `E x − F y` are the rows of y in the saddle's own matrix, b is minus its q.
+//! Clarabel minimises. A saddle, `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy` with y maximised over,
+//! becomes `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these
+//! equations, stationarity reads `P x + q + Eᵀw = Gᵀz` and `F y = F w`: w is the y of the saddle,
+//! whether F is regular or not; the y of the minimum is so only where F is regular. Rows
+//! `E x − F y` are the rows of y in the saddle's own matrix, b is minus its q.
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
@@ -199,10 +200,11 @@ mod tests {
         out
     }
 
-    /// `½ x₀² + ½ x₁² − x₀ + y₀(x₀ + x₁ − 1) + y₁(x₀ − x₁ − 4) − ½ f y₀²`, x₁ ≥ −1, with the unknowns in the order
-    /// y₀, x₀, x₁, y₁. The second equation has no F: x₀ = x₁ + 4. By hand: the cone holds x₁ at −1, x₀ = 3, and then
-    /// f y₀ = 1. Stationarity: x₀ − 1 + y₀ + y₁ = 0 and x₁ + y₀ − y₁ = z. With f = 0 the first equation is a hard one as
-    /// well, x = (2.5, −1.5), so the cone must let go to −2 there.
+    /// `½ x₀² + ½ x₁² − x₀ + y₀(x₀ + x₁ − 1) + y₁(x₀ − x₁ − 4) − ½ f y₀²`, x₁ ≥ −1, with the
+    /// unknowns in the order y₀, x₀, x₁, y₁. The second equation has no F: x₀ = x₁ + 4. By hand:
+    /// the cone holds x₁ at −1, x₀ = 3, and then f y₀ = 1. Stationarity: x₀ − 1 + y₀ + y₁ = 0 and
+    /// x₁ + y₀ − y₁ = z. With f = 0 the first equation is a hard one as well, x = (2.5, −1.5), so
+    /// the cone must let go to −2 there.
     #[test]
     fn multipliers_of_a_saddle() {
         for (f, floor, x0) in [(0.5, -1.0, 3.0), (0.0, -2.0, 2.5)] {

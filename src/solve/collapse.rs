@@ -1,9 +1,11 @@
-//! Is there equilibrium at all? A small conic program over the rigid motions that only contact resists.
+//! Is there equilibrium at all? A small conic program over the rigid motions that only contact
+//! resists.
 //!
-//! Along such a motion m the stiffness is zero, so the program falls without limit when the loads work on it, `q·m < 0`, and
-//! no contact resists it, `G m ∈ K`. The nearest such motion to the loads is the projection of −q on that cone: it is zero
-//! when the contacts can balance the loads. Interior-point iterations on the full program lose that answer in
-//! their noise when the loads exceed the limit by little; the projection has as many unknowns as there are modes.
+//! Along such a motion m the stiffness is zero, so the program falls without limit when the loads
+//! work on it, `q·m < 0`, and no contact resists it, `G m ∈ K`. The nearest such motion to the
+//! loads is the projection of −q on that cone: it is zero when the contacts can balance the loads.
+//! Interior-point iterations on the full program lose that answer in their noise when the loads
+//! exceed the limit by little; the projection has as many unknowns as there are modes.
 
 use super::clarabel;
 use super::status::{SolveOptions, SolveStatus};
@@ -14,7 +16,8 @@ const EXCESS: f64 = 1e-6;
 /// Largest violation of a cone by the motion, as a part of its largest opening.
 const VIOLATION: f64 = 1e-7;
 
-/// A direction along which the program falls without limit, among the given motions (`P m = 0`); `None` when none is found.
+/// A direction along which the program falls without limit, among the given motions (`P m = 0`);
+/// `None` when none is found.
 pub fn direction(
     program: &ConicProgram,
     modes: &[Vec<f64>],

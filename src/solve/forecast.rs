@@ -8,8 +8,8 @@ const TYPICAL_ITERATIONS: f64 = 20.0;
 /// Solves of an iteration, and of one of limit analysis.
 const SOLVES: f64 = 4.0;
 const LIMIT_SOLVES: f64 = 10.0;
-/// What all passes over a row of a yield condition take in an iteration, as operations at the dense rate: 1.3 µs at 40 GFLOP/s, measured
-/// on both programs of two joints.
+/// What all passes over a row of a yield condition take in an iteration, as operations at the dense
+/// rate: 1.3 µs at 40 GFLOP/s, measured on both programs of two joints.
 const ROW_WORK: f64 = 5e4;
 
 /// Cost of one solve by the condensed method.
@@ -45,8 +45,8 @@ impl Forecast {
         }
     }
 
-    /// Seconds of all iterations, for `flops` per factorisation, `entries` of the factor and `rows` of yield conditions; in
-    /// limit analysis directions are corrected and refined more often.
+    /// Seconds of all iterations, for `flops` per factorisation, `entries` of the factor and `rows`
+    /// of yield conditions; in limit analysis directions are corrected and refined more often.
     pub(crate) fn all_iterations(flops: f64, entries: usize, rows: usize, limit: bool) -> f64 {
         let solves = if limit { LIMIT_SOLVES } else { SOLVES };
         TYPICAL_ITERATIONS
@@ -55,14 +55,15 @@ impl Forecast {
 
     /// One factor and some solves at this machine's measured rate.
     fn iteration(flops: f64, entries: usize, solves: f64) -> f64 {
-        // part of the dense rate that sparse factorisations reach, and bytes per second at which solves read the factor
-        // twice each: both measured, see benches/README.md
+        // part of the dense rate that sparse factorisations reach, and bytes per second at which
+        // solves read the factor twice each: both measured, see benches/README.md
         let (efficiency, reading) = (0.75, 1e10);
         flops / (efficiency * dense_rate()) + solves * 2.0 * 8.0 * entries as f64 / reading
     }
 }
 
-/// Floating-point operations per second of a dense Cholesky factorisation on one thread of this machine.
+/// Floating-point operations per second of a dense Cholesky factorisation on one thread of this
+/// machine.
 pub fn dense_rate() -> f64 {
     static RATE: std::sync::OnceLock<f64> = std::sync::OnceLock::new();
     *RATE.get_or_init(|| {

@@ -83,7 +83,8 @@ impl Prepared<'_> {
         }
     }
 
-    /// Times one factor and one solve of the matrix the iterations work with; `None` where there is no such matrix.
+    /// Times one factor and one solve of the matrix the iterations work with; `None` where there is
+    /// no such matrix.
     pub fn yardstick(&mut self) -> Option<Yardstick> {
         match &mut self.way {
             Way::Condensed(p) => p.yardstick(),
@@ -93,8 +94,8 @@ impl Prepared<'_> {
 
     /// Solves it.
     ///
-    /// A program without cones is a linear system and is solved as one. When the condensed method ends without an answer,
-    /// Clarabel is asked.
+    /// A program without cones is a linear system and is solved as one. When the condensed method
+    /// ends without an answer, Clarabel is asked.
     pub fn solve(mut self, options: &SolveOptions) -> Solution {
         self.run(None, options)
     }

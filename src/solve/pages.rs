@@ -1,8 +1,8 @@
 //! What the allocator does with the vectors of an iteration, which are made anew in each.
 //!
-//! glibc hands every large vector back to the system and asks for it again: the system clears each page, a sixth of the processor
-//! time of a limit analysis. Vectors up to the size below stay with the process; the factor, which is larger and
-//! lives long, still comes in pages of its own.
+//! glibc hands every large vector back to the system and asks for it again: the system clears each
+//! page, a sixth of the processor time of a limit analysis. Vectors up to the size below stay with
+//! the process; the factor, which is larger and lives long, still comes in pages of its own.
 
 /// Vectors below this size are kept \[bytes\].
 #[cfg(all(target_os = "linux", target_env = "gnu"))]

@@ -4,8 +4,8 @@ use crate::programs::conic::{ConicProgram, Elements};
 
 /// Scales of a program: `x_i = size·columns_i·x̂_i`, `z = size·rows·ẑ`.
 ///
-/// Displacements, gaps and multipliers of yield points have one size, forces, stresses and multipliers of contacts another:
-/// where nothing is elastic the two do not know of each other.
+/// Displacements, gaps and multipliers of yield points have one size, forces, stresses and
+/// multipliers of contacts another: where nothing is elastic the two do not know of each other.
 pub struct Scales {
     /// Scale of each unknown.
     columns: Vec<f64>,
@@ -23,7 +23,8 @@ pub struct Scales {
 impl Scales {
     /// Chooses the scales.
     pub fn new(program: &ConicProgram) -> Self {
-        // every unknown is measured in the give of its own stiffness: soft parts on hard ones are no trouble
+        // every unknown is measured in the give of its own stiffness: soft parts on hard ones are
+        // no trouble
         let stiffness = if program.stiffness.is_empty() {
             program.p.diagonal()
         } else {
@@ -65,8 +66,9 @@ impl Scales {
         };
         let (mut motion, mut force) = (size, size);
         if live > 0.0 {
-            // rigid-plastic: stresses are measured by the yield strength already, and the dissipation of a point is then of
-            // the order of the load factor; a factor of ten either way changes an iteration or two
+            // rigid-plastic: stresses are measured by the yield strength already, and the
+            // dissipation of a point is then of the order of the load factor; a factor of ten
+            // either way changes an iteration or two
             columns.push(live.recip());
             let points = program.cones.len() as f64;
             (motion, force) = (live.recip() / points, 1.0);
@@ -74,7 +76,8 @@ impl Scales {
         Self { columns, rows, motion, force, maximised: program.maximised(), points }
     }
 
-    /// The scaled program: unit stiffness of every unknown, unit largest load, unit largest entry in the rows of each cone.
+    /// The scaled program: unit stiffness of every unknown, unit largest load, unit largest entry
+    /// in the rows of each cone.
     pub fn apply(&self, program: &ConicProgram) -> ConicProgram {
         let mut p = program.p.clone();
         for c in 0..p.n {

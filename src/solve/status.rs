@@ -94,11 +94,12 @@ pub enum Solver {
 /// Relative gap at which limit analysis stops: its bounds are certified whatever the solver leaves.
 pub const LIMIT_GAP: f64 = 1e-4;
 
-/// Residual at which solves of limit analysis end, in gaps: what stresses leave unbalanced is paid for in the lower bound.
-/// Measured on a bolted joint at a gap of 1e-4: 7e-5 of it.
+/// Residual at which solves of limit analysis end, in gaps: what stresses leave unbalanced is paid
+/// for in the lower bound. Measured on a bolted joint at a gap of 1e-4: 7e-5 of it.
 const LIMIT_RESIDUAL: f64 = 1e-2;
-/// The same of the balance of forces beside velocities. The upper bound comes from the velocities alone, whose cones hold long
-/// before the stresses beside them balance. Measured on the joint: 8e-5 of the upper bound, after a third of the iterations.
+/// The same of the balance of forces beside velocities. The upper bound comes from the velocities
+/// alone, whose cones hold long before the stresses beside them balance. Measured on the joint:
+/// 8e-5 of the upper bound, after a third of the iterations.
 const MECHANISM_UNBALANCED: f64 = 10.0;
 
 /// Limits and reporting of a solve.
@@ -108,13 +109,16 @@ pub struct SolveOptions {
     pub solver: Solver,
     /// Relative duality gap at which to stop.
     pub gap: f64,
-    /// The same for passes of limit analysis, whose bounds are certified whatever the solver leaves.
+    /// The same for passes of limit analysis, whose bounds are certified whatever the solver
+    /// leaves.
     pub limit_gap: f64,
     /// Relative residuals at which to stop.
     ///
-    /// An iterate that stalls within a hundred times (in limit analysis ten times) the gap and the residual asked for is taken.
+    /// An iterate that stalls within a hundred times (in limit analysis ten times) the gap and the
+    /// residual asked for is taken.
     pub residual: f64,
-    /// Forces may be so far out of balance (and strains from flow), relative to the largest, where that is more than the residual.
+    /// Forces may be so far out of balance (and strains from flow), relative to the largest, where
+    /// that is more than the residual.
     pub unbalanced: f64,
     /// Iterations at most.
     pub max_iterations: u32,

@@ -20,8 +20,9 @@ pub struct AnalysisSpec {
     /// Wall time at most: `20 min`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_limit: Option<Seconds>,
-    /// Limit analysis: estimate the load factor under Coulomb's law as well, by a fixed point that solves the kinematic program up
-    /// to ten times more on every mesh; the directions of a polygon have none.
+    /// Limit analysis: estimate the load factor under Coulomb's law as well, by a fixed point that
+    /// solves the kinematic program up to ten times more on every mesh; the directions of a polygon
+    /// have none.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub coulomb_estimate: bool,
     /// Mesh.
@@ -50,8 +51,8 @@ pub enum AnalysisKind {
     Elastic,
     /// Elastic, perfectly plastic (Hencky).
     Elastoplastic,
-    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Bodies of a material without `fy` are rigid;
-    /// E, nu, gaps and preload do not matter.
+    /// Rigid, perfectly plastic: brackets the factor on the loads at collapse. Bodies of a material
+    /// without `fy` are rigid; E, nu, gaps and preload do not matter.
     Limit,
 }
 

@@ -1,7 +1,8 @@
 //! `SPEC.yaml` (CONTRACT.md): a connection as an engineer describes it.
 //!
-//! The fixed part is the same for all templates; what a template needs beyond it stands under `parameters`. Values that
-//! may be left out are `Option`s here: their defaults are the template's, and depend on profiles.
+//! The fixed part is the same for all templates; what a template needs beyond it stands under
+//! `parameters`. Values that may be left out are `Option`s here: their defaults are the template's,
+//! and depend on profiles.
 
 use super::analysis::AnalysisSpec;
 use super::code::Code;
@@ -15,7 +16,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
 
-/// A whole `SPEC.yaml`. Bare numbers are lengths in mm; forces, moments and stresses carry a suffix.
+/// A whole `SPEC.yaml`. Bare numbers are lengths in mm; forces, moments and stresses carry a
+/// suffix.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ConnectionSpec {
@@ -25,9 +27,11 @@ pub struct ConnectionSpec {
     /// Design code and its factors.
     #[serde(default, deserialize_with = "null_is_default")]
     pub code: Code,
-    /// Name of a connection template (`bracket templates`), or the path of your own, relative to this file.
+    /// Name of a connection template (`bracket templates`), or the path of your own, relative to
+    /// this file.
     pub template: String,
-    /// Folder with catalogue tables of your own (`.csv`), relative to this file; `--catalog` wins over it.
+    /// Folder with catalogue tables of your own (`.csv`), relative to this file; `--catalog` wins
+    /// over it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub catalog: Option<PathBuf>,
     /// Members by role.
@@ -60,7 +64,8 @@ pub struct ConnectionSpec {
     pub analysis: AnalysisSpec,
 }
 
-/// A key with nothing but comments below it, as in `parameters:`, says no more than one that is left out.
+/// A key with nothing but comments below it, as in `parameters:`, says no more than one that is
+/// left out.
 fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(
     d: D,
 ) -> Result<T, D::Error> {
@@ -99,17 +104,20 @@ pub struct MemberSpec {
     pub profile: String,
     /// Steel grade in the catalogue: `S235`.
     pub steel: String,
-    /// System length, between the centres of the columns for a beam: it decides the class of its joints by stiffness.
+    /// System length, between the centres of the columns for a beam: it decides the class of its
+    /// joints by stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<Length>,
-    /// Column: axial force beside the joint, tension positive; its compression reduces the web's resistance (k_wc).
+    /// Column: axial force beside the joint, tension positive; its compression reduces the web's
+    /// resistance (k_wc).
     #[serde(default, rename = "N_Ed", skip_serializing_if = "Option::is_none")]
     pub n_ed: Option<Force>,
     /// Column: largest moment beside the joint about the strong axis (k_wc).
     #[serde(default, rename = "M_Ed", skip_serializing_if = "Option::is_none")]
     pub m_ed: Option<Moment>,
-    /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8 5.3(3); positive against what a
-    /// positive My of the right beam brings (of the left beam: a negative one).
+    /// Column: what its shear forces take off that of the web panel, (V_c1 − V_c2)/2 of EN 1993-1-8
+    /// 5.3(3); positive against what a positive My of the right beam brings (of the left beam: a
+    /// negative one).
     #[serde(default, rename = "V_Ed", skip_serializing_if = "Option::is_none")]
     pub v_ed: Option<Force>,
 }
@@ -174,7 +182,8 @@ pub enum BoltCategory {
 pub enum PreloadSpec {
     /// None: the bolts are tightened by hand.
     None,
-    /// A part of the tensile strength of the thread, `f_ub A_s`: 0.7 for F_p,C of EN 1993-1-8:2005 3.9.1(2).
+    /// A part of the tensile strength of the thread, `f_ub A_s`: 0.7 for F_p,C of EN 1993-1-8:2005
+    /// 3.9.1(2).
     Part(f64),
     /// A force \[N\].
     Force(f64),
@@ -237,7 +246,8 @@ impl JsonSchema for PreloadSpec {
     }
 }
 
-/// The value of a template parameter: a number, a text with a unit, true or false, or a list of lengths.
+/// The value of a template parameter: a number, a text with a unit, true or false, or a list of
+/// lengths.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum ParameterValue {

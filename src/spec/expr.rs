@@ -1,14 +1,17 @@
-//! Expressions of templates: numbers with units, dotted names, arithmetic, comparisons and a few functions.
+//! Expressions of templates: numbers with units, dotted names, arithmetic, comparisons and a few
+//! functions.
 //!
-//! A Pratt parser; every node keeps its byte range so that an error points at its operand. Dimensions are checked while
-//! evaluating: `t + F` is an error, not a number. A result that is not finite is an error too.
+//! A Pratt parser; every node keeps its byte range so that an error points at its operand.
+//! Dimensions are checked while evaluating: `t + F` is an error, not a number. A result that is not
+//! finite is an error too.
 
 use crate::units::{self, Dim, Quantity};
 use serde::{Deserialize, Deserializer, de};
 use std::fmt;
 use std::ops::Range;
 
-/// Opens the message of an expression that cannot be read, so that the YAML reader knows it from a syntax error.
+/// Opens the message of an expression that cannot be read, so that the YAML reader knows it from a
+/// syntax error.
 pub const INVALID_EXPRESSION: &str = "invalid expression: ";
 
 /// A value: a quantity or a truth.
@@ -160,7 +163,8 @@ impl Expr {
         Eval { text: &self.text, lookup }.node(&self.root)
     }
 
-    /// Its value as a quantity of dimension `dim`; a bare number counts as mm where a length is wanted.
+    /// Its value as a quantity of dimension `dim`; a bare number counts as mm where a length is
+    /// wanted.
     pub fn eval_as(
         &self,
         dim: Dim,

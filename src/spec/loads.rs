@@ -25,8 +25,8 @@ pub struct LoadSpec {
     /// True: not multiplied by the load factor.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub dead: bool,
-    /// Member end the actions act on: `beam_left`. The member's own axes: x′ out of the joint, z′ along the section's depth
-    /// (up for a beam), y′ = z′ × x′.
+    /// Member end the actions act on: `beam_left`. The member's own axes: x′ out of the joint, z′
+    /// along the section's depth (up for a beam), y′ = z′ × x′.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end: Option<String>,
     /// Where the actions act: the lever arm must be said.
@@ -44,13 +44,15 @@ pub struct LoadSpec {
     /// Torsion, right-handed about x′.
     #[serde(default, rename = "T", skip_serializing_if = "Option::is_none")]
     pub t: Option<Moment>,
-    /// Moment about y′ (strong axis): positive pulls the top of the section, as under hogging moments.
+    /// Moment about y′ (strong axis): positive pulls the top of the section, as under hogging
+    /// moments.
     #[serde(default, rename = "My", skip_serializing_if = "Option::is_none")]
     pub my: Option<Moment>,
     /// Moment about z′ (weak axis), right-handed.
     #[serde(default, rename = "Mz", skip_serializing_if = "Option::is_none")]
     pub mz: Option<Moment>,
-    /// Which of the actions the load factor multiplies, the others are fixed; left out: all of them.
+    /// Which of the actions the load factor multiplies, the others are fixed; left out: all of
+    /// them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub factor: Vec<Action>,
     /// A direction of the capacity polygon, not a load of the user's.
@@ -66,7 +68,8 @@ pub enum LimitState {
     #[default]
     #[serde(rename = "ULS")]
     Ultimate,
-    /// Serviceability limit state: of the hand checks only slip at serviceability (bolts of category B).
+    /// Serviceability limit state: of the hand checks only slip at serviceability (bolts of
+    /// category B).
     #[serde(rename = "SLS")]
     Serviceability,
 }

@@ -1,4 +1,5 @@
-//! A capacity polygon of a connection spec: two actions at a member's end, run in several directions.
+//! A capacity polygon of a connection spec: two actions at a member's end, run in several
+//! directions.
 
 use super::loads::{Action, ActionPoint, LoadSpec};
 use crate::units::{Force, Moment};
@@ -10,8 +11,8 @@ const MOST: u32 = 32;
 /// Sizes an action may have as the unit of its axis \[N, N mm\].
 const SIZES: std::ops::RangeInclusive<f64> = 1.0..=1e12;
 
-/// The capacity polygon of two actions at a member's end: what it carries of both at once, by limit analysis in several directions
-/// (dead loads and other load cases have no part in it).
+/// The capacity polygon of two actions at a member's end: what it carries of both at once, by limit
+/// analysis in several directions (dead loads and other load cases have no part in it).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PolygonSpec {
@@ -98,7 +99,8 @@ impl PolygonSpec {
             .collect()
     }
 
-    /// The load cases of the directions, beside the other loads of the spec; an error for every value that makes no sense.
+    /// The load cases of the directions, beside the other loads of the spec; an error for every
+    /// value that makes no sense.
     pub fn loads(&self, others: &[LoadSpec]) -> Result<Vec<LoadSpec>, Vec<PolygonFault>> {
         let mut faults = Vec::new();
         let mut fault = |key: &str, problem: String, help: &str| {

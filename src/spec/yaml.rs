@@ -1,8 +1,8 @@
 //! YAML in and out; the only file that names a YAML crate.
 //!
-//! Three readings of one text. The first, without a type, refuses what no file of ours may hold: duplicate keys,
-//! non-finite numbers, tags, aliases that blow up. The second makes the typed value. The third gives places only, so
-//! that checks made much later can still point at a line.
+//! Three readings of one text. The first, without a type, refuses what no file of ours may hold:
+//! duplicate keys, non-finite numbers, tags, aliases that blow up. The second makes the typed
+//! value. The third gives places only, so that checks made much later can still point at a line.
 
 mod outline;
 mod place;
@@ -26,9 +26,9 @@ pub struct Parsed<T> {
 
 /// Reads one YAML document into `T`; `file` is named in messages.
 ///
-/// Refuses, each with line and column: syntax errors, more than one document, unknown keys (when `T` denies them),
-/// missing keys, duplicate keys in any mapping, NaN and infinities, tags, and aliases that expand beyond
-/// a million values.
+/// Refuses, each with line and column: syntax errors, more than one document, unknown keys (when
+/// `T` denies them), missing keys, duplicate keys in any mapping, NaN and infinities, tags, and
+/// aliases that expand beyond a million values.
 pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
     if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);

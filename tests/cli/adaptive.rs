@@ -1,4 +1,5 @@
-//! Mesh after mesh from the command line: the target, every limit, what is left in the folder, and `bracket study`.
+//! Mesh after mesh from the command line: the target, every limit, what is left in the folder, and
+//! `bracket study`.
 
 use crate::bench::{Told, refusal};
 use crate::{MODEL, bench, expect, opening};
@@ -12,8 +13,8 @@ fn number(v: &Value) -> f64 {
     v.as_f64().unwrap_or_else(|| panic!("{v}"))
 }
 
-/// A gap below the first mesh's is reached; the answer is the best of its history, which tells what was expected; `verify`
-/// confirms it from the refined mesh; the report shows it.
+/// A gap below the first mesh's is reached; the answer is the best of its history, which tells what
+/// was expected; `verify` confirms it from the refined mesh; the report shows it.
 #[test]
 fn a_target_is_reached_and_verified() {
     for (name, model) in [("elastic", opening()), ("limit", limit())] {
@@ -87,8 +88,8 @@ fn limits_are_told() {
     }
 }
 
-/// Uniform and adaptive meshes, both solvers: rows, CSV and plots are there, gaps fall with the meshes, a solver does not change
-/// them.
+/// Uniform and adaptive meshes, both solvers: rows, CSV and plots are there, gaps fall with the
+/// meshes, a solver does not change them.
 #[test]
 fn a_study_is_a_table_and_plots() {
     let b = bench(&opening());

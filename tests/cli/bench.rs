@@ -48,7 +48,8 @@ impl Bench {
         found
     }
 
-    /// A mesher that tells a version and then runs `script` (`sh`; the arguments are those of gmsh).
+    /// A mesher that tells a version and then runs `script` (`sh`; the arguments are those of
+    /// gmsh).
     pub fn mesher(&self, script: &str) -> String {
         let path = self.path().join("mesher.sh");
         let text = format!("[ \"$1\" = --version ] && {{ echo 4.15.2; exit 0; }}\n{script}\n");
@@ -70,8 +71,8 @@ fn collect(root: &Path, dir: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) {
     }
 }
 
-/// What a refused input must be told: exit code, code, place as it is printed (empty: the message holds it), words of
-/// the message, words of the cure.
+/// What a refused input must be told: exit code, code, place as it is printed (empty: the message
+/// holds it), words of the message, words of the cure.
 pub struct Told<'a> {
     pub exit: i32,
     pub code: &'a str,
@@ -80,8 +81,8 @@ pub struct Told<'a> {
     pub cure: &'a str,
 }
 
-/// Runs the command; the exit code, one message with place and cure, nothing on standard output, and not a byte in the
-/// folder changed. Returns what is wrong.
+/// Runs the command; the exit code, one message with place and cure, nothing on standard output,
+/// and not a byte in the folder changed. Returns what is wrong.
 pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<String, String> {
     let before = bench.everything();
     let run = command.output().expect("the program starts");

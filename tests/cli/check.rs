@@ -1,4 +1,5 @@
-//! `bracket check` and `bracket watch`, and what `run` says by code: verdicts and exit codes without an analysis of the resistance.
+//! `bracket check` and `bracket watch`, and what `run` says by code: verdicts and exit codes
+//! without an analysis of the resistance.
 
 use crate::bench::Bench;
 use crate::expect;
@@ -24,7 +25,8 @@ fn last(err: &str) -> &str {
     err.lines().last().unwrap_or_default()
 }
 
-/// An overload is refused by `check` without mesher, and by `run` whatever elastic analysis finds; a small load is OK by both.
+/// An overload is refused by `check` without mesher, and by `run` whatever elastic analysis finds;
+/// a small load is OK by both.
 #[test]
 fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
     let bench = Bench::new()
@@ -87,7 +89,8 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
     }
 }
 
-/// Pressures are no demand; a part of a joint that the checks do not cover and no limit analysis judges is undecided.
+/// Pressures are no demand; a part of a joint that the checks do not cover and no limit analysis
+/// judges is undecided.
 #[test]
 fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
     let bench = Bench::new().file("paper.yaml", crate::bench::JOINT).file(
@@ -102,7 +105,8 @@ fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
     assert!(bench.read("tee_check/report.md").contains("no check of the code covers the load"));
 }
 
-/// `--out` names the folder, `--format json` prints the result, a folder that is not ours stays, and a second look replaces the first.
+/// `--out` names the folder, `--format json` prints the result, a folder that is not ours stays,
+/// and a second look replaces the first.
 #[test]
 fn check_writes_its_own_folder_and_nothing_else() {
     let bench = Bench::new().file("well.yaml", joint(20.0, "limit"));

@@ -1,11 +1,13 @@
-//! Coulomb friction in elastic and elastoplastic analysis through the real program: the result, the report, `bracket verify`.
+//! Coulomb friction in elastic and elastoplastic analysis through the real program: the result, the
+//! report, `bracket verify`.
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// A block that widens less under its load than the softer one below it: the edges of the joint slip.
+/// A block that widens less under its load than the softer one below it: the edges of the joint
+/// slip.
 fn solved() -> Bench {
     solved_as("elastic", "")
 }
@@ -86,7 +88,8 @@ fn beside_yield_the_bracket_is_confirmed_from_the_files_too() {
 
 #[test]
 fn another_shift_is_refuted() {
-    // a larger shift keeps the displacement admissible, a smaller one changes the energy of the stress as well
+    // a larger shift keeps the displacement admissible, a smaller one changes the energy of the
+    // stress as well
     for factor in [1.1, 0.9, 0.0] {
         let bench = solved();
         scale_shift(&bench, factor);

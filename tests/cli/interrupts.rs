@@ -110,8 +110,8 @@ fn a_signal_that_comes_twice_at_once_is_one() {
     assert!(bench.path().join("block/result.json").is_file(), "{err}");
 }
 
-/// Where the first interrupt falls right before the end of an iteration the run is over in order before the second: another
-/// delay is tried then.
+/// Where the first interrupt falls right before the end of an iteration the run is over in order
+/// before the second: another delay is tried then.
 #[test]
 fn a_second_interrupt_ends_at_once_and_leaves_what_was_there() {
     for delay in [500, 1000, 250, 1500, 100, 700] {

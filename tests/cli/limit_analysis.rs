@@ -1,4 +1,5 @@
-//! `analysis: limit` through the real program: what it answers, what it leaves, what `verify` says of it, what it refuses.
+//! `analysis: limit` through the real program: what it answers, what it leaves, what `verify` says
+//! of it, what it refuses.
 //!
 //! ```text
 //!  |[=======]→ t     a bar of 30 × 10 × 12 mm on rollers, t = 100 MPa: collapse at f_y/t = 2.35
@@ -26,7 +27,8 @@ loads:
 
 const EXACT: f64 = 2.35;
 
-/// A block on a base, pressed by half as much as it can carry: proportional pressure, contact, friction.
+/// A block on a base, pressed by half as much as it can carry: proportional pressure, contact,
+/// friction.
 const STACK: &str = "\
 mesh: m.msh
 analysis: limit
@@ -144,10 +146,12 @@ fn dissipated(grid: &VtuGrid) -> f64 {
     grid.cells.chunks_exact(10).zip(density).map(|(cell, d)| volume(cell) * d).sum()
 }
 
-/// 100 MPa times the velocities along x of the end x = 30 mm: of quadratic functions the mid-sides alone give the integral.
+/// 100 MPa times the velocities along x of the end x = 30 mm: of quadratic functions the mid-sides
+/// alone give the integral.
 fn power_of_the_pull(grid: &VtuGrid) -> f64 {
     let v = &grid.point_array("velocity").expect("velocities").2;
-    // corners of the faces with the mid-sides between them, in the order of a quadratic tet: 01 12 02 03 13 23
+    // corners of the faces with the mid-sides between them, in the order of a quadratic tet: 01 12
+    // 02 03 13 23
     let faces = [[0, 1, 2, 4, 5, 6], [0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 9, 8], [0, 2, 3, 6, 9, 7]];
     let mut power = 0.0;
     for (cell, face) in grid.cells.chunks_exact(10).flat_map(|c| faces.map(|f| (c, f))) {
@@ -200,7 +204,8 @@ fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
     assert!(case.get("lower").is_none() && case.get("certificate").is_none(), "{case}");
 }
 
-/// Pressed from one side and held on all others the bar has no mechanism: a pressure proves it, and `verify` repeats that.
+/// Pressed from one side and held on all others the bar has no mechanism: a pressure proves it, and
+/// `verify` repeats that.
 #[test]
 fn a_load_without_limit_is_proved_by_a_pressure() {
     let held = BAR.replace("loads:", "  - {face: Y1, fix: [y]}\n  - {face: Z1, fix: [z]}\nloads:");
@@ -226,7 +231,8 @@ fn a_load_without_limit_is_proved_by_a_pressure() {
     expect(&bench, &["verify", "bar"], 2);
 }
 
-/// A block that nothing but contact holds, lifted: no load at all is carried, and the motion that shows it is verified.
+/// A block that nothing but contact holds, lifted: no load at all is carried, and the motion that
+/// shows it is verified.
 #[test]
 fn what_moves_without_load_carries_nothing() {
     for friction in ["associated", "coulomb"] {
@@ -262,7 +268,8 @@ fn what_moves_without_load_carries_nothing() {
     }
 }
 
-/// Coulomb's law is bracketed from below without friction, from above with associated friction; both stand beside it.
+/// Coulomb's law is bracketed from below without friction, from above with associated friction;
+/// both stand beside it.
 #[test]
 fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     let solved = |friction: &str, keys: &str| {
@@ -318,8 +325,8 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     );
 }
 
-/// A block that friction alone holds: free to slide without load it is held at a point, driven by a load it carries nothing
-/// without friction.
+/// A block that friction alone holds: free to slide without load it is held at a point, driven by a
+/// load it carries nothing without friction.
 #[test]
 fn what_friction_alone_holds() {
     let solved = |traction: &str, code: i32| {

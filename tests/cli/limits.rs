@@ -69,12 +69,13 @@ fn a_model_that_does_not_fit_is_not_started() {
     none_wrong(results);
 }
 
-/// Between too little for either and enough for both there is room for the smaller program alone: its bound is certified, the
-/// other one refused in plain words.
+/// Between too little for either and enough for both there is room for the smaller program alone:
+/// its bound is certified, the other one refused in plain words.
 #[test]
 fn what_fits_alone_gives_its_bound() {
     let bench = larger();
-    // what a process holds before it solves is known only to itself: the limit rises by what it says it lacks
+    // what a process holds before it solves is known only to itself: the limit rises by what it
+    // says it lacks
     let mut limit = 64.0;
     let run = loop {
         let run =
@@ -162,7 +163,8 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
     for program in ["kinematic", "static"] {
         let run = &result["cases"][0]["history"][0][program];
         let trace = run["trace"].as_array().expect("a trace");
-        // numbers begin again where another solver took over; the count is of the one that gave the answer
+        // numbers begin again where another solver took over; the count is of the one that gave the
+        // answer
         let last = trace.iter().rposition(|row| row["number"] == 0).expect("a start");
         assert_eq!(
             (trace.len() - last) as u64,
@@ -194,7 +196,8 @@ fn without_a_terminal_there_is_no_bar() {
     assert_eq!(err.lines().count(), 6, "{err}");
 }
 
-/// The same under a terminal that `script` (util-linux) makes: iteration, gap, residual and time left are shown.
+/// The same under a terminal that `script` (util-linux) makes: iteration, gap, residual and time
+/// left are shown.
 #[test]
 #[cfg(target_os = "linux")]
 fn on_a_terminal_the_solve_shows_how_far_it_is() {

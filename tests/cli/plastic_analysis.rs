@@ -1,4 +1,5 @@
-//! `analysis: elastoplastic` through the real program: what it answers, what it leaves, what `verify` says of it, what it refuses.
+//! `analysis: elastoplastic` through the real program: what it answers, what it leaves, what
+//! `verify` says of it, what it refuses.
 //!
 //! ```text
 //!    ↓→↓→↓→↓
@@ -151,7 +152,8 @@ fn without_a_yield_strength_it_is_elastic_and_says_so() {
     assert!(plastic.get("yielding").is_none());
 }
 
-/// Mesh after mesh: the bracket narrows, and what `verify` finds in the fields of the best bounds is what the result says.
+/// Mesh after mesh: the bracket narrows, and what `verify` finds in the fields of the best bounds
+/// is what the result says.
 #[test]
 fn meshes_follow_the_gap() {
     let bench =

@@ -1,4 +1,5 @@
-//! A capacity polygon through the real program: the arm of [`crate::verdicts`] under moment and axial force.
+//! A capacity polygon through the real program: the arm of [`crate::verdicts`] under moment and
+//! axial force.
 
 use crate::bench::{Bench, Told, none_wrong, refusal};
 use crate::expect;
@@ -36,7 +37,8 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
             (pair(&point["half_plane"]["normal"]), number(&point["half_plane"]["offset"]));
         let direction = pair(&point["direction"]);
         assert!((a * direction[0] + b * direction[1] - 1.0).abs() < 1e-6);
-        // fibres in one-dimensional stress are admissible: |m| + n² = 1 lies within every half plane
+        // fibres in one-dimensional stress are admissible: |m| + n² = 1 lies within every half
+        // plane
         for k in 0..=40 {
             let n = -1.0 + f64::from(k) / 20.0;
             for m in [1.0 - n * n, n * n - 1.0] {
@@ -62,7 +64,8 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     refutes_every_change(&bench, &result);
 }
 
-/// One number of the polygon after the other, changed: `verify` finds it in the stored mechanisms and models.
+/// One number of the polygon after the other, changed: `verify` finds it in the stored mechanisms
+/// and models.
 fn refutes_every_change(bench: &Bench, result: &Value) {
     let scale = |v: &mut Value| *v = (v.as_f64().expect("a number") * 1.001).into();
     let write = |value: &Value| {

@@ -1,4 +1,5 @@
-//! Preloaded bolts through the real program: the result, the report, `bracket verify`, refined meshes, limit analysis.
+//! Preloaded bolts through the real program: the result, the report, `bracket verify`, refined
+//! meshes, limit analysis.
 
 use crate::bench::Bench;
 use crate::common::{Block, beside, renamed, triangles_where};

@@ -77,7 +77,8 @@ fn the_result_holds_what_the_contract_promises() {
         assert_eq!(case[key], value);
     }
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
-    // 40 MPa on 400 mm² shortens 60 mm by 11 µm: −Π is near ½ · 16 kN · 11 µm = 91 N mm; the side push adds to it
+    // 40 MPa on 400 mm² shortens 60 mm by 11 µm: −Π is near ½ · 16 kN · 11 µm = 91 N mm; the side
+    // push adds to it
     assert!(lower < upper && upper < -85.0 && lower > -110.0, "{lower} {upper}");
     // MECHANICS: (Π_p + Π_c) over the larger size
     let gap = number(&case["gap"]);
@@ -246,7 +247,8 @@ fn an_earlier_result_is_replaced_and_a_foreign_folder_is_not() {
 #[test]
 fn without_equilibrium_there_is_no_bound() {
     for (push, code) in [(0.3 * 0.999, 0), (0.3 * 1.001, 3)] {
-        // pressed at the top, pushed at the lower layer's height would tilt it: the push acts as a body force of the block
+        // pressed at the top, pushed at the lower layer's height would tilt it: the push acts as a
+        // body force of the block
         let (p, height) = (1.0, 30.0);
         let model = MODEL.replace("  - {face: Z1, traction: [2, 0, -40]}\n", &{
             let weight = p / height;

@@ -1,4 +1,5 @@
-//! Welds of finite strength and rigid bodies through the real program: what it answers, what it leaves, what `verify` says.
+//! Welds of finite strength and rigid bodies through the real program: what it answers, what it
+//! leaves, what `verify` says.
 //!
 //! ```text
 //!  |[ A ]:[ B ]→ t     two bars of 10 × 12 mm², welded: 2 · 3 · 200/10 = 120 MPa

@@ -118,7 +118,8 @@ fn another_mesh_or_model_is_refuted_or_refused() {
     let (code, text) =
         after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
     assert_eq!(code, Some(2), "{text}");
-    // softer steel, more friction, another load: the stored fields do not solve that problem or have other energies
+    // softer steel, more friction, another load: the stored fields do not solve that problem or
+    // have other energies
     for (old, new) in [("210000", "200000"), ("mu: 0.3", "mu: 0.01"), ("-40", "-41")] {
         let (code, text) = after(|b| {
             let model = b.read("block/model.yaml");

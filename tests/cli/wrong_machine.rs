@@ -7,7 +7,8 @@ use std::process::Command;
 
 #[test]
 fn meshers_that_fail_are_told_apart() {
-    // the last argument but the script's own names vary: a fake mesher writes where it is told by `-o`
+    // the last argument but the script's own names vary: a fake mesher writes where it is told by
+    // `-o`
     let cases = [
         ("killed", "kill -9 $$", "mesher/killed", "killed by signal 9", "free memory"),
         ("silent", "exit 0", "mesher/no-output", "left no usable", "bracket doctor"),
@@ -118,7 +119,8 @@ fn block() -> Bench {
     Bench::new().file("block.yaml", model).file("m.msh", msh_write::text(&mesh))
 }
 
-/// A limit on the size of files stands for a full disk: the system refuses the write alike, and no root is needed.
+/// A limit on the size of files stands for a full disk: the system refuses the write alike, and no
+/// root is needed.
 #[test]
 #[cfg(unix)]
 fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {

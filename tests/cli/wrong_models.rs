@@ -307,7 +307,8 @@ fn surface_only(good: &str) -> String {
 #[test]
 fn a_part_without_support_is_named_before_anything_is_solved() {
     let mesh = msh_write::text(&row());
-    // pulled apart, nothing but contact between A and B+C: friction holds it in the check, so pull sideways without it
+    // pulled apart, nothing but contact between A and B+C: friction holds it in the check, so pull
+    // sideways without it
     let model =
         MODEL.replace("mu: 0.3, friction: associated", "mu: 0").replace("[-1, 0, 0]", "[0, 0, -1]");
     let bench = Bench::new().file("model.yaml", model).file("m.msh", mesh);

@@ -53,8 +53,9 @@ impl Grid {
         self
     }
 
-    /// The mesh: body of each cell by `body(centre)`, none where there is nothing; planes that must stay flat by
-    /// `flat(axis, coordinate)`. Faces between bodies and outer faces stay as they are.
+    /// The mesh: body of each cell by `body(centre)`, none where there is nothing; planes that must
+    /// stay flat by `flat(axis, coordinate)`. Faces between bodies and outer faces stay as they
+    /// are.
     pub fn mesh(
         &self,
         bodies: &[&str],

@@ -30,7 +30,8 @@ impl Block {
         self
     }
 
-    /// The mesh: body of each cell by `body(centre)`, planes that must stay flat by `flat(axis, coordinate)`.
+    /// The mesh: body of each cell by `body(centre)`, planes that must stay flat by
+    /// `flat(axis, coordinate)`.
     pub fn mesh(
         &self,
         bodies: &[&str],
@@ -121,7 +122,8 @@ pub fn triangles_where(mesh: &TetMesh, inside: impl Fn([f64; 3]) -> bool) -> Vec
     out
 }
 
-/// Planes of a structured grid from 0: `n` steps of `first`, then steps growing by `ratio` up to `end`.
+/// Planes of a structured grid from 0: `n` steps of `first`, then steps growing by `ratio` up to
+/// `end`.
 pub fn graded(first: f64, n: usize, ratio: f64, end: f64) -> Vec<f64> {
     let mut planes: Vec<f64> = (0..=n).map(|i| first * i as f64).collect();
     let start = first * n as f64;

@@ -1,7 +1,8 @@
 //! Numbers that look random and are the same every time, for tests that try many inputs.
 #![allow(dead_code)]
 
-/// Numbers that look random and are the same every time: a linear congruence with the multiplier of MMIX.
+/// Numbers that look random and are the same every time: a linear congruence with the multiplier of
+/// MMIX.
 pub struct Numbers(pub u64);
 
 impl Numbers {

@@ -10,7 +10,8 @@ use std::sync::{Arc, Mutex};
 /// Iterations an elastic or elastoplastic program may take, hard cases included.
 pub const MOST_ITERATIONS: u32 = 40;
 
-/// Solves by both, without any fallback between them: both optimal, objectives within 1e-6. Returns the condensed one.
+/// Solves by both, without any fallback between them: both optimal, objectives within 1e-6. Returns
+/// the condensed one.
 pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
     let kept = trace.clone();

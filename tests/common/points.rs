@@ -1,12 +1,13 @@
-//! Admissibility at random points, written anew from the definitions: no code of the programs, the recovery or the
-//! certificate is used, only the stored values of the two fields.
+//! Admissibility at random points, written anew from the definitions: no code of the programs, the
+//! recovery or the certificate is used, only the stored values of the two fields.
 //!
-//! Static: `div σ + b = 0` in random subtets; one traction on both sides of random faces, between subtets and between
-//! tets; loads on free components; `‖r_T‖ ≤ μ r_N` at random points of contacts and the same r on both sides.
-//! Kinematic: `g_N + g₀ ≥ μ ‖g_T‖` at random points of contacts; held components zero on supports.
+//! Static: `div σ + b = 0` in random subtets; one traction on both sides of random faces, between
+//! subtets and between tets; loads on free components; `‖r_T‖ ≤ μ r_N` at random points of contacts
+//! and the same r on both sides. Kinematic: `g_N + g₀ ≥ μ ‖g_T‖` at random points of contacts; held
+//! components zero on supports.
 //!
-//! Tolerances are those of rounding: 1e-9 of the largest stress (equality after projection), 1e-12 of the largest
-//! displacement. No point is excepted.
+//! Tolerances are those of rounding: 1e-9 of the largest stress (equality after projection), 1e-12
+//! of the largest displacement. No point is excepted.
 
 use super::Random;
 use bracket::certify::fields::{DisplacementField, StressField};
@@ -93,7 +94,8 @@ impl<'a> Fields<'a> {
         nodes.map(|n| self.model.mesh.nodes[n as usize])
     }
 
-    /// Displacement of the face with the given vertices at barycentric `l`: quadratic, from vertices and mid-sides.
+    /// Displacement of the face with the given vertices at barycentric `l`: quadratic, from
+    /// vertices and mid-sides.
     fn displacement(&self, nodes: [u32; 3], l: [f64; 3]) -> V3 {
         let mut u = [0.0; 3];
         let mut add = |node: usize, w: f64| (0..3).for_each(|d| u[d] += w * self.u.u[node][d]);
@@ -106,7 +108,8 @@ impl<'a> Fields<'a> {
         u
     }
 
-    /// Tractions on a boundary face from its own tet at barycentric `l` of `nodes`, with outward normal of `nodes`.
+    /// Tractions on a boundary face from its own tet at barycentric `l` of `nodes`, with outward
+    /// normal of `nodes`.
     fn traction(&self, f: &BoundaryFace, x: V3, n: V3) -> V3 {
         apply(&self.at(f.tet as usize, f.local as usize, x), n)
     }
@@ -341,7 +344,8 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     }
 }
 
-/// Across a preloaded cut the traction goes on, and the displacement jumps by the closure along the axis.
+/// Across a preloaded cut the traction goes on, and the displacement jumps by the closure along the
+/// axis.
 fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     let all: Vec<_> =
         f.model.preload.iter().flat_map(|p| p.faces.iter().map(move |face| (p, face))).collect();

@@ -11,7 +11,8 @@ pub struct Prism {
 impl Prism {
     /// The mesh: node positions by `map(barycentric, t)` with t from 0 to 1 through the layers.
     ///
-    /// Faces S0, S1, S2 lie opposite the triangle's corners; BOTTOM is t = 0, TOP t = 1. One body, `B`.
+    /// Faces S0, S1, S2 lie opposite the triangle's corners; BOTTOM is t = 0, TOP t = 1. One body,
+    /// `B`.
     pub fn mesh(&self, map: impl Fn([f64; 3], f64) -> [f64; 3]) -> TetMesh {
         let n = self.n;
         let flat: Vec<[usize; 2]> =
@@ -78,7 +79,8 @@ impl Prism {
     }
 }
 
-/// Direction of barycentric `l` on the octahedron-based sphere of `n` segments a quarter, flat between its vertices.
+/// Direction of barycentric `l` on the octahedron-based sphere of `n` segments a quarter, flat
+/// between its vertices.
 pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
     let vertex = |v: [f64; 3]| {
         let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();

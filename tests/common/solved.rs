@@ -54,8 +54,9 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
 }
 
 impl Solved {
-    /// Lower and upper bound \[N mm\], after all that holds for every run: both programs optimal, a strict bracket,
-    /// Σ contributions = gap, no negative contribution, admissible at random points.
+    /// Lower and upper bound \[N mm\], after all that holds for every run: both programs optimal, a
+    /// strict bracket, Σ contributions = gap, no negative contribution, admissible at random
+    /// points.
     pub fn strict(&self, name: &str) -> [f64; 2] {
         let p = &self.pass;
         let runs = [p.kinematic.as_ref().unwrap(), p.statics.as_ref().unwrap()];

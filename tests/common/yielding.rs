@@ -25,11 +25,12 @@ pub fn model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
     }
 }
 
-/// A cube of 100 mm, `n` cells a side (6 tets each, inner nodes jittered), clamped at the bottom, pressed and sheared at the
-/// top.
+/// A cube of 100 mm, `n` cells a side (6 tets each, inner nodes jittered), clamped at the bottom,
+/// pressed and sheared at the top.
 ///
-/// Measured: the static program carries 1.1 times this load on 5 cells and not 1.15 times, the split kinematic one 1.2 times on
-/// 4 cells and hardly 1.3 times: `factor` 1 is about 80 % of the limit load. 12 cells are 10 368 tets, 18 are 34 992.
+/// Measured: the static program carries 1.1 times this load on 5 cells and not 1.15 times, the
+/// split kinematic one 1.2 times on 4 cells and hardly 1.3 times: `factor` 1 is about 80 % of the
+/// limit load. 12 cells are 10 368 tets, 18 are 34 992.
 ///
 /// ```text
 ///      p, t
@@ -47,11 +48,13 @@ pub fn block(n: usize, factor: f64) -> AnalysisModel {
     model(&format!("{support}loads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n", -p), mesh)
 }
 
-/// A plate of 200 × 200 × 20 mm with a mesh plane at mid-thickness, `n` × `n` cells and two layers (four from 36 cells on),
-/// clamped on one side, a transverse force on the side opposite: f_y h²/4 over the span, what a beam would carry.
+/// A plate of 200 × 200 × 20 mm with a mesh plane at mid-thickness, `n` × `n` cells and two layers
+/// (four from 36 cells on), clamped on one side, a transverse force on the side opposite: f_y h²/4
+/// over the span, what a beam would carry.
 ///
-/// Measured: the static program carries 1.12 times this load on 5 cells and not 1.16 times; a wide clamped plate without free
-/// sides carries 2/√3 times: `factor` 1 is between 80 and 90 % of the limit load. 29 cells are 10 092 tets, 37 are 32 856.
+/// Measured: the static program carries 1.12 times this load on 5 cells and not 1.16 times; a wide
+/// clamped plate without free sides carries 2/√3 times: `factor` 1 is between 80 and 90 % of the
+/// limit load. 29 cells are 10 092 tets, 37 are 32 856.
 pub fn plate(n: usize, factor: f64) -> AnalysisModel {
     let flat = |axis: usize, x: f64| axis == 2 && (x - 10.0).abs() < 1e-9;
     let layers = if n < 36 { 2 } else { 4 };
@@ -97,8 +100,8 @@ impl Form {
 }
 
 impl Built {
-    /// Part of the elements with own unknowns in which plastic strain, or its multiplier over the element's volume, exceeds
-    /// a hundredth of the strain at yield.
+    /// Part of the elements with own unknowns in which plastic strain, or its multiplier over the
+    /// element's volume, exceeds a hundredth of the strain at yield.
     pub fn flowing(&self, model: &AnalysisModel, solution: &Solution) -> f64 {
         let least = 0.01 * FY / E;
         let radius = bracket::math::mandel::yield_radius(FY);
@@ -107,7 +110,8 @@ impl Built {
         let points = &solution.z[self.program.g.nrows()..];
         let per_element = points.len() / elements.len();
         let flows = |e: usize, z: &[f64]| {
-            // multipliers are plastic strain times yield radius times volume (static: at a point its share of it)
+            // multipliers are plastic strain times yield radius times volume (static: at a point
+            // its share of it)
             let largest = z.chunks_exact(6).fold(0.0f64, |m, z| m.max(z[0]));
             largest * (per_element / 6) as f64 / (radius * model.mesh.volume(e)) > least
         };

@@ -1,4 +1,5 @@
-//! Forces of bolts and between flanges from the static field: in equilibrium with the loads, prying included.
+//! Forces of bolts and between flanges from the static field: in equilibrium with the loads, prying
+//! included.
 
 use crate::built::{joint, model};
 use bracket::analysis::engine;
@@ -8,7 +9,8 @@ use bracket::model::resolve::resolve;
 use bracket::result::forces::{StaticForces, static_forces};
 use bracket::spec::analysis::AnalysisKind;
 
-/// Forces of a T-stub with two bolts under the load, elastic; `mirror`: the planes of symmetry of its mesh.
+/// Forces of a T-stub with two bolts under the load, elastic; `mirror`: the planes of symmetry of
+/// its mesh.
 fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {
     let joint = joint(&format!(
         "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
@@ -22,10 +24,12 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
     static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, mirror)
 }
 
-/// Pulled: the bolts carry the load and the prying between the flange tips, Σ F_t = N + Q, to the rounding of a strict field.
+/// Pulled: the bolts carry the load and the prying between the flange tips, Σ F_t = N + Q, to the
+/// rounding of a strict field.
 ///
-/// The flange as a beam that cannot turn at the web and does not lift at the bolt and at its tip: F m²/2 = Q n (m + n/3), so Q/F = 0.637 with
-/// m = 50 - 3.55 and n = 30 (measured 0.614 here, 0.604 with elements of half the size: heads are wider than a point).
+/// The flange as a beam that cannot turn at the web and does not lift at the bolt and at its tip: F
+/// m²/2 = Q n (m + n/3), so Q/F = 0.637 with m = 50 - 3.55 and n = 30 (measured 0.614 here, 0.604
+/// with elements of half the size: heads are wider than a point).
 #[test]
 fn bolts_carry_the_load_and_the_prying() {
     let s = forces("N: 60 kN", 2.0, false, &[0, 1]);
@@ -41,7 +45,8 @@ fn bolts_carry_the_load_and_the_prying() {
     assert!(s.contacts[0].centre[0].abs() > 60.0, "{s:?}");
 }
 
-/// Sheared and bent besides: the whole joint's bolts share forces that balance all of it, and one bolt is pulled more.
+/// Sheared and bent besides: the whole joint's bolts share forces that balance all of it, and one
+/// bolt is pulled more.
 #[test]
 fn bolts_balance_shear_and_moment() {
     let s = forces("N: 60 kN, Vz: 6 kN, My: 0.5 kN m", 4.0, true, &[]);
@@ -51,6 +56,7 @@ fn bolts_balance_shear_and_moment() {
     assert!((sum - 60e3).abs() < 1e-4 * 60e3, "{s:?}");
     assert!((a.shear + b.shear - 6e3).abs() < 0.02 * 6e3, "{s:?}");
     assert!((a.tension - b.tension).abs() > 1e3, "{s:?}");
-    // z′ of the end is x: My = 0.5 kN m about y, from bolts at ±50 mm and from where the flanges press
+    // z′ of the end is x: My = 0.5 kN m about y, from bolts at ±50 mm and from where the flanges
+    // press
     assert!(a.tension.min(b.tension) > 0.0 && flanges.centre[2].abs() < 1e-9, "{s:?}");
 }

@@ -1,4 +1,5 @@
-//! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs run.
+//! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs
+//! run.
 
 use bracket::analysis::engine::{PassOptions, silent};
 use bracket::analysis::{engine, limit};
@@ -22,8 +23,8 @@ pub fn joint(spec: &str) -> Joint {
         .unwrap_or_else(|e| panic!("{e:#?}"))
 }
 
-/// Model file and mesh of the first load case, with elements `factor` times as large as usual; above 2 without planes at
-/// mid-thickness, for as few elements as possible.
+/// Model file and mesh of the first load case, with elements `factor` times as large as usual;
+/// above 2 without planes at mid-thickness, for as few elements as possible.
 pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (ModelFile, TetMesh) {
     let folder = tempfile::tempdir().unwrap();
     let mut options = MeshOptions::new(folder.path());

@@ -1,5 +1,5 @@
-//! What must not change the bounds of a bolted joint: its mirror image, turned axes, another origin, the order of bolts and
-//! bodies; and what scales them in a known way.
+//! What must not change the bounds of a bolted joint: its mirror image, turned axes, another
+//! origin, the order of bolts and bodies; and what scales them in a known way.
 //!
 //! ```text
 //!            N ↑ ⟳ My → Vz
@@ -9,9 +9,9 @@
 //!     +-----------+
 //! ```
 //!
-//! Each change is made to model file and mesh, so that the two programs are the same but for the numbers in them: the bounds
-//! must agree to the solver's tolerance (1e-8 of the energy in elastic analysis, 1e-4 of the load factor in limit analysis), not
-//! only to the gap.
+//! Each change is made to model file and mesh, so that the two programs are the same but for the
+//! numbers in them: the bounds must agree to the solver's tolerance (1e-8 of the energy in elastic
+//! analysis, 1e-4 of the load factor in limit analysis), not only to the gap.
 
 use crate::built::{bounds, joint, model};
 use bracket::mesh::TetMesh;
@@ -22,7 +22,8 @@ const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] =
     [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
 
-/// Ends of solves: twice the solver's gap, for each of the two has its own; the first for energies, the second for factors.
+/// Ends of solves: twice the solver's gap, for each of the two has its own; the first for energies,
+/// the second for factors.
 const TOLERANCE: [f64; 2] = [2e-8, 2e-4];
 
 fn spec(loads: &str, mu: f64) -> String {
@@ -44,8 +45,9 @@ fn determinant(r: &M3) -> f64 {
     r[0][0] * minor(1, 2) - r[0][1] * minor(0, 2) + r[0][2] * minor(0, 1)
 }
 
-/// The model and its mesh after x → r x + d, with r orthogonal; moments are axial vectors. Supports and motions by component
-/// need an r that only exchanges axes and signs, unless all three components are named.
+/// The model and its mesh after x → r x + d, with r orthogonal; moments are axial vectors. Supports
+/// and motions by component need an r that only exchanges axes and signs, unless all three
+/// components are named.
 fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, TetMesh) {
     let (mut file, mut mesh) = (file.clone(), mesh.clone());
     let det = determinant(r);
@@ -82,7 +84,8 @@ fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, T
     (file, mesh)
 }
 
-/// The same model with bodies, tets, nodes and interfaces in another order, and the sides of each interface exchanged.
+/// The same model with bodies, tets, nodes and interfaces in another order, and the sides of each
+/// interface exchanged.
 fn reordered(file: &ModelFile, mesh: &TetMesh) -> (ModelFile, TetMesh) {
     let (mut file, mut mesh) = (file.clone(), mesh.clone());
     let (n, b) = (mesh.nodes.len() as u32, mesh.bodies.len() as u32);
@@ -150,8 +153,8 @@ fn energies_do_not_depend_on_axes_origin_or_order() {
     same("twice the load", kind, bounds("twice the load", &twice, &mesh).map(|x| x / 4.0), base);
 }
 
-/// Limit analysis of half the joint, part of its load not multiplied: mirror image, exchanged axes, shift, order; f_y and all
-/// loads doubled.
+/// Limit analysis of half the joint, part of its load not multiplied: mirror image, exchanged axes,
+/// shift, order; f_y and all loads doubled.
 #[test]
 fn load_factors_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Limit;
@@ -182,7 +185,8 @@ fn load_factors_do_not_depend_on_axes_origin_or_order() {
     }
 }
 
-/// The spec mirrored, or its rows in another order, is meshed anew: other meshes of the same body, whose brackets share its energy.
+/// The spec mirrored, or its rows in another order, is meshed anew: other meshes of the same body,
+/// whose brackets share its energy.
 #[test]
 fn specs_of_the_same_joint_share_its_energy() {
     let of = |rows: &str, my: &str| {

@@ -1,4 +1,5 @@
-//! Preloaded bolts of a spec: tightened alike whole or halved by symmetry; drop out of limit analysis; told in result and report.
+//! Preloaded bolts of a spec: tightened alike whole or halved by symmetry; drop out of limit
+//! analysis; told in result and report.
 
 use crate::bench::Bench;
 use crate::built::{joint, model};
@@ -12,7 +13,8 @@ use serde_json::Value;
 /// 0.7 f_ub A_s of an M16 8.8 \[N\].
 const FORCE: f64 = 0.7 * 800.0 * 157.0;
 
-/// A T-stub with two preloaded bolts that fill their holes without friction there, pulled by `n` kN.
+/// A T-stub with two preloaded bolts that fill their holes without friction there, pulled by `n`
+/// kN.
 fn spec(preload: &str, n: f64) -> String {
     format!(
         "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\n\
@@ -32,8 +34,9 @@ fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (Pass, f64) {
     (pass, f64::from(m.symmetry))
 }
 
-/// Hardly loaded, every bolt keeps its preload: what the frozen closure, the mean of both programs' own, makes of it in the static one. The
-/// closure is that of the shank and more: δ > F_p L/(E A), and less than three times that in flanges as stiff as these.
+/// Hardly loaded, every bolt keeps its preload: what the frozen closure, the mean of both programs'
+/// own, makes of it in the static one. The closure is that of the shank and more: δ > F_p L/(E A),
+/// and less than three times that in flanges as stiff as these.
 #[test]
 fn every_bolt_has_its_preload_whole_or_halved() {
     let shank = FORCE * 32.0 / (210e3 * 201.06);
@@ -52,7 +55,8 @@ fn every_bolt_has_its_preload_whole_or_halved() {
             );
             assert!((b.force - half * FORCE).abs() < 1e-6, "{b:?}");
             assert!((1.0..3.0).contains(&(b.closure / shank)), "{b:?}");
-            // half the difference of the closures that the two programs choose, larger on coarse meshes
+            // half the difference of the closures that the two programs choose, larger on coarse
+            // meshes
             assert!((tension / b.force - 1.0).abs() < near, "{b:?}");
         }
         if let [a, b] = &pass.preload[..] {
@@ -63,7 +67,8 @@ fn every_bolt_has_its_preload_whole_or_halved() {
     }
 }
 
-/// Pulled by less than the preload the flanges stay shut: a bolt hardly feels the load, that without preload takes all of it and the prying.
+/// Pulled by less than the preload the flanges stay shut: a bolt hardly feels the load, that
+/// without preload takes all of it and the prying.
 #[test]
 fn a_preloaded_bolt_feels_a_part_of_the_load() {
     let pulled = |preload: &str| solved(preload, 60.0, 2.5, false).0;
@@ -93,7 +98,8 @@ fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
     assert!(!told.contains("meshing"), "{told}");
 }
 
-/// In limit analysis the same number comes out as without preload, on the same mesh; the files are confirmed.
+/// In limit analysis the same number comes out as without preload, on the same mesh; the files are
+/// confirmed.
 #[test]
 fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
     let bench = Bench::new().file("joint.yaml", spec("0.7", 40.0));

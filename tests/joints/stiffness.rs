@@ -42,8 +42,9 @@ fn splice(length: u32, load: &str) -> String {
     )
 }
 
-/// The stubs' own bending is taken off: with stubs of 500 mm instead of 250 both bounds of the rotation grow by M ΔL/(E I_b), to the few per
-/// cent that stress near the ends and another mesh make, and the brackets of S_j,ini share the joint's stiffness.
+/// The stubs' own bending is taken off: with stubs of 500 mm instead of 250 both bounds of the
+/// rotation grow by M ΔL/(E I_b), to the few per cent that stress near the ends and another mesh
+/// make, and the brackets of S_j,ini share the joint's stiffness.
 #[test]
 fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
     let [short, long] =

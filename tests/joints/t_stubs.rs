@@ -3,8 +3,8 @@
 use crate::built::{bounds, joint, model};
 use bracket::spec::analysis::AnalysisKind;
 
-/// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235 (up to 40 mm), F_t = 100 kN a bolt: M16 8.8 with a
-/// γ_M2 that makes 0.9 · 800 · 157/γ_M2 = 100 kN.
+/// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235 (up to 40
+/// mm), F_t = 100 kN a bolt: M16 8.8 with a γ_M2 that makes 0.9 · 800 · 157/γ_M2 = 100 kN.
 fn b15(t: f64, factor: f64) -> [f64; 2] {
     let spec = format!(
         "code: {{gamma_M2: 1.1304}}\ntemplate: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\n\
@@ -26,9 +26,10 @@ fn beam_model(t: f64) -> (f64, usize) {
     (modes[least], least + 1)
 }
 
-/// Modes 1, 2, 3 as the flange gets thicker. Solids carry 1.00 to 1.35 times the beam model in modes 1 and 2 (sideways contraction held, up
-/// to 2/√3; the head holds the flange nearer to the web than the bolt's axis), the same in mode 3, where shanks yield in plain tension; the
-/// brackets must overlap that range and keep the order.
+/// Modes 1, 2, 3 as the flange gets thicker. Solids carry 1.00 to 1.35 times the beam model in
+/// modes 1 and 2 (sideways contraction held, up to 2/√3; the head holds the flange nearer to the
+/// web than the bolt's axis), the same in mode 3, where shanks yield in plain tension; the brackets
+/// must overlap that range and keep the order.
 #[test]
 #[ignore = "heavy: a minute"]
 fn three_thicknesses_have_the_order_of_the_three_modes() {
@@ -52,8 +53,9 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
     assert!((three[1] / 200.0 - 1.0).abs() < 0.01, "{three:?}");
 }
 
-/// F1: T-stub T1 of Bursi and Jaspart (J. Construct. Steel Research 43, 1997): IPE300, length 80, 4 M12 8.8 at gauge 90 and pitch 40, flange
-/// f_y 431 (measured), bolts 640 MPa on the shank. Its limit load lies within 134 (mode 1 of the beam model, m = 29.45) and 160 kN.
+/// F1: T-stub T1 of Bursi and Jaspart (J. Construct. Steel Research 43, 1997): IPE300, length 80, 4
+/// M12 8.8 at gauge 90 and pitch 40, flange f_y 431 (measured), bolts 640 MPa on the shank. Its
+/// limit load lies within 134 (mode 1 of the beam model, m = 29.45) and 160 kN.
 #[test]
 #[ignore = "heavy: a minute"]
 fn t_stub_t1() {

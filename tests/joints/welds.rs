@@ -1,4 +1,5 @@
-//! Fillet welds of a template: of finite strength in limit analysis, tied in elastic analysis and where they have no throat.
+//! Fillet welds of a template: of finite strength in limit analysis, tied in elastic analysis and
+//! where they have no throat.
 
 use crate::built::{joint, model};
 use bracket::analysis::engine::{PassOptions, silent};
@@ -24,8 +25,9 @@ fn welds(file: &ModelFile) -> Vec<&str> {
     welds.filter_map(|i| i.face.as_deref()).collect()
 }
 
-/// Throats of 1 mm tear off in plain tension: N = a f_u/(√3 β_w γ_M2) (2 (2 b − t_w − 2 r) + 2 (h − 2 t_f − 2 r) + 2 π r), to which any field
-/// of uniform tractions is equal from below and the beam that moves off from above. Everything else carries twice as much.
+/// Throats of 1 mm tear off in plain tension: N = a f_u/(√3 β_w γ_M2) (2 (2 b − t_w − 2 r) + 2 (h −
+/// 2 t_f − 2 r) + 2 π r), to which any field of uniform tractions is equal from below and the beam
+/// that moves off from above. Everything else carries twice as much.
 #[test]
 fn thin_welds_carry_their_throats_times_their_lengths() {
     let (file, mesh) = model(&joint(&splice(1.0, 1.0, "S235")), 3.0, false, AnalysisKind::Limit);
@@ -48,7 +50,8 @@ fn thin_welds_carry_their_throats_times_their_lengths() {
     }
 }
 
-/// Throats that are zero are butt welds, and in elastic analysis nothing gives way; a steel without β_w has no fillet welds.
+/// Throats that are zero are butt welds, and in elastic analysis nothing gives way; a steel without
+/// β_w has no fillet welds.
 #[test]
 fn welds_without_a_throat_and_welds_of_elastic_analysis_are_tied() {
     for (flange, web, kind, want) in [

@@ -6,7 +6,8 @@ use crate::common::grid::{Grid, even, finer_at_start, name};
 use crate::common::yielding::{block, model};
 use bracket::mesh::TetMesh;
 
-/// C1: a clamped plate 5 × 2 × 1 with end shear on x = 5; strict bracket so far [0.0578, 0.0628] s0 per unit traction.
+/// C1: a clamped plate 5 × 2 × 1 with end shear on x = 5; strict bracket so far [0.0578, 0.0628] s0
+/// per unit traction.
 #[test]
 fn clamped_plate() {
     let gaps = [1, 2].map(|n| {

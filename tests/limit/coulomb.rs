@@ -1,4 +1,5 @@
-//! Coulomb's law in limit analysis: what the fixed point finds, beside load factors known in closed form and beside its bounds.
+//! Coulomb's law in limit analysis: what the fixed point finds, beside load factors known in closed
+//! form and beside its bounds.
 
 use crate::certified::run;
 use crate::common::yielding::model;
@@ -40,9 +41,10 @@ fn three(name: &str, m: &AnalysisModel) -> (LimitPass, [f64; 3]) {
 ///       \/
 /// ```
 ///
-/// The walls are at right angles. Without dilation the block slides along the groove, all friction is along it and
-/// `H = μ (N_x + N_y)`. Associated slip leaves both walls, at the velocity v along the groove by `u ≥ μ √(u² + v²)` from each:
-/// `H = μ/√(1 − μ²) (N_x + N_y)`, a quarter more at μ = 0.6.
+/// The walls are at right angles. Without dilation the block slides along the groove, all friction
+/// is along it and `H = μ (N_x + N_y)`. Associated slip leaves both walls, at the velocity v along
+/// the groove by `u ≥ μ √(u² + v²)` from each: `H = μ/√(1 − μ²) (N_x + N_y)`, a quarter more at μ =
+/// 0.6.
 fn groove(mu: f64, pressures: [f64; 2], material: &str, cells: [usize; 3]) -> AnalysisModel {
     let mesh = Block::new(cells, [10.0, 10.0, 30.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     let [px, py] = pressures;
@@ -75,7 +77,8 @@ fn block_in_a_groove() {
     }
 }
 
-/// A block on a plane under a dead pressure, pushed: what presses is known, and slip may dilate or not, `H = μ N`.
+/// A block on a plane under a dead pressure, pushed: what presses is known, and slip may dilate or
+/// not, `H = μ N`.
 #[test]
 fn pushed_block() {
     let mesh =
@@ -125,7 +128,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
         let low = pass.frictionless.as_ref().map_or(0.0, |l| l.value());
         let up = pass.upper.as_ref().unwrap().value();
         let raw = estimate.raw.unwrap();
-        // the program with associated friction itself: what it finds bounds what the fixed point finds on the same mesh
+        // the program with associated friction itself: what it finds bounds what the fixed point
+        // finds on the same mesh
         let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
         let prepared = condensed::Prepared::new(
             &kinematic.program,

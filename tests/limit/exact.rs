@@ -1,4 +1,5 @@
-//! Bodies whose limit load is known exactly, with fields that both elements hold on any mesh (BENCHMARKS A1–A5, A7).
+//! Bodies whose limit load is known exactly, with fields that both elements hold on any mesh
+//! (BENCHMARKS A1–A5, A7).
 //!
 //! Tolerance 1e-6 relative: the solver is asked for a gap of 1e-7; pure bending 1e-5.
 
@@ -78,7 +79,8 @@ fn cube_in_shear() {
     });
 }
 
-/// A4: pure bending, the ends rigid in x only, a mesh plane at mid-height: M = s0 b h²/4; A5 between plane-strain faces.
+/// A4: pure bending, the ends rigid in x only, a mesh plane at mid-height: M = s0 b h²/4; A5
+/// between plane-strain faces.
 #[test]
 fn beam_in_pure_bending() {
     let (b, h) = (8.0, 12.0);
@@ -114,8 +116,8 @@ fn pressed_all_round(seed: u64, more: &str) -> AnalysisModel {
     model(&format!("bodies: {{B: s}}\nloads:\n{loads}{more}"), cuboid([2, 1, 2], [10.0; 3], seed))
 }
 
-/// A7: all-round pressure never makes it flow. The load factor has no limit: a pressure field proves it, and both programs say
-/// so within 15 iterations.
+/// A7: all-round pressure never makes it flow. The load factor has no limit: a pressure field
+/// proves it, and both programs say so within 15 iterations.
 #[test]
 fn cube_under_all_round_pressure() {
     for seed in SEEDS {
@@ -145,7 +147,8 @@ fn cube_under_all_round_pressure() {
     }
 }
 
-/// A dead pull that the cube carries changes nothing; one beyond its strength leaves no proof, nor any bound.
+/// A dead pull that the cube carries changes nothing; one beyond its strength leaves no proof, nor
+/// any bound.
 #[test]
 fn all_round_pressure_beside_a_dead_pull() {
     let pull = |t: f64| {
@@ -166,7 +169,8 @@ fn all_round_pressure_beside_a_dead_pull() {
     assert!(pass.unlimited.is_none() && pass.bracket.is_none() && pass.lower.is_none());
 }
 
-/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, numbers that are none.
+/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, numbers that
+/// are none.
 #[test]
 fn what_proves_no_load_without_limit() {
     let m = pressed_all_round(1, "");
@@ -209,8 +213,9 @@ fn lifted(traction: &str, mu: f64, dead: &str) -> AnalysisModel {
     )
 }
 
-/// A block that only contact holds: lifted, pushed out of its friction cone or turned over it moves without any load; pressed
-/// or pushed inside the cone it does not, and a dead weight holds it down.
+/// A block that only contact holds: lifted, pushed out of its friction cone or turned over it moves
+/// without any load; pressed or pushed inside the cone it does not, and a dead weight holds it
+/// down.
 #[test]
 fn mechanisms_at_zero_load() {
     for traction in ["[0, 0, 1]", "[1, 0, -1]", "[0.3, 0.6, 0.1]", "[0, 1, -1.9]"] {

@@ -1,5 +1,6 @@
-//! Hard cases of limit analysis: friction next to nothing and beyond one, gaps, loads of any size, strengths a million apart, flat
-//! elements, a thin strip. A certified bracket of the known load, or a clear status; never a wrong number.
+//! Hard cases of limit analysis: friction next to nothing and beyond one, gaps, loads of any size,
+//! strengths a million apart, flat elements, a thin strip. A certified bracket of the known load,
+//! or a clear status; never a wrong number.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen: whatever
@@ -115,8 +116,9 @@ fn slivers() {
     }
 }
 
-/// A thin strip, clamped and bent by a force on its rigid end, cut across at `cuts` \[mm\]: both bounds over the factor of a bar,
-/// f_y t²/4 for a width. The moment at the clamped edge is between that of a bar and that of plane strain, 2/√3 of it.
+/// A thin strip, clamped and bent by a force on its rigid end, cut across at `cuts` \[mm\]: both
+/// bounds over the factor of a bar, f_y t²/4 for a width. The moment at the clamped edge is between
+/// that of a bar and that of plane strain, 2/√3 of it.
 fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
     let (width, t) = (2.0, 1.0);
     let length = cuts[8];
@@ -147,15 +149,17 @@ fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
     bracket
 }
 
-/// Elements 25 times as long as thick: stresses follow, mechanisms hardly. `∂u_z/∂z` is continuous across the planes between elements,
-/// so with volume kept the curvature is as well: it cannot end where an element ends. A hinge needs elements as short as the strip is thick.
+/// Elements 25 times as long as thick: stresses follow, mechanisms hardly. `∂u_z/∂z` is continuous
+/// across the planes between elements, so with volume kept the curvature is as well: it cannot end
+/// where an element ends. A hinge needs elements as short as the strip is thick.
 #[test]
 fn thin_strip_of_long_elements() {
     let [low, up] = thin_strip("thin strip", std::array::from_fn(|i| 25.0 * i as f64));
     assert!(low > 1.0 && up < 4.0, "[{low}, {up}]");
 }
 
-/// As many elements, but short ones where the strip bends: the upper bound comes down from more than three times to an eighth above.
+/// As many elements, but short ones where the strip bends: the upper bound comes down from more
+/// than three times to an eighth above.
 #[test]
 fn thin_strip_with_short_elements_at_its_hinge() {
     let [low, up] =

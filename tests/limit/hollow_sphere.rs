@@ -6,11 +6,13 @@
 //!   (  ()  )  p in the bore
 //!    '-..-'
 //! ```
-//! Source: R. Hill, The Mathematical Theory of Plasticity (1950), chapter V.2: p = 2 s0 ln(b/a) = 1.386294 s0.
+//! Source: R. Hill, The Mathematical Theory of Plasticity (1950), chapter V.2: p = 2 s0 ln(b/a) =
+//! 1.386294 s0.
 //!
-//! The facetted body is not the sphere. Two bodies are analysed on meshes of the same fineness, with facets of N and of 2N
-//! segments per quarter; their error goes with 1/N², so a third of the difference of the two brackets' middles is what is left
-//! at 2N. The bracket at 2N is widened by half the difference (the middles are no exact factors).
+//! The facetted body is not the sphere. Two bodies are analysed on meshes of the same fineness,
+//! with facets of N and of 2N segments per quarter; their error goes with 1/N², so a third of the
+//! difference of the two brackets' middles is what is left at 2N. The bracket at 2N is widened by
+//! half the difference (the middles are no exact factors).
 
 use crate::certified::factors;
 use crate::common::prism::{Prism, facetted_direction};

@@ -1,11 +1,12 @@
-//! A bar of rectangular section under axial force and bending moment: its limit loads lie on `|m| + n² = 1`, between the hulls
-//! that the bounds of a few directions make.
+//! A bar of rectangular section under axial force and bending moment: its limit loads lie on
+//! `|m| + n² = 1`, between the hulls that the bounds of a few directions make.
 //!
 //! ```text
 //!   u_x = 0 |========================| → N, ↻ M     m = M / (f_y b h²/4), n = N / (f_y b h)
 //! ```
 //!
-//! Both ends may contract: every cross-section is in the same uniaxial stress, and the fibre model of the textbooks is exact.
+//! Both ends may contract: every cross-section is in the same uniaxial stress, and the fibre model
+//! of the textbooks is exact.
 
 use crate::common::Block;
 use crate::common::yielding::{FY, model};

@@ -1,7 +1,7 @@
 //! A21–A23: bodies in plane strain, a slice one cell thick between frictionless faces that hold y.
 //!
-//! Slip-line solutions hold for the slice as well: its stress does not vary along y and its y component is the mean of the
-//! others, its velocity lies in the plane. k = s0/√3.
+//! Slip-line solutions hold for the slice as well: its stress does not vary along y and its y
+//! component is the mean of the others, its velocity lies in the plane. k = s0/√3.
 
 use crate::certified::factors;
 use crate::common::grid::{Grid, even, finer_at_end, finer_at_start, joined, name};
@@ -35,8 +35,9 @@ fn slice(x: Vec<f64>, z: Vec<f64>, thick: f64, flat: impl Fn(usize, f64) -> bool
 /// ```
 /// Source: L. Prandtl, Nachr. Ges. Wiss. Göttingen (1920): (2 + π) k = 5.141593 k, rough or smooth.
 ///
-/// Width: the corner of the punch is a singular point, where a fan of stresses meets; the bracket closes with the mesh size
-/// there. What is asked is containment; the width of the mesh used (7.0 % on 546 tets) is held against loss.
+/// Width: the corner of the punch is a singular point, where a fan of stresses meets; the bracket
+/// closes with the mesh size there. What is asked is containment; the width of the mesh used (7.0 %
+/// on 546 tets) is held against loss.
 fn punch(first: f64, ratio: f64) -> AnalysisModel {
     let x = joined(&[finer_at_end(0.0, 1.0, first, ratio), finer_at_start(1.0, 4.2, first, ratio)]);
     let z = finer_at_end(-2.2, 0.0, first, ratio);
@@ -104,8 +105,9 @@ fn platens(half: f64, x: Vec<f64>, z: Vec<f64>) -> AnalysisModel {
 
 /// A22: w/h ≤ 1: 2k, the same as between smooth platens (Hill 1950, chapter IX.3).
 ///
-/// The stress is uniform, so the static side is exact on any mesh, to 1e-5 (solved to a gap of 1e-4 times what the solver does
-/// better than asked); the mechanism, bands at 45°, is only approached by continuous velocities.
+/// The stress is uniform, so the static side is exact on any mesh, to 1e-5 (solved to a gap of 1e-4
+/// times what the solver does better than asked); the mechanism, bands at 45°, is only approached
+/// by continuous velocities.
 #[test]
 fn square_between_platens() {
     for (half, n) in [(0.5, 5), (1.0, 8)] {
@@ -119,10 +121,12 @@ fn square_between_platens() {
 
 /// A23: w/h = 2, rough: 2.42768 k.
 ///
-/// Source: J. Salençon, Théorie des charges limites: poinçonnement d'une plaque par deux poinçons symétriques, C. R. Acad. Sci.
-/// Paris 265 (1967); E. Christiansen, Limit analysis of collapse states (1996), the benchmark of numerical limit analysis.
+/// Source: J. Salençon, Théorie des charges limites: poinçonnement d'une plaque par deux poinçons
+/// symétriques, C. R. Acad. Sci. Paris 265 (1967); E. Christiansen, Limit analysis of collapse
+/// states (1996), the benchmark of numerical limit analysis.
 ///
-/// Width: at most 4 % (3.5 % on 324 tets); the corner of the platen is singular, meshes are finest there.
+/// Width: at most 4 % (3.5 % on 324 tets); the corner of the platen is singular, meshes are finest
+/// there.
 fn wide_platens(first: f64, ratio: f64) -> AnalysisModel {
     platens(2.0, finer_at_end(0.0, 2.0, first, ratio), finer_at_end(0.0, 1.0, first, ratio))
 }

@@ -28,8 +28,8 @@ impl Random {
     }
 }
 
-/// Two blocks one upon the other, tied or in contact, clamped or guided at the foot, loaded at the top by a traction, with a
-/// dead pressure at times; `None` where a part is loose.
+/// Two blocks one upon the other, tied or in contact, clamped or guided at the foot, loaded at the
+/// top by a traction, with a dead pressure at times; `None` where a part is loose.
 pub fn assembly(seed: u64) -> Option<AnalysisModel> {
     let mut r = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     (0..8).for_each(|_| _ = r.next());

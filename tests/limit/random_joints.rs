@@ -1,4 +1,5 @@
-//! Random stacks of three blocks that yield or are rigid, tied, welded or in contact: whatever comes, no wrong number.
+//! Random stacks of three blocks that yield or are rigid, tied, welded or in contact: whatever
+//! comes, no wrong number.
 
 use crate::certified::run;
 use crate::common::yielding::MATERIALS;

@@ -1,4 +1,5 @@
-//! Bodies without a yield strength are rigid: platens, punches, blocks and plates, tied or in contact.
+//! Bodies without a yield strength are rigid: platens, punches, blocks and plates, tied or in
+//! contact.
 
 use crate::certified::{factors, sharp_factors};
 use crate::common::yielding::{FY, model};
@@ -45,7 +46,8 @@ fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
     mesh
 }
 
-/// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top: the platen a body tied to it, or a rigid face.
+/// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top: the platen a body
+/// tied to it, or a rigid face.
 ///
 /// ```text
 ///   ↓↓↓↓↓
@@ -90,8 +92,8 @@ fn cube_between_platens_that_are_bodies() {
     assert!(up / low - 1.0 < 0.06, "[{low}, {up}]");
 }
 
-/// The programs know nothing of the inside of a rigid body: as many cones and unknowns as without it, and six motions less what
-/// supports hold.
+/// The programs know nothing of the inside of a rigid body: as many cones and unknowns as without
+/// it, and six motions less what supports hold.
 #[test]
 fn rigid_bodies_leave_the_programs() {
     let (with, without) = (platen(2, true), platen(2, false));
@@ -108,8 +110,8 @@ fn rigid_bodies_leave_the_programs() {
     }
 }
 
-/// A22: a strip of width w between rough platens at a distance h, plane strain, w/h = 1: 2k. The pressure 2k everywhere is a
-/// stress field that proves it from below.
+/// A22: a strip of width w between rough platens at a distance h, plane strain, w/h = 1: 2k. The
+/// pressure 2k everywhere is a stress field that proves it from below.
 #[test]
 fn strip_between_platens() {
     let n = 4;
@@ -182,7 +184,8 @@ fn punch() {
     assert!(low <= exact && up >= exact && up / low < 1.35, "[{low}, {up}] against {exact}");
 }
 
-/// A block pressed on another by a dead load and pushed; shear on the sides keeps the stress uniform (B5): T = μ N.
+/// A block pressed on another by a dead load and pushed; shear on the sides keeps the stress
+/// uniform (B5): T = μ N.
 fn pushed(lower: &str, upper: &str) -> AnalysisModel {
     let shape = Block {
         cells: [4, 2, 3],
@@ -205,7 +208,8 @@ fn pushed(lower: &str, upper: &str) -> AnalysisModel {
     )
 }
 
-/// B5 in limit analysis, with a rigid block on a base that yields, the other way round, and both rigid: T = μ N.
+/// B5 in limit analysis, with a rigid block on a base that yields, the other way round, and both
+/// rigid: T = μ N.
 #[test]
 fn pushed_block() {
     for (lower, upper) in [("s", "r"), ("r", "s"), ("r", "r")] {
@@ -219,8 +223,9 @@ fn pushed_block() {
     }
 }
 
-/// B9: two rigid plates pressed together by a member that yields at N_b, one of them pulled along the joint, in its plane.
-/// Associated slip opens the joint, so that the member has to give way: T = μ N_b. No preload is written and none would matter.
+/// B9: two rigid plates pressed together by a member that yields at N_b, one of them pulled along
+/// the joint, in its plane. Associated slip opens the joint, so that the member has to give way: T
+/// = μ N_b. No preload is written and none would matter.
 ///
 /// ```text
 ///  +-----------------+
@@ -242,7 +247,8 @@ fn lapped_plates() {
     let mut mesh = hollow(shape.mesh(&["LOWER", "UPPER", "MEMBER", "VOID"], body, |_, _| true));
     let end = triangles_where(&mesh, |x| x[1] == 3.0 && (1.0..=2.0).contains(&x[2]) && x[0] >= 2.0);
     mesh.faces.push(NamedFaces { name: "END".into(), triangles: end });
-    // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, the resultant lies in the joint
+    // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, the
+    // resultant lies in the joint
     let m = model(
         "bodies: {LOWER: r, UPPER: r, MEMBER: s}\ninterfaces:\n\
          - {between: [LOWER, UPPER], law: contact, mu: 0.3, friction: associated}\n\
@@ -259,7 +265,8 @@ fn lapped_plates() {
     );
 }
 
-/// A bar pressed by a rigid head that carries a rigid face: force and free motions of the face are the head's.
+/// A bar pressed by a rigid head that carries a rigid face: force and free motions of the face are
+/// the head's.
 #[test]
 fn rigid_face_on_a_rigid_body() {
     let shape =
@@ -280,7 +287,8 @@ fn rigid_face_on_a_rigid_body() {
     );
 }
 
-/// A rigid body whose supports leave it no motion holds what is tied to it; one whose load only it bears has no limit.
+/// A rigid body whose supports leave it no motion holds what is tied to it; one whose load only it
+/// bears has no limit.
 #[test]
 fn held_rigid_bodies() {
     let shape =

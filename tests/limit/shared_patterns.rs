@@ -1,4 +1,5 @@
-//! Load cases on one mesh share orderings and symbolic factors, and every bound and field stays what it is alone, to the last bit.
+//! Load cases on one mesh share orderings and symbolic factors, and every bound and field stays
+//! what it is alone, to the last bit.
 
 use crate::common::{Block, solved};
 use bracket::analysis::engine::{Pass, PassOptions, silent};
@@ -57,7 +58,8 @@ fn limit_cases_share_and_answer_as_alone() {
     let (kept, found) = shared.count();
     // both programs, and both matrices that make their fields admissible
     assert!(kept <= 4, "{kept} patterns for one mesh");
-    // the static program without friction and its projection in the first case, everything in the second
+    // the static program without friction and its projection in the first case, everything in the
+    // second
     assert!(found >= 8, "{found}");
     for (model, together) in cases.iter().zip(&together) {
         assert!(

@@ -6,13 +6,13 @@
 //! <-|     (_) D   |-> N
 //!   +-------------+
 //! ```
-//! Source: the net section at yield and nothing else stressed is in equilibrium: N ≥ (1 − D/L) L t s0, whatever the thickness.
-//! In plane stress no more: H. Gaydon, A. McCrum, J. Mech. Phys. Solids 2 (1954). A plate as thin as here (t = 0.05 D) is close to
-//! it from above.
+//! Source: the net section at yield and nothing else stressed is in equilibrium: N ≥ (1 − D/L) L t
+//! s0, whatever the thickness. In plane stress no more: H. Gaydon, A. McCrum, J. Mech. Phys. Solids
+//! 2 (1954). A plate as thin as here (t = 0.05 D) is close to it from above.
 //!
-//! The facetted hole lies inside the circle, with a vertex at the net section: 0.8 holds for the facetted body itself.
-//! Tolerance: below 0.8 by what a mesh without the plane y = D/2 loses, above by the necking bands that continuous velocities
-//! smear over a cell.
+//! The facetted hole lies inside the circle, with a vertex at the net section: 0.8 holds for the
+//! facetted body itself. Tolerance: below 0.8 by what a mesh without the plane y = D/2 loses, above
+//! by the necking bands that continuous velocities smear over a cell.
 
 use crate::certified::factors;
 use crate::common::yielding::model;

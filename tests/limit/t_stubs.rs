@@ -23,6 +23,7 @@ use bracket::assembly::assembly::{
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
 use bracket::model::AnalysisModel;
+use bracket::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
 /// Part of the dissipation that is in bodies whose name starts with BOLT.
@@ -34,7 +35,8 @@ fn bolt_share(m: &AnalysisModel, pass: &LimitPass) -> f64 {
     bolts / all.iter().sum::<f64>()
 }
 
-/// Both bounds of the force \[kN\] and the bolts' share of the dissipation; loads are `force` \[N\] at load factor 1.
+/// Both bounds of the force \[kN\] and the bolts' share of the dissipation; loads are `force` \[N\]
+/// at load factor 1.
 fn forces(title: &str, m: &AnalysisModel, force: f64) -> ([f64; 2], f64) {
     let start = std::time::Instant::now();
     let pass = run(m);
@@ -51,10 +53,11 @@ fn forces(title: &str, m: &AnalysisModel, force: f64) -> ([f64; 2], f64) {
     (f, share)
 }
 
-/// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235; square bolts of 12 mm with a strength of
-/// 100 kN and heads of 24 mm.
+/// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235; square
+/// bolts of 12 mm with a strength of 100 kN and heads of 24 mm.
 ///
-/// `n` cells across the flange from web to head and from head to tip, `layers` through its thickness.
+/// `n` cells across the flange from web to head and from head to tip, `layers` through its
+/// thickness.
 fn strip_t_stub(t: f64, n: usize, layers: usize) -> AnalysisModel {
     let x = joined(&[
         even(0.0, 5.0, 1),
@@ -103,13 +106,15 @@ fn modes(t: f64) -> [f64; 3] {
     [4.0 * plastic / m, (2.0 * plastic + n * bolts) / (m + n), bolts]
 }
 
-/// Modes 1, 2 and 3 of the beam model in this order as the flange gets thicker: 75.2, 177.9 and 200 kN. The solids show the order of
-/// the loads; their mechanisms are not told apart here (at t = 25 the bolts dissipate all of it, as in mode 3).
+/// Modes 1, 2 and 3 of the beam model in this order as the flange gets thicker: 75.2, 177.9 and 200
+/// kN. The solids show the order of the loads; their mechanisms are not told apart here (at t = 25
+/// the bolts dissipate all of it, as in mode 3).
 ///
-/// Tolerance: solids carry 1.00 to 1.35 times the beam model in modes 1 and 2 (a wide flange cannot contract sideways, up to
-/// 2/√3; a head holds the flange nearer to the web than the bolt's axis, EN 1993-1-8 table 6.2, method 2), the same in mode 3,
-/// where shanks yield in plain tension. The bracket must overlap that range. At t = 12 those two effects bring mode 1 (up to
-/// 99 kN) near mode 2 (102.6): the mechanism found may be either, so that only the forces are asked for.
+/// Tolerance: solids carry 1.00 to 1.35 times the beam model in modes 1 and 2 (a wide flange cannot
+/// contract sideways, up to 2/√3; a head holds the flange nearer to the web than the bolt's axis,
+/// EN 1993-1-8 table 6.2, method 2), the same in mode 3, where shanks yield in plain tension. The
+/// bracket must overlap that range. At t = 12 those two effects bring mode 1 (up to 99 kN) near
+/// mode 2 (102.6): the mechanism found may be either, so that only the forces are asked for.
 fn mode(number: usize, t: f64, n: usize, layers: usize) -> [f64; 2] {
     let beam = modes(t)[number - 1];
     assert!(modes(t).iter().all(|f| *f >= beam), "mode {number} governs at t = {t}");
@@ -182,7 +187,8 @@ fn bottom(name: &str, part: &str) -> FaceRule {
     FaceRule { name: name.into(), part: part.into(), surface, imprint: false }
 }
 
-/// Half of T-stub T1: IPE300, b_f 150, t_f 10.7, t_w 7.1, r 15, length 80; 4 M12 8.8 at gauge 90, pitch 40.
+/// Half of T-stub T1: IPE300, b_f 150, t_f 10.7, t_w 7.1, r 15, length 80; 4 M12 8.8 at gauge 90,
+/// pitch 40.
 fn bursi_jaspart(size: f64) -> Assembly {
     let (b, tf, w, r, top, length) = (75.0, 10.7, 3.55, 15.0, 50.7, 80.0);
     let line = |x: f64, z: f64| OutlineEdge::Line { to: [x, z] };
@@ -251,7 +257,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
             between,
             surface: None,
             mu: 0.0,
-            associated: true,
+            friction: FrictionLaw::Associated,
             gap: 0.0,
         });
     }
@@ -278,11 +284,12 @@ fn bursi_jaspart(size: f64) -> Assembly {
 
 /// F1: the limit load lies within 134 (beam model, mode 1: 4 M_pl/m with m = 29.45) and 160 kN.
 ///
-/// Source: O. S. Bursi, J. P. Jaspart, Benchmarks for finite element modelling of bolted steel connections, J. Construct. Steel
-/// Research 43 (1997): T-stub T1, flange f_y 431 (measured). Bolts: nominal 640 MPa on the shank, 72.4 kN each. Preload drops out of
-/// limit analysis.
+/// Source: O. S. Bursi, J. P. Jaspart, Benchmarks for finite element modelling of bolted steel
+/// connections, J. Construct. Steel Research 43 (1997): T-stub T1, flange f_y 431 (measured).
+/// Bolts: nominal 640 MPa on the shank, 72.4 kN each. Preload drops out of limit analysis.
 ///
-/// Tolerance: the range of the test; the bracket must overlap it, the bolts take only a part of the dissipation.
+/// Tolerance: the range of the test; the bracket must overlap it, the bolts take only a part of the
+/// dissipation.
 fn t1(size: f64) {
     let folder = tempfile::tempdir().unwrap();
     let meshed =

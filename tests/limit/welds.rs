@@ -1,4 +1,5 @@
-//! Welds of finite strength in limit analysis: joints whose limit load is the strength of the weld, or of what it joins.
+//! Welds of finite strength in limit analysis: joints whose limit load is the strength of the weld,
+//! or of what it joins.
 
 use crate::certified::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
@@ -37,8 +38,8 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
     }
 }
 
-/// In tension the weld gives way at its strength, `2 · throat · strength / thickness`, below yield of the cubes; the stronger
-/// weld leaves it to them.
+/// In tension the weld gives way at its strength, `2 · throat · strength / thickness`, below yield
+/// of the cubes; the stronger weld leaves it to them.
 #[test]
 fn cubes_in_tension() {
     let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
@@ -83,8 +84,9 @@ fn tension_and_shear() {
     assert!(low <= 80.0 * (1.0 + 1e-9) && up >= 80.0 * (1.0 - 1e-9), "[{low}, {up}]");
 }
 
-/// A pair of fillets joins the web of a strip to a rigid plate: throat a on either side of a web of thickness t carries 2 a f per
-/// length. Pulled and pushed sideways at once, by less than the web bears: f² (2a/t)² = σ² + τ².
+/// A pair of fillets joins the web of a strip to a rigid plate: throat a on either side of a web of
+/// thickness t carries 2 a f per length. Pulled and pushed sideways at once, by less than the web
+/// bears: f² (2a/t)² = σ² + τ².
 ///
 /// ```text
 ///     ↑→
@@ -127,7 +129,8 @@ fn pair_of_fillets() {
     assert!(low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9), "[{low}, {up}] for {want}");
 }
 
-/// The weld is where all the work is done, its traction at its strength, and the velocity jumps by what the certificate says.
+/// The weld is where all the work is done, its traction at its strength, and the velocity jumps by
+/// what the certificate says.
 #[test]
 fn the_weld_dissipates() {
     let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
@@ -147,8 +150,9 @@ fn the_weld_dissipates() {
     assert!((half.welds[0] / upper.welds[0] - 0.5).abs() < 1e-14, "{half:?}");
 }
 
-/// A bracket welded by one edge and turned: the jump is linear over the weld, tension here and compression there. The weld's
-/// plastic moment about its middle is S b h²/4, b its width and h its height.
+/// A bracket welded by one edge and turned: the jump is linear over the weld, tension here and
+/// compression there. The weld's plastic moment about its middle is S b h²/4, b its width and h its
+/// height.
 #[test]
 fn turned_weld() {
     let (b, h, s) = (8.0, 12.0, 40.0);
@@ -172,11 +176,13 @@ fn turned_weld() {
         assert!(low <= s * (1.0 + 1e-9) && up >= s * (1.0 - 1e-9), "[{low}, {up}] for {s}");
         up / low - 1.0
     });
-    // the traction jumps at mid-height, which is a mesh line: exact on both sides but for the solver's tolerance
+    // the traction jumps at mid-height, which is a mesh line: exact on both sides but for the
+    // solver's tolerance
     assert!(bounds.iter().all(|gap| *gap < 1e-4), "{bounds:?}");
 }
 
-/// All-round pressure goes through the weld: it is no load without limit, and no pressure field proves it one.
+/// All-round pressure goes through the weld: it is no load without limit, and no pressure field
+/// proves it one.
 #[test]
 fn pressure_through_a_weld_is_limited() {
     let faces = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"];
@@ -197,7 +203,8 @@ fn pressure_through_a_weld_is_limited() {
     );
 }
 
-/// Welded cubes that stand on the ground are lifted together without any load; held beside, the weld holds both.
+/// Welded cubes that stand on the ground are lifted together without any load; held beside, the
+/// weld holds both.
 #[test]
 fn what_a_weld_holds_is_no_mechanism() {
     let lifted = |support: &str| {

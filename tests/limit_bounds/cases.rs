@@ -8,8 +8,9 @@
 //!                                                                             [ base  ]               ~~~~~~~~~
 //!                                                                             /////////
 //! ```
-//! N = f_y A; t = k = f_y/√3; T = μN. Shear on the side faces keeps the stress uniform (or linear, under body forces), so that
-//! the limit state is exact; being normal to the slip plane on both sides it does no work.
+//! N = f_y A; t = k = f_y/√3; T = μN. Shear on the side faces keeps the stress uniform (or linear,
+//! under body forces), so that the limit state is exact; being normal to the slip plane on both
+//! sides it does no work.
 
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, Random, solved};
@@ -167,8 +168,8 @@ pub fn sliding(seed: u64) -> Case {
     }
 }
 
-/// A block on rigid ground, dead weight 0.5 N/mm³, pushed by a live body force of 0.1 N/mm³ and the shear that keeps its
-/// stress linear: T/N = 0.2 λ = μ. Its stress of 5.6 MPa is near its strength
+/// A block on rigid ground, dead weight 0.5 N/mm³, pushed by a live body force of 0.1 N/mm³ and the
+/// shear that keeps its stress linear: T/N = 0.2 λ = μ. Its stress of 5.6 MPa is near its strength
 /// of 6: noise in a stronger block at rest would dissipate more than friction allows for.
 pub fn own_weight(seed: u64) -> Case {
     let mesh =
@@ -204,7 +205,8 @@ pub struct Approximate {
 }
 
 impl Case {
-    /// The exact stress at `factor` with relative noise; `bare` leaves bodies that never yield without any stress.
+    /// The exact stress at `factor` with relative noise; `bare` leaves bodies that never yield
+    /// without any stress.
     pub fn static_field(
         &self,
         factor: f64,
@@ -278,7 +280,8 @@ impl Case {
         u
     }
 
-    /// The model with its live loads multiplied and all loads alike, for checks that know no load factor.
+    /// The model with its live loads multiplied and all loads alike, for checks that know no load
+    /// factor.
     pub fn loaded(&self, factor: f64) -> AnalysisModel {
         use bracket::model::analysis::Traction;
         let mut m = self.model.clone();

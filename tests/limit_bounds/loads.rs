@@ -1,5 +1,5 @@
-//! Live and dead loads apart: linear in the factor, together what the elastic programs bear, and of the power that direct
-//! quadrature finds.
+//! Live and dead loads apart: linear in the factor, together what the elastic programs bear, and of
+//! the power that direct quadrature finds.
 
 use crate::cases;
 use crate::common::Random;
@@ -73,7 +73,8 @@ fn live_and_dead_add_up() {
     }
 }
 
-/// The power of the forces on random velocities is that of the certificate, which integrates over faces and subtets.
+/// The power of the forces on random velocities is that of the certificate, which integrates over
+/// faces and subtets.
 #[test]
 fn power_by_quadrature() {
     for seed in cases::SEEDS {

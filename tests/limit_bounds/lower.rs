@@ -89,8 +89,8 @@ fn exact_fields_with_noise() {
     }
 }
 
-/// The same lower bounds by code that shares nothing with the library: points inside elements and on faces under the loads at
-/// the factor, and von Mises from the full tensor.
+/// The same lower bounds by code that shares nothing with the library: points inside elements and
+/// on faces under the loads at the factor, and von Mises from the full tensor.
 #[test]
 fn admissible_by_other_code() {
     for seed in SEEDS {
@@ -253,7 +253,8 @@ fn wrong_fields() {
     }
 }
 
-/// The elastic stress of the dead loads alone, from the elastic programs, serves as the field of theirs.
+/// The elastic stress of the dead loads alone, from the elastic programs, serves as the field of
+/// theirs.
 #[test]
 fn elastic_field_of_the_dead_loads() {
     let mut stronger = cases::own_weight(7);

@@ -1,5 +1,6 @@
-//! Fields as solvers leave them: the elastic, perfectly plastic programs near the limit load. Their stress at a load they
-//! carry is a lower bound there; their displacements beyond it, made to keep the volume, an upper one.
+//! Fields as solvers leave them: the elastic, perfectly plastic programs near the limit load. Their
+//! stress at a load they carry is a lower bound there; their displacements beyond it, made to keep
+//! the volume, an upper one.
 
 use crate::cases;
 use crate::common::Block;
@@ -66,7 +67,8 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
     bracket
 }
 
-/// The pressed and sheared block, clamped at its foot: the solver's stress needs hardly any drawing in.
+/// The pressed and sheared block, clamped at its foot: the solver's stress needs hardly any drawing
+/// in.
 #[test]
 fn clamped_block() {
     let b = bracket("block", &block(3, 1.0), &block(3, 1.2));

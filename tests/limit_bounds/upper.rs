@@ -72,8 +72,9 @@ fn everywhere(case: &Case, u: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> Vec<[f64;
     space.nodes.iter().zip(body).map(|(x, b)| u(b, *x)).collect()
 }
 
-/// By code that shares nothing with the library but the numbering of nodes and the inner velocities: supports and contacts at
-/// random points, divergence (strain in rigid bodies) by central differences, which are exact for quadratics.
+/// By code that shares nothing with the library but the numbering of nodes and the inner
+/// velocities: supports and contacts at random points, divergence (strain in rigid bodies) by
+/// central differences, which are exact for quadratics.
 #[test]
 fn admissible_by_other_code() {
     for seed in SEEDS {
@@ -169,8 +170,8 @@ fn gradient(x: &[[f64; 3]; 4], u: &[[f64; 3]; 10], l: [f64; 4]) -> [[f64; 3]; 3]
     g
 }
 
-/// Velocities that swell, penetrate, strain what is rigid or move supports are no bound as they stand; projected they bound
-/// the factor from above or are refused.
+/// Velocities that swell, penetrate, strain what is rigid or move supports are no bound as they
+/// stand; projected they bound the factor from above or are refused.
 #[test]
 fn wrong_fields() {
     for flow in [Flow::Split, Flow::Plain] {

@@ -1,4 +1,5 @@
-//! B8: a plate pressed on rigid ground, held down by a bolt that stretches and held back by a spring, pushed along the ground.
+//! B8: a plate pressed on rigid ground, held down by a bolt that stretches and held back by a
+//! spring, pushed along the ground.
 //!
 //! ```text
 //!              N₀ = 100 (dead)
@@ -10,15 +11,17 @@
 //!                    [t]
 //!                    ///
 //! ```
-//! Under associated friction a slip w lifts the plate by μw against the bolt: the ground carries N = N₀ + k_n μ w and friction
-//! μN; under Coulomb's law N = N₀. With w = 0.5: associated 0.3 (100 + 500·0.15) = 52.5, Coulomb 30.0, both beside k_t w.
+//! Under associated friction a slip w lifts the plate by μw against the bolt: the ground carries N
+//! = N₀ + k_n μ w and friction μN; under Coulomb's law N = N₀. With w = 0.5: associated 0.3 (100 +
+//! 500·0.15) = 52.5, Coulomb 30.0, both beside k_t w.
 //!
-//! The shift s of the cones lifts by μw − s, so a step of the fixed point from s to μw changes it by
-//! `μ²k_n / (k_t + μ²k_n)` of the change before: from T = k_t w + μ(N₀ + k_n(μw − s)).
+//! The shift s of the cones lifts by μw − s, so a step of the fixed point from s to μw changes it
+//! by `μ²k_n / (k_t + μ²k_n)` of the change before: from T = k_t w + μ(N₀ + k_n(μw − s)).
 //!
-//! Source: the two laws are those of V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, ZAMM 91 (2011), 155–175; the factor is worked
-//! out above. Tolerances: 1e-3 of the friction force (what the fixed point is asked for), 1e-4 of the contraction (two solves at a
-//! relative gap of 1e-9 between which slips change by a third), bounds strict.
+//! Source: the two laws are those of V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, ZAMM 91 (2011),
+//! 155–175; the factor is worked out above. Tolerances: 1e-3 of the friction force (what the fixed
+//! point is asked for), 1e-4 of the contraction (two solves at a relative gap of 1e-9 between which
+//! slips change by a third), bounds strict.
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, points, renamed, triangles_where};
@@ -116,7 +119,8 @@ fn the_fixed_point_contracts_as_the_stiffnesses_say() {
     }
 }
 
-/// A spring so soft that plain steps leave nine tenths of the error each: forty of them for 1e-3. Accelerated, a few.
+/// A spring so soft that plain steps leave nine tenths of the error each: forty of them for 1e-3.
+/// Accelerated, a few.
 #[test]
 fn a_slow_fixed_point_is_accelerated() {
     let s = joint(30.0 + 0.5 * 5.0, 5.0, "coulomb", 5);
@@ -138,7 +142,8 @@ fn what_sticks_needs_one_solve() {
     (0..2).for_each(|i| assert!((a[i] - b[i]).abs() < 1e-9 * b[i].abs(), "{a:?} against {b:?}"));
 }
 
-/// The same with the bolt tightened to 100 in place of the dead load: the closure of the cut stays, so k_n works on.
+/// The same with the bolt tightened to 100 in place of the dead load: the closure of the cut stays,
+/// so k_n works on.
 #[test]
 fn b8_with_a_preloaded_bolt() {
     for (seed, kt) in [(2, 100.0)] {
@@ -151,8 +156,8 @@ fn b8_with_a_preloaded_bolt() {
                 "{name}: slip {w:.7}, friction {carried:.6}, {:?} {:?}",
                 s.pass.preload, s.pass.fixed_point
             );
-            // all that `strict` asks but the condensed method alone: on the static program of this joint, soft bolt and hard plate, it
-            // stalls and Clarabel takes over
+            // all that `strict` asks but the condensed method alone: on the static program of this
+            // joint, soft bolt and hard plate, it stalls and Clarabel takes over
             let p = &s.pass;
             let b = p
                 .bracket
@@ -180,7 +185,8 @@ fn b8_with_a_preloaded_bolt() {
                 p.displacement.as_ref().unwrap(),
             );
             assert!((carried - force).abs() < 1e-3 * force, "{name}: {carried} at slip {w}");
-            // the bolt stretches with the dilation of the associated law, and not at all under Coulomb's
+            // the bolt stretches with the dilation of the associated law, and not at all under
+            // Coulomb's
             let tension = if friction == "coulomb" { N0 } else { N0 + KN * MU * w };
             assert!((s.pass.preload[0].tension.unwrap() - tension).abs() < 1e-3 * N0, "{name}");
         }

@@ -6,10 +6,11 @@
 //!    [           ] <- T    (on the base's level on average: no overturning to speak of)
 //!  ~~~~~~~~~~~~~~~~~~~     μ = 0.3, rigid ground or a lower block
 //! ```
-//! Source: C. A. Coulomb, Théorie des machines simples (1785): T ≤ μN, all that equilibrium asks (associated friction has
-//! the same equilibrium set, and the fixed point for Coulomb's law begins with it). Expected: 0.999 μN ends in a strict bracket, 1.001 μN is reported as having no
-//! equilibrium by both programs, each naming the part that slides. No tolerance: the two loads lie 0.1 % on either
-//! side of the limit.
+//! Source: C. A. Coulomb, Théorie des machines simples (1785): T ≤ μN, all that equilibrium asks
+//! (associated friction has the same equilibrium set, and the fixed point for Coulomb's law begins
+//! with it). Expected: 0.999 μN ends in a strict bracket, 1.001 μN is reported as having no
+//! equilibrium by both programs, each naming the part that slides. No tolerance: the two loads lie
+//! 0.1 % on either side of the limit.
 
 use crate::common::Block;
 use crate::common::solved::solve;
@@ -41,7 +42,8 @@ fn on_ground(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::So
 }
 
 fn on_block(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::Solved {
-    // the upper block is the middle of the upper layer's whole width: same faces, flat plane between
+    // the upper block is the middle of the upper layer's whole width: same faces, flat plane
+    // between
     let block =
         Block { cells: [5, 2, 2], min: [0.0, 0.0, -2.0], max: [10.0, 4.0, 2.0], jitter: 0.2, seed };
     let mesh =

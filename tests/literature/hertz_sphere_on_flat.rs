@@ -6,14 +6,14 @@
 //!   [   ]       the sphere's roundness is the initial gap (x² + y²) / 2R of a flat block
 //!   ~~~~~  rigid ground, frictionless
 //! ```
-//! Source: H. Hertz, J. reine angew. Math. 92 (1882) 156–171; K. L. Johnson, Contact Mechanics (1985), equations 4.22–4.24:
-//! E* = E/(1 − ν²), a = (3FR/4E*)^⅓ = 1.48125, p₀ = 3F/2πa² = 2176.13, δ = a²/R = 0.0219410; potential energy of the
-//! half-space −⅗ F δ.
+//! Source: H. Hertz, J. reine angew. Math. 92 (1882) 156–171; K. L. Johnson, Contact Mechanics
+//! (1985), equations 4.22–4.24: E* = E/(1 − ν²), a = (3FR/4E*)^⅓ = 1.48125, p₀ = 3F/2πa² = 2176.13,
+//! δ = a²/R = 0.0219410; potential energy of the half-space −⅗ F δ.
 //!
-//! The block is finite: its far field gives δ a further compliance D, the same for every load near the corner. D is measured
-//! without contact and against another known answer: uniform pressure on a square of side c, mean settlement of a
-//! half-space 2.973210/π · p c (1 − ν²)/E (the mean of 1/r over the square; Love, Phil. Trans. R. Soc. A 228 (1929)).
-//! Then −Π = ⅗ F δ + ½ F² D.
+//! The block is finite: its far field gives δ a further compliance D, the same for every load near
+//! the corner. D is measured without contact and against another known answer: uniform pressure on
+//! a square of side c, mean settlement of a half-space 2.973210/π · p c (1 − ν²)/E (the mean of 1/r
+//! over the square; Love, Phil. Trans. R. Soc. A 228 (1929)). Then −Π = ⅗ F δ + ½ F² D.
 //!
 //! Tolerance: δ 1 %, a and p₀ 5 % (BENCHMARKS): energies converge with the square of stresses.
 
@@ -44,7 +44,8 @@ fn quarter(law: &str, load: &str, top: f64) -> String {
     )
 }
 
-/// Compliance \[mm/N\] of the finite block beyond the half-space, for a force on the whole block (four quarters).
+/// Compliance \[mm/N\] of the finite block beyond the half-space, for a force on the whole block
+/// (four quarters).
 fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
     let mut mesh = block(xy, z);
     let patch =
@@ -68,8 +69,8 @@ fn hertz(xy: &[f64], z: &[f64]) -> Solved {
     solve_to(&quarter(&law, "", -F / 4.0), block(xy, z), &SolveOptions::default())
 }
 
-/// Resultant, radius and peak of the contact pressure of the static field: the radius from the mean distance, which is
-/// 3π/16 a under Hertz's pressure.
+/// Resultant, radius and peak of the contact pressure of the static field: the radius from the mean
+/// distance, which is 3π/16 a under Hertz's pressure.
 fn pressure(s: &Solved) -> (f64, f64, f64) {
     let mesh = &s.model.mesh;
     let (mut force, mut moment, mut peak) = (0.0, 0.0, 0.0f64);

@@ -6,17 +6,19 @@
 //!  |                    |===============       ========____----            |  ---=============
 //!   ν = 0: exact        |                      ~~~~~~~~~~~~~~~ μ            ~~~~~~~~~~~~~~~~~~ μ, gap g
 //! ```
-//! Source: G. Kirchhoff, J. reine angew. Math. 40 (1850); S. P. Timoshenko, S. Woinowsky-Krieger, Theory of Plates and
-//! Shells, 2nd ed., article 2 (cylindrical bending, D = Et³/12(1 − ν²)). Per unit width, D:
-//! end moment m, m²L/2D; pressure p on a cantilever, p²L⁵/40D, and the shear energy p²L³/5Gt (Timoshenko & Goodier, shear
-//! factor 6/5); strip of weight p lifted at its end to the length a by F = pa/2 (touchdown without moment), p²a⁵/240D.
+//! Source: G. Kirchhoff, J. reine angew. Math. 40 (1850); S. P. Timoshenko, S. Woinowsky-Krieger,
+//! Theory of Plates and Shells, 2nd ed., article 2 (cylindrical bending, D = Et³/12(1 − ν²)). Per
+//! unit width, D: end moment m, m²L/2D; pressure p on a cantilever, p²L⁵/40D, and the shear energy
+//! p²L³/5Gt (Timoshenko & Goodier, shear factor 6/5); strip of weight p lifted at its end to the
+//! length a by F = pa/2 (touchdown without moment), p²a⁵/240D.
 //!
-//! clamped at g above the ground, pressed by p, flat on it from x = a: g = pa⁴/72D (no moment at a),
-//! Π = p²a⁵/540D − p²a⁵/120D − pg(L − a).
+//! clamped at g above the ground, pressed by p, flat on it from x = a: g = pa⁴/72D (no moment at
+//! a), Π = p²a⁵/540D − p²a⁵/120D − pg(L − a).
 //!
-//! Tolerance of the moment 1e-8: linear stress and quadratic displacement are in both spaces, one linear solve is refined.
-//! Else the closed form must lie inside a bracket narrower than 3 %. What it leaves out (clamped end, touchdown, shear
-//! near them) is of the order of (t/L)² = 3e-5 of the energy, a hundredth of the brackets: no allowance is made for it.
+//! Tolerance of the moment 1e-8: linear stress and quadratic displacement are in both spaces, one
+//! linear solve is refined. Else the closed form must lie inside a bracket narrower than 3 %. What
+//! it leaves out (clamped end, touchdown, shear near them) is of the order of (t/L)² = 3e-5 of the
+//! energy, a hundredth of the brackets: no allowance is made for it.
 
 use crate::common::Block;
 use crate::common::solved::solve;

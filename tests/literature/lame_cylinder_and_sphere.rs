@@ -6,14 +6,16 @@
 //!   (  ()  )  p in the bore
 //!    '-..-'
 //! ```
-//! Source: G. Lamé, Leçons sur la théorie mathématique de l'élasticité des corps solides (1852); S. P. Timoshenko, J. N. Goodier,
-//! Theory of Elasticity, 3rd ed., articles 28 (cylinder) and 136 (sphere). With ν = 0.3, b/a = 2:
-//! sphere u_a = 0.8 p a/E, cylinder u_a = 1.906667 p a/E; energy −½ p u_a × (bore area).
+//! Source: G. Lamé, Leçons sur la théorie mathématique de l'élasticité des corps solides (1852); S.
+//! P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., articles 28 (cylinder) and 136
+//! (sphere). With ν = 0.3, b/a = 2: sphere u_a = 0.8 p a/E, cylinder u_a = 1.906667 p a/E; energy
+//! −½ p u_a × (bore area).
 //!
-//! The smooth closed form need not lie in the bracket of the facetted body. Two bodies are analysed on meshes of the same
-//! fineness: facets of N and of 2N segments per quarter. A facetted circle's error goes with 1/N², so a third of the
-//! difference of the two brackets' middles is the error left at 2N; the bracket at 2N is widened by half the
-//! difference (a half instead of a third: the middles are no exact energies).
+//! The smooth closed form need not lie in the bracket of the facetted body. Two bodies are analysed
+//! on meshes of the same fineness: facets of N and of 2N segments per quarter. A facetted circle's
+//! error goes with 1/N², so a third of the difference of the two brackets' middles is the error
+//! left at 2N; the bracket at 2N is widened by half the difference (a half instead of a third: the
+//! middles are no exact energies).
 
 use crate::common::prism::{Prism, facetted_direction};
 use crate::common::solved::solve;

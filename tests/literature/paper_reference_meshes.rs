@@ -1,4 +1,5 @@
-//! The paper's quarter joint on two fixed meshes, against an independent numpy implementation of both programs.
+//! The paper's quarter joint on two fixed meshes, against an independent numpy implementation of
+//! both programs.
 //!
 //! ```text
 //!      | 45 MPa          quarter of the joint: column flange, end plate, three bolts, half a beam;
@@ -6,15 +7,16 @@
 //!   [  ]|==========
 //!   [  ]|====^=====      the beam's support is fixed
 //! ```
-//! Source: the reference implementation's figures (9k: −79 722.936 / −83 550.428 N mm; 33k: −80 686.184 / −82 674.174); its joint is
-//! that of El Boustani, Bleyer, Arquier, Ferradi, Sab.
+//! Source: the reference implementation's figures (9k: −79 722.936 / −83 550.428 N mm; 33k: −80
+//! 686.184 / −82 674.174); its joint is that of El Boustani, Bleyer, Arquier, Ferradi, Sab.
 //!
-//! Tolerance 1e-6 relative: both solve the same discrete programs to a gap of 1e-7. One difference is known. The reference
-//! names a contact point by its node on the bolt and its normal alone. Where a shank runs from the plate into the column,
-//! a bolt node meets both with the same normal, and the second of the two contacts is lost (two of 1733 cones at 9k):
-//! its displacement is not strictly admissible and its figure lies below the strict bound. So the strict bound is asked
-//! to lie above the figure, by no more than 1e-4, and the reference's own program, with those contacts left out,
-//! is asked for the figure to 1e-6.
+//! Tolerance 1e-6 relative: both solve the same discrete programs to a gap of 1e-7. One difference
+//! is known. The reference names a contact point by its node on the bolt and its normal alone.
+//! Where a shank runs from the plate into the column, a bolt node meets both with the same normal,
+//! and the second of the two contacts is lost (two of 1733 cones at 9k): its displacement is not
+//! strictly admissible and its figure lies below the strict bound. So the strict bound is asked to
+//! lie above the figure, by no more than 1e-4, and the reference's own program, with those contacts
+//! left out, is asked for the figure to 1e-6.
 
 use bracket::analysis::engine;
 use bracket::model::AnalysisModel;
@@ -55,7 +57,8 @@ fn check(folder: &str, upper: f64, lower: f64) {
     );
 }
 
-/// The kinematic program with the contacts the reference keeps: one for each node of side B (the bolt) and normal.
+/// The kinematic program with the contacts the reference keeps: one for each node of side B (the
+/// bolt) and normal.
 fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     let model = model(folder);
     let full = Kinematic::new(&model).unwrap();

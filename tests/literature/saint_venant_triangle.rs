@@ -1,17 +1,18 @@
-//! Energy rates on a smooth solution: longitudinal shear of an equilateral triangular prism under its weight.
+//! Energy rates on a smooth solution: longitudinal shear of an equilateral triangular prism under
+//! its weight.
 //!
 //! ```text
 //!         /\        lateral faces held along z, ends held in x and y (free along z),
 //!        /  \       body force b along z:  G Δw = −b,  w = 0 on the sides
 //!       /____\  a
 //! ```
-//! Source: A. J. C. B. de Saint-Venant, De la torsion des prismes (1855): the warping problem ∇²ψ = −2, ψ = 0 on the sides, has
-//! the cubic solution ψ ∝ l₁ l₂ l₃ with torsion constant J = 2∫ψ = √3 a⁴ / 80. Here w = (b / 2G) ψ, so Π = −½ b ∫ w L
-//! = −√3 a⁴ b² L / (640 G).
+//! Source: A. J. C. B. de Saint-Venant, De la torsion des prismes (1855): the warping problem ∇²ψ =
+//! −2, ψ = 0 on the sides, has the cubic solution ψ ∝ l₁ l₂ l₃ with torsion constant J = 2∫ψ = √3
+//! a⁴ / 80. Here w = (b / 2G) ψ, so Π = −½ b ∫ w L = −√3 a⁴ b² L / (640 G).
 //!
-//! Expected: strain is quadratic, both elements have linear strain or stress, so each energy's error falls as h⁴ and so
-//! does the gap. Rates between 3.5 and 4.6 over two refinements: structured meshes of one family, still 3 segments at the
-//! coarse end.
+//! Expected: strain is quadratic, both elements have linear strain or stress, so each energy's
+//! error falls as h⁴ and so does the gap. Rates between 3.5 and 4.6 over two refinements:
+//! structured meshes of one family, still 3 segments at the coarse end.
 
 use crate::common::prism::Prism;
 use crate::common::solved::solve;

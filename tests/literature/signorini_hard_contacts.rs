@@ -1,4 +1,5 @@
-//! Unilateral contact with gaps, extreme loads and extreme materials: a strict certified bracket, or a clear status.
+//! Unilateral contact with gaps, extreme loads and extreme materials: a strict certified bracket,
+//! or a clear status.
 //!
 //! ```text
 //!   /////              |  F                [ soft ]  p
@@ -6,12 +7,14 @@
 //!   [   ] v          [   ]  loose          [ hard ]
 //!   ~~~~~ gap g      ~~~~~ gap g           ////////
 //! ```
-//! Source: A. Signorini, Questioni di elasticità non linearizzata e semilinearizzata (1959). Columns with ν = 0 are
-//! one-dimensional: hanging column, stress b τ − r at height τ with r = bL/2 − gE/L (0 if the gap stays open), energy
-//! −A (∫ (bτ − r)² / 2E dτ + r g); loose block, −F g − F²L / (2EA).
+//! Source: A. Signorini, Questioni di elasticità non linearizzata e semilinearizzata (1959).
+//! Columns with ν = 0 are one-dimensional: hanging column, stress b τ − r at height τ with r = bL/2
+//! − gE/L (0 if the gap stays open), energy −A (∫ (bτ − r)² / 2E dτ + r g); loose block, −F g − F²L
+//! / (2EA).
 //!
-//! Tolerance of the closed forms 1e-6 relative: both spaces hold the exact fields, the conic solver stops at a relative
-//! gap of 1e-8. The other cases have no closed form: strict bracket, and Σ contributions = gap.
+//! Tolerance of the closed forms 1e-6 relative: both spaces hold the exact fields, the conic solver
+//! stops at a relative gap of 1e-8. The other cases have no closed form: strict bracket, and Σ
+//! contributions = gap.
 
 use crate::common::Block;
 use crate::common::solved::{Solved, resolve, solve};
@@ -226,7 +229,8 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
     }
 }
 
-/// A plate with a square hole and, filling it on the mesh, a pin; faces PULL on the plate's side and PIN0, PIN1 on the pin's ends.
+/// A plate with a square hole and, filling it on the mesh, a pin; faces PULL on the plate's side
+/// and PIN0, PIN1 on the pin's ends.
 fn pin_in_plate(with_pin: bool) -> TetMesh {
     let block = Block {
         cells: [4, 4, 2],
@@ -283,13 +287,15 @@ fn a_bolt_loose_in_its_hole() {
                  - {{between: [PLATE, PIN], law: contact, mu: {mu}, gap: {gap:?}}}\nsupports:\n{supports}{pulled}"
             )
         };
-        // the hole changes its shape by less than the clearance: the bolt feels nothing and may lie anywhere
+        // the hole changes its shape by less than the clearance: the bolt feels nothing and may lie
+        // anywhere
         let loose = bolted(0.5, "- {face: X0, fix: [x, y, z]}\n");
         let loose = solve(&loose, pin_in_plate(true)).strict(&format!("loose bolt, μ {mu}"));
         for (a, b) in alone.iter().zip(loose) {
             assert!((a - b).abs() <= 1e-6 * a.abs(), "{alone:?} against {loose:?}");
         }
-        // the plate hangs on the bolt: it comes to bear after the clearance, which the pull works on
+        // the plate hangs on the bolt: it comes to bear after the clearance, which the pull works
+        // on
         let work = 50.0 * 20.0 * 6.0 * 0.5;
         let bears = bolted(
             0.5,

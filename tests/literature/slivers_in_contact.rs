@@ -1,4 +1,5 @@
-//! Meshes full of slivers: dihedral angles down to a twentieth of a degree, on contact faces triangles as thin.
+//! Meshes full of slivers: dihedral angles down to a twentieth of a degree, on contact faces
+//! triangles as thin.
 //!
 //! ```text
 //!    v v v v v v p
@@ -7,11 +8,12 @@
 //!   [  slivers  ]
 //!   /////////////
 //! ```
-//! Source: none for the mesh. Constant stress, p²V/2E, and self-weight (case A9), b²AL³/6E, with ν = 0 are held by both spaces on
-//! any mesh; the brackets of one body on any two meshes overlap.
+//! Source: none for the mesh. Constant stress, p²V/2E, and self-weight (case A9), b²AL³/6E, with ν
+//! = 0 are held by both spaces on any mesh; the brackets of one body on any two meshes overlap.
 //!
-//! Tolerance of the closed forms 1e-6: the conic solver stops at a relative gap of 1e-8, and rounding grows with the
-//! inverse square of the angle (1e-16 / (8e-4)² = 1e-10). Overlap and strictness have none.
+//! Tolerance of the closed forms 1e-6: the conic solver stops at a relative gap of 1e-8, and
+//! rounding grows with the inverse square of the angle (1e-16 / (8e-4)² = 1e-10). Overlap and
+//! strictness have none.
 
 use crate::common::solved::{resolve, solve};
 use crate::common::{Block, Random};
@@ -35,8 +37,8 @@ fn blocks() -> TetMesh {
     )
 }
 
-/// Moves inner nodes, and those inside the contact plane within it, each along a random line until the first of its tets
-/// has no more than the volume `least` \[mm³\].
+/// Moves inner nodes, and those inside the contact plane within it, each along a random line until
+/// the first of its tets has no more than the volume `least` \[mm³\].
 fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
     let mut random = Random::new(seed);
     let mut tets_at = vec![Vec::new(); mesh.nodes.len()];
@@ -66,8 +68,8 @@ fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
     mesh
 }
 
-/// A mesh whose tets have no less than the volume `least`; it has shown that many of them are slivers, the worst below
-/// `worst` degrees, and that all are sound.
+/// A mesh whose tets have no less than the volume `least`; it has shown that many of them are
+/// slivers, the worst below `worst` degrees, and that all are sound.
 fn bad(least: f64, worst: f64) -> TetMesh {
     let mesh = slivered(blocks(), least, 7);
     let angles: Vec<f64> =
@@ -80,7 +82,8 @@ fn bad(least: f64, worst: f64) -> TetMesh {
     mesh
 }
 
-/// Two blocks on each other, the lower one held at its base; without friction the upper one may slide where nothing pushes it.
+/// Two blocks on each other, the lower one held at its base; without friction the upper one may
+/// slide where nothing pushes it.
 fn model(nu: f64, mu: &str, loads: &str) -> String {
     format!(
         "materials: {{s: {{E: 210000, nu: {nu:?}}}}}\nbodies: {{LOWER: s, UPPER: s}}\n\

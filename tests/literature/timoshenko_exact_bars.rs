@@ -1,4 +1,5 @@
-//! Bars, cubes and columns whose exact stress is linear: both programs hold the exact solution on any mesh.
+//! Bars, cubes and columns whose exact stress is linear: both programs hold the exact solution on
+//! any mesh.
 //!
 //! ```text
 //!   A1 tension          A6 pure bending        A7 all-round pressure   A9 self-weight
@@ -6,11 +7,13 @@
 //!  |                    no support                -> [ ] <-             [   ]  | ρg
 //!                                                 no support            [   ]  v
 //! ```
-//! Source: S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., articles 99 (self-weight), 102 (bending);
-//! strain energies N²L/(2EA), M²L/(2EI), p²V/(2K), ρ²g²AL³/(6E) by integrating σ:C⁻¹:σ / 2.
+//! Source: S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., articles 99
+//! (self-weight), 102 (bending); strain energies N²L/(2EA), M²L/(2EI), p²V/(2K), ρ²g²AL³/(6E) by
+//! integrating σ:C⁻¹:σ / 2.
 //!
-//! Tolerance 1e-8 relative: no discretisation error, no cones, one linear solve refined; what is left is rounding times
-//! the condition number. Three meshes with different random inner nodes each.
+//! Tolerance 1e-8 relative: no discretisation error, no cones, one linear solve refined; what is
+//! left is rounding times the condition number. Three meshes with different random inner nodes
+//! each.
 
 use crate::common::Block;
 use crate::common::solved::solve;

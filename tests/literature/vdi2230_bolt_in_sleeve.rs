@@ -6,16 +6,18 @@
 //!    [s] [b] [s]                  bolt held to the ground, sleeve only standing on it
 //!    ///-///-///                  ν = 0: prisms of constant stress
 //! ```
-//! Source: VDI 2230-1:2015, load factor of concentric clamping, Φ = δ_P / (δ_S + δ_P): with equal lengths and modulus,
-//! Φ = 1 / (1 + 4) = 0.2. In compression the sleeve takes 0.8 F and Π = −F²L / (2 E 5); in tension the sleeve lifts, the
-//! bolt works alone and Π = −F²L / (2 E 1): five times the slope.
+//! Source: VDI 2230-1:2015, load factor of concentric clamping, Φ = δ_P / (δ_S + δ_P): with equal
+//! lengths and modulus, Φ = 1 / (1 + 4) = 0.2. In compression the sleeve takes 0.8 F and Π = −F²L /
+//! (2 E 5); in tension the sleeve lifts, the bolt works alone and Π = −F²L / (2 E 1): five times
+//! the slope.
 //!
-//! Tolerance of the energies 1e-8 relative: constant stress is in both spaces, the contact state is strictly open or strictly
-//! closed. With preload F_p a closure δ = F_p (L/E)(1 + 1/4) of a cut in the shank stays, and
-//! `Π(u) = ½ k_b (u + δ)² + ½ k_s min(u, 0)² − F u`: the bolt takes F_p + 0.2 F until the sleeve lifts at F = F_p / 0.8, then F
-//! alone.
+//! Tolerance of the energies 1e-8 relative: constant stress is in both spaces, the contact state is
+//! strictly open or strictly closed. With preload F_p a closure δ = F_p (L/E)(1 + 1/4) of a cut in
+//! the shank stays, and `Π(u) = ½ k_b (u + δ)² + ½ k_s min(u, 0)² − F u`: the bolt takes F_p + 0.2
+//! F until the sleeve lifts at F = F_p / 0.8, then F alone.
 //!
-//! Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force at which it is.
+//! Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force
+//! at which it is.
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, renamed, triangles_where};
@@ -97,7 +99,8 @@ fn b12_in_tension_the_bolt_works_alone() {
 
 const KB: f64 = E / L;
 
-/// Energy, displacement of the top and tension of the bolt under `force` with the closure that `preload` left.
+/// Energy, displacement of the top and tension of the bolt under `force` with the closure that
+/// `preload` left.
 fn preloaded(force: f64, preload: f64) -> [f64; 3] {
     let closure = preload * (1.0 / KB + 1.0 / (4.0 * KB));
     let closed = (force - KB * closure) / (5.0 * KB);
@@ -137,7 +140,8 @@ fn b12_the_preloaded_bolt_takes_a_fifth_until_the_sleeve_lifts_at_five_quarters(
             );
             assert!((axial_force(&s, 0, 1.0) - tension).abs() < 1e-6 * FP, "{name}");
             assert!((top(&s) - u).abs() < 1e-6 * FP / KB, "{name}: {} against {u}", top(&s));
-            // the sleeve carries what the bolt holds down beyond the load: nothing once it has lifted
+            // the sleeve carries what the bolt holds down beyond the load: nothing once it has
+            // lifted
             let sleeve = (force - tension).min(0.0);
             assert!((axial_force(&s, 1, 4.0) - sleeve).abs() < 1e-6 * FP, "{name}");
             tops.push(top(&s));

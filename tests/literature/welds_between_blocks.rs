@@ -1,15 +1,17 @@
-//! Welds of finite strength between elastic blocks: rigid, perfectly plastic bonds with known energies.
+//! Welds of finite strength between elastic blocks: rigid, perfectly plastic bonds with known
+//! energies.
 //!
-//! Two bars of 10 mm × 12 mm² (ν = 0) meet at x = 10; t is the traction of the weld between them, S its strength.
+//! Two bars of 10 mm × 12 mm² (ν = 0) meet at x = 10; t is the traction of the weld between them, S
+//! its strength.
 //!
 //! ```text
 //!  pulled                        between walls, B under a force b per volume
 //!  |[ A ]:[ B ]→ p               |[ A ]:[ B → b ]|
 //! ```
 //!
-//! Pulled: t = p; as if tied below S, no equilibrium above. Between walls: tied, t = b L/4; above S the weld gives way, t = S, and
-//! the rest of b goes to the wall behind B. Fields are linear and quadratic in x: both programs are exact. Tolerance 1e-6, that of
-//! the solver's gap.
+//! Pulled: t = p; as if tied below S, no equilibrium above. Between walls: tied, t = b L/4; above S
+//! the weld gives way, t = S, and the rest of b goes to the wall behind B. Fields are linear and
+//! quadratic in x: both programs are exact. Tolerance 1e-6, that of the solver's gap.
 
 use crate::common::Block;
 use crate::common::solved::{Solved, resolve, solve};
@@ -94,8 +96,8 @@ fn between_walls_tied_and_giving_way() {
     }
 }
 
-/// A weld beside a contact that opens: blocks pressed together on one half of their joint, welded on the other. The bracket is
-/// strict and contains the energy of a finer mesh's bracket.
+/// A weld beside a contact that opens: blocks pressed together on one half of their joint, welded
+/// on the other. The bracket is strict and contains the energy of a finer mesh's bracket.
 #[test]
 fn welded_and_in_contact() {
     let at = |n: usize| {

@@ -1,5 +1,5 @@
-//! Yield conditions only where they are needed: below first yield the elastic analysis, beyond it what all conditions give,
-//! beyond the limit load no equilibrium.
+//! Yield conditions only where they are needed: below first yield the elastic analysis, beyond it
+//! what all conditions give, beyond the limit load no equilibrium.
 
 use crate::certified::{plastic_model, run, strict, strict_pass};
 use crate::common::Block;
@@ -59,8 +59,8 @@ fn below_first_yield_it_is_the_elastic_analysis() {
     }
 }
 
-/// What the programs with every yield condition give: the same lower bound, an upper bound between that of plain elements and
-/// that of split ones alone.
+/// What the programs with every yield condition give: the same lower bound, an upper bound between
+/// that of plain elements and that of split ones alone.
 #[test]
 fn nothing_is_lost() {
     for (name, model) in [("block", block(3, 0.85)), ("stacked", stacked(180.0))] {
@@ -91,8 +91,8 @@ fn nothing_is_lost() {
     }
 }
 
-/// Towards the limit load of the same mesh everything yields, and beyond it there is no equilibrium: first of the static
-/// program, then of both.
+/// Towards the limit load of the same mesh everything yields, and beyond it there is no
+/// equilibrium: first of the static program, then of both.
 #[test]
 fn beyond_the_limit_load_nothing_balances() {
     let at_one = AnalysisModel { analysis: AnalysisKind::Limit, ..block(2, 1.0) };

@@ -8,10 +8,12 @@
 //!     ~~~~~~~~~~~~~~                [o]
 //!       μ = 0.3      frictionless   [l]   strut: yields at F_y = 40, its sides free
 //! ```
-//! At slip w the ground takes T − k_t w − F_y: μN₀ = 30 under Coulomb's law, μ(N₀ + k_n μw) = 52.5 at w = 0.5 under the associated one.
-//! The strut is a bar of uniform stress, so that both programs hold it exactly.
+//! At slip w the ground takes T − k_t w − F_y: μN₀ = 30 under Coulomb's law, μ(N₀ + k_n μw) = 52.5
+//! at w = 0.5 under the associated one. The strut is a bar of uniform stress, so that both programs
+//! hold it exactly.
 //!
-//! Tolerances: 1e-3 of the friction force, what the fixed point is asked for; energies below first yield 1e-4 of the elastic ones.
+//! Tolerances: 1e-3 of the friction force, what the fixed point is asked for; energies below first
+//! yield 1e-4 of the elastic ones.
 
 use crate::certified::{run, strict_pass};
 use crate::common::solved::{resolve_as, solve_to};

@@ -1,5 +1,5 @@
-//! A1 and A3 beyond yield: bodies whose exact stress and plastic strain are constant, so that both programs hold them on any
-//! mesh; an elastic body beside limits the strain.
+//! A1 and A3 beyond yield: bodies whose exact stress and plastic strain are constant, so that both
+//! programs hold them on any mesh; an elastic body beside limits the strain.
 //!
 //! ```text
 //!   two bars in parallel      two cubes in parallel       all-round pressure
@@ -7,9 +7,11 @@
 //!  |[=== yields ======]|→ N     [/ /] [/ /]                 -> [ ] <-
 //!                               /////////// γ
 //! ```
-//! Energies per volume: ½Ee² and f_y²/(2E) + f_y (e − f_y/E); in shear ½Gγ² and k²/(2G) + k (γ − k/G) with k = f_y/√3.
+//! Energies per volume: ½Ee² and f_y²/(2E) + f_y (e − f_y/E); in shear ½Gγ² and k²/(2G) + k (γ −
+//! k/G) with k = f_y/√3.
 //!
-//! Tolerance 1e-6 relative (BENCHMARKS): the solver stops at 1e-7, and the lower bound leaves 2e-7 of the yield strength unused.
+//! Tolerance 1e-6 relative (BENCHMARKS): the solver stops at 1e-7, and the lower bound leaves 2e-7
+//! of the yield strength unused.
 
 use crate::certified::{plastic_model, run, strict};
 use crate::common::yielding::{E, FY, NU};
@@ -95,7 +97,8 @@ fn a3_cube_in_shear_beside_an_elastic_cube() {
     });
 }
 
-/// A7: pressure flows nothing, however high; nothing supports the cube, and nothing gets a yield condition.
+/// A7: pressure flows nothing, however high; nothing supports the cube, and nothing gets a yield
+/// condition.
 #[test]
 fn a7_cube_under_all_round_pressure() {
     let p = 3.0 * FY;
@@ -113,7 +116,8 @@ fn a7_cube_under_all_round_pressure() {
     assert!(run(&at(1)).runs().all(|(_, r)| r.yielding == Some(0) && r.rounds == 1));
 }
 
-/// A bar alone: elastic at 0.999 of its yield force, without equilibrium at 1.001, and both programs say which body flows.
+/// A bar alone: elastic at 0.999 of its yield force, without equilibrium at 1.001, and both
+/// programs say which body flows.
 #[test]
 fn bar_below_and_beyond_its_strength() {
     let bar = |part: f64, seed| {

@@ -1,5 +1,5 @@
-//! Hard cases of elastic, perfectly plastic analysis: the same two blocks as in limit analysis. A strict bracket of the known energy, or no
-//! equilibrium told as such.
+//! Hard cases of elastic, perfectly plastic analysis: the same two blocks as in limit analysis. A
+//! strict bracket of the known energy, or no equilibrium told as such.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen:
@@ -75,7 +75,8 @@ fn loads_that_cannot_be_carried() {
     }
 }
 
-/// Yield next to a clamped foot, in a material that hardly changes its volume, and under one a million times as stiff.
+/// Yield next to a clamped foot, in a material that hardly changes its volume, and under one a
+/// million times as stiff.
 #[test]
 fn extreme_materials() {
     for (name, material) in

@@ -8,8 +8,8 @@ use bracket::programs::Static;
 use bracket::solve::{SolveOptions, SolveStatus, clarabel};
 use std::collections::BTreeMap;
 
-/// Two blocks one upon the other, tied or in contact, clamped at the foot and held at two sides, loaded at the top by a share of
-/// what they may carry.
+/// Two blocks one upon the other, tied or in contact, clamped at the foot and held at two sides,
+/// loaded at the top by a share of what they may carry.
 fn assembly(seed: u64) -> AnalysisModel {
     let mut r = Random::new(seed);
     (0..8).for_each(|_| _ = r.unit());

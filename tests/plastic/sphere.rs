@@ -6,12 +6,14 @@
 //!   (  ()  )  p in the bore; plastic from a to c
 //!    '-..-'
 //! ```
-//! Source: R. Hill, The Mathematical Theory of Plasticity (1950), chapter V.2: first yield at p = ⅔ s0 (1 − a³/b³) = 0.583333 s0; plastic
-//! to c at p = 2 s0 ln(c/a) + ⅔ s0 (1 − c³/b³), for c = 1.5a 1.196347 s0, where the bore moves by 1.88396 s0 a/E (ν = 0.3). The load
-//! is proportional and nothing unloads, so Hencky's material is the one of flow; −Π is the integral of 4πa² u_a(p) dp.
+//! Source: R. Hill, The Mathematical Theory of Plasticity (1950), chapter V.2: first yield at p = ⅔
+//! s0 (1 − a³/b³) = 0.583333 s0; plastic to c at p = 2 s0 ln(c/a) + ⅔ s0 (1 − c³/b³), for c = 1.5a
+//! 1.196347 s0, where the bore moves by 1.88396 s0 a/E (ν = 0.3). The load is proportional and
+//! nothing unloads, so Hencky's material is the one of flow; −Π is the integral of 4πa² u_a(p) dp.
 //!
-//! The smooth form need not lie in the bracket of the facetted body: facets of N and of 2N segments on meshes of the same fineness,
-//! as in the elastic test of the same sphere. Coarse layers need no widening: both numbers are strict for the mesh's body.
+//! The smooth form need not lie in the bracket of the facetted body: facets of N and of 2N segments
+//! on meshes of the same fineness, as in the elastic test of the same sphere. Coarse layers need no
+//! widening: both numbers are strict for the mesh's body.
 
 use crate::certified::{plastic_model, strict};
 use crate::common::prism::{Prism, facetted_direction};
@@ -20,10 +22,12 @@ use std::f64::consts::PI;
 
 const A: f64 = 10.0;
 
-/// Radial displacement of the bore at a plastic radius c, over s0 a/E: elastic change of volume everywhere.
+/// Radial displacement of the bore at a plastic radius c, over s0 a/E: elastic change of volume
+/// everywhere.
 fn bore(c: f64) -> f64 {
     let b = 2.0;
-    // u(r) = s0 [ (1 − ν) c³/r² − ⅔ (1 − 2ν) r (3 ln(c/r) + 1 − c³/b³) ] / E for a ≤ r ≤ c, at r = a = 1
+    // u(r) = s0 [ (1 − ν) c³/r² − ⅔ (1 − 2ν) r (3 ln(c/r) + 1 − c³/b³) ] / E for a ≤ r ≤ c, at r =
+    // a = 1
     (1.0 - NU) * c.powi(3)
         - 2.0 / 3.0 * (1.0 - 2.0 * NU) * (3.0 * c.ln() + 1.0 - c.powi(3) / (b * b * b))
 }

@@ -4,8 +4,9 @@
 //!  |[======= elastic =======]|
 //!  |[== yields ==‖== yields =]|→ N      ‖ weld
 //! ```
-//! Beside an elastic bar that strains by e, the welded bar of length L carries the smaller strength s; what its strain s/E leaves
-//! of e L opens in the weld, or is plastic strain: `s²/(2E) L + s (e − s/E) L` for each mm² either way.
+//! Beside an elastic bar that strains by e, the welded bar of length L carries the smaller strength
+//! s; what its strain s/E leaves of e L opens in the weld, or is plastic strain:
+//! `s²/(2E) L + s (e − s/E) L` for each mm² either way.
 
 use crate::certified::{plastic_model, run, strict_pass};
 use crate::common::yielding::{E, FY};

@@ -187,7 +187,8 @@ fn a_place_that_cannot_be_written_is_an_environment_fault() {
     fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o755)).expect("changes");
 }
 
-/// What is given up goes, with the parents made for it; an earlier result and one that is finished stay.
+/// What is given up goes, with the parents made for it; an earlier result and one that is finished
+/// stay.
 #[test]
 fn what_is_given_up_leaves_nothing_and_touches_no_result() {
     let dir = tempfile::tempdir().expect("temporary folder");

@@ -1,4 +1,5 @@
-//! Pictures of a small bolted block: something is drawn, nothing is cut off, the same bytes every time.
+//! Pictures of a small bolted block: something is drawn, nothing is cut off, the same bytes every
+//! time.
 //!
 //! With `BRACKET_TEST_PICTURES` naming a folder, the pictures are kept there to be looked at.
 

@@ -1,5 +1,5 @@
-//! Bars, cubes and columns whose exact stress is linear and whose plastic strain is constant: every program holds the exact
-//! fields on any mesh.
+//! Bars, cubes and columns whose exact stress is linear and whose plastic strain is constant: every
+//! program holds the exact fields on any mesh.
 //!
 //! ```text
 //!   two bars in parallel      two cubes in parallel       all-round pressure    column
@@ -7,8 +7,9 @@
 //!  |[=== yields ======]|→ N     [/ /] [/ /]                 -> [ ] <-            [   ] → b
 //!                               /////////// γ                                    [   ] → b
 //! ```
-//! The elastic one of two parallel bodies limits the strain of the other, e > f_y/E: energies per volume ½Ee² and
-//! f_y²/(2E) + f_y (e − f_y/E); in shear ½Gγ² and k²/(2G) + k (γ − k/G) with k = f_y/√3.
+//! The elastic one of two parallel bodies limits the strain of the other, e > f_y/E: energies per
+//! volume ½Ee² and f_y²/(2E) + f_y (e − f_y/E); in shear ½Gγ² and k²/(2G) + k (γ − k/G) with k =
+//! f_y/√3.
 //!
 //! Tolerance 1e-7 relative: the solver stops at a gap of 1e-8.
 
@@ -65,9 +66,9 @@ fn bar_beyond_yield_in_parallel_with_an_elastic_bar() {
     }
 }
 
-/// The multipliers of every point point against the flow diag(1, −½, −½), and add up to the volume times the plastic strain
-/// e − f_y/E (each element's share is free: a perfectly plastic bar may flow here or there); their own multipliers are the
-/// stress.
+/// The multipliers of every point point against the flow diag(1, −½, −½), and add up to the volume
+/// times the plastic strain e − f_y/E (each element's share is free: a perfectly plastic bar may
+/// flow here or there); their own multipliers are the stress.
 #[test]
 fn multipliers_are_the_plastic_strain() {
     let model = bars(1);
@@ -143,8 +144,8 @@ fn bar_just_below_yield() {
     exact("bar", &m, -n * n * length / (2.0 * E * area));
 }
 
-/// A column clamped at its top, pushed sideways by a force per volume, its sides guided so that u = (u(z), 0, 0): the shear is
-/// linear, `root_shear` at the top.
+/// A column clamped at its top, pushed sideways by a force per volume, its sides guided so that u =
+/// (u(z), 0, 0): the shear is linear, `root_shear` at the top.
 fn column(root_shear: f64) -> AnalysisModel {
     let length = 60.0;
     model(
@@ -157,9 +158,9 @@ fn column(root_shear: f64) -> AnalysisModel {
     )
 }
 
-/// Elastic until the top reaches k = f_y/√3, τ²AL/(6G); there the column slides off, and beyond there is no equilibrium.
-/// The particular stress of the body force stands in the yield condition, and the split element's inner nodes carry
-/// their part of the force.
+/// Elastic until the top reaches k = f_y/√3, τ²AL/(6G); there the column slides off, and beyond
+/// there is no equilibrium. The particular stress of the body force stands in the yield condition,
+/// and the split element's inner nodes carry their part of the force.
 #[test]
 fn column_sheared_by_a_body_force() {
     let (g, k) = (E / (2.0 * (1.0 + NU)), FY / 3.0f64.sqrt());

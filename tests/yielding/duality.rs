@@ -1,4 +1,5 @@
-//! The kinematic programs bound the energy from above, the static one from below; far below yield all are elastic.
+//! The kinematic programs bound the energy from above, the static one from below; far below yield
+//! all are elastic.
 
 use crate::common::yielding::{Built, FORMS, FY, Form, block, model};
 use crate::common::{Block, oracle};
@@ -9,8 +10,8 @@ use bracket::programs::conic::{ConicProgram, cone_margin};
 use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Solution, SolveOptions, solve};
 
-/// The program of a model and its solution by the condensed method, after all that holds for every optimal one; Clarabel
-/// finds the same objective.
+/// The program of a model and its solution by the condensed method, after all that holds for every
+/// optimal one; Clarabel finds the same objective.
 pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solution) {
     let built = form.build(model);
     let s = oracle::agree(&format!("{name} {form:?}"), &built.program, &built.block);
@@ -18,7 +19,8 @@ pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solutio
     (built, s)
 }
 
-/// `P x + q = ± Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones, and complementary.
+/// `P x + q = ± Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones,
+/// and complementary.
 fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
     let ([px], gz, slack) =
         (program.quadratic([&s.x]), program.rows_transposed(&s.z), program.slack(&s.x));
@@ -78,8 +80,8 @@ fn linear(program: &ConicProgram, block: &[u32]) -> f64 {
     program.objective(&solve(program, block, &SolveOptions::default()).x, &[])
 }
 
-/// Far below yield: the elastic programs, 1e-8. The split element is softer than the plain one, and only its yield
-/// strength, not its stiffness, tells it from one that never yields.
+/// Far below yield: the elastic programs, 1e-8. The split element is softer than the plain one, and
+/// only its yield strength, not its stiffness, tells it from one that never yields.
 #[test]
 fn far_below_yield_everything_is_elastic() {
     let model = block(2, 0.1);
@@ -108,8 +110,8 @@ fn far_below_yield_everything_is_elastic() {
     }
 }
 
-/// The elastic solution, its stress parameters and no flow satisfy every row of the static saddle, and its yield condition
-/// is that of the elastic stress: no solver involved but one linear solve.
+/// The elastic solution, its stress parameters and no flow satisfy every row of the static saddle,
+/// and its yield condition is that of the elastic stress: no solver involved but one linear solve.
 #[test]
 fn elastic_stress_is_stationary() {
     let mut model = block(2, 0.1);
@@ -138,7 +140,8 @@ fn elastic_stress_is_stationary() {
     let rows: Vec<f64> = px.iter().zip(&program.q).map(|(a, b)| a + b).collect();
     let force = program.q[..v.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
     assert!(rows[..v.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
-    // a row of compatibility is one energy less another: the element's stress against its displacements
+    // a row of compatibility is one energy less another: the element's stress against its
+    // displacements
     let mut flexed = x.clone();
     flexed[v.len()..].fill(0.0);
     let [strain] = program.quadratic([&flexed]);
@@ -166,8 +169,9 @@ fn elastic_stress_is_stationary() {
     assert!((a - b).abs() < 1e-10 * b.abs(), "{a} {b}");
 }
 
-/// The same on the kinematic side, element by element: with each vertex's share of the deviatoric stress as parameters,
-/// measured by its share of the yield radius, every row of the saddle is zero.
+/// The same on the kinematic side, element by element: with each vertex's share of the deviatoric
+/// stress as parameters, measured by its share of the yield radius, every row of the saddle is
+/// zero.
 #[test]
 fn elastic_displacements_are_stationary() {
     let model = block(2, 0.1);
@@ -213,8 +217,8 @@ fn elastic_displacements_are_stationary() {
     assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
 }
 
-/// Two blocks, one of which never yields, pressed and pushed over a contact with friction, with an initial gap on rigid
-/// ground beside: contact cones and yield cones in one program.
+/// Two blocks, one of which never yields, pressed and pushed over a contact with friction, with an
+/// initial gap on rigid ground beside: contact cones and yield cones in one program.
 fn blocks_in_contact(pressure: f64) -> AnalysisModel {
     let mesh =
         Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }

@@ -1,4 +1,5 @@
-//! What a solver may rely on: every unknown in its place, definite blocks, elastic programs untouched.
+//! What a solver may rely on: every unknown in its place, definite blocks, elastic programs
+//! untouched.
 
 use crate::common::Block;
 use crate::common::yielding::{FORMS, Form, block, model};
@@ -9,8 +10,8 @@ use bracket::programs::explicit::Explicit;
 use bracket::programs::{Kinematic, Static};
 use faer::Mat;
 
-/// Every element has its own unknowns and yield points, none twice and none missed, and what is written out is a sound
-/// program.
+/// Every element has its own unknowns and yield points, none twice and none missed, and what is
+/// written out is a sound program.
 #[test]
 fn every_unknown_has_its_place() {
     let model = block(2, 1.0);
@@ -45,7 +46,8 @@ fn every_unknown_has_its_place() {
     }
 }
 
-/// Columns sorted, upper triangle, every diagonal entry stored, sizes that agree; no cone holds a maximised unknown.
+/// Columns sorted, upper triangle, every diagonal entry stored, sizes that agree; no cone holds a
+/// maximised unknown.
 fn well_formed(program: &Explicit) {
     let p = &program.p;
     assert_eq!(p.col_ptr.len(), p.n + 1);
@@ -63,7 +65,8 @@ fn well_formed(program: &Explicit) {
     );
 }
 
-/// Products with the elements as they are and written out agree, scaled or not; so do rows and their transposes.
+/// Products with the elements as they are and written out agree, scaled or not; so do rows and
+/// their transposes.
 #[test]
 fn written_out_is_the_same() {
     let model = block(1, 1.0);
@@ -101,7 +104,8 @@ fn written_out_is_the_same() {
     }
 }
 
-/// Eigenvalues of P among the unknowns that `pick` selects, increasing, each unknown measured by its diagonal.
+/// Eigenvalues of P among the unknowns that `pick` selects, increasing, each unknown measured by
+/// its diagonal.
 fn eigenvalues(p: &SymmetricCsc, pick: impl Fn(usize) -> bool) -> Vec<f64> {
     let picked: Vec<usize> = (0..p.n).filter(|&i| pick(i)).collect();
     let d = p.diagonal();
@@ -140,7 +144,8 @@ fn blocks_are_definite() {
     }
 }
 
-/// Plasticity is asked for, or the programs are the elastic ones entry for entry, yield strength or not.
+/// Plasticity is asked for, or the programs are the elastic ones entry for entry, yield strength or
+/// not.
 #[test]
 fn elastic_programs_stay_as_they_are() {
     let yields = block(2, 1.0);

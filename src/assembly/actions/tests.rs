@@ -5,7 +5,8 @@ use crate::assembly::assembly::{Action, FaceLoad};
 use crate::assembly::tests::{joint, ok};
 use crate::math::vec3;
 
-/// A joint of IPE300 on HEB200 with 15 mm plates: column face at x = 100, beam ends at x = 115 + 400.
+/// A joint of IPE300 on HEB200 with 15 mm plates: column face at x = 100, beam ends at x = 115 +
+/// 400.
 fn spec(loads: &str) -> String {
     format!(
         "template: beam_to_column_end_plate\n\

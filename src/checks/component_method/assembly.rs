@@ -8,7 +8,8 @@ use super::{beam, stiffness};
 use crate::checks::check::{Unit, Worked, number};
 use crate::checks::error::CheckError;
 
-/// Part of the tension resistance of a row's bolts above which the rows below may not be plastic, 6.2.7.2(9).
+/// Part of the tension resistance of a row's bolts above which the rows below may not be plastic,
+/// 6.2.7.2(9).
 pub(super) const NEARLY_BOLTS: f64 = 1.9;
 
 /// A component that the rows `first..=row` share, row counted from 0.
@@ -72,8 +73,9 @@ pub struct Stability {
     pub why: String,
     /// Clause.
     pub clause: &'static str,
-    /// True: the component's resistance holds the reduction, so that the component method answers. False: the code gives no
-    /// resistance to design with, and the component method alone cannot say OK.
+    /// True: the component's resistance holds the reduction, so that the component method answers.
+    /// False: the code gives no resistance to design with, and the component method alone cannot
+    /// say OK.
     pub covered: bool,
 }
 
@@ -82,7 +84,8 @@ pub struct Stability {
 pub struct Assessment {
     /// Rows in tension, from the outermost.
     pub rows: Vec<RowForce>,
-    /// Limits of the sum of the rows: column web and beam flange in compression, column web panel over β.
+    /// Limits of the sum of the rows: column web and beam flange in compression, column web panel
+    /// over β.
     pub limits: Vec<Limit>,
     /// V_wp,Rd of the column web panel, not over β; `None` without a column.
     pub panel: Option<Worked>,
@@ -97,14 +100,16 @@ pub struct Assessment {
 }
 
 impl RowForce {
-    /// The part whose bending, alone or with the bolts, limits the row; `None` where something else does.
+    /// The part whose bending, alone or with the bolts, limits the row; `None` where something else
+    /// does.
     pub fn bending_of(&self) -> Option<&'static str> {
         self.mode.filter(|m| m.bends() && self.force > 0.0)?;
         ["end plate", "column flange"].into_iter().find(|part| self.limited_by.starts_with(part))
     }
 
-    /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the plastic state of the row's
-    /// T-stubs in proportion, which is in equilibrium and nowhere above its resistance.
+    /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the
+    /// plastic state of the row's T-stubs in proportion, which is in equilibrium and nowhere above
+    /// its resistance.
     pub fn bolt_force(&self, share: f64) -> f64 {
         let force = share * self.force;
         let stubs = self.alone.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
@@ -133,9 +138,9 @@ impl Assessment {
 
 /// Row forces, moment resistance and stiffness of a joint with the tension at the top.
 ///
-/// From the outermost row on, each row carries what it can alone, what the groups leave it, what compression and shear leave
-/// of the sum, and in proportion to its lever arm where a row above carries more than 1.9 F_t,Rd.
-/// `M_j,Rd = Σ h_r F_tr,Rd`.
+/// From the outermost row on, each row carries what it can alone, what the groups leave it, what
+/// compression and shear leave of the sum, and in proportion to its lever arm where a row above
+/// carries more than 1.9 F_t,Rd. `M_j,Rd = Σ h_r F_tr,Rd`.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.7.2(1) to (9), formula 6.25.
@@ -178,7 +183,8 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
                 limit.lower(proportional, || "6.2.7.2(9), lever arms".into(), None);
             }
         }
-        // what the rows above carry in a group does not depend on compression: once that limits a row, none is left below
+        // what the rows above carry in a group does not depend on compression: once that limits a
+        // row, none is left below
         let grouped = limit.force.max(0.0);
         limit.lower(left, || least.into(), None);
         let force = limit.force.max(0.0);

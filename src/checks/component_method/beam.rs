@@ -4,7 +4,8 @@ use super::column_web::{epsilon, shear_area};
 use super::joint::Section;
 use crate::checks::check::{Unit, Worked, number as n};
 
-/// Depth of a beam above which its web may take no more than a fifth of the compression \[mm\], 6.2.6.7(1).
+/// Depth of a beam above which its web may take no more than a fifth of the compression \[mm\],
+/// 6.2.6.7(1).
 const DEEP: f64 = 600.0;
 
 /// Class of a cross-section in bending.
@@ -28,7 +29,8 @@ fn outstands(beam: &Section, fy: f64) -> (f64, f64) {
 /// Class of the beam in bending.
 ///
 /// # Source
-/// EN 1993-1-1:2005 Table 5.2: flange c/t ≤ 10 ε and web c/t ≤ 83 ε class 2, 14 ε and 124 ε class 3.
+/// EN 1993-1-1:2005 Table 5.2: flange c/t ≤ 10 ε and web c/t ≤ 83 ε class 2, 14 ε and 124 ε class
+/// 3.
 pub fn class(beam: &Section, fy: f64) -> Class {
     let (flange, web) = outstands(beam, fy);
     if flange <= 10.0 && web <= 83.0 {
@@ -49,12 +51,14 @@ pub fn plastic_shear(beam: &Section, fy: f64, gamma_m0: f64) -> f64 {
         / (3f64.sqrt() * gamma_m0)
 }
 
-/// Design moment resistance of the beam's cross-section \[N mm\] beside a shear force \[N\]: plastic in classes 1 and 2, elastic in
-/// class 3; in class 4 the stress up to which the section is still of class 3.
+/// Design moment resistance of the beam's cross-section \[N mm\] beside a shear force \[N\]:
+/// plastic in classes 1 and 2, elastic in class 3; in class 4 the stress up to which the section is
+/// still of class 3.
 ///
 /// # Source
-/// EN 1993-1-1:2005 6.2.5, Table 5.2; 5.5.2(9) for class 4: c/t ≤ 14 ε √(f_y/σ) and 124 ε √(f_y/σ); 6.2.8(2) to (5) for
-/// V_Ed > 0.5 V_pl,Rd (classes 3 and 4: the whole moment is reduced by 1 − ρ, on the safe side).
+/// EN 1993-1-1:2005 6.2.5, Table 5.2; 5.5.2(9) for class 4: c/t ≤ 14 ε √(f_y/σ) and 124 ε √(f_y/σ);
+/// 6.2.8(2) to (5) for V_Ed > 0.5 V_pl,Rd (classes 3 and 4: the whole moment is reduced by 1 − ρ,
+/// on the safe side).
 pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Worked {
     let (flange, web) = outstands(beam, fy);
     let class = class(beam, fy);
@@ -114,7 +118,8 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
 
 /// Design resistance of flange and web of the beam in compression \[N\].
 ///
-/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web's share is 20 % at most: F ≤ b t_f f_y/(0.8 γ_M0).
+/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web's share is 20 % at most: F ≤ b
+/// t_f f_y/(0.8 γ_M0).
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.7(1), formula 6.21.
@@ -143,8 +148,8 @@ pub fn flange_compression(beam: &Section, moment: f64, fy: f64, gamma_m0: f64) -
     Worked::new("EN 1993-1-8:2005 6.2.6.7", title, whole.min(limit), Unit::Force, formula)
 }
 
-/// Design resistance of the beam web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of the end plate. Not for a row
-/// outside the tension flange.
+/// Design resistance of the beam web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of
+/// the end plate. Not for a row outside the tension flange.
 ///
 /// `F_t,wb,Rd = b_eff t_wb f_y/γ_M0`.
 ///

@@ -4,7 +4,8 @@ use crate::checks::check::{Unit, Worked, number as n};
 
 /// Greatest slenderness d/(t_w ε) of a web panel whose shear resistance is plastic, 6.2.6.1(1).
 const SHEAR_SLENDERNESS: f64 = 69.0;
-/// Greatest c/(t_s ε) of a flat stiffener that does not buckle about its weld, EN 1993-1-5:2006 9.2.1(8): I_T/I_p ≥ 5.3 f_y/E.
+/// Greatest c/(t_s ε) of a flat stiffener that does not buckle about its weld, EN 1993-1-5:2006
+/// 9.2.1(8): I_T/I_p ≥ 5.3 f_y/E.
 pub const STIFFENER_SLENDERNESS: f64 = 13.0;
 
 /// Factor ε = √(235/f_y).
@@ -17,8 +18,8 @@ pub fn epsilon(fy: f64) -> f64 {
 
 /// Reduction ω of the web for its interaction with shear in the panel.
 ///
-/// β ≤ 0.5: 1; β = 1: ω1 = 1/√(1 + 1.3 (b_eff t_wc/A_vc)²); β = 2: ω2 with 5.2 in place of 1.3; between: ω1 + 2 (1 − β)(1 − ω1) and
-/// ω1 + (β − 1)(ω2 − ω1).
+/// β ≤ 0.5: 1; β = 1: ω1 = 1/√(1 + 1.3 (b_eff t_wc/A_vc)²); β = 2: ω2 with 5.2 in place of 1.3;
+/// between: ω1 + 2 (1 − β)(1 − ω1) and ω1 + (β − 1)(ω2 − ω1).
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 6.3.
@@ -34,8 +35,8 @@ pub fn shear_interaction(beta: f64, effective_width: f64, web: f64, shear_area: 
     }
 }
 
-/// Shear area A_vc of a rolled I or H column \[mm²\], with a supplementary web plate `doubler` b_s × t_wc \[mm²\] (0 without; a
-/// plate on the second side adds nothing).
+/// Shear area A_vc of a rolled I or H column \[mm²\], with a supplementary web plate `doubler` b_s
+/// × t_wc \[mm²\] (0 without; a plate on the second side adds nothing).
 ///
 /// `A_vc = A − 2 b t_f + (t_w + 2 r) t_f`, at least η h_w t_w with η = 1.
 ///
@@ -45,8 +46,8 @@ pub fn shear_area(area: f64, b: f64, h: f64, tf: f64, tw: f64, r: f64, doubler: 
     (area - 2.0 * b * tf + (tw + 2.0 * r) * tf).max((h - 2.0 * tf) * tw) + doubler
 }
 
-/// λ̄_w and χ_w of a web in shear, `depth` h_w and `web` t_w \[mm\], stiffened at its supports alone:
-/// `λ̄_w = h_w/(86.4 t_w ε)`, χ_w = 1 up to 0.83 and 0.83/λ̄_w beyond.
+/// λ̄_w and χ_w of a web in shear, `depth` h_w and `web` t_w \[mm\], stiffened at its supports
+/// alone: `λ̄_w = h_w/(86.4 t_w ε)`, χ_w = 1 up to 0.83 and 0.83/λ̄_w beyond.
 ///
 /// # Source
 /// EN 1993-1-5:2006 5.3(1) and (3), Table 5.1, non-rigid end posts, η = 1.
@@ -91,12 +92,14 @@ impl ShearPanel {
         slenderness > limit
     }
 
-    /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` and what stiffeners add. Beyond d_c/t_w = 69 ε it is
-    /// no more than 0.9 times the shear buckling resistance of the web, `χ_w h_w t_w f_y/(√3 γ_M1)`: a limit that a verdict of
-    /// refusal may stand on, not one that 6.2.6.1 allows to design with.
+    /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` and what stiffeners
+    /// add. Beyond d_c/t_w = 69 ε it is no more than 0.9 times the shear buckling resistance of the
+    /// web, `χ_w h_w t_w f_y/(√3 γ_M1)`: a limit that a verdict of refusal may stand on, not one
+    /// that 6.2.6.1 allows to design with.
     ///
     /// # Source
-    /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1 (non-rigid end posts, η = 1).
+    /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1
+    /// (non-rigid end posts, η = 1).
     pub fn resistance(&self) -> Worked {
         let root3 = 3f64.sqrt();
         let plastic = 0.9 * self.fy * self.area / (root3 * self.gamma_m0) + self.stiffeners;
@@ -135,8 +138,9 @@ impl ShearPanel {
     }
 }
 
-/// What transverse stiffeners in tension and compression zone add to the shear resistance of the panel \[N\]; moments of the
-/// column flange and the stiffener \[N mm\], `distance` d_s of the stiffeners \[mm\].
+/// What transverse stiffeners in tension and compression zone add to the shear resistance of the
+/// panel \[N\]; moments of the column flange and the stiffener \[N mm\], `distance` d_s of the
+/// stiffeners \[mm\].
 ///
 /// `V_wp,add,Rd = 4 M_pl,fc,Rd/d_s ≤ (2 M_pl,fc,Rd + 2 M_pl,st,Rd)/d_s`.
 ///
@@ -146,7 +150,8 @@ pub fn stiffened_panel(flange: f64, stiffener: f64, distance: f64) -> f64 {
     (4.0 * flange).min(2.0 * flange + 2.0 * stiffener) / distance
 }
 
-/// Design resistance of the web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of the column flange.
+/// Design resistance of the web in tension \[N\]; `effective_width` is ℓ_eff of the T-stub of the
+/// column flange.
 ///
 /// `F_t,wc,Rd = ω b_eff t_wc f_y/γ_M0`.
 ///
@@ -169,8 +174,9 @@ pub fn tension(effective_width: f64, web: f64, fy: f64, omega: f64, gamma_m0: f6
 
 /// Effective width of the web in compression under a bolted end plate and a rolled column \[mm\].
 ///
-/// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far enough beyond the weld of the
-/// flange, t_p at least (spread at 45° through the plate). `overhang`: plate beyond the outer face of the beam flange \[mm\].
+/// `b_eff = t_fb + 2√2 a_p + 5 (t_fc + s) + s_p`, s = r_c; s_p = 2 t_p where the plate reaches far
+/// enough beyond the weld of the flange, t_p at least (spread at 45° through the plate).
+/// `overhang`: plate beyond the outer face of the beam flange \[mm\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1), formula 6.11.
@@ -278,9 +284,10 @@ impl CompressedWeb {
             .with("ω", self.omega, Unit::Number)
     }
 
-    /// Design resistance with a pair of transverse stiffeners, `outstand` wide on each side of the web and `thickness`
-    /// thick \[mm\]: the cross of stiffeners and 15 ε t_w of web on either side, buckling out of the plane of the web over 0.75
-    /// of its depth by curve c; never less than the bare web.
+    /// Design resistance with a pair of transverse stiffeners, `outstand` wide on each side of the
+    /// web and `thickness` thick \[mm\]: the cross of stiffeners and 15 ε t_w of web on either
+    /// side, buckling out of the plane of the web over 0.75 of its depth by curve c; never less
+    /// than the bare web.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.6.2(4); EN 1993-1-5:2006 9.1(2) and 9.4; EN 1993-1-1:2005 6.3.1.
@@ -327,7 +334,8 @@ impl CompressedWeb {
     }
 }
 
-/// Thickness of the web with supplementary plates in compression: 1.5 t_w with one plate, 2 t_w with plates on both sides.
+/// Thickness of the web with supplementary plates in compression: 1.5 t_w with one plate, 2 t_w
+/// with plates on both sides.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(6).
@@ -335,8 +343,8 @@ pub fn compressed_thickness(web: f64, plates: u32) -> f64 {
     web * [1.0, 1.5, 2.0][plates.min(2) as usize]
 }
 
-/// Thickness of the web with supplementary plates in tension, their longitudinal welds fillets: 1.4 t_w (steels up to S355)
-/// or 1.3 t_w, with one plate or two.
+/// Thickness of the web with supplementary plates in tension, their longitudinal welds fillets: 1.4
+/// t_w (steels up to S355) or 1.3 t_w, with one plate or two.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.3(8).

@@ -1,5 +1,5 @@
-//! Effective lengths of equivalent T-stubs: EN 1993-1-8:2005 Tables 6.4 (unstiffened column flange), 6.5 (stiffened column
-//! flange) and 6.6 (end plate).
+//! Effective lengths of equivalent T-stubs: EN 1993-1-8:2005 Tables 6.4 (unstiffened column
+//! flange), 6.5 (stiffened column flange) and 6.6 (end plate).
 
 use std::f64::consts::PI;
 
@@ -44,7 +44,8 @@ pub fn inner(m: f64, e: f64) -> Lengths {
 /// A row alone at the end of the flange, `e1` from it.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Table 6.4, "end bolt-row": min(2πm, πm + 2e1); min(4m + 1.25e, 2m + 0.625e + e1).
+/// EN 1993-1-8:2005 Table 6.4, "end bolt-row": min(2πm, πm + 2e1); min(4m + 1.25e, 2m + 0.625e +
+/// e1).
 pub fn end(m: f64, e: f64, e1: f64) -> Lengths {
     Lengths {
         circular: (2.0 * PI * m).min(PI * m + 2.0 * e1),
@@ -52,7 +53,8 @@ pub fn end(m: f64, e: f64, e1: f64) -> Lengths {
     }
 }
 
-/// A row alone next to a stiffener (or below the tension flange of the beam), with α of figure 6.11.
+/// A row alone next to a stiffener (or below the tension flange of the beam), with α of figure
+/// 6.11.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Tables 6.5 and 6.6, "bolt-row adjacent to a stiffener": 2πm; αm.
@@ -63,8 +65,8 @@ pub fn beside_stiffener(m: f64, alpha: f64) -> Lengths {
 /// A row alone between a stiffener and the end of the flange, `e1` from the end.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Table 6.5, "end bolt-row adjacent to a stiffener": min(2πm, πm + 2e1); e1 + αm − (2m + 0.625e), and no
-/// longer than next to a stiffener alone.
+/// EN 1993-1-8:2005 Table 6.5, "end bolt-row adjacent to a stiffener": min(2πm, πm + 2e1); e1 + αm
+/// − (2m + 0.625e), and no longer than next to a stiffener alone.
 pub fn end_beside_stiffener(m: f64, e: f64, e1: f64, alpha: f64) -> Lengths {
     Lengths {
         circular: (2.0 * PI * m).min(PI * m + 2.0 * e1),
@@ -72,12 +74,12 @@ pub fn end_beside_stiffener(m: f64, e: f64, e1: f64, alpha: f64) -> Lengths {
     }
 }
 
-/// The only row outside the tension flange of the beam: end plate with edge distance `ex` beyond the row, edge distance
-/// `e`, gauge `w`, width `bp`.
+/// The only row outside the tension flange of the beam: end plate with edge distance `ex` beyond
+/// the row, edge distance `e`, gauge `w`, width `bp`.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Table 6.6, "bolt-row outside tension flange of beam": min(2πmx, πmx + w, πmx + 2e);
-/// min(4mx + 1.25ex, e + 2mx + 0.625ex, 0.5bp, 0.5w + 2mx + 0.625ex).
+/// EN 1993-1-8:2005 Table 6.6, "bolt-row outside tension flange of beam": min(2πmx, πmx + w, πmx +
+/// 2e); min(4mx + 1.25ex, e + 2mx + 0.625ex, 0.5bp, 0.5w + 2mx + 0.625ex).
 pub fn outside_flange(mx: f64, ex: f64, e: f64, w: f64, bp: f64) -> Lengths {
     let circular = (2.0 * PI * mx).min(PI * mx + w).min(PI * mx + 2.0 * e);
     let straight = (4.0 * mx + 1.25 * ex)
@@ -95,10 +97,12 @@ pub fn inner_of_group(above: f64, below: f64) -> Lengths {
     Lengths { circular: above + below, straight: 0.5 * (above + below) }
 }
 
-/// What the first or last row adds to a group, with the pitch `p` to its neighbour; `e1` only at an end of the flange.
+/// What the first or last row adds to a group, with the pitch `p` to its neighbour; `e1` only at an
+/// end of the flange.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Tables 6.4 to 6.6, "other end bolt-row": min(πm + p, 2e1 + p); min(2m + 0.625e + 0.5p, e1 + 0.5p).
+/// EN 1993-1-8:2005 Tables 6.4 to 6.6, "other end bolt-row": min(πm + p, 2e1 + p); min(2m + 0.625e
+/// + 0.5p, e1 + 0.5p).
 pub fn end_of_group(m: f64, e: f64, p: f64, e1: Option<f64>) -> Lengths {
     let e1 = e1.unwrap_or(f64::INFINITY);
     Lengths {
@@ -115,15 +119,16 @@ pub fn beside_stiffener_of_group(m: f64, e: f64, p: f64, alpha: f64) -> Lengths 
     Lengths { circular: PI * m + p, straight: 0.5 * p + alpha * m - (2.0 * m + 0.625 * e) }
 }
 
-/// α of figure 6.11 for a row between a web (`m`, `e`) and a stiffener `m2` away, between 4.45 and 8.
+/// α of figure 6.11 for a row between a web (`m`, `e`) and a stiffener `m2` away, between 4.45 and
+/// 8.
 ///
-/// λ1 = m/(m + e), λ2 = m2/(m + e). A curve of constant α is the straight line λ1 = L1 for λ2 ≥ L2, and below
-/// λ1 = L1 + (1 − L1) ((L2 − λ2)/L2)^(0.185 α^1.785), with L1 = 1.25/(α − 2.75) and L2 = α L1/2. Along the straight line αm is
-/// 4m + 1.25e: a stiffener far away is none.
+/// λ1 = m/(m + e), λ2 = m2/(m + e). A curve of constant α is the straight line λ1 = L1 for λ2 ≥ L2,
+/// and below λ1 = L1 + (1 − L1) ((L2 − λ2)/L2)^(0.185 α^1.785), with L1 = 1.25/(α − 2.75) and L2 =
+/// α L1/2. Along the straight line αm is 4m + 1.25e: a stiffener far away is none.
 ///
 /// # Source
-/// EN 1993-1-8:2005 figure 6.11; the closed form of its curves as published with the code's background (SCI P398,
-/// appendix G).
+/// EN 1993-1-8:2005 figure 6.11; the closed form of its curves as published with the code's
+/// background (SCI P398, appendix G).
 pub fn alpha(m: f64, e: f64, m2: f64) -> f64 {
     let (lambda1, lambda2) = (m / (m + e), m2 / (m + e));
     let (mut low, mut high) = (4.45, 8.0);

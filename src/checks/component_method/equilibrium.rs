@@ -1,8 +1,10 @@
-//! Moment and axial force together: the plastic equilibrium of rows in tension and flanges in compression.
+//! Moment and axial force together: the plastic equilibrium of rows in tension and flanges in
+//! compression.
 //!
-//! 6.2.7.1(2) leaves an axial force of up to 5 % of N_pl,Rd out. Beyond it the rows, the two flanges and the web of the beam are
-//! springs with a resistance each, and the largest factor on M and N together is a linear program. Its solution is in
-//! equilibrium with both, so that every row has the force it really gets.
+//! 6.2.7.1(2) leaves an axial force of up to 5 % of N_pl,Rd out. Beyond it the rows, the two
+//! flanges and the web of the beam are springs with a resistance each, and the largest factor on M
+//! and N together is a linear program. Its solution is in equilibrium with both, so that every row
+//! has the force it really gets.
 
 use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
 use super::beam;
@@ -43,7 +45,8 @@ pub struct Carried {
     pub compression: [f64; 3],
 }
 
-/// Rows that are pulled together, and what may be compressed beside them. z as in the joint that the set was made from.
+/// Rows that are pulled together, and what may be compressed beside them. z as in the joint that
+/// the set was made from.
 #[derive(Clone, Debug)]
 struct RowSet {
     /// -1: made from the joint upside down.
@@ -92,7 +95,8 @@ pub struct Equilibrium {
     pub tension: f64,
     /// N_j,Rd of compression, without moment \[N\].
     pub compression: f64,
-    /// Why compression may make the column web buckle over the depth of the beam, which N_j,Rd holds; `None`: it does not.
+    /// Why compression may make the column web buckle over the depth of the beam, which N_j,Rd
+    /// holds; `None`: it does not.
     pub buckles: Option<String>,
 }
 
@@ -117,8 +121,8 @@ impl Equilibrium {
         Ok(out)
     }
 
-    /// The largest multiple of an axial force (tension positive) and a moment (tension at the top positive) \[N, N mm\]; `None`
-    /// where both are zero.
+    /// The largest multiple of an axial force (tension positive) and a moment (tension at the top
+    /// positive) \[N, N mm\]; `None` where both are zero.
     pub fn at(&self, axial: f64, moment: f64) -> Option<Carried> {
         self.carried(axial, moment, Rule::NearlyBolts)
     }
@@ -128,7 +132,8 @@ impl Equilibrium {
         axial.abs() <= SMALL_AXIAL * self.plastic
     }
 
-    /// The border of what is carried, `count` points (N, M) in the order of their angle, N and M in parts of the largest \[N, N mm\].
+    /// The border of what is carried, `count` points (N, M) in the order of their angle, N and M in
+    /// parts of the largest \[N, N mm\].
     pub fn diagram(&self, moment: f64, count: usize) -> Vec<[f64; 2]> {
         let axial = self.tension.max(self.compression);
         let angle = |i: usize| std::f64::consts::TAU * i as f64 / count as f64;
@@ -151,7 +156,8 @@ impl Equilibrium {
 }
 
 impl RowSet {
-    /// The joint bent with tension at the top: what the component method found of each row and group.
+    /// The joint bent with tension at the top: what the component method found of each row and
+    /// group.
     fn bent(joint: &EndPlateJoint, sign: f64) -> Result<Self, CheckError> {
         let found = assess(joint)?;
         let shear_area = Rows::new(joint)?.shear_area();
@@ -175,7 +181,8 @@ impl RowSet {
         Ok(Self { sign, z, prying, limits: tightest(limits), elastic, compression, panel })
     }
 
-    /// The joint pulled as a whole, `panel` as when it is bent; `None` where the tables do not cover its rows.
+    /// The joint pulled as a whole, `panel` as when it is bent; `None` where the tables do not
+    /// cover its rows.
     fn pulled(joint: &EndPlateJoint, panel: Option<f64>) -> Option<Self> {
         let rows = Rows::all(joint).ok()?;
         let count = rows.count();
@@ -291,7 +298,8 @@ fn solved(p: &Problem) -> Option<Solution> {
 }
 
 impl Compression {
-    /// Whether the web between the flanges, with their zones where no stiffener parts them, buckles under a push.
+    /// Whether the web between the flanges, with their zones where no stiffener parts them, buckles
+    /// under a push.
     fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<String> {
         let (b, width) = (&joint.beam.section, zone_width(joint, c));
         let depth = b.h - b.tf;

@@ -1,4 +1,5 @@
-//! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain data.
+//! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain
+//! data.
 
 use crate::catalog::IProfile;
 use crate::checks::error::{CheckError, not_negative, positive};
@@ -17,8 +18,8 @@ pub struct Section {
     pub tf: f64,
     /// Root radius that belongs to the area: of A_vc alone.
     pub r: f64,
-    /// Root radius of the geometry (m, s, clear depths). W shapes: that of k_des, for the fillet their area implies is not
-    /// the one that is rolled; otherwise `r`.
+    /// Root radius of the geometry (m, s, clear depths). W shapes: that of k_des, for the fillet
+    /// their area implies is not the one that is rolled; otherwise `r`.
     pub root: f64,
     /// Area.
     pub area: f64,
@@ -65,7 +66,8 @@ pub struct Column {
     pub above: Option<f64>,
     /// From the beam's axis to the lower end \[mm\]; `None`: the column continues.
     pub below: Option<f64>,
-    /// Thickness of the stiffeners on both sides of the web, level with both beam flanges \[mm\]; 0 for none.
+    /// Thickness of the stiffeners on both sides of the web, level with both beam flanges \[mm\]; 0
+    /// for none.
     pub stiffener: f64,
     /// Throat of the welds between stiffener and column flange \[mm\]; 0 for a butt weld.
     pub stiffener_throat: f64,
@@ -152,13 +154,13 @@ pub struct Bolts {
     pub elongation: f64,
     /// d_w of the alternative method for mode 1 \[mm\]; `None` for the first method.
     pub washer: Option<f64>,
-    /// True: prying forces are taken to develop whatever the length of the bolts, as SCI P398 does; false: Table 6.2 decides
-    /// by L_b*.
+    /// True: prying forces are taken to develop whatever the length of the bolts, as SCI P398 does;
+    /// false: Table 6.2 decides by L_b*.
     pub always_prying: bool,
 }
 
-/// A beam bolted by an end plate to the flange of a column, or to its own continuation. Lengths in mm, strengths in MPa, forces in
-/// N.
+/// A beam bolted by an end plate to the flange of a column, or to its own continuation. Lengths in
+/// mm, strengths in MPa, forces in N.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EndPlateJoint {
     /// Column; `None`: a splice, the other side is the same plate on the same beam.
@@ -169,8 +171,8 @@ pub struct EndPlateJoint {
     pub plate: Plate,
     /// Bolts.
     pub bolts: Bolts,
-    /// Transformation parameter β of the moments on both sides: 0 equal and opposite, 1 one-sided, 2 equal and of the same
-    /// sense.
+    /// Transformation parameter β of the moments on both sides: 0 equal and opposite, 1 one-sided,
+    /// 2 equal and of the same sense.
     pub beta: f64,
     /// Young's modulus \[MPa\].
     pub young: f64,

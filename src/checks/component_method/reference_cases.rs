@@ -1,4 +1,5 @@
-//! Two joints worked by hand in public: SCI P398's double-sided joint, and a one-sided joint with its row forces.
+//! Two joints worked by hand in public: SCI P398's double-sided joint, and a one-sided joint with
+//! its row forces.
 
 use super::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
 use super::t_stub::Mode;
@@ -51,9 +52,10 @@ pub(super) fn beam(profile: &str, fy: f64, flange_throat: f64, web_throat: f64) 
     Beam { section, fy, flange_throat, web_throat, shear: 0.0 }
 }
 
-/// UC 254x254x107, UB 533x210x92 on both sides with equal moments, S275, plate 670 x 250 x 25, M24 8.8, gauge 100; rows at 50
-/// from the plate's top (40 above the flange), then 100 and 90 lower; weld legs 12 (flange) and 8 (web). The publication takes
-/// prying forces to develop in every T-stub.
+/// UC 254x254x107, UB 533x210x92 on both sides with equal moments, S275, plate 670 x 250 x 25, M24
+/// 8.8, gauge 100; rows at 50 from the plate's top (40 above the flange), then 100 and 90 lower;
+/// weld legs 12 (flange) and 8 (web). The publication takes prying forces to develop in every
+/// T-stub.
 fn sci() -> EndPlateJoint {
     let top = 533.1 / 2.0 + 90.0;
     EndPlateJoint {
@@ -71,8 +73,8 @@ fn sci() -> EndPlateJoint {
     }
 }
 
-/// HEB 140, IPE 270 on one side, S275, plate 135 wide and 13 thick, e = 32, M16 8.8; rows at 27, 88 and 149 from the plate's
-/// top, which is 52.4 above the beam; throats 6 (flange) and 4 (web).
+/// HEB 140, IPE 270 on one side, S275, plate 135 wide and 13 thick, e = 32, M16 8.8; rows at 27, 88
+/// and 149 from the plate's top, which is 52.4 above the beam; throats 6 (flange) and 4 (web).
 pub(super) fn one_sided() -> EndPlateJoint {
     let top = 135.0 + 52.4;
     EndPlateJoint {
@@ -91,8 +93,9 @@ fn done(joint: &EndPlateJoint) -> Assessment {
     assess(joint).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// SCI P398, unstiffened double-sided extended end plate; the printed result is M_j,Rd = 424 kNm, tolerance 2 % (the plate's
-/// 40 mm above the flange and the spread in compression are not printed). Row forces: an independent hand calculation.
+/// SCI P398, unstiffened double-sided extended end plate; the printed result is M_j,Rd = 424 kNm,
+/// tolerance 2 % (the plate's 40 mm above the flange and the spread in compression are not
+/// printed). Row forces: an independent hand calculation.
 #[test]
 fn sci_p398_double_sided_extended_end_plate() {
     let a = done(&sci());
@@ -125,8 +128,9 @@ fn sci_p398_double_sided_extended_end_plate() {
     assert!(a.rows.iter().all(|r| !r.elastic));
 }
 
-/// The same joint by the letter of Table 6.2: the bolts (L_b = 71.75 mm) are longer than L_b* = 44.7 mm of the plate's
-/// extension, which then carries 2 M_pl,1/m_x = 2 · 0.25 · 125 · 25² · 265/30.4 = 340.5 kN and not 377.3 kN.
+/// The same joint by the letter of Table 6.2: the bolts (L_b = 71.75 mm) are longer than L_b* =
+/// 44.7 mm of the plate's extension, which then carries 2 M_pl,1/m_x = 2 · 0.25 · 125 · 25² ·
+/// 265/30.4 = 340.5 kN and not 377.3 kN.
 #[test]
 fn sci_p398_joint_without_prying_in_the_extension() {
     let mut joint = sci();
@@ -137,9 +141,11 @@ fn sci_p398_joint_without_prying_in_the_extension() {
     assert!(a.moment.value < done(&sci()).moment.value);
 }
 
-/// One-sided extended end plate, printed result: rows alone 137.9, 152.6, 152.6 kN; groups 240.8, 265.2; after groups 137.9,
-/// 102.9, 24.4; after compression 137.9, 48.9, 0; M_j,Rd = 51.3 kNm; S_j,ini = 15 511 kNm/rad. Tolerance 1 %, of
-/// the forces 0.15 kN: rows 1 to 3 are 265.31 kN with the catalogue's area of the column.
+/// One-sided extended end plate, printed result: rows alone 137.9, 152.6, 152.6 kN; groups 240.8,
+/// 265.2; after groups 137.9,
+/// 102.9, 24.4; after compression 137.9, 48.9, 0; M_j,Rd = 51.3 kNm; S_j,ini = 15 511 kNm/rad.
+/// Tolerance 1 %, of the forces 0.15 kN: rows 1 to 3 are 265.31 kN with the catalogue's area of the
+/// column.
 #[test]
 fn one_sided_extended_end_plate_row_by_row() {
     let a = done(&one_sided());
@@ -177,8 +183,8 @@ fn strong_bolts(stress_area: f64, elongation: f64, gauge: f64, rows: &[f64]) -> 
     Bolts { tension, stress_area, elongation, ..bolts("M24", 40.0, gauge, rows) }
 }
 
-/// HEA 340, IPE 500 on one side, S235, M24 10.9: printed M_j,Rd = 224.5 kNm. Plate 240 × 15, rows at 50, 135, 215 and 535 from its
-/// top, which is 85 above the beam; throats 8 and 5.
+/// HEA 340, IPE 500 on one side, S235, M24 10.9: printed M_j,Rd = 224.5 kNm. Plate 240 × 15, rows
+/// at 50, 135, 215 and 535 from its top, which is 85 above the beam; throats 8 and 5.
 #[test]
 fn one_sided_hea_340_and_ipe_500() {
     let a = done(&EndPlateJoint {
@@ -191,8 +197,9 @@ fn one_sided_hea_340_and_ipe_500() {
     close("M_j,Rd", a.moment.value, 224.5e6, 0.002);
 }
 
-/// HEA 300, IPE 400 on one side, S355, M20 10.9, three rows: printed M_j,Rd = 196.8 kNm and S_j,ini = 45 112 kNm/rad extended, 154.3 kNm
-/// flush. Plate 240 × 16, rows at 50, 160, 270 (extended, 100 above the beam) or 77, 157, 237 (flush, 20 above) from its top; throats 9 and 6.
+/// HEA 300, IPE 400 on one side, S355, M20 10.9, three rows: printed M_j,Rd = 196.8 kNm and S_j,ini
+/// = 45 112 kNm/rad extended, 154.3 kNm flush. Plate 240 × 16, rows at 50, 160, 270 (extended, 100
+/// above the beam) or 77, 157, 237 (flush, 20 above) from its top; throats 9 and 6.
 #[test]
 fn one_sided_hea_300_and_ipe_400_extended_and_flush() {
     let joint = |top: f64, rows: [f64; 3]| EndPlateJoint {
@@ -208,7 +215,8 @@ fn one_sided_hea_300_and_ipe_400_extended_and_flush() {
     close("M_j,Rd, flush", done(&joint(220.0, [77.0, 157.0, 237.0])).moment.value, 154.3e6, 0.002);
 }
 
-/// The sense of bending: upside down, the joint answers for the other sense; twice upside down it is itself.
+/// The sense of bending: upside down, the joint answers for the other sense; twice upside down it
+/// is itself.
 #[test]
 fn mirrored_joints_answer_alike() {
     let joint = one_sided();

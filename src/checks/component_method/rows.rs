@@ -1,6 +1,8 @@
-//! The rows of bolts in tension: their T-stubs alone and in groups, on the side of the column and on that of the beam.
+//! The rows of bolts in tension: their T-stubs alone and in groups, on the side of the column and
+//! on that of the beam.
 //!
-//! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN 1993-1-8:2005 6.2.4 to 6.2.6.
+//! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN
+//! 1993-1-8:2005 6.2.4 to 6.2.6.
 
 use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
@@ -62,8 +64,8 @@ impl<'a> Rows<'a> {
         Self::of(joint, Flanges::Upper)
     }
 
-    /// All rows of a joint that a force pulls off as a whole: both flanges of the beam are tension flanges, nothing is
-    /// compressed.
+    /// All rows of a joint that a force pulls off as a whole: both flanges of the beam are tension
+    /// flanges, nothing is compressed.
     pub fn all(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
         Self::of(joint, Flanges::Both)
     }
@@ -181,14 +183,16 @@ impl<'a> Rows<'a> {
         if z > 0.0 { self.joint.plate.top - z } else { z - self.joint.plate.bottom }
     }
 
-    /// m2 of a row between the flanges to the upper and the lower one, as far as they are in tension \[mm\], figure 6.11.
+    /// m2 of a row between the flanges to the upper and the lower one, as far as they are in
+    /// tension \[mm\], figure 6.11.
     fn to_flanges(&self, z: f64) -> [Option<f64>; 2] {
         let s = &self.joint.beam.section;
         let clear = 0.5 * s.h - s.tf - WELD * self.joint.beam.flange_throat;
         [Some(clear - z), (self.flanges == Flanges::Both).then_some(clear + z)]
     }
 
-    /// m2 to the tension flange next above and next below a row between the flanges, where no other row lies between.
+    /// m2 to the tension flange next above and next below a row between the flanges, where no other
+    /// row lies between.
     fn beside_flanges(&self, row: usize) -> [Option<f64>; 2] {
         let [above, below] = self.to_flanges(self.z[row]);
         let first = row == 0 || self.outside(self.z[row - 1]);
@@ -196,7 +200,8 @@ impl<'a> Rows<'a> {
         [above.filter(|_| first), below.filter(|_| last)]
     }
 
-    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between, 2 below.
+    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between, 2
+    /// below.
     fn stretch(&self, row: usize) -> usize {
         let stiffened = self.joint.column.as_ref().is_some_and(|c| c.stiffener > 0.0);
         match (stiffened, self.outside(self.z[row])) {
@@ -229,7 +234,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Effective lengths of one row on the column flange, and of the same row within the group `first..=last`.
+    /// Effective lengths of one row on the column flange, and of the same row within the group
+    /// `first..=last`.
     fn on_column(&self, column: &Column, row: usize, group: Option<(usize, usize)>) -> Lengths {
         let (m, e) = (self.m_column(column), self.e_column(column));
         let beside = self.stiffeners(row);
@@ -291,7 +297,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Whether the rows `first..=last` can form a group on a side: no stiffener, no flange between them.
+    /// Whether the rows `first..=last` can form a group on a side: no stiffener, no flange between
+    /// them.
     fn joined(&self, side: Side, first: usize, last: usize) -> bool {
         match side {
             Side::Column => self.stretch(first) == self.stretch(last),
@@ -360,11 +367,13 @@ impl<'a> Rows<'a> {
         out
     }
 
-    /// Smallest effective lengths of a row, alone or in any group of consecutive rows, and m, on column and plate \[mm\]:
-    /// those of the stiffness coefficients; nothing on the side of a column that is not there.
+    /// Smallest effective lengths of a row, alone or in any group of consecutive rows, and m, on
+    /// column and plate \[mm\]: those of the stiffness coefficients; nothing on the side of a
+    /// column that is not there.
     ///
     /// # Source
-    /// EN 1993-1-8:2005 Table 6.11: "the smallest of the effective lengths (individually or as part of a group of bolt rows)".
+    /// EN 1993-1-8:2005 Table 6.11: "the smallest of the effective lengths (individually or as part
+    /// of a group of bolt rows)".
     pub fn stiffness_lengths(&self, row: usize) -> (Option<(f64, f64)>, (f64, f64)) {
         let smallest = |side: Side, lengths: &dyn Fn(Option<(usize, usize)>) -> Lengths| {
             let groups =

@@ -81,7 +81,8 @@ pub fn bolts_in_tension(stress_area: f64, elongation: f64) -> f64 {
 /// `S_j,ini = E z²/(1/k1 + 1/k2 + 1/k_eq)`.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.3.1(4), 6.3.3.1, formulas 6.27, 6.29 to 6.31; Table 6.10: a splice counts k5 of both plates and k10.
+/// EN 1993-1-8:2005 6.3.1(4), 6.3.3.1, formulas 6.27, 6.29 to 6.31; Table 6.10: a splice counts k5
+/// of both plates and k10.
 pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, CheckError> {
     let (c, b) = (joint.column.as_ref(), &joint.beam);
     let each = |r: usize| {
@@ -130,7 +131,8 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     );
     let mut formula = formula;
     if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
-        // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to shear
+        // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to
+        // shear
         formula += ", k1 kept finite beside transverse stiffeners";
     }
     let title = "initial rotational stiffness";
@@ -173,8 +175,8 @@ pub enum Joins {
     Other,
 }
 
-/// Rotational stiffness for elastic analysis up to M_j,Rd: `S_j,ini/η`, η = 2 for bolted end plates between beam and column, 3
-/// for other joints \[N mm/rad\].
+/// Rotational stiffness for elastic analysis up to M_j,Rd: `S_j,ini/η`, η = 2 for bolted end plates
+/// between beam and column, 3 for other joints \[N mm/rad\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.1.2(4), Table 5.2.

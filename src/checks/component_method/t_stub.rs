@@ -63,10 +63,11 @@ pub struct TStub {
     pub gamma_m0: f64,
     /// Whether prying forces develop.
     pub prying: Prying,
-    /// Plastic moment of the backing plates over the rows, Σ ℓ_eff,1 t_bp² f_y,bp/(4 γ_M0) \[N mm\]; 0 without.
+    /// Plastic moment of the backing plates over the rows, Σ ℓ_eff,1 t_bp² f_y,bp/(4 γ_M0) \[N
+    /// mm\]; 0 without.
     pub backing: f64,
-    /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the width across points of
-    /// head or nut; `None` for the first method.
+    /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the
+    /// width across points of head or nut; `None` for the first method.
     pub washer_quarter: Option<f64>,
 }
 
@@ -90,9 +91,11 @@ pub struct Resistance {
 impl TStub {
     /// Design tension resistance.
     ///
-    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, with backing plates `(4 M_pl,1 + 2 M_bp)/m`, by the alternative
-    /// method `((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3 `ΣF_t,Rd`;
-    /// without prying `2 M_pl,1/m` in place of modes 1 and 2.
+    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, with backing plates
+    /// `(4 M_pl,1 + 2 M_bp)/m`, by the alternative method
+    /// `((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n))`; mode 2
+    /// `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3 `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of
+    /// modes 1 and 2.
     ///
     /// # Source
     /// EN 1993-1-8:2005 Table 6.2 and 6.2.4.3 (backing plates).
@@ -101,7 +104,8 @@ impl TStub {
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        // the formula is written for the mode that decides alone: writing takes longer than reckoning
+        // the formula is written for the mode that decides alone: writing takes longer than
+        // reckoning
         let mut candidates: Vec<(Mode, f64)> = Vec::new();
         match (self.prying, self.washer_quarter) {
             (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
@@ -145,7 +149,8 @@ impl TStub {
         for (mode, value) in &candidates {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
-        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2: the bolts are at F_t,Rd
+        // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
+        // the bolts are at F_t,Rd
         let bolts = match least.0 {
             Mode::Flange => least.1 + 2.0 * mpl1 / e,
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
@@ -200,7 +205,8 @@ impl TStub {
 
 /// Whether prying forces develop in a T-stub of `rows` rows: bolts no longer than L_b* do it.
 ///
-/// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one bolt \[mm²\].
+/// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one
+/// bolt \[mm²\].
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 6.2 with the corrigendum of 2009 (n_b rows of two bolts).

@@ -1,4 +1,5 @@
-//! Each formula of the component method by itself, named after its clause or table, and inputs that must be refused.
+//! Each formula of the component method by itself, named after its clause or table, and inputs that
+//! must be refused.
 
 use super::column_web::{self, CompressedWeb, ShearPanel};
 use super::joint::EndPlateJoint;
@@ -52,7 +53,8 @@ fn table_6_2_modes_of_the_t_stub() {
     near(backed.mode1, (4.0 * 0.25 * 200.0 * 64.0 * 235.0 + 2e6) / 40.0);
 }
 
-/// With e_w = 0 the alternative method is the first one; with a washer it gives more, never more than mode 2 allows.
+/// With e_w = 0 the alternative method is the first one; with a washer it gives more, never more
+/// than mode 2 allows.
 #[test]
 fn table_6_2_alternative_method_of_mode_1() {
     let thin = TStub { thickness: 10.0, ..STUB };
@@ -107,7 +109,8 @@ fn tables_6_4_to_6_6_effective_lengths() {
     check(lengths::outside_flange(m, 90.0, 200.0, 200.0, 150.0), 2.0 * PI * m, 75.0);
 }
 
-/// α: by a search over the figure's curves, at the borders, and far from the stiffener, where it is none.
+/// α: by a search over the figure's curves, at the borders, and far from the stiffener, where it is
+/// none.
 #[test]
 fn figure_6_11_alpha() {
     // a second way: the α among fine steps whose curve passes nearest to the point
@@ -172,8 +175,9 @@ fn clause_6_2_6_1_web_panel_in_shear() {
     near(panel(60.0).resistance().value, 0.9 * 275.0 * 1308.0 / 3f64.sqrt());
     // 69 ε = 63.8
     assert!(!panel(63.0).slender() && panel(64.0).slender());
-    // h_w = 120 · 7 + 24 = 864 mm, λ̄_w = 864/(86.4 · 7 · 0.92442) = 1.54538, χ_w = 0.83/λ̄_w = 0.53708: the web of a panel with a large
-    // A_vc buckles at 0.9 · 0.53708 · 864 · 7 · 275/(√3 · 1.1)
+    // h_w = 120 · 7 + 24 = 864 mm, λ̄_w = 864/(86.4 · 7 · 0.92442) = 1.54538, χ_w = 0.83/λ̄_w =
+    // 0.53708: the web of a panel with a large A_vc buckles at 0.9 · 0.53708 · 864 · 7 · 275/(√3 ·
+    // 1.1)
     let slender = ShearPanel { area: 9000.0, ..panel(120.0) }.resistance();
     assert!((slender.value / 421_970.0 - 1.0).abs() < 1e-4, "{}", slender.value);
     assert!(slender.clause.contains("1993-1-5") && panel(120.0).resistance().value < slender.value);
@@ -268,13 +272,15 @@ fn clauses_6_2_6_7_and_6_2_6_8_the_beam() {
     let thin = super::joint::Section { tf: 4.0, ..ipe };
     near(beam_checks::moment_resistance(&thin, 275.0, 0.0, 1.0).value, ipe.w_el * 275.0);
     let thinner = super::joint::Section { tf: 3.0, ..ipe };
-    // c/t = (0.5 · (135 − 6.6) − 15)/3 = 16.4 > 14 ε = 12.94: of class 3 up to σ = 275 · (12.94/16.4)²
+    // c/t = (0.5 · (135 − 6.6) − 15)/3 = 16.4 > 14 ε = 12.94: of class 3 up to σ = 275 ·
+    // (12.94/16.4)²
     assert_eq!(beam_checks::class(&thinner, 275.0), beam_checks::Class::Slender);
     let stress = 275.0 * (14.0f64 * (235.0f64 / 275.0).sqrt() / 16.4).powi(2);
     near(beam_checks::moment_resistance(&thinner, 275.0, 0.0, 1.0).value, ipe.w_el * stress);
 }
 
-/// 6.2.7.2(9): where the first row is as strong as its bolts, the rows below get their share by lever arms alone.
+/// 6.2.7.2(9): where the first row is as strong as its bolts, the rows below get their share by
+/// lever arms alone.
 #[test]
 fn clause_6_2_7_2_9_limits_rows_below_strong_ones() {
     let mut joint = one_sided();
@@ -289,7 +295,8 @@ fn clause_6_2_7_2_9_limits_rows_below_strong_ones() {
     }
 }
 
-/// Stiffeners in the column part the rows into groups and stiffen the web: nothing gets weaker, k2 is infinite.
+/// Stiffeners in the column part the rows into groups and stiffen the web: nothing gets weaker, k2
+/// is infinite.
 #[test]
 fn clause_6_2_6_4_2_stiffened_column_flange() {
     let plain = assess(&one_sided()).expect("covered");
@@ -308,8 +315,9 @@ fn clause_6_2_6_4_2_stiffened_column_flange() {
     );
 }
 
-/// V_pl,Rd of IPE 270: A_v = 4595 − 2 · 135 · 10.2 + (6.6 + 30) 10.2 = 2214.3 mm², · 275/√3 = 351.57 kN. With V = 0.75 V_pl ρ = 0.25 and
-/// M_V = (484 000 − 0.25 · (249.6 · 6.6)²/(4 · 6.6)) · 275 = 126.03 kNm; up to half of V_pl the moment is whole.
+/// V_pl,Rd of IPE 270: A_v = 4595 − 2 · 135 · 10.2 + (6.6 + 30) 10.2 = 2214.3 mm², · 275/√3 =
+/// 351.57 kN. With V = 0.75 V_pl ρ = 0.25 and M_V = (484 000 − 0.25 · (249.6 · 6.6)²/(4 · 6.6)) ·
+/// 275 = 126.03 kNm; up to half of V_pl the moment is whole.
 #[test]
 fn en_1993_1_1_6_2_8_shear_takes_from_the_moment_of_the_beam() {
     let ipe = beam("IPE270", 275.0, 6.0, 4.0).section;
@@ -321,8 +329,9 @@ fn en_1993_1_1_6_2_8_shear_takes_from_the_moment_of_the_beam() {
     assert!(at(0.9) < at(0.75) && at(1.5) == at(1.0));
 }
 
-/// A splice of four rows, two beside either flange and mirror images of each other: pulled without moment every row has what it
-/// carries alone or in its group, by hand with the tables; pushed it carries N_pl,Rd; and both grow from the axis without a jump.
+/// A splice of four rows, two beside either flange and mirror images of each other: pulled without
+/// moment every row has what it carries alone or in its group, by hand with the tables; pushed it
+/// carries N_pl,Rd; and both grow from the axis without a jump.
 #[test]
 fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     let mut joint = one_sided();
@@ -332,7 +341,8 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     joint.bolts.always_prying = true;
     let a = assess(&joint).expect("covered");
     let e = Equilibrium::new(&joint).expect("covered");
-    // the two rows between the flanges: alone beside a flange each, or in a group whose ends are beside a flange each
+    // the two rows between the flanges: alone beside a flange each, or in a group whose ends are
+    // beside a flange each
     let [outer, inner] = [0, 1].map(|r| a.rows[r].single);
     let (m, edge) = (0.5 * (71.0 - 6.6) - 0.8 * 2f64.sqrt() * 4.0, 0.5 * (135.0 - 71.0));
     let alpha = lengths::alpha(m, edge, 135.0 - 10.2 - 90.0 - 0.8 * 2f64.sqrt() * 6.0);
@@ -351,7 +361,8 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     let group = stub.resistance().worked.value.min(lengths * 6.6 * 275.0);
     near(e.tension, 2.0 * outer + group.min(2.0 * inner));
     near(e.compression, joint.beam.section.area * 275.0);
-    // no moment: equal forces on both sides; no axial force: the moment resistance, or more without its rule of the bolts
+    // no moment: equal forces on both sides; no axial force: the moment resistance, or more without
+    // its rule of the bolts
     let pulled = e.at(e.tension, 0.0).expect("a force acts");
     assert!(
         pulled.factor <= 1.0 + 1e-9
@@ -501,8 +512,8 @@ fn wrong_joints_are_refused_by_quantity() {
     }
 }
 
-/// A splice is a joint to a column that nothing bends: the same rows and moment as with a column so thick that plate and beam
-/// decide everywhere, and half of its flexibility in the plates.
+/// A splice is a joint to a column that nothing bends: the same rows and moment as with a column so
+/// thick that plate and beam decide everywhere, and half of its flexibility in the plates.
 #[test]
 fn clause_6_2_7_splice_without_a_column() {
     let mut stiff = super::reference_cases::one_sided();
@@ -536,7 +547,8 @@ fn clause_6_2_7_splice_without_a_column() {
     }
 }
 
-/// Bolt forces with prying: mode 1 by equilibrium of the flange about its hinges, mode 2 at F_t,Rd, without prying none.
+/// Bolt forces with prying: mode 1 by equilibrium of the flange about its hinges, mode 2 at F_t,Rd,
+/// without prying none.
 #[test]
 fn table_6_2_bolt_forces_with_prying() {
     let stub = |length: f64, prying| TStub {

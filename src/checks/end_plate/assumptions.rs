@@ -1,4 +1,5 @@
-//! What the checks take to be so where the spec is silent, and what of the input the code does not stand behind.
+//! What the checks take to be so where the spec is silent, and what of the input the code does not
+//! stand behind.
 
 use super::{EndPlate, Topic, Unit};
 use crate::checks::check::Check;

@@ -5,7 +5,8 @@ use crate::assembly::PlaneActions;
 use crate::checks::check::Check;
 use crate::checks::eurocode::section::Beam;
 
-/// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot bring these forces needs another joint.
+/// Shear, axial force and moment of the beam at the bolt plane. They bind: a beam that cannot bring
+/// these forces needs another joint.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.

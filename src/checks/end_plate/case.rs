@@ -1,4 +1,5 @@
-//! One member end under one load case, as the checks see it that need the row forces of the component method.
+//! One member end under one load case, as the checks see it that need the row forces of the
+//! component method.
 
 use super::{Sense, class_checks, n, stiffener_checks, weld_checks};
 use crate::assembly::{EndPlate, PlaneActions};
@@ -17,7 +18,8 @@ pub(super) struct Case<'a> {
     pub sense: Sense,
     /// The component method of that sense.
     pub assessment: &'a Assessment,
-    /// Force of every row of the assessment under the load \[N\]; more than the row carries where the load is.
+    /// Force of every row of the assessment under the load \[N\]; more than the row carries where
+    /// the load is.
     pub rows: Vec<f64>,
     /// Largest compression of a flange of the beam under the load \[N\].
     pub push: f64,

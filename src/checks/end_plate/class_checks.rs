@@ -1,5 +1,5 @@
-//! Classes of the joint by strength and stiffness under each load case, and its stiffness under the moment. Information: what they decide
-//! is the model of the frame.
+//! Classes of the joint by strength and stiffness under each load case, and its stiffness under the
+//! moment. Information: what they decide is the model of the frame.
 
 use super::case::Case;
 use super::{EndPlate, Topic, Unit, Worked, n};
@@ -7,7 +7,8 @@ use crate::checks::check::Check;
 use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, strength_class};
 use crate::checks::component_method::stiffness::at_moment;
 
-/// Columns that meet at a joint within the height of a column; templates have columns that go on above and below.
+/// Columns that meet at a joint within the height of a column; templates have columns that go on
+/// above and below.
 const COLUMNS: u32 = 2;
 /// Of classes by stiffness.
 const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
@@ -77,7 +78,8 @@ fn slender_columns(e: &EndPlate) -> Option<f64> {
     Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
 }
 
-/// The class for both kinds of frame where the length of the beam is known, else the length from which on it is rigid.
+/// The class for both kinds of frame where the length of the beam is known, else the length from
+/// which on it is rigid.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.

@@ -33,8 +33,9 @@ impl Method {
 
     /// Utilisation of the joint under forces and moments of a member end, to be at most 1.
     ///
-    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least the reciprocal of the
-    /// largest factor on M and N together, by the plastic equilibrium of the components. A pull relieves the compressed side: that is not counted.
+    /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least
+    /// the reciprocal of the largest factor on M and N together, by the plastic equilibrium of the
+    /// components. A pull relieves the compressed side: that is not counted.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
@@ -50,7 +51,8 @@ impl Method {
         let mut value = bending;
         if self.small(axial) {
             if axial != 0.0 {
-                // beside a moment a small force is left out, by itself it is held against the joint all the same
+                // beside a moment a small force is left out, by itself it is held against the joint
+                // all the same
                 let resistance = self
                     .equilibrium
                     .as_ref()
@@ -103,7 +105,8 @@ pub struct Comparison {
     pub demand: f64,
     /// M_j,Rd \[N mm\].
     pub resistance: f64,
-    /// The load factor at which moment and axial force reach the resistance; absent where the loads never do.
+    /// The load factor at which moment and axial force reach the resistance; absent where the loads
+    /// never do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// What limits the rows, from the tension side: a sentence.
@@ -158,7 +161,8 @@ impl Comparison {
     }
 }
 
-/// The least load factor at which the utilisation by moment and axial force reaches 1; `None` where it never does.
+/// The least load factor at which the utilisation by moment and axial force reaches 1; `None` where
+/// it never does.
 fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
     if a.dead.iter().flatten().all(|x| *x == 0.0) {
         let [[axial, ..], [_, my, _]] = a.at(1.0);

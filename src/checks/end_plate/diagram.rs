@@ -1,4 +1,5 @@
-//! M–N diagrams of an end plate, for the report: not needed for any check, and dearer than all of them.
+//! M–N diagrams of an end plate, for the report: not needed for any check, and dearer than all of
+//! them.
 
 use super::{EndPlate, joint, loaded, senses};
 use crate::checks::component_method::equilibrium::SMALL_AXIAL;
@@ -14,7 +15,8 @@ pub struct MomentAxial {
     pub beta: f64,
     /// The border: N and M \[N, N mm\], tension and tension at the top positive.
     pub border: Vec<[f64; 2]>,
-    /// M_j,Rd of tension at the top and of tension at the bottom \[N mm\]: the most that counts; 0 where the tables do not cover it.
+    /// M_j,Rd of tension at the top and of tension at the bottom \[N mm\]: the most that counts; 0
+    /// where the tables do not cover it.
     pub resistance: [f64; 2],
     /// Axial force that is left out beside a moment \[N\].
     pub small: f64,

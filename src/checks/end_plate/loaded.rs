@@ -1,10 +1,12 @@
-//! What the actions of the load cases ask of an end plate: moment and axial force, bolts in shear and tension, bearing, punching,
-//! the column web panel, welds.
+//! What the actions of the load cases ask of an end plate: moment and axial force, bolts in shear
+//! and tension, bearing, punching, the column web panel, welds.
 //!
-//! The component method spreads the moment over its rows; a row takes the part of its resistance that the joint takes of its
-//! own, prying included (`RowForce::bolt_force`), also where that is more than it carries: no demand is clipped without a word.
-//! Beside an axial force that counts the rows have the forces of the plastic equilibrium (`component_method::equilibrium`). Shear goes to the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`:
-//! 1 for a bolt that no moment pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
+//! The component method spreads the moment over its rows; a row takes the part of its resistance
+//! that the joint takes of its own, prying included (`RowForce::bolt_force`), also where that is
+//! more than it carries: no demand is clipped without a word. Beside an axial force that counts the
+//! rows have the forces of the plastic equilibrium (`component_method::equilibrium`). Shear goes to
+//! the bolts by what tension leaves of them, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt that no moment
+//! pulls, 0.4/1.4 for one at F_t,Rd, the two values of 6.2.2(2).
 
 use super::case::{self, Case};
 use super::comparison::{Comparison, Method};
@@ -27,11 +29,12 @@ use crate::checks::eurocode::welds::{least_size, simplified};
 /// Part of the interaction formula of Table 3.4 that divides the tension.
 const TENSION_PART: f64 = 1.4;
 
-/// Transformation parameter β of a member end: `|1 − M_j,b2/M_j,b1| ≤ 2` with the moments at the node, that of the other beam in
-/// the numerator; 1 where no other beam acts, 0 in a splice.
+/// Transformation parameter β of a member end: `|1 − M_j,b2/M_j,b1| ≤ 2` with the moments at the
+/// node, that of the other beam in the numerator; 1 where no other beam acts, 0 in a splice.
 ///
 /// # Source
-/// EN 1993-1-8:2005 5.3(8), formulas 5.4a and 5.4b. Moments in the members' own axes, so that equal ones of two beams balance.
+/// EN 1993-1-8:2005 5.3(8), formulas 5.4a and 5.4b. Moments in the members' own axes, so that equal
+/// ones of two beams balance.
 pub(super) fn beta(e: &EndPlate, a: &PlaneActions) -> f64 {
     if e.column.is_none() {
         return 0.0;
@@ -122,8 +125,8 @@ fn loaded_joint(e: &EndPlate, a: &PlaneActions) -> EndPlateJoint {
     joint
 }
 
-/// Torsion, weak-axis moment and horizontal shear: the hand checks of bolts, plates and welds leave them out, and no bracket
-/// checks what they leave out.
+/// Torsion, weak-axis moment and horizontal shear: the hand checks of bolts, plates and welds leave
+/// them out, and no bracket checks what they leave out.
 fn no_formula(a: &PlaneActions) -> Option<Check> {
     let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
     let moments = [("T", torsion, Unit::Moment), ("Mz", mz, Unit::Moment), ("Vy", vy, Unit::Force)];
@@ -184,7 +187,8 @@ impl Side<'_> {
         format!("{}, {}", self.a.end, self.sense.words())
     }
 
-    /// Resistance of the joint, for the sense of bending of the case; the equilibrium only where an axial force acts.
+    /// Resistance of the joint, for the sense of bending of the case; the equilibrium only where an
+    /// axial force acts.
     fn method(&self) -> Method {
         let axial = self.a.at(1.0)[0][0];
         let acts = axial != 0.0 || self.a.dead[0][0] != 0.0;
@@ -214,8 +218,8 @@ impl Side<'_> {
         check.utilised(Topic::ComponentMethod, self.subject(), Status::Failed)
     }
 
-    /// What may buckle: the compressed column web against its reduced resistance; what the code gives no resistance for is
-    /// undecided.
+    /// What may buckle: the compressed column web against its reduced resistance; what the code
+    /// gives no resistance for is undecided.
     fn stability(&self, method: &Method, push: f64) -> Vec<Check> {
         let mut out = Vec::new();
         for s in &self.assessment.stability {
@@ -253,15 +257,17 @@ impl Side<'_> {
         if self.sense == Sense::Bottom { -1.0 } else { 1.0 }
     }
 
-    /// States of the rows that the actions may bring: the axial force alone, and together with the moment where it counts.
+    /// States of the rows that the actions may bring: the axial force alone, and together with the
+    /// moment where it counts.
     fn states(&self, method: &Method) -> Vec<Carried> {
         let at = self.a.at(1.0);
         let alone = method.equilibrium.as_ref().and_then(|e| e.at(at[0][0], 0.0));
         alone.into_iter().chain(method.with_axial(at)).filter(|c| c.factor > 0.0).collect()
     }
 
-    /// What a row at `z` \[mm\] has under the actions, beyond any resistance: the moment's share, or more where the axial force gives it
-    /// more. A push that relieves a row counts for nothing, so that a larger load never has smaller forces.
+    /// What a row at `z` \[mm\] has under the actions, beyond any resistance: the moment's share,
+    /// or more where the axial force gives it more. A push that relieves a row counts for nothing,
+    /// so that a larger load never has smaller forces.
     fn at_row(
         &self,
         states: &[Carried],
@@ -288,7 +294,8 @@ impl Side<'_> {
     /// Largest compression of a flange of the beam under the actions \[N\].
     fn push(&self, method: &Method) -> f64 {
         let at = self.a.at(1.0);
-        // a push that does not count for the joint is there all the same, half of it in either flange
+        // a push that does not count for the joint is there all the same, half of it in either
+        // flange
         let bending = at[1][1].abs() / method.moment * self.assessment.tension();
         let plain = bending + 0.5 * (-at[0][0]).max(0.0);
         let together = method.with_axial(at).filter(|c| c.factor > 0.0);
@@ -348,7 +355,8 @@ impl Side<'_> {
         Some(check.against(Topic::ComponentMethod, self.subject(), demand, Status::Failed))
     }
 
-    /// Fillet welds: those of the flanges take moment and axial force, those of the web the shear force.
+    /// Fillet welds: those of the flanges take moment and axial force, those of the web the shear
+    /// force.
     fn welds(&self) -> Vec<Check> {
         let e = self.e;
         let (b, mut out) = (&e.beam, Vec::new());
@@ -409,7 +417,8 @@ struct Bolts {
 }
 
 impl Bolts {
-    /// Tension that a bolt has beside its shear: at F_t,Rd it yields, and what is beyond stands in the check of tension.
+    /// Tension that a bolt has beside its shear: at F_t,Rd it yields, and what is beyond stands in
+    /// the check of tension.
     fn held(&self, tension: f64) -> f64 {
         tension.min(self.tension)
     }
@@ -452,7 +461,8 @@ impl Bolts {
         for (part, t, fu, width) in bearing_parts(e) {
             let rows = self.rows.iter().enumerate().map(|(i, &(z, tension))| {
                 let inner = pitches(e).map(|[p1, _]| Along::Inner { p1 });
-                // of the plate the end rows, whichever way the force points; the ends of the column are far
+                // of the plate the end rows, whichever way the force points; the ends of the column
+                // are far
                 let e1 = (e.top - z).min(z - e.bottom);
                 let outer =
                     (part == "end plate" && (i == 0 || i == end)).then_some(Along::End { e1 });

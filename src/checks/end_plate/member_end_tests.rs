@@ -21,9 +21,9 @@ fn near(a: f64, b: f64, part: f64) {
     assert!((a / b - 1.0).abs() < part, "{a} is not {b}");
 }
 
-/// A row below the flange pulls at b_eff of the web's welds. By hand, from the force of its table: F/(2 √2 · 4 · b_eff), no more of
-/// b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 = 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa.
-/// Beyond M_j,Rd it grows on.
+/// A row below the flange pulls at b_eff of the web's welds. By hand, from the force of its table:
+/// F/(2 √2 · 4 · b_eff), no more of b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 = 240.6
+/// mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows on.
 #[test]
 fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     let title = "web weld beside the rows in tension, directional method";
@@ -53,8 +53,9 @@ fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     assert!(none.checks.iter().all(|c| c.title != title));
 }
 
-/// Two welds of 4 mm on 300 − 7.1 − 30 − 2 √2 · 4 = 251.59 mm: 4 · 360/(√2 · 0.8 · 1.25) · 251.59 = 256.2 kN, against M_j,Rd/289.3 mm
-/// and at most 150 · 10.7 · 235 = 377.2 kN. Welds of 3 mm, 254.41 mm long, carry 194.3 kN; those of 6 mm are more than the
+/// Two welds of 4 mm on 300 − 7.1 − 30 − 2 √2 · 4 = 251.59 mm: 4 · 360/(√2 · 0.8 · 1.25) · 251.59 =
+/// 256.2 kN, against M_j,Rd/289.3 mm and at most 150 · 10.7 · 235 = 377.2 kN. Welds of 3 mm, 254.41
+/// mm long, carry 194.3 kN; those of 6 mm are more than the
 /// 10.7 · 235/(√2 · 360) = 4.939 mm that are as strong as the flange.
 #[test]
 fn clause_6_2_3_4_welds_are_not_the_weakest() {
@@ -98,7 +99,8 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
         check.status == Status::Information && check.formula.contains("full penetration"),
         "{check:#?}"
     );
-    // web welds of 3 mm: F/(2 √2 a b_eff) of the rows at F_tr,Rd, all else as under a load without shear force
+    // web welds of 3 mm: F/(2 √2 a b_eff) of the rows at F_tr,Rd, all else as under a load without
+    // shear force
     let web = find(
         &thin,
         "beam web, tension at the top, z = ",
@@ -113,7 +115,8 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     near(used(loaded), share * used(web), 1e-9);
 }
 
-/// 1.4 and 1.7 times M_j,Rd, at most M_pl,Rd = 628.4e3 · 235 = 147.7 kN m, at a lever arm of 289.3 mm and at most the flange's 377.2 kN.
+/// 1.4 and 1.7 times M_j,Rd, at most M_pl,Rd = 628.4e3 · 235 = 147.7 kN m, at a lever arm of 289.3
+/// mm and at most the flange's 377.2 kN.
 #[test]
 fn clause_6_2_3_5_welds_where_a_hinge_turns_in_the_joint() {
     let h = welded("{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}");
@@ -133,8 +136,9 @@ fn clause_6_2_3_5_welds_where_a_hinge_turns_in_the_joint() {
 
 const ONE: &str = "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}";
 
-/// HEB200 with stiffeners of 10.7 mm: (200 − 9)/2 − 23 = 72.5 mm are left of each, 2 · 72.5 · 10.7 · 235 = 364.6 kN. Web alone:
-/// b_eff = 10.7 + 5 · 33 + 30 = 205.7 mm, A_vc = 2483 mm², ω = 1/√(1 + 1.3 (205.7 · 9/2483)²) = 0.7619, so 331.5 kN.
+/// HEB200 with stiffeners of 10.7 mm: (200 − 9)/2 − 23 = 72.5 mm are left of each, 2 · 72.5 · 10.7
+/// · 235 = 364.6 kN. Web alone: b_eff = 10.7 + 5 · 33 + 30 = 205.7 mm, A_vc = 2483 mm², ω = 1/√(1 +
+/// 1.3 (205.7 · 9/2483)²) = 0.7619, so 331.5 kN.
 #[test]
 fn clause_6_2_6_2_stiffeners_on_their_net_section() {
     let title = "crushing of the column web with the net section of its stiffeners";
@@ -148,12 +152,14 @@ fn clause_6_2_6_2_stiffeners_on_their_net_section() {
     let sum: f64 = rows.filter_map(|c| c.resistance).sum();
     let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
     near(check.demand.unwrap_or(f64::NAN), share * sum, 1e-9);
-    // half of a push comes on top: 20 kN; a greater cut leaves less: 2 · 45.5 · 10.7 · 235 = 228.8 kN
+    // half of a push comes on top: 20 kN; a greater cut leaves less: 2 · 45.5 · 10.7 · 235 = 228.8
+    // kN
     let pushed = of(&loaded(&ONE.replace("My", "N: -40 kN, My")));
     near(pushed.demand.unwrap_or(f64::NAN), share * sum + 20e3, 1e-9);
     let cut = of(&checks(&joint("stiffener_clip: 50", ONE)));
     near(cut.resistance.unwrap_or(f64::NAN), 228.8e3 + 331.5e3, 1e-3);
-    // a push that counts, 5 % of N_pl are 63 kN, comes from the equilibrium of the components: all of it at most in one flange
+    // a push that counts, 5 % of N_pl are 63 kN, comes from the equilibrium of the components: all
+    // of it at most in one flange
     for push in [100.0, 200.0, 400.0] {
         let check = of(&loaded(&ONE.replace("My", &format!("N: -{push} kN, My"))));
         let force = check.demand.unwrap_or(f64::NAN);
@@ -170,7 +176,8 @@ fn clause_6_2_6_2_stiffeners_on_their_net_section() {
     );
 }
 
-/// Rows at 190 and 90 mm beside the stiffener at 144.65 mm, gauge 110 mm: m = 50.5 − 14.4 = 36.1 mm, m2 = 45.35 − 5.35 = 40 and
+/// Rows at 190 and 90 mm beside the stiffener at 144.65 mm, gauge 110 mm: m = 50.5 − 14.4 = 36.1
+/// mm, m2 = 45.35 − 5.35 = 40 and
 /// 54.65 − 5.35 = 49.3 mm.
 #[test]
 fn clause_6_2_6_3_stiffeners_in_tension() {
@@ -193,8 +200,9 @@ fn clause_6_2_6_3_stiffeners_in_tension() {
     near(check.resistance.unwrap_or(f64::NAN), 364.6e3, 1e-3);
 }
 
-/// Throat 4: 4 · 360/(√3 · 0.8 · 1.25) = 831.4 N/mm; four welds of 72.5 − 8 = 64.5 mm on the flange carry 214.5 kN, four of
-/// 200 − 2 (15 + 23) − 8 = 116 mm on the web 385.8 kN. The compressed stiffeners take 364.6/696.1 of the force.
+/// Throat 4: 4 · 360/(√3 · 0.8 · 1.25) = 831.4 N/mm; four welds of 72.5 − 8 = 64.5 mm on the flange
+/// carry 214.5 kN, four of 200 − 2 (15 + 23) − 8 = 116 mm on the web 385.8 kN. The compressed
+/// stiffeners take 364.6/696.1 of the force.
 #[test]
 fn clause_4_5_3_3_welds_of_stiffeners() {
     let title = "fillet welds of the column stiffeners";
@@ -224,7 +232,8 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
     assert!(loaded(ONE).checks.iter().all(|c| c.title != title), "butt welds have none");
 }
 
-/// A plate of 9 mm asks for 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear force a mm, runs along its welds.
+/// A plate of 9 mm asks for 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear
+/// force a mm, runs along its welds.
 #[test]
 fn clause_6_2_6_1_welds_of_a_doubler() {
     let of = |a: f64| checks(&joint(&format!("doubler: true, doubler_weld: {a}"), ONE));
@@ -255,9 +264,10 @@ fn clause_4_5_3_2_welds_as_strong_as_the_rib() {
     assert_eq!((check.status, find(&of(4.0), "rib", title).status), (Status::Failed, Status::Ok));
 }
 
-/// IPE300 S235: A_v = 5381 − 2 · 150 · 10.7 + (7.1 + 30) · 10.7 = 2568 mm², 348.4 kN; M_pl = 628.4e3 · 235 = 147.7 kN m. At 300 kN
-/// ρ = (600/348.4 − 1)² = 0.5215 and (628.4e3 − 0.5215 · 1978²/28.4) · 235 = 130.8 kN m; at 500 kN of 1264.5 kN n = 0.3954,
-/// a = 0.4035 and 147.7 · 0.6046/0.7983 = 111.8 kN m.
+/// IPE300 S235: A_v = 5381 − 2 · 150 · 10.7 + (7.1 + 30) · 10.7 = 2568 mm², 348.4 kN; M_pl =
+/// 628.4e3 · 235 = 147.7 kN m. At 300 kN ρ = (600/348.4 − 1)² = 0.5215 and (628.4e3 − 0.5215 ·
+/// 1978²/28.4) · 235 = 130.8 kN m; at 500 kN of 1264.5 kN n = 0.3954, a = 0.4035 and 147.7 ·
+/// 0.6046/0.7983 = 111.8 kN m.
 #[test]
 fn en_1993_1_1_6_2_the_beam_at_the_joint() {
     let of = |load: &str| loaded(&ONE.replace("My: 40 kN m", load));
@@ -316,9 +326,10 @@ fn the_examples_fail_no_check() {
     assert!(seen >= 5, "{seen}");
 }
 
-/// IPE300 of 6 m: E I_b/L_b = 210e3 · 8356e4/6000 = 2925 kN m, so 8 and 25 times it, 23.4e3 and 73.1e3, and half of it, 1462 kN m/rad. HEB200 of 3 m:
-/// K_b/K_c = (8356/6000)/(5696/3000) = 0.733; of 0.3 m: 0.0733, too stiff for a rigid joint in a frame that sways. M_b,pl = 147.7,
-/// M_c,pl = 642.5e3 · 235 = 151 kN m. Shear and axial force change nothing.
+/// IPE300 of 6 m: E I_b/L_b = 210e3 · 8356e4/6000 = 2925 kN m, so 8 and 25 times it, 23.4e3 and
+/// 73.1e3, and half of it, 1462 kN m/rad. HEB200 of 3 m: K_b/K_c = (8356/6000)/(5696/3000) = 0.733;
+/// of 0.3 m: 0.0733, too stiff for a rigid joint in a frame that sways. M_b,pl = 147.7, M_c,pl =
+/// 642.5e3 · 235 = 151 kN m. Shear and axial force change nothing.
 #[test]
 fn clause_5_2_classes_under_every_load_case() {
     let of = |beam: &str, column: &str, load: &str| {
@@ -382,8 +393,8 @@ fn bolted(bolts: &str, more: &str, loads: &str) -> String {
     format!("{text}friction: {{mu: 0.2}}\n")
 }
 
-/// F_p,C = 0.7 · 800 · 245 = 137.2 kN, six bolts with μ = 0.2: 6 · 27.44/1.25 = 131.7 kN at the ultimate limit state (category C),
-/// 6 · 27.44/1.1 = 149.7 kN at serviceability (category B).
+/// F_p,C = 0.7 · 800 · 245 = 137.2 kN, six bolts with μ = 0.2: 6 · 27.44/1.25 = 131.7 kN at the
+/// ultimate limit state (category C), 6 · 27.44/1.1 = 149.7 kN at serviceability (category B).
 #[test]
 fn clause_3_4_categories_b_and_c_bind_in_their_limit_state() {
     let ultimate = "slip of the preloaded bolts at the ultimate limit state (category C)";
@@ -435,7 +446,8 @@ fn clause_3_4_categories_b_and_c_bind_in_their_limit_state() {
     );
 }
 
-/// d0 = 24 mm for M20: bearing 0.8 · 2.5 · 1 · 360 · 20 · 15/1.25 = 172.8 kN (α_b = 1, k1 = 2.5), k_s = 0.85.
+/// d0 = 24 mm for M20: bearing 0.8 · 2.5 · 1 · 360 · 20 · 15/1.25 = 172.8 kN (α_b = 1, k1 = 2.5),
+/// k_s = 0.85.
 #[test]
 fn tables_3_4_and_3_6_oversize_holes() {
     let load = "{name: A, end: beam_right, at: bolt_plane, Vz: -100 kN}";
@@ -461,7 +473,8 @@ fn tables_3_4_and_3_6_oversize_holes() {
     );
 }
 
-/// Preloaded bolts that are no assembly of EN 14399 are a warning; those of the HR and HV systems are none.
+/// Preloaded bolts that are no assembly of EN 14399 are a warning; those of the HR and HV systems
+/// are none.
 #[test]
 fn clause_3_1_2_preloaded_bolts_are_assemblies_of_en_14399() {
     let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
@@ -509,8 +522,8 @@ fn table_3_2_wrong_categories_and_states_are_told() {
     );
 }
 
-/// Plate of 40 mm on HEM200: M20 8.8 break before anything bends, 2 · 0.9 · 800 · 245/1.1 = 320.7 kN a row, three rows 962.2 kN. Thinner
-/// plates carry less.
+/// Plate of 40 mm on HEM200: M20 8.8 break before anything bends, 2 · 0.9 · 800 · 245/1.1 = 320.7
+/// kN a row, three rows 962.2 kN. Thinner plates carry less.
 #[test]
 fn en_1991_1_7_a_5_tying_resistance() {
     let of = |thickness: u32, column: &str| {

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 /// Actions below this part of the moment (forces by the depth of the beam) are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A load case that is one moment My at a member end (or the same at the ends of two beams, that balance at a column): then the
-/// loaded section turns by φ = −2Π/M, and the energies bracket it.
+/// A load case that is one moment My at a member end (or the same at the ends of two beams, that
+/// balance at a column): then the loaded section turns by φ = −2Π/M, and the energies bracket it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PureMoment {
     /// Load case.
@@ -18,8 +18,8 @@ pub struct PureMoment {
     pub end: String,
     /// |My| \[N mm\].
     pub moment: f64,
-    /// M L/(E I_b) of the beam between the loaded section and the plates \[rad\]: Euler–Bernoulli, and without shear, for a moment
-    /// alone brings none.
+    /// M L/(E I_b) of the beam between the loaded section and the plates \[rad\]: Euler–Bernoulli,
+    /// and without shear, for a moment alone brings none.
     pub beam_rotation: f64,
     /// E I_b of the beam \[N mm²\].
     pub flexural: f64,
@@ -34,7 +34,8 @@ pub struct PureMoment {
 }
 
 impl PureMoment {
-    /// The load case at a member end, if it is a moment alone and the template tells which length of beam bends.
+    /// The load case at a member end, if it is a moment alone and the template tells which length
+    /// of beam bends.
     pub(super) fn new(
         e: &EndPlate,
         a: &PlaneActions,
@@ -68,8 +69,9 @@ impl PureMoment {
     }
 }
 
-/// Bracket of S_j,ini. The rotation of the joint is what is left of that of the loaded section after the beam's bending; it holds
-/// plates, bolts, contact, column web and flanges, and where [`PureMoment::bends_column`] the bending of the column between its supports.
+/// Bracket of S_j,ini. The rotation of the joint is what is left of that of the loaded section
+/// after the beam's bending; it holds plates, bolts, contact, column web and flanges, and where
+/// [`PureMoment::bends_column`] the bending of the column between its supports.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointStiffness {
     /// Member ends, each under the moment.
@@ -84,7 +86,8 @@ pub struct JointStiffness {
     pub contains_column: bool,
     /// Lower bound of S_j,ini \[N mm/rad\].
     pub lower: f64,
-    /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is no more than the beam's.
+    /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is no more than the
+    /// beam's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
     /// S_j,ini of the component method \[N mm/rad\].
@@ -99,27 +102,32 @@ pub struct JointStiffness {
 pub struct FrameClass {
     /// Kind of frame.
     pub frame: Frame,
-    /// Beams of at least this system length make the joint rigid, whatever its stiffness within the bracket \[mm\].
+    /// Beams of at least this system length make the joint rigid, whatever its stiffness within the
+    /// bracket \[mm\].
     pub rigid_from: f64,
-    /// Shorter beams certainly make it semi-rigid or pinned \[mm\]; absent without an upper bound of the stiffness.
+    /// Shorter beams certainly make it semi-rigid or pinned \[mm\]; absent without an upper bound
+    /// of the stiffness.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub not_rigid_below: Option<f64>,
     /// Up to this system length it is nominally pinned \[mm\]; absent without an upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pinned_to: Option<f64>,
-    /// Classes of the lower and of the upper end of the bracket at the beam's system length: two different ones leave it undecided.
+    /// Classes of the lower and of the upper end of the bracket at the beam's system length: two
+    /// different ones leave it undecided.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub class: Option<[StiffnessClass; 2]>,
 }
 
 impl JointStiffness {
-    /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the moments \[N mm\]; `None` where the load of
-    /// the analysis is anything else than these moments, equal ones at one end or two.
+    /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the
+    /// moments \[N mm\]; `None` where the load of the analysis is anything else than these moments,
+    /// equal ones at one end or two.
     pub fn new(case: &[&PureMoment], total: f64, rotation: [f64; 2]) -> Option<Self> {
         let first = *case.first()?;
         let sum: f64 = case.iter().map(|m| m.moment).sum();
         let alike = case.iter().all(|m| (m.moment / first.moment - 1.0).abs() <= 1e-9);
-        // two moments bracket the mean of two rotations; they are one rotation where the two balance
+        // two moments bracket the mean of two rotations; they are one rotation where the two
+        // balance
         let balanced = case.len() == 1 || !first.bends_column;
         if !alike
             || !balanced
@@ -147,9 +155,10 @@ impl JointStiffness {
 }
 
 impl JointStiffness {
-    /// The same joint under `total` and a bracket of the rotation that have been recomputed; what is not of the analysis, the beam's
-    /// rotation and flexural stiffness and the component method, stays as it was told. Without the class at the beam's own length, for the
-    /// length is not told.
+    /// The same joint under `total` and a bracket of the rotation that have been recomputed; what
+    /// is not of the analysis, the beam's rotation and flexural stiffness and the component method,
+    /// stays as it was told. Without the class at the beam's own length, for the length is not
+    /// told.
     pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
         let flexural =
             self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
@@ -168,7 +177,8 @@ impl JointStiffness {
         Self::new(&each.iter().collect::<Vec<_>>(), total, rotation)
     }
 
-    /// Whether two of them tell the same, the class at the beam's own length apart, where `near` says when two numbers are the same.
+    /// Whether two of them tell the same, the class at the beam's own length apart, where `near`
+    /// says when two numbers are the same.
     pub fn agrees(&self, other: &Self, near: impl Fn(f64, f64) -> bool) -> bool {
         let open = |a: Option<f64>, b: Option<f64>| match (a, b) {
             (Some(a), Some(b)) => near(a, b),
@@ -191,7 +201,8 @@ impl JointStiffness {
 }
 
 impl FrameClass {
-    /// Lengths at which E I_b/L_b meets the boundaries of 5.2.2.5(1), and the class at the beam's own length.
+    /// Lengths at which E I_b/L_b meets the boundaries of 5.2.2.5(1), and the class at the beam's
+    /// own length.
     fn new(frame: Frame, m: &PureMoment, lower: f64, upper: Option<f64>) -> Self {
         let class = m.system_length.map(|length| {
             let limits = stiffness_limits(frame, false, m.flexural, 1.0, length);
@@ -226,8 +237,10 @@ mod tests {
         }
     }
 
-    /// φ between 3 and 6 mrad, 1 of them the beam's: S between 1/5 and 1/2 kN m/mrad. With E I/L = 0.2 kN m/mrad the boundaries are 0.1 and
-    /// 1.6 (braced) or 5 (other frames), so that the joint is semi-rigid; where a boundary lies inside the bracket the class is open.
+    /// φ between 3 and 6 mrad, 1 of them the beam's: S between 1/5 and 1/2 kN m/mrad. With E I/L =
+    /// 0.2 kN m/mrad the boundaries are 0.1 and
+    /// 1.6 (braced) or 5 (other frames), so that the joint is semi-rigid; where a boundary lies
+    /// inside the bracket the class is open.
     #[test]
     fn the_beam_is_taken_out_and_the_class_is_three_valued() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [3e-3, 6e-3]).expect("one moment");
@@ -255,7 +268,8 @@ mod tests {
         assert_eq!(at(2000.0), Some([StiffnessClass::NominallyPinned, StiffnessClass::SemiRigid]));
     }
 
-    /// What a result tells is found again from its own moment and rotation, and every number of it that is changed is not.
+    /// What a result tells is found again from its own moment and rotation, and every number of it
+    /// that is changed is not.
     #[test]
     fn a_stiffness_is_found_again_and_every_change_is_seen() {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
@@ -291,7 +305,8 @@ mod tests {
         assert!(told.again(2e6, phi).is_none(), "another load");
     }
 
-    /// A rotation that may be the beam's alone has no upper bound of the stiffness; one that is below it gives none at all.
+    /// A rotation that may be the beam's alone has no upper bound of the stiffness; one that is
+    /// below it gives none at all.
     #[test]
     fn a_stiff_joint_may_have_no_upper_bound() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [0.9e-3, 3e-3]).expect("one moment");
@@ -301,7 +316,8 @@ mod tests {
         assert!(JointStiffness::new(&[&moment("r")], 1e6, [0.5e-3, 0.9e-3]).is_none());
     }
 
-    /// What moves the load must be these moments and nothing else; two of them only where they are equal and balance.
+    /// What moves the load must be these moments and nothing else; two of them only where they are
+    /// equal and balance.
     #[test]
     fn other_loads_give_no_stiffness() {
         let (right, left) = (moment("r"), moment("l"));

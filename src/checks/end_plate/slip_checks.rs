@@ -39,14 +39,16 @@ fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'stat
     }
 }
 
-/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the clamping (3.9.2(3)); a pull is shared by
-/// the bolts. Binding where the spec names category B or C; else a joint need not resist slip, and more than the resistance is a warning.
+/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the
+/// clamping (3.9.2(3)); a pull is shared by the bolts. Binding where the spec names category B or
+/// C; else a joint need not resist slip, and more than the resistance is a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.
 pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let (title, otherwise) = demanded(e.category, a.state)?;
-    // a category that must not slip has no resistance without friction; without a category there is nothing to say
+    // a category that must not slip has no resistance without friction; without a category there is
+    // nothing to say
     let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
     let gamma = if a.state.is_ultimate() { e.gamma_m3 } else { e.gamma_m3_ser };
     let [axial, vy, vz] = a.at(1.0)[0];

@@ -1,6 +1,7 @@
 //! Stiffeners of the column on their net section, and the welds of stiffeners, web plate and rib.
 //!
-//! The meshed stiffeners are whole and one body with the column; what is cut off at the root and the size of welds is checked here.
+//! The meshed stiffeners are whole and one body with the column; what is cut off at the root and
+//! the size of welds is checked here.
 
 use super::case::{Case, value};
 use super::{
@@ -13,7 +14,8 @@ use crate::checks::component_method::{Assessment, Summed};
 use crate::checks::eurocode::welds::{WeldedSteel, full_strength_throat, least_size, simplified};
 use std::f64::consts::SQRT_2;
 
-/// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and 6.11.
+/// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and
+/// 6.11.
 const HINGE: f64 = 0.8;
 
 /// The stiffeners level with one flange of the beam.
@@ -88,12 +90,13 @@ pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
     out
 }
 
-/// Crushing of web and net section of the stiffeners under the beam's compressed flange. The stiffeners' part goes by what both can carry,
-/// so that it reaches the strength of the net section when the web has reached its own.
+/// Crushing of web and net section of the stiffeners under the beam's compressed flange. The
+/// stiffeners' part goes by what both can carry, so that it reaches the strength of the net section
+/// when the web has reached its own.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the whole section; net section where the
-/// stiffener is cut, as in SCI P398.
+/// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the
+/// whole section; net section where the stiffener is cut, as in SCI P398.
 fn compression(
     case: &Case<'_>,
     s: &Stiffeners<'_>,
@@ -125,11 +128,12 @@ fn compression(
     Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
 }
 
-/// Net section of the stiffeners at the flange in tension, under the rows above and below: what the column web does not carry without
-/// them, and what the column flange bends into them.
+/// Net section of the stiffeners at the flange in tension, under the rows above and below: what the
+/// column web does not carry without them, and what the column flange bends into them.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.2.6.3 for the web; the share m/(m + m2) of a row as in SCI/BCSA, Joints in Steel Construction: Moment Connections.
+/// EN 1993-1-8:2005 6.2.6.3 for the web; the share m/(m + m2) of a row as in SCI/BCSA, Joints in
+/// Steel Construction: Moment Connections.
 fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Check, Share)> {
     let (e, c) = (case.e, s.c);
     let rows = &case.assessment.rows;
@@ -173,11 +177,12 @@ fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Ch
     Some((check, Share { side: "stiffeners in tension", force, formula }))
 }
 
-/// Fillet welds of the stiffeners: to the flange of the column for the force they take there, to its web for the part of it that no beam
-/// on the other side balances, β of it.
+/// Fillet welds of the stiffeners: to the flange of the column for the force they take there, to
+/// its web for the part of it that no beam on the other side balances, β of it.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of each stiffener.
+/// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of
+/// each stiffener.
 fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64) -> Vec<Check> {
     let (a, mut out) = (c.stiffener_throat, Vec::new());
     let Some(steel) = welded(case.e, c).filter(|_| a > 0.0) else { return out };
@@ -218,10 +223,12 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
     out
 }
 
-/// Fillet welds round the web plate: the shear flow of its part of the panel, and the throat from which on it counts in tension.
+/// Fillet welds round the web plate: the shear flow of its part of the panel, and the throat from
+/// which on it counts in tension.
 ///
 /// # Source
-/// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them; 6.2.6.3: fillet welds with a ≥ t_s/√2.
+/// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them;
+/// 6.2.6.3: fillet welds with a ≥ t_s/√2.
 pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
     let mut out = Vec::new();
     let e = case.e;

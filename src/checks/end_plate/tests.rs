@@ -72,8 +72,8 @@ fn the_paper_joint_fails_no_check() {
     assert!(h.checks.windows(2).all(|w| w[0].topic <= w[1].topic));
 }
 
-/// Tension at the bottom has the two rows far from the upper flange, so more moment than tension at the top with its one row;
-/// both are sums of row forces times lever arms.
+/// Tension at the bottom has the two rows far from the upper flange, so more moment than tension at
+/// the top with its one row; both are sums of row forces times lever arms.
 #[test]
 fn the_component_method_answers_for_both_senses() {
     let h = checks(PAPER);
@@ -289,8 +289,8 @@ pub(super) fn joint(more: &str, loads: &str) -> String {
 
 const M20: (f64, f64) = (0.9 * 800.0 * 245.0 / 1.25, 0.6 * 800.0 * 245.0 / 1.25);
 
-/// The moment at the bolt plane is that of the node less the shear force times half of the column's depth, for beams on both
-/// sides; given at the face it is the same.
+/// The moment at the bolt plane is that of the node less the shear force times half of the column's
+/// depth, for beams on both sides; given at the face it is the same.
 #[test]
 fn actions_are_moved_to_the_bolt_plane() {
     let at = |end: &str, at: &str, my: f64| {
@@ -337,8 +337,9 @@ fn clause_5_3_8_beta_of_two_beams() {
     );
 }
 
-/// Without a moment every bolt carries the shear force; with one, bolts in tension carry what Table 3.4 leaves, so that every
-/// bolt of a row meets the interaction exactly where the sum of them does.
+/// Without a moment every bolt carries the shear force; with one, bolts in tension carry what Table
+/// 3.4 leaves, so that every bolt of a row meets the interaction exactly where the sum of them
+/// does.
 #[test]
 fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, Vz: -100 kN}");
@@ -379,8 +380,9 @@ fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     );
 }
 
-/// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment nothing (3.9.2(3)). More than that is a
-/// warning, for slip is not said to be prevented; without preload or friction there is no such check.
+/// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment
+/// nothing (3.9.2(3)). More than that is a warning, for slip is not said to be prevented; without
+/// preload or friction there is no such check.
 #[test]
 fn clause_3_9_slip_of_preloaded_bolts() {
     let title = "slip of the preloaded bolts at the ultimate limit state (category C)";
@@ -414,7 +416,8 @@ fn clause_3_9_slip_of_preloaded_bolts() {
     }
 }
 
-/// The sense of the moment, the part of M_j,Rd it asks, and the load factor at which nothing is left; fixed actions stay.
+/// The sense of the moment, the part of M_j,Rd it asks, and the load factor at which nothing is
+/// left; fixed actions stay.
 #[test]
 fn clause_6_2_7_1_moment_and_axial_force() {
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, My: -30 kN m}");
@@ -568,7 +571,8 @@ fn thick_plates_and_soft_bolts_are_brittle() {
     );
 }
 
-/// A doubler thinner than the web does not count and is told; one that counts adds b_s t_w to the shear area.
+/// A doubler thinner than the web does not count and is told; one that counts adds b_s t_w to the
+/// shear area.
 #[test]
 fn clause_6_2_6_1_a_doubler_counts_or_is_told() {
     let load = "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}";
@@ -589,7 +593,8 @@ fn clause_6_2_6_1_a_doubler_counts_or_is_told() {
     assert!((area(&counts) - area(&bare) - 134.0 * 9.0).abs() < 1e-9 && counts.notes.is_empty());
 }
 
-/// A plate wider than the column's flange is told with both numbers; columns of bolts outside of the flange are refused before.
+/// A plate wider than the column's flange is told with both numbers; columns of bolts outside of
+/// the flange are refused before.
 #[test]
 fn a_plate_wider_than_the_flange_is_a_warning_and_bolts_beside_it_an_error() {
     let load = "{name: ULS1, end: beam_right, at: column_face, My: 40 kN m}";

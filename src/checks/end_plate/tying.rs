@@ -11,12 +11,13 @@ use crate::checks::component_method::assembly::RowForce;
 /// γ_Mu of tying resistances, as SCI P358 takes it.
 const GAMMA_MU: f64 = 1.1;
 
-/// Sum of the rows under a pull along the beam, with ultimate strengths and γ_Mu, at most what the beam's area carries; nothing where the
-/// component method has no answer. Large deformations are allowed, so that the rows need not keep to the lever arms of 6.2.7.2(9);
-/// welds are left out.
+/// Sum of the rows under a pull along the beam, with ultimate strengths and γ_Mu, at most what the
+/// beam's area carries; nothing where the component method has no answer. Large deformations are
+/// allowed, so that the rows need not keep to the lever arms of 6.2.7.2(9); welds are left out.
 ///
 /// # Source
-/// EN 1991-1-7:2006 A.5; SCI P358, tying resistance of end plates: T-stubs of EN 1993-1-8:2005 Table 6.2 with f_u and γ_Mu = 1.1.
+/// EN 1991-1-7:2006 A.5; SCI P358, tying resistance of end plates: T-stubs of EN 1993-1-8:2005
+/// Table 6.2 with f_u and γ_Mu = 1.1.
 pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     let mut j = joint(e, 0.0);
     j.plate.fy = e.plate_steel.fu;

@@ -1,4 +1,5 @@
-//! Welds of the beam: the web's beside the rows in tension, and the strength that all of them owe the joint.
+//! Welds of the beam: the web's beside the rows in tension, and the strength that all of them owe
+//! the joint.
 
 use super::case::{Case, value};
 use super::{EndPlate, Sense, Status, Topic, Unit, Worked, n, welded};
@@ -14,12 +15,13 @@ struct Stretch {
     /// Rows from the tension side.
     first: usize,
     last: usize,
-    /// b_eff of the beam web, that of the end plate's T-stub; no more than the web's welds are long \[mm\].
+    /// b_eff of the beam web, that of the end plate's T-stub; no more than the web's welds are long
+    /// \[mm\].
     width: f64,
 }
 
-/// The stretches of the web's welds that rows pull at: of every row alone and of every group between the flanges. A row outside
-/// the flange pulls at the flange.
+/// The stretches of the web's welds that rows pull at: of every row alone and of every group
+/// between the flanges. A row outside the flange pulls at the flange.
 fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     let mut out = Vec::new();
     for (last, row) in a.rows.iter().enumerate() {
@@ -38,7 +40,8 @@ pub(super) fn web_run(e: &EndPlate) -> f64 {
     e.beam.h - 2.0 * (e.beam.tf + e.beam.r) - 2.0 * e.web_throat
 }
 
-/// The stretch of the beam web's welds that is used most, under row forces \[N\] and a shear force over the whole web.
+/// The stretch of the beam web's welds that is used most, under row forces \[N\] and a shear force
+/// over the whole web.
 fn web_welds(
     e: &EndPlate,
     a: &Assessment,
@@ -66,8 +69,8 @@ fn web_welds(
     each.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
 }
 
-/// The welds of the beam web beside the rows in tension: they bring the force of a row into the web and take their part of the shear
-/// force at the same time. The one that is used most.
+/// The welds of the beam web beside the rows in tension: they bring the force of a row into the web
+/// and take their part of the shear force at the same time. The one that is used most.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length a row pulls at; SCI P398 takes the same length.
@@ -95,7 +98,8 @@ struct FlangeWelds {
     flange: f64,
 }
 
-/// By the directional method, `a l_eff f_u/(√2 β_w γ_M2)`; welds that are as strong as the flange's thickness carry all of the flange.
+/// By the directional method, `a l_eff f_u/(√2 β_w γ_M2)`; welds that are as strong as the flange's
+/// thickness carry all of the flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
     let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
@@ -121,14 +125,16 @@ fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     })
 }
 
-/// Effective length of the welds of one flange, outside along its width, inside up to the root fillets \[mm\].
+/// Effective length of the welds of one flange, outside along its width, inside up to the root
+/// fillets \[mm\].
 pub(super) fn flange_run(e: &EndPlate) -> f64 {
     2.0 * e.beam.b - e.beam.tw - 2.0 * e.beam.r - 2.0 * SQRT_2 * e.flange_throat
 }
 
-/// Welds that do not limit the joint: what carries M_j,Rd is some other component; and what the welds must carry where a plastic
-/// hinge forms in the joint and turns, a warning, for Bracket does not know the analysis of the frame. Of a sense of bending that no
-/// load case has, all of it is a warning.
+/// Welds that do not limit the joint: what carries M_j,Rd is some other component; and what the
+/// welds must carry where a plastic hinge forms in the joint and turns, a warning, for Bracket does
+/// not know the analysis of the frame. Of a sense of bending that no load case has, all of it is a
+/// warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.

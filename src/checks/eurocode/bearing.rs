@@ -20,7 +20,8 @@ pub enum Along {
 /// Position of a bolt across the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Across {
-    /// An edge bolt with the edge distance e2, and the pitch p2 to the next column if there is one \[mm\].
+    /// An edge bolt with the edge distance e2, and the pitch p2 to the next column if there is one
+    /// \[mm\].
     Edge {
         /// Edge distance.
         e2: f64,
@@ -70,11 +71,12 @@ pub struct Bearing {
 impl Bearing {
     /// Design bearing resistance of the plate at one bolt \[N\].
     ///
-    /// `F_b,Rd = k1 α_b f_u d t / γ_M2`; α_b = min(α_d, f_ub/f_u, 1), α_d = e1/(3 d0) or p1/(3 d0) − 1/4;
-    /// k1 = min(2.8 e2/d0 − 1.7, 1.4 p2/d0 − 1.7, 2.5).
+    /// `F_b,Rd = k1 α_b f_u d t / γ_M2`; α_b = min(α_d, f_ub/f_u, 1), α_d = e1/(3 d0) or p1/(3 d0)
+    /// − 1/4; k1 = min(2.8 e2/d0 − 1.7, 1.4 p2/d0 − 1.7, 2.5).
     ///
     /// # Source
-    /// EN 1993-1-8:2005 Table 3.4 with its notes 1 (holes); the p2 term of edge bolts after the corrigendum of 2009.
+    /// EN 1993-1-8:2005 Table 3.4 with its notes 1 (holes); the p2 term of edge bolts after the
+    /// corrigendum of 2009.
     pub fn resistance(&self, gamma_m2: f64) -> Worked {
         let alpha_d = match self.along {
             Along::End { e1 } => e1 / (3.0 * self.d0),
@@ -130,8 +132,8 @@ pub struct Fastener {
 
 /// Design resistance of a group of fasteners \[N\].
 ///
-/// The sum of F_b,Rd where every F_v,Rd ≥ its F_b,Rd; otherwise the number of fasteners times the smallest resistance of
-/// any. An empty group carries nothing.
+/// The sum of F_b,Rd where every F_v,Rd ≥ its F_b,Rd; otherwise the number of fasteners times the
+/// smallest resistance of any. An empty group carries nothing.
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.7(1).

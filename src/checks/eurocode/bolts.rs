@@ -48,10 +48,11 @@ pub fn tension_resistance(
     .with("A_s", bolt.stress_area, Unit::Area)
 }
 
-/// Design shear resistance of one bolt in one shear plane \[N\]; `reduction` is the product of β_Lf and β_p, 1 for none.
+/// Design shear resistance of one bolt in one shear plane \[N\]; `reduction` is the product of β_Lf
+/// and β_p, 1 for none.
 ///
-/// `F_v,Rd = α_v f_ub A / γ_M2`; thread in the plane: A = A_s, α_v = 0.6 (4.6, 5.6, 8.8) or 0.5 (4.8, 5.8, 6.8, 10.9); shank
-/// in the plane: A gross, α_v = 0.6.
+/// `F_v,Rd = α_v f_ub A / γ_M2`; thread in the plane: A = A_s, α_v = 0.6 (4.6, 5.6, 8.8) or 0.5
+/// (4.8, 5.8, 6.8, 10.9); shank in the plane: A gross, α_v = 0.6.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4.
@@ -85,7 +86,8 @@ pub fn shear_resistance(
     .with(symbol, area, Unit::Area)
 }
 
-/// Reduction β_Lf of the shear resistance in long joints; `length` L_j between the centres of the end bolts \[mm\].
+/// Reduction β_Lf of the shear resistance in long joints; `length` L_j between the centres of the
+/// end bolts \[mm\].
 ///
 /// `β_Lf = 1 − (L_j − 15 d)/(200 d)`, between 0.75 and 1.
 ///

@@ -15,7 +15,8 @@ pub struct Forces {
     pub tension_resistance: f64,
 }
 
-/// Utilisation of a bolt in shear and tension, to be at most 1: the larger of the interaction and of tension alone.
+/// Utilisation of a bolt in shear and tension, to be at most 1: the larger of the interaction and
+/// of tension alone.
 ///
 /// `F_v,Ed/F_v,Rd + F_t,Ed/(1.4 F_t,Rd) ≤ 1`, and `F_t,Ed ≤ F_t,Rd`.
 ///

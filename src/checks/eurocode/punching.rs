@@ -4,15 +4,18 @@ use crate::catalog::BoltSize;
 use crate::checks::check::{Unit, Worked, number as n};
 use std::f64::consts::PI;
 
-/// Mean diameter d_m of the head or the nut, whichever is smaller \[mm\]: mean of the distances across flats and corners.
+/// Mean diameter d_m of the head or the nut, whichever is smaller \[mm\]: mean of the distances
+/// across flats and corners.
 ///
-/// The catalogue has the corners of the head alone; those of the nut are taken in the same proportion.
+/// The catalogue has the corners of the head alone; those of the nut are taken in the same
+/// proportion.
 pub fn mean_diameter(bolt: &BoltSize) -> f64 {
     let mean = |flats: f64| 0.5 * (flats + flats * bolt.head_corners / bolt.head_width);
     mean(bolt.head_width).min(mean(bolt.nut_width))
 }
 
-/// Design punching shear resistance of head and nut \[N\]; `dm` mean diameter, `thickness` of the plate \[mm\].
+/// Design punching shear resistance of head and nut \[N\]; `dm` mean diameter, `thickness` of the
+/// plate \[mm\].
 ///
 /// `B_p,Rd = 0.6 π d_m t_p f_u / γ_M2`.
 ///

@@ -1,4 +1,5 @@
-//! Cross-section of a rolled I or H beam: EN 1993-1-1:2005 6.2. The axial force is positive in tension.
+//! Cross-section of a rolled I or H beam: EN 1993-1-1:2005 6.2. The axial force is positive in
+//! tension.
 
 use crate::checks::check::{Unit, Worked, number as n};
 use crate::checks::component_method::column_web::{epsilon, shear_area, shear_buckling};
@@ -88,7 +89,8 @@ impl Beam {
         )
     }
 
-    /// Greatest slenderness h_w/t_w of a web that needs no check of shear buckling, `72 ε/η` with η = 1.
+    /// Greatest slenderness h_w/t_w of a web that needs no check of shear buckling, `72 ε/η` with η
+    /// = 1.
     ///
     /// # Source
     /// EN 1993-1-1:2005 6.2.6(6).
@@ -96,10 +98,12 @@ impl Beam {
         (self.web() / self.section.tw, 72.0 * epsilon(self.fy))
     }
 
-    /// Shear buckling resistance of the web, the flanges' part left out \[N\]: `χ_w h_w t_w f_y/(√3 γ_M1)`.
+    /// Shear buckling resistance of the web, the flanges' part left out \[N\]:
+    /// `χ_w h_w t_w f_y/(√3 γ_M1)`.
     ///
     /// # Source
-    /// EN 1993-1-5:2006 5.2, 5.3 and Table 5.1, non-rigid end posts, stiffeners at the supports alone, η = 1.
+    /// EN 1993-1-5:2006 5.2, 5.3 and Table 5.1, non-rigid end posts, stiffeners at the supports
+    /// alone, η = 1.
     pub fn shear_buckling(&self, gamma_m1: f64) -> Worked {
         let (depth, web) = (self.web(), self.section.tw);
         let (lambda, chi) = shear_buckling(depth, web, self.fy);
@@ -120,10 +124,12 @@ impl Beam {
         )
     }
 
-    /// Class of the section under bending about its strong axis with an axial force; a class 4 is refused.
+    /// Class of the section under bending about its strong axis with an axial force; a class 4 is
+    /// refused.
     ///
     /// # Source
-    /// EN 1993-1-1:2005 Table 5.2: flange 10 ε and 14 ε; web 456 ε/(13 α − 1) and 42 ε/(0.67 + 0.33 ψ), in pure bending 83 ε and 124 ε.
+    /// EN 1993-1-1:2005 Table 5.2: flange 10 ε and 14 ε; web 456 ε/(13 α − 1) and 42 ε/(0.67 + 0.33
+    /// ψ), in pure bending 83 ε and 124 ε.
     pub fn distribution(&self, axial: f64) -> Result<Distribution, CheckError> {
         let (s, eps) = (&self.section, epsilon(self.fy));
         let flange = (0.5 * (s.b - s.tw) - s.r) / s.tf;
@@ -151,10 +157,12 @@ impl Beam {
         })
     }
 
-    /// Moment resistance about the strong axis with a shear force along the web and an axial force \[N mm\].
+    /// Moment resistance about the strong axis with a shear force along the web and an axial force
+    /// \[N mm\].
     ///
-    /// Plastic: `(W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0`, times `(1 − n)/(1 − 0.5 a)` where N counts, n of what shear leaves of the area;
-    /// ρ = (2 V/V_pl,Rd − 1)² above V_pl,Rd/2. Elastic: `W_el ((1 − ρ) f_y/γ_M0 − N/A)`. Shear beyond V_pl,Rd goes on reducing it.
+    /// Plastic: `(W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0`, times `(1 − n)/(1 − 0.5 a)` where N counts, n
+    /// of what shear leaves of the area; ρ = (2 V/V_pl,Rd − 1)² above V_pl,Rd/2. Elastic:
+    /// `W_el ((1 − ρ) f_y/γ_M0 − N/A)`. Shear beyond V_pl,Rd goes on reducing it.
     ///
     /// # Source
     /// EN 1993-1-1:2005 6.2.5, 6.2.8(3) and (5), 6.2.9.1(4) and (5), 6.2.9.2, 6.2.10(3).

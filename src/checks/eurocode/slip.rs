@@ -71,11 +71,11 @@ pub fn design_preload(bolt: &BoltSize, grade: &BoltGrade, gamma_m7: f64) -> Work
     )
 }
 
-/// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the bolt (F_t,Ed with γ_M3 in
-/// category C, F_t,Ed,ser with γ_M3,ser in category B); never below 0.
+/// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the
+/// bolt (F_t,Ed with γ_M3 in category C, F_t,Ed,ser with γ_M3,ser in category B); never below 0.
 ///
-/// `F_s,Rd = k_s n μ (F_p,C − 0.8 F_t,Ed) / γ_M3`. In a moment end plate the compression side makes up for the tension: there
-/// the tension is 0 (3.9.2(3)).
+/// `F_s,Rd = k_s n μ (F_p,C − 0.8 F_t,Ed) / γ_M3`. In a moment end plate the compression side makes
+/// up for the tension: there the tension is 0 (3.9.2(3)).
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.9.1(1), formula 3.6; 3.9.2(1), formulas 3.8a and 3.8b.

@@ -6,7 +6,8 @@ const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
 /// What has no clause: what a socket wrench needs.
 const PRACTICE: &str = "practice";
 
-/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where there is no such distance.
+/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where there is no such
+/// distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
     /// Hole diameter.
@@ -25,8 +26,9 @@ pub struct Pattern {
 
 /// Checks of a pattern; `subject` names the plate.
 ///
-/// Least values fail the check: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e ≤ 4 t + 40 mm; p1, p2 ≤
-/// min(14 t, 200 mm)) are asked of exposed and of compressed plates alone (note 1 of the table): passing one is a warning.
+/// Least values fail the check: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e ≤
+/// 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) are asked of exposed and of compressed plates alone
+/// (note 1 of the table): passing one is a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3; `p1` holds the smallest and the largest pitch.
@@ -84,7 +86,8 @@ pub fn slot_check(subject: &str, distance: f64, d0: f64) -> Check {
     )
 }
 
-/// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld \[mm\].
+/// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld
+/// \[mm\].
 ///
 /// About `2 d + 5 mm`. No clause of the code: a shorter distance is a warning.
 pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
@@ -93,11 +96,11 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
     Check::at_least(what, (PRACTICE, "room for a wrench"), "c", rule, distance, Status::Warning)
 }
 
-/// Whether a washer of outer diameter `washer` lies on the flat: the distance of the bolt's axis from the face of the web
-/// must reach over root radius and half of the washer \[mm\].
+/// Whether a washer of outer diameter `washer` lies on the flat: the distance of the bolt's axis
+/// from the face of the web must reach over root radius and half of the washer \[mm\].
 ///
-/// Washers and nuts bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes do without washers (8.2.4), so a
-/// shorter distance is a warning.
+/// Washers and nuts bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes do without
+/// washers (8.2.4), so a shorter distance is a warning.
 pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));

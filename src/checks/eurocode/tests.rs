@@ -65,7 +65,8 @@ fn table_3_4_shank_in_shear_and_punching_of_m22() {
     near(punching::mean_diameter(&small_nut), 0.9 * punching::mean_diameter(&b));
 }
 
-/// Partial depth end plate of Multi-Storey Steel Buildings, Part 5: 12 M20 8.8, 12 mm S275, d0 22, e1 40, e2 30, p1 70.
+/// Partial depth end plate of Multi-Storey Steel Buildings, Part 5: 12 M20 8.8, 12 mm S275, d0 22,
+/// e1 40, e2 30, p1 70.
 #[test]
 fn table_3_4_bearing_and_3_7_group_of_a_partial_depth_end_plate() {
     let (b, g) = bolt("M20", "8.8");
@@ -283,8 +284,8 @@ fn clause_4_5_3_2_directional_method() {
     near(welds::directional(&along, &S235).value, 1.0);
 }
 
-/// 150 kN across 180 mm of two welds of 4 mm: 150e3/(2 √2 · 4 · 180) = 73.66 MPa; with 52.08 MPa along them
-/// √(73.66² + 3 (73.66² + 52.08²)) = 172.7 MPa of 360 MPa.
+/// 150 kN across 180 mm of two welds of 4 mm: 150e3/(2 √2 · 4 · 180) = 73.66 MPa; with 52.08 MPa
+/// along them √(73.66² + 3 (73.66² + 52.08²)) = 172.7 MPa of 360 MPa.
 #[test]
 fn clause_4_5_3_2_a_plate_pulled_and_sheared() {
     let stress = welds::across_and_along(150e3, 180.0, 4.0, 100e3 / (2.0 * 4.0 * 240.0));
@@ -308,7 +309,8 @@ fn clause_4_5_3_3_simplified_method() {
     assert!((welds::transverse(throat, &S235).value - 1018.2).abs() < 0.05);
 }
 
-/// a ≥ 0.46 t (S235), 0.48 t (S275), 0.55 t (S355 with f_u = 510 MPa; 0.58 t with 490 MPa, as the catalogue has it).
+/// a ≥ 0.46 t (S235), 0.48 t (S275), 0.55 t (S355 with f_u = 510 MPa; 0.58 t with 490 MPa, as the
+/// catalogue has it).
 #[test]
 fn clause_4_5_3_2_full_strength_double_fillet() {
     let table = [

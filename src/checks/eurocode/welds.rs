@@ -58,8 +58,8 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
     .with("0.9 f_u/γ_M2", normal, Unit::Stress)
 }
 
-/// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of each weld under it, and a shear
-/// stress along them \[N, mm, MPa\].
+/// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of
+/// each weld under it, and a shear stress along them \[N, mm, MPa\].
 ///
 /// `σ⊥ = τ⊥ = F/(2 √2 a l)`: the throats stand at 45° to the force.
 ///
@@ -70,7 +70,8 @@ pub fn across_and_along(force: f64, length: f64, throat: f64, tau_par: f64) -> T
     ThroatStress { sigma_perp: across, tau_perp: across, tau_par }
 }
 
-/// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a \[mm\].
+/// Design resistance of a fillet weld per length by the simplified method \[N/mm\]; `throat` a
+/// \[mm\].
 ///
 /// `F_w,Rd = a f_u/(√3 β_w γ_M2)`.
 ///
@@ -94,9 +95,11 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
     )
 }
 
-/// Design resistance of a fillet weld per length under a force across it by the directional method \[N/mm\]; `throat` a \[mm\].
+/// Design resistance of a fillet weld per length under a force across it by the directional method
+/// \[N/mm\]; `throat` a \[mm\].
 ///
-/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) of what the simplified method gives.
+/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) of what the simplified method
+/// gives.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, for β_w ≥ 0.56.
@@ -113,9 +116,11 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
 }
 
-/// Throat of each of two fillet welds that carry all that the plate between them carries in tension \[mm\].
+/// Throat of each of two fillet welds that carry all that the plate between them carries in tension
+/// \[mm\].
 ///
-/// Each weld takes half of `t f_y/γ_M0` across its length, σ⊥ = τ⊥, so that `a ≥ t (f_y/γ_M0) β_w γ_M2/(√2 f_u)`.
+/// Each weld takes half of `t f_y/γ_M0` across its length, σ⊥ = τ⊥, so that
+/// `a ≥ t (f_y/γ_M0) β_w γ_M2/(√2 f_u)`.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6) with the stresses of a double fillet under transverse tension.

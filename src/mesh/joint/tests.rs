@@ -1,4 +1,5 @@
-//! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with fake mesher scripts.
+//! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with
+//! fake mesher scripts.
 
 use super::*;
 use crate::assembly::assembly::Surface;
@@ -67,8 +68,9 @@ fn paper_quarter_has_the_bodies_and_faces_of_the_model() {
     );
     assert_eq!(m.copies, 4);
     assert!((13_000..=18_000).contains(&m.mesh.tets.len()), "{}", m.mesh.tets.len());
-    // Hand values: support footprint 15 × 85; half the column's web and flanges at x = 0 with stiffeners is in
-    // `naming`; the plate's back without three holes and without the column's fillets and the gap beside it.
+    // Hand values: support footprint 15 × 85; half the column's web and flanges at x = 0 with
+    // stiffeners is in `naming`; the plate's back without three holes and without the column's
+    // fillets and the gap beside it.
     let area = |name: &str| m.checks.areas.iter().find(|a| a.name == name).expect("checked").meshed;
     assert!((area("SUPPORT_R") - 1275.0).abs() < 1e-6);
     let plate_on_column = 90.0 * 450.0 - 3.0 * std::f64::consts::PI * 81.0;

@@ -8,8 +8,8 @@ use crate::mesh::{NamedFaces, TetMesh};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-/// A tet is flat when its volume is below this times the cube of its longest edge. Slivers of a thousandth of a degree
-/// (1e-6) still pass; round-off in the product of three edges is 1e-16.
+/// A tet is flat when its volume is below this times the cube of its longest edge. Slivers of a
+/// thousandth of a degree (1e-6) still pass; round-off in the product of three edges is 1e-16.
 const FLAT: f64 = 1e-12;
 
 /// Checks the raw mesh, drops unused nodes, turns tets of negative volume.
@@ -152,8 +152,8 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     }
 }
 
-/// The tets at a face are two at most and lie on opposite sides. As all volumes are positive, that is so exactly when
-/// their outward orders of the face are opposite.
+/// The tets at a face are two at most and lie on opposite sides. As all volumes are positive, that
+/// is so exactly when their outward orders of the face are opposite.
 fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     for owners in table.faces() {
         if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {

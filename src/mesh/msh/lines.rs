@@ -74,7 +74,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The name of the next section; its `$End` must be taken with [`Lines::end`] or [`Lines::skip`].
+    /// The name of the next section; its `$End` must be taken with [`Lines::end`] or
+    /// [`Lines::skip`].
     pub fn section(&mut self) -> Result<Option<&'a str>, MeshError> {
         loop {
             match self.next_line() {
@@ -85,7 +86,8 @@ impl<'a> Lines<'a> {
                         self.section = name;
                         return Ok(Some(name));
                     }
-                    // gmsh itself skips what stands between sections; a stray line there is a damaged count
+                    // gmsh itself skips what stands between sections; a stray line there is a
+                    // damaged count
                     _ => return Err(self.malformed("the start of a section", l)),
                 },
             }

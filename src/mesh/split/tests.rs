@@ -65,7 +65,8 @@ fn three_cubes_tied_and_in_contact() {
     assert!((0..18).all(|e| cut.tet_part[e] == u32::from(e >= 12)));
 }
 
-/// A 3 × 3 plate with a hole, filled by the shank of a bolt whose head lies on the plate: head tied, shank in contact.
+/// A 3 × 3 plate with a hole, filled by the shank of a bolt whose head lies on the plate: head
+/// tied, shank in contact.
 fn bolt() -> TetMesh {
     let mut cells = Vec::new();
     for i in 0..3 {
@@ -95,7 +96,8 @@ fn tied_head_and_shank_in_contact_with_one_plate() {
     let open: Vec<[TetFace; 2]> = cut_sides.iter().map(|p| [p.a, p.b]).collect();
     let cut = split(&mesh, &table, &open);
     check(&mesh, &cut, plate);
-    // the four nodes at the foot of the shank are double, the four on the circle under the head are common
+    // the four nodes at the foot of the shank are double, the four on the circle under the head are
+    // common
     assert_eq!(cut.mesh.nodes.len(), mesh.nodes.len() + 4);
     assert_eq!(cut.parts, 1);
     for p in &cut.pairs {

@@ -142,7 +142,8 @@ pub(super) fn rigid_faces(
     all
 }
 
-/// Every free motion must move the face in its components, and differently from the other free motions.
+/// Every free motion must move the face in its components, and differently from the other free
+/// motions.
 fn check_independent(
     name: &str,
     components: [bool; 3],
@@ -160,7 +161,8 @@ fn check_independent(
     let points: Vec<[f64; 3]> =
         nodes.iter().map(|n| [0, 1, 2].map(|k| scene.mesh.nodes[*n as usize][k] - at[k])).collect();
     let arm = points.iter().flatten().fold(0.0_f64, |m, c| m.max(c.abs())).max(f64::MIN_POSITIVE);
-    // Gram–Schmidt over the displacement of the whole face in each free motion, rotations scaled by the arm
+    // Gram–Schmidt over the displacement of the whole face in each free motion, rotations scaled by
+    // the arm
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for k in (0..6).filter(|k| free[*k]) {
         let mut v: Vec<f64> = points
@@ -200,7 +202,8 @@ fn check_independent(
 /// What holds a component of a face: in which way, and its name.
 type Holder<'a> = Option<(&'a str, &'a str)>;
 
-/// No component of a face may be both fixed and rigid, none twice rigid, and ground contact excludes both.
+/// No component of a face may be both fixed and rigid, none twice rigid, and ground contact
+/// excludes both.
 pub(super) fn check_twice(
     file: &ModelFile,
     supports: &[Support],

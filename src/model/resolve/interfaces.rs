@@ -224,8 +224,8 @@ fn read_law(
     }
 }
 
-/// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along a plate,
-/// `2 · throat · strength / thickness`.
+/// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along
+/// a plate, `2 · throat · strength / thickness`.
 fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) -> Option<f64> {
     let throat =
         [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
@@ -309,7 +309,8 @@ pub(super) fn contact_law(
     Some(ContactLaw { mu, gap: gap.clone().unwrap_or_default(), friction })
 }
 
-/// The initial gap must be finite and not negative at the vertices and the middles of the edges of its faces.
+/// The initial gap must be finite and not negative at the vertices and the middles of the edges of
+/// its faces.
 pub(super) fn check_gap(
     gap: &Gap,
     name: &str,

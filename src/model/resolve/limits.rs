@@ -1,4 +1,5 @@
-//! What limit analysis asks of a model beyond the rest: something that gives way, a load to increase, no live force per volume.
+//! What limit analysis asks of a model beyond the rest: something that gives way, a load to
+//! increase, no live force per volume.
 
 use super::Faults;
 use super::names::Scene;

@@ -1,9 +1,10 @@
 //! Rigid motions of the parts that nothing resists.
 //!
-//! Unknowns: for each part, and for each rigid face, the displacement of a reference point and the rotation times the
-//! size of the model, so that all columns have one unit. Rows: supports, held motions and followed components of rigid
-//! faces, contacts, welds. A contact counts as holding in its normal direction, with friction and welds in every one. The rows
-//! between the same two unknown motions are compressed to six by a running QR factorisation (no squared condition).
+//! Unknowns: for each part, and for each rigid face, the displacement of a reference point and the
+//! rotation times the size of the model, so that all columns have one unit. Rows: supports, held
+//! motions and followed components of rigid faces, contacts, welds. A contact counts as holding in
+//! its normal direction, with friction and welds in every one. The rows between the same two
+//! unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
@@ -12,8 +13,9 @@ use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{AnalysisModel, BoundaryFace, FreeMode, Traction};
 use std::collections::BTreeMap;
 
-/// Singular values below this times the largest count as zero. Coordinates written with seven digits make planes that
-/// are plane to 1e-7; a support of a thousandth of the model's size still holds with 1e-3.
+/// Singular values below this times the largest count as zero. Coordinates written with seven
+/// digits make planes that are plane to 1e-7; a support of a thousandth of the model's size still
+/// holds with 1e-3.
 const HOLDS: f64 = 1e-6;
 /// A load works on a motion when its work exceeds this times the sum of the loads' magnitudes.
 const WORKS: f64 = 1e-9;
@@ -92,7 +94,8 @@ impl Frame {
         [d[0], d[1], d[2], m[0], m[1], m[2]]
     }
 
-    /// A row for a motion about the centre, rewritten for the motion about the reference point of `block`.
+    /// A row for a motion about the centre, rewritten for the motion about the reference point of
+    /// `block`.
     fn about_reference(&self, row: &[f64; 6], block: usize) -> [f64; 6] {
         let a = [row[0], row[1], row[2]];
         let m = cross(sub(self.centre, self.reference[block]), a).map(|c| c / self.size);
@@ -205,7 +208,8 @@ fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, Diagnostics>
     Ok(null.map(|j| (0..n).map(|i| v[(i, j)]).collect()).collect())
 }
 
-/// Brings a basis to reduced echelon form over its first `columns` columns, so that each motion moves few parts.
+/// Brings a basis to reduced echelon form over its first `columns` columns, so that each motion
+/// moves few parts.
 fn reduce(basis: &mut [Vec<f64>], columns: usize) {
     for k in 0..basis.len() {
         let mut best = (k, 0, 0.0);
@@ -285,7 +289,8 @@ fn loads(model: &AnalysisModel, frame: &Frame) -> (Vec<f64>, f64) {
     (f, magnitude)
 }
 
-/// The rigid motions that nothing resists and no load drives; an error naming the parts if a load drives one.
+/// The rigid motions that nothing resists and no load drives; an error naming the parts if a load
+/// drives one.
 pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnostics> {
     let frame = Frame::new(model);
     let n = 6 * frame.reference.len();
@@ -335,7 +340,8 @@ pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
         let words = if turn * frame.size < 1e-6 * largest {
             format!("move along {}", direction(u))
         } else {
-            // the point of the axis nearest the centre of the model, the same for parts that turn together
+            // the point of the axis nearest the centre of the model, the same for parts that turn
+            // together
             let t = cross(theta, displacement(&mode.motions[p], frame.centre));
             let axis = [0, 1, 2].map(|k| round(frame.centre[k] + t[k] / (turn * turn), frame.size));
             let line = format!(

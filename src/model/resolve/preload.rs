@@ -1,4 +1,5 @@
-//! Preloaded bolts: which mesh faces sever the shank, and what must hold for one side to be drawn towards the other.
+//! Preloaded bolts: which mesh faces sever the shank, and what must hold for one side to be drawn
+//! towards the other.
 
 use super::Faults;
 use super::interfaces::Claims;
@@ -21,7 +22,8 @@ pub(super) struct Cut {
     pub faces: Vec<[TetFace; 2]>,
 }
 
-/// Reads `preload`. In limit analysis it drops out: the cuts stay closed, which a note tells. Not for bodies that yield yet.
+/// Reads `preload`. In limit analysis it drops out: the cuts stay closed, which a note tells. Not
+/// for bodies that yield yet.
 pub(super) fn read(
     file: &ModelFile,
     scene: &Scene<'_>,
@@ -110,7 +112,8 @@ fn numbers(entry: &PreloadEntry, path: &str, faults: &mut Faults<'_>) -> Option<
     (axis && force).then(|| vec3::scale(1.0 / length, entry.axis))
 }
 
-/// Both sides of every face of a cut, side A first: the one whose outward normal points along the axis.
+/// Both sides of every face of a cut, side A first: the one whose outward normal points along the
+/// axis.
 fn sides(
     entry: &PreloadEntry,
     body: u32,
@@ -243,8 +246,8 @@ pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
     split.parts = used.len();
 }
 
-/// The preloads once the nodes are split; `pairs` are in the order of the cuts. An error where something holds both halves
-/// together at the rim of a cut.
+/// The preloads once the nodes are split; `pairs` are in the order of the cuts. An error where
+/// something holds both halves together at the rim of a cut.
 pub(super) fn preloads(
     cuts: Vec<Cut>,
     pairs: &[OpenPair],

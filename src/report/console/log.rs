@@ -1,4 +1,5 @@
-//! What a run says while it works: lines on standard error, bars where a terminal shows them, and `log.txt`.
+//! What a run says while it works: lines on standard error, bars where a terminal shows them, and
+//! `log.txt`.
 
 use crate::analysis::program_run::Program;
 use crate::report::console::pace::{Pace, about};

@@ -8,7 +8,8 @@ const TYPICAL: f64 = 20.0;
 /// Iterations over which the trend is taken.
 const WINDOW: usize = 5;
 
-/// Iterations after which the trend alone counts: the first ones tell little, their steps are short.
+/// Iterations after which the trend alone counts: the first ones tell little, their steps are
+/// short.
 const SETTLED: f64 = 8.0;
 
 /// Slowest trend that is believed, decades an iteration: a stall ends sooner than it promises.
@@ -30,7 +31,8 @@ impl Pace {
         Self { tolerance, forecast, told: Vec::new(), last: None }
     }
 
-    /// Takes the next iteration; numbers that begin again belong to another solver, whose pace is its own.
+    /// Takes the next iteration; numbers that begin again belong to another solver, whose pace is
+    /// its own.
     pub fn tell(&mut self, i: &Iteration) {
         if self.last.is_some_and(|last| i.number <= last) {
             self.told.clear();

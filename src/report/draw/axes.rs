@@ -29,8 +29,8 @@ impl Axes {
         [MARGIN + 0.5 * SIDE * (1.0 + part(0)), LINE + 0.5 * SIDE * (1.0 - part(1))]
     }
 
-    /// Draws the frame with its ticks; the names of the axes say what grows to the right and upwards. Returns the point where
-    /// a legend begins.
+    /// Draws the frame with its ticks; the names of the axes say what grows to the right and
+    /// upwards. Returns the point where a legend begins.
     pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
         let reach = self.reach;
         let [left, top] = self.at([-reach[0], reach[1]]);

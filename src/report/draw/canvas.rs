@@ -40,7 +40,8 @@ impl Picture {
     }
 }
 
-/// Colour and depth of every sample. Coordinates are pixels from the top left unless said otherwise.
+/// Colour and depth of every sample. Coordinates are pixels from the top left unless said
+/// otherwise.
 pub struct Canvas {
     width: usize,
     height: usize,
@@ -66,8 +67,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a triangle given in sample coordinates and depth. `shade` gets the barycentric coordinates of a sample
-    /// and twice the triangle's area in samples.
+    /// Draws a triangle given in sample coordinates and depth. `shade` gets the barycentric
+    /// coordinates of a sample and twice the triangle's area in samples.
     pub fn triangle(&mut self, corners: [[f64; 3]; 3], shade: impl Fn([f64; 3], f64) -> Rgb) {
         let [a, b, c] = corners;
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -99,7 +100,8 @@ impl Canvas {
         }
     }
 
-    /// Darkens samples whose neighbour is empty or farther by more than `jump`: the outline of what stands in front.
+    /// Darkens samples whose neighbour is empty or farther by more than `jump`: the outline of what
+    /// stands in front.
     pub fn outline(&mut self, ink: Rgb, jump: f64) {
         let ink = bytes(ink);
         let mut marked = Vec::new();

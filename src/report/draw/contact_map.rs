@@ -1,4 +1,5 @@
-//! Where two parts press on each other: the contact faces on a plane, coloured by the pressure of the static field.
+//! Where two parts press on each other: the contact faces on a plane, coloured by the pressure of
+//! the static field.
 
 use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::contact_faces;
@@ -21,8 +22,9 @@ const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"]
 /// A face on its plane: corners \[mm\] and mean pressure \[MPa\].
 type Patch = ([[f64; 2]; 3], f64);
 
-/// The map of the two parts that press on each other as SVG text, completed by the planes of symmetry whose axes are `mirror`; `None` where
-/// nothing presses, or where their faces do not lie on one plane across an axis.
+/// The map of the two parts that press on each other as SVG text, completed by the planes of
+/// symmetry whose axes are `mirror`; `None` where nothing presses, or where their faces do not lie
+/// on one plane across an axis.
 pub fn contact_map(
     model: &AnalysisModel,
     stress: &StressField,

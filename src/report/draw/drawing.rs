@@ -1,6 +1,8 @@
-//! Drawings of an end plate joint: side view and front view with dimensions, and the sketch of the actions with their signs.
+//! Drawings of an end plate joint: side view and front view with dimensions, and the sketch of the
+//! actions with their signs.
 //!
-//! They show what the hand checks see (`assembly::EndPlate`), so that a wrong value of a spec meets the eye.
+//! They show what the hand checks see (`assembly::EndPlate`), so that a wrong value of a spec meets
+//! the eye.
 
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::{Unit, number as n};
@@ -14,8 +16,8 @@ const STEEL: &str = "#eef1f4";
 const BOLT: &str = "#c9d3dc";
 const MARGIN: f64 = 24.0;
 
-/// Side view and front view. `plates`: end plates of the joint, 1 or 2; `length`: nominal length of the bolts, where one is
-/// stocked.
+/// Side view and front view. `plates`: end plates of the joint, 1 or 2; `length`: nominal length of
+/// the bolts, where one is stocked.
 pub fn views(e: &EndPlate, plates: usize, length: Option<f64>) -> String {
     sheet(e, plates, length).finish("Joint, side view and front view of the end plate")
 }

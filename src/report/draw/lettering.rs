@@ -1,7 +1,8 @@
 //! Letters as strokes, the way a plotter draws them: no font file, readable at any size.
 //!
-//! A glyph is a list of polylines on a grid four units wide; `y` counts up from the descender at 0 over the baseline at
-//! 2 to the top of capitals at 8. Each point is two digits, polylines are separated by blanks.
+//! A glyph is a list of polylines on a grid four units wide; `y` counts up from the descender at 0
+//! over the baseline at 2 to the top of capitals at 8. Each point is two digits, polylines are
+//! separated by blanks.
 
 /// Width of a glyph with the space after it, in grid units.
 const ADVANCE: f64 = 6.0;
@@ -108,7 +109,8 @@ fn strokes(letter: char) -> &'static str {
     }
 }
 
-/// The line segments of a text whose capitals are `height` tall, starting at `(x, y)` on its baseline, y downward.
+/// The line segments of a text whose capitals are `height` tall, starting at `(x, y)` on its
+/// baseline, y downward.
 pub fn text_segments(text: &str, x: f64, y: f64, height: f64) -> Vec<[[f64; 2]; 2]> {
     let unit = height / 6.0;
     let mut segments = Vec::new();

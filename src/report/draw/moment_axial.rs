@@ -1,10 +1,12 @@
-//! The M–N diagram of the component method: what a joint carries of moment and axial force, and where the load cases lie.
+//! The M–N diagram of the component method: what a joint carries of moment and axial force, and
+//! where the load cases lie.
 
 use crate::checks::MomentAxial;
 use crate::report::draw::axes::Axes;
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
-/// The diagram as SVG text; axial force to the right (tension positive), moment upwards (tension at the top positive).
+/// The diagram as SVG text; axial force to the right (tension positive), moment upwards (tension at
+/// the top positive).
 pub fn drawing(diagram: &MomentAxial) -> String {
     let show = |p: [f64; 2]| [1e-3 * p[0], 1e-6 * p[1]];
     let border: Vec<[f64; 2]> = diagram.border.iter().copied().map(show).collect();

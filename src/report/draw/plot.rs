@@ -275,8 +275,8 @@ mod tests {
         assert!(Axis::around([].into_iter()).marks().len() > 1);
     }
 
-    /// Both forms have a dot for every good point and for each name in the legend; names cannot break the text; points without a
-    /// logarithm are left out.
+    /// Both forms have a dot for every good point and for each name in the legend; names cannot
+    /// break the text; points without a logarithm are left out.
     #[test]
     fn every_good_point_is_drawn() {
         let svg = plot().svg();

@@ -1,7 +1,8 @@
 //! Pictures of the meshed joint: a z-buffer, no graphics card, the same bytes every time.
 //!
-//! Orthographic view, flat shading, 2 × 2 supersampling. Lines of the mesh and of the shape are drawn where a pixel of
-//! a triangle lies near one of its edges: what is hidden stays hidden without any depth offset.
+//! Orthographic view, flat shading, 2 × 2 supersampling. Lines of the mesh and of the shape are
+//! drawn where a pixel of a triangle lies near one of its edges: what is hidden stays hidden
+//! without any depth offset.
 
 use crate::math::vec3::{cross, dot, unit};
 use crate::mesh::TetMesh;
@@ -9,8 +10,9 @@ use crate::report::draw::canvas::{Canvas, Picture, Rgb, SAMPLES};
 use crate::report::draw::lettering::text_width;
 use crate::report::draw::surface::{EdgeKind, Surface, unit_normal};
 
-/// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the facets of a bolt's
-/// twelve-sided shank and those of a fillet in three facets, below the 60° of its head.
+/// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the
+/// facets of a bolt's twelve-sided shank and those of a fillet in three facets, below the 60° of
+/// its head.
 const FEATURE_ANGLE: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
 const BACKGROUND: Rgb = [255.0, 255.0, 255.0];
@@ -50,7 +52,8 @@ pub struct Field<'a> {
     pub unit: &'a str,
     /// One value a node; NaN where the field is not defined (shown grey).
     pub values: &'a [f64],
-    /// Lowest and highest value of the colours; absent: of the field. Values beyond keep the last colour.
+    /// Lowest and highest value of the colours; absent: of the field. Values beyond keep the last
+    /// colour.
     pub range: Option<[f64; 2]>,
 }
 
@@ -72,11 +75,13 @@ pub struct PictureOptions<'a> {
     pub width: usize,
     /// Height at most \[pixels\], at least 240; less is used where the shape is flat.
     pub max_height: usize,
-    /// Axes (0 = x, 1 = y, 2 = z) whose plane through the origin is a symmetry plane to complete the shape by.
+    /// Axes (0 = x, 1 = y, 2 = z) whose plane through the origin is a symmetry plane to complete
+    /// the shape by.
     pub mirror: &'a [usize],
     /// Direction from the shape to the eye; absent: chosen from the shape.
     pub eye: Option<[f64; 3]>,
-    /// Bodies to come close to: the frame is theirs plus a quarter, the rest is cut at its border. Empty: everything.
+    /// Bodies to come close to: the frame is theirs plus a quarter, the rest is cut at its border.
+    /// Empty: everything.
     pub focus: &'a [&'a str],
     /// Whether the lines of the mesh are drawn.
     pub mesh_lines: bool,
@@ -158,8 +163,8 @@ const MARGIN: f64 = 24.0;
 /// Height of capitals \[pixels\].
 const LETTER: f64 = 14.0;
 
-/// A view a little from above that shows the long side wide. A shape on one side of the planes x = 0 or y = 0 (a half
-/// or quarter model) is seen from its outside.
+/// A view a little from above that shows the long side wide. A shape on one side of the planes x =
+/// 0 or y = 0 (a half or quarter model) is seen from its outside.
 fn natural_eye(surface: &Surface) -> [f64; 3] {
     let (low, high) = surface.extents();
     let size = [0, 1, 2].map(|k| high[k] - low[k]);
@@ -441,7 +446,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// Strength of mesh lines: full for coarse meshes, fading where lines would merge into a grey blur.
+    /// Strength of mesh lines: full for coarse meshes, fading where lines would merge into a grey
+    /// blur.
     fn mesh_ink(&self, points: &[[f64; 3]]) -> f64 {
         let mut lengths: Vec<f64> = self
             .surface

@@ -1,4 +1,5 @@
-//! The outer surface of a mesh, as the pictures need it: triangles by body, mirrored copies, feature edges.
+//! The outer surface of a mesh, as the pictures need it: triangles by body, mirrored copies,
+//! feature edges.
 
 use crate::math::vec3::{cross, dot, sub, unit};
 use crate::mesh::TetMesh;
@@ -65,8 +66,8 @@ impl Surface {
         }
     }
 
-    /// The surface with its mirror image in the plane `x[axis] = 0`, sewn together along it: triangles in the plane
-    /// are inside the whole and go away.
+    /// The surface with its mirror image in the plane `x[axis] = 0`, sewn together along it:
+    /// triangles in the plane are inside the whole and go away.
     pub fn mirrored(mut self, axis: usize) -> Self {
         let (low, high) = self.extents();
         let tolerance = 1e-6 * (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
@@ -106,8 +107,9 @@ impl Surface {
         box_
     }
 
-    /// Kind of the edge from node `i` to node `i + 1` of every triangle. A feature is an edge whose triangles meet at
-    /// more than `angle` \[rad\], belong to different bodies, or are not exactly two.
+    /// Kind of the edge from node `i` to node `i + 1` of every triangle. A feature is an edge whose
+    /// triangles meet at more than `angle` \[rad\], belong to different bodies, or are not exactly
+    /// two.
     pub fn edge_kinds(&self, angle: f64) -> Vec<[EdgeKind; 3]> {
         let normals: Vec<[f64; 3]> = self
             .triangles
@@ -150,7 +152,8 @@ pub(crate) fn unit_normal(x: [[f64; 3]; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    /// The tet of the origin and the three unit points, with a second body glued to its slanted face.
+    /// The tet of the origin and the three unit points, with a second body glued to its slanted
+    /// face.
     fn two_tets() -> TetMesh {
         TetMesh {
             nodes: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0; 3]],
@@ -193,7 +196,8 @@ mod tests {
                 .iter()
                 .all(|t| !t.nodes.iter().all(|&n| surface.points[n as usize][0] == 0.0))
         );
-        // on y = 0 the triangles (0 1 3) and its image meet along the z axis: flat, so no feature there
+        // on y = 0 the triangles (0 1 3) and its image meet along the z axis: flat, so no feature
+        // there
         let kinds = surface.edge_kinds(0.4);
         let mut seam = 0;
         for (t, kind) in surface.triangles.iter().zip(&kinds) {

@@ -1,4 +1,5 @@
-//! Line drawings as SVG text: strokes, arrows, texts that keep clear of each other, chains of dimensions.
+//! Line drawings as SVG text: strokes, arrows, texts that keep clear of each other, chains of
+//! dimensions.
 
 use std::fmt::Write;
 
@@ -118,7 +119,8 @@ impl Drawing {
         self.polygon(Pen::Action, "#c03a00", &[tip, at(9.0, 4.0), at(9.0, -4.0)]);
     }
 
-    /// A moment about `centre`: three quarters of a circle with an arrow, clockwise on the page or not.
+    /// A moment about `centre`: three quarters of a circle with an arrow, clockwise on the page or
+    /// not.
     pub fn turn(&mut self, [x, y]: [f64; 2], radius: f64, clockwise: bool) {
         self.reach(x + radius, y + radius);
         let side = if clockwise { 1.0 } else { -1.0 };
@@ -157,8 +159,9 @@ impl Drawing {
         );
     }
 
-    /// A vertical chain of dimensions at `x`; of each point its y and the line it comes from, from the bottom; the texts stand
-    /// to the `right` or left and make room for each other. `show` is the text between two neighbours.
+    /// A vertical chain of dimensions at `x`; of each point its y and the line it comes from, from
+    /// the bottom; the texts stand to the `right` or left and make room for each other. `show` is
+    /// the text between two neighbours.
     pub fn vertical_chain(&mut self, x: f64, right: bool, from: f64, ys: &[f64], show: &[String]) {
         let side = if right { 1.0 } else { -1.0 };
         for y in ys {
@@ -175,8 +178,8 @@ impl Drawing {
         }
     }
 
-    /// A horizontal chain of dimensions at `y`, from the left, below the line `from`; a text too wide for its interval stands one
-    /// line lower.
+    /// A horizontal chain of dimensions at `y`, from the left, below the line `from`; a text too
+    /// wide for its interval stands one line lower.
     pub fn horizontal_chain(&mut self, y: f64, from: f64, xs: &[f64], show: &[String]) {
         for x in xs {
             self.line(Pen::Thin, [*x, from + 3.0], [*x, y + TICK]);

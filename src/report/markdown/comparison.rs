@@ -6,7 +6,8 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::text::{inline, paragraph};
 use crate::result::data::CaseResult;
 
-/// What von Mises adds to the bending strength of a plate that cannot contract along its hinge: 2/√3.
+/// What von Mises adds to the bending strength of a plate that cannot contract along its hinge:
+/// 2/√3.
 const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
 
 /// A line a member end; where the component method lies outside the bracket, what accounts for it.
@@ -119,7 +120,8 @@ mod tests {
         }
     }
 
-    /// The line tells the two ratios, rounded outwards, and on which side the component method lies.
+    /// The line tells the two ratios, rounded outwards, and on which side the component method
+    /// lies.
     #[test]
     fn the_line_says_on_which_side_and_by_how_much() {
         let line = |factor| line("ULS1", &comparison(factor), (Some(1.2), Some(1.5)));

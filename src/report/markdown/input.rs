@@ -1,4 +1,5 @@
-//! What the report says of the input: as it was read, the values that follow from it, and at the end the file itself.
+//! What the report says of the input: as it was read, the values that follow from it, and at the
+//! end the file itself.
 
 use crate::report::markdown::page::{ReportData, Table};
 use crate::report::markdown::text::{heading, inline, paragraph, strings, table};

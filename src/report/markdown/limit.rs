@@ -1,4 +1,5 @@
-//! What a report says of a load factor beyond its bracket: the load at collapse, what friction means, where the structure fails.
+//! What a report says of a load factor beyond its bracket: the load at collapse, what friction
+//! means, where the structure fails.
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};

@@ -1,11 +1,14 @@
-//! What the printed report is made of: plain strings and tables, so that the writers know nothing of the engine.
+//! What the printed report is made of: plain strings and tables, so that the writers know nothing
+//! of the engine.
 
 use crate::result::data::ResultFile;
 
-/// Everything on the page. The numbers of the analyses come from `result`, the same as in `result.json`.
+/// Everything on the page. The numbers of the analyses come from `result`, the same as in
+/// `result.json`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReportData {
-    /// Lines of the title block, in order: name (`title`, `number`, `author`, …) and value. The first is the heading.
+    /// Lines of the title block, in order: name (`title`, `number`, `author`, …) and value. The
+    /// first is the heading.
     pub project: Vec<(String, String)>,
     /// The result.
     pub result: ResultFile,

@@ -1,5 +1,5 @@
-//! What a report says of an elastic, perfectly plastic analysis beyond its bracket: how much has yielded, how far the load moves
-//! at least, where yield conditions were needed.
+//! What a report says of an elastic, perfectly plastic analysis beyond its bracket: how much has
+//! yielded, how far the load moves at least, where yield conditions were needed.
 
 use crate::report::figures::{Rounding, fixed, significant};
 use crate::report::markdown::page::Table;

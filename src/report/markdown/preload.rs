@@ -6,7 +6,8 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::text::inline;
 use crate::result::forces::ON_PLANE;
 
-/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the origin.
+/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the
+/// origin.
 pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usize]) {
     for bolt in bolts {
         let cut = model

@@ -115,7 +115,8 @@ mod tests {
     use super::*;
     use crate::checks::{Unit, Worked};
 
-    /// The largest utilisation of a check that decides is bold; the component method is not, however much it is used.
+    /// The largest utilisation of a check that decides is bold; the component method is not,
+    /// however much it is used.
     #[test]
     fn what_governs_is_bold_and_information_never() {
         let check = |topic, value: f64, otherwise| {

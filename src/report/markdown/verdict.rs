@@ -1,4 +1,5 @@
-//! The box a report begins with: the verdict by code, by analysis, and the joint one with its reason.
+//! The box a report begins with: the verdict by code, by analysis, and the joint one with its
+//! reason.
 
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;

@@ -22,8 +22,8 @@ const FACTOR: &str = "load_factor";
 /// Name of the stress array, Mandel form `[xx, yy, zz, √2 yz, √2 xz, √2 xy]` \[MPa\].
 const STRESS: &str = "stress_mandel";
 
-/// Name of the array of Bernstein coefficients of the shift of contact cones on each face: of the vertices, then of the edges
-/// \[mm\].
+/// Name of the array of Bernstein coefficients of the shift of contact cones on each face: of the
+/// vertices, then of the edges \[mm\].
 const SHIFT: &str = "shift_bernstein";
 
 /// Why a field file does not fit its model.
@@ -84,7 +84,8 @@ pub fn displacement_grid(
     }
 }
 
-/// The stress field on the four subtets of every tet, each with points of its own: stress jumps between them.
+/// The stress field on the four subtets of every tet, each with points of its own: stress jumps
+/// between them.
 pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
     let points: Vec<[f64; 3]> = (0..model.mesh.tets.len())
         .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())
@@ -111,7 +112,8 @@ pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
     }
 }
 
-/// The velocities of a mechanism on quadratic tets, with the dissipation per volume of each \[N mm/mm³ per unit of time\].
+/// The velocities of a mechanism on quadratic tets, with the dissipation per volume of each \[N
+/// mm/mm³ per unit of time\].
 pub fn velocity_grid(model: &AnalysisModel, field: &VelocityField, densities: Vec<f64>) -> VtuGrid {
     let mut grid = displacement_grid(model, &field.nodes, None);
     grid.point_data[0].0 = VELOCITY.into();
@@ -143,8 +145,8 @@ pub fn lower_grid(model: &AnalysisModel, field: &StressField, factor: f64) -> Vt
     grid
 }
 
-/// The shift of the contact cones on the contact faces, quadratic triangles in the order of the faces; vertices in outward order
-/// of side A.
+/// The shift of the contact cones on the contact faces, quadratic triangles in the order of the
+/// faces; vertices in outward order of side A.
 pub fn shift_grid(model: &AnalysisModel, shift: &ConeShift) -> VtuGrid {
     let mut values = Vec::new();
     for c in &shift.faces {
@@ -228,7 +230,8 @@ fn read_vectors(
     Ok(DisplacementField { u: a.2.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect() })
 }
 
-/// Reads a stress field with the load factor it balances and checks that it belongs to the model's mesh.
+/// Reads a stress field with the load factor it balances and checks that it belongs to the model's
+/// mesh.
 pub fn read_lower(
     model: &AnalysisModel,
     bytes: &[u8],

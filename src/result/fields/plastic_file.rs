@@ -1,7 +1,9 @@
-//! Displacements with plastic strain as a `.vtu` file: written for ParaView, read back exactly for `bracket verify`.
+//! Displacements with plastic strain as a `.vtu` file: written for ParaView, read back exactly for
+//! `bracket verify`.
 //!
-//! A plain tet is one quadratic cell, a split one four of them, with five points of its own inside: what is drawn is the field
-//! itself. The plastic strain jumps between cells: each has its five deviatoric components at its four vertices.
+//! A plain tet is one quadratic cell, a split one four of them, with five points of its own inside:
+//! what is drawn is the field itself. The plastic strain jumps between cells: each has its five
+//! deviatoric components at its four vertices.
 
 use crate::certify::fields::DisplacementField;
 use crate::certify::plastic_field::{Deviator, PlasticField, PlasticTet, VertexFlow, length};
@@ -13,7 +15,8 @@ use crate::model::AnalysisModel;
 use crate::result::fields::field_files::{DISPLACEMENT, FieldFileError, array, check_points};
 use crate::result::fields::vtu::{QUADRATIC_TETRA, VtuGrid};
 
-/// Name of the array of plastic strain: at each vertex the components in the basis [`crate::math::mandel::DEVIATORIC`].
+/// Name of the array of plastic strain: at each vertex the components in the basis
+/// [`crate::math::mandel::DEVIATORIC`].
 const PLASTIC: &str = "plastic_strain_deviators";
 /// Name of the array that tells which tet of the mesh a cell belongs to.
 const TET: &str = "tet";
@@ -41,8 +44,8 @@ fn layout(model: &AnalysisModel, split: &[bool]) -> (Vec<V3>, Vec<u32>) {
     (points, cells)
 }
 
-/// The field on quadratic tets, with the contribution to the gap of each, if known, and the equivalent plastic strain
-/// `√(2/3) ‖p‖` where it is largest in each.
+/// The field on quadratic tets, with the contribution to the gap of each, if known, and the
+/// equivalent plastic strain `√(2/3) ‖p‖` where it is largest in each.
 pub fn plastic_grid(
     model: &AnalysisModel,
     field: &PlasticField,

@@ -1,7 +1,8 @@
-//! Fields as `.vtu` files (VTK XML, appended raw): written for ParaView, read back bit for bit by `bracket verify`.
+//! Fields as `.vtu` files (VTK XML, appended raw): written for ParaView, read back bit for bit by
+//! `bracket verify`.
 //!
-//! Little-endian, 64-bit block headers, 64-bit floats, one cell type a file. The reader reads what the writer writes and
-//! refuses the rest; it never trusts a length it has not checked.
+//! Little-endian, 64-bit block headers, 64-bit floats, one cell type a file. The reader reads what
+//! the writer writes and refuses the rest; it never trusts a length it has not checked.
 
 use crate::diag::Diagnostic;
 use std::fmt::Write as _;
@@ -12,7 +13,8 @@ pub const TRIANGLE: u8 = 5;
 pub const TETRA: u8 = 10;
 /// Quadratic triangle, 6 nodes, mid-side nodes on edges 01 12 02.
 pub const QUADRATIC_TRIANGLE: u8 = 22;
-/// Quadratic tetrahedron, 10 nodes, mid-side nodes in the order of [`crate::mesh::tet::EDGES`], which is VTK's.
+/// Quadratic tetrahedron, 10 nodes, mid-side nodes in the order of [`crate::mesh::tet::EDGES`],
+/// which is VTK's.
 pub const QUADRATIC_TETRA: u8 = 24;
 
 /// A named array: name, number of components, values (components fastest).

@@ -40,7 +40,8 @@ impl Cones {
         Self { blocks, rows }
     }
 
-    /// Degree of the barrier: one per cone (the second-order cone's barrier is counted by its identity `(1, 0)`).
+    /// Degree of the barrier: one per cone (the second-order cone's barrier is counted by its
+    /// identity `(1, 0)`).
     pub fn degree(&self) -> f64 {
         self.blocks.len() as f64
     }
@@ -83,8 +84,8 @@ impl Cones {
         c
     }
 
-    /// By how much the eigenvalues of `v` lie outside `span` times the target of their cone (at its first row); above it by at
-    /// most the upper end.
+    /// By how much the eigenvalues of `v` lie outside `span` times the target of their cone (at its
+    /// first row); above it by at most the upper end.
     pub fn outside(&self, v: &[f64], targets: &[f64], span: (f64, f64)) -> Vec<f64> {
         let mut out = vec![0.0; self.rows];
         for &(s, d) in &self.blocks {
@@ -228,7 +229,8 @@ impl Scaling {
         Self { eta: vec![1.0; cones.blocks.len()], lambda: w.clone(), w }
     }
 
-    /// Scaling of cone `k`, dimension 6: 1/η, then w. The vector block of `W⁻²` is `η⁻² (I + 2 w₁w₁ᵀ)`.
+    /// Scaling of cone `k`, dimension 6: 1/η, then w. The vector block of `W⁻²` is
+    /// `η⁻² (I + 2 w₁w₁ᵀ)`.
     pub fn of_point(&self, cones: &Cones, k: usize) -> [f64; 7] {
         let s = cones.blocks[k].0;
         let w = &self.w[s..s + 6];

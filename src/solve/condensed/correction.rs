@@ -1,9 +1,10 @@
-//! A correction of a refined solution. Corrections with orthogonal effects, each taken as far as it lowers the residual, are
-//! the generalised conjugate residual method: it converges where plain refinement stands because a few directions of a
-//! stiff matrix are lost in its rounding.
+//! A correction of a refined solution. Corrections with orthogonal effects, each taken as far as it
+//! lowers the residual, are the generalised conjugate residual method: it converges where plain
+//! refinement stands because a few directions of a stiff matrix are lost in its rounding.
 //!
 //! # Source
-//! Eisenstat, Elman and Schultz, Variational iterative methods for nonsymmetric systems of linear equations (1983).
+//! Eisenstat, Elman and Schultz, Variational iterative methods for nonsymmetric systems of linear
+//! equations (1983).
 
 /// A correction of a solution, and what it takes off the stationarity rows.
 pub struct Correction {
@@ -40,7 +41,8 @@ mod tests {
     use super::*;
     use crate::solve::condensed::cones::dot;
 
-    /// A solver that is wrong by a factor in one direction of two never converges by plain refinement; two corrections do.
+    /// A solver that is wrong by a factor in one direction of two never converges by plain
+    /// refinement; two corrections do.
     #[test]
     fn a_lost_direction_takes_one_correction_more() {
         let (matrix, solver) = ([4.0, 1e-3], [0.25, 3e3]);

@@ -1,9 +1,10 @@
-//! Elements that yield, eliminated from the matrix of an iteration: their yield points, their parameters, their inner
-//! displacements.
+//! Elements that yield, eliminated from the matrix of an iteration: their yield points, their
+//! parameters, their inner displacements.
 //!
-//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is `H = F + Σ B_jᵀ V_j B_j + ρ`, and what an element leaves
-//! on its displacements is `T H⁻¹ Tᵀ`. Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V goes
-//! to zero, and a pressure is held by no point at all.
+//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is
+//! `H = F + Σ B_jᵀ V_j B_j + ρ`, and what an element leaves on its displacements is `T H⁻¹ Tᵀ`.
+//! Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V goes to zero,
+//! and a pressure is held by no point at all.
 
 use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
 use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
@@ -120,8 +121,8 @@ impl ElementSystem {
         self.batches.iter().map(one).sum()
     }
 
-    /// Eliminates every element; `weight` gives the scaling of the cone that starts at a row, `values` is the sparse factor's
-    /// storage.
+    /// Eliminates every element; `weight` gives the scaling of the cone that starts at a row,
+    /// `values` is the sparse factor's storage.
     pub fn eliminate(
         &mut self,
         weight: impl Fn(usize) -> [f64; SCALING] + Sync,
@@ -148,7 +149,8 @@ impl ElementSystem {
         Ok(())
     }
 
-    /// Mean of the diagonal of the parameters' own matrix at the given weights, median over elements and mean.
+    /// Mean of the diagonal of the parameters' own matrix at the given weights, median over
+    /// elements and mean.
     pub fn own_stiffness(&self, weight: impl Fn(usize) -> [f64; SCALING] + Sync) -> (f64, f64) {
         let mut traces: Vec<f64> = self
             .batches

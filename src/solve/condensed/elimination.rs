@@ -1,6 +1,8 @@
-//! One batch of elements that yield: its parameters and inner displacements eliminated, in dense kernels eight elements wide.
+//! One batch of elements that yield: its parameters and inner displacements eliminated, in dense
+//! kernels eight elements wide.
 //!
-//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is `H = F + Σ B_jᵀ V_j B_j + ρ`; what is left is `T H⁻¹ Tᵀ`.
+//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is
+//! `H = F + Σ B_jᵀ V_j B_j + ρ`; what is left is `T H⁻¹ Tᵀ`.
 
 use super::panel;
 use crate::elements::batch::{Batch, Rule, Shape, VERTEX_VALUES, YIELD_ROWS};
@@ -8,7 +10,8 @@ use crate::math::lanes::{Place, kernel, solve_packed};
 use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 use pulp::Simd;
 
-/// Values of one yield point's scaling: 1/η, then the six of w. The vector block of `W⁻²` is `η⁻² (I + 2 w₁w₁ᵀ)`.
+/// Values of one yield point's scaling: 1/η, then the six of w. The vector block of `W⁻²` is
+/// `η⁻² (I + 2 w₁w₁ᵀ)`.
 pub const SCALING: usize = 1 + YIELD_ROWS;
 /// The scaling at each yield point of a batch.
 pub type Weights = Vec<[Lane; SCALING]>;
@@ -78,8 +81,8 @@ impl Buffer {
     }
 }
 
-/// Eliminates one batch: `T H⁻¹ Tᵀ` (the inner displacements eliminated as well), lower triangle by columns; its factor is
-/// left in `kept`. `None` where a pivot is not positive.
+/// Eliminates one batch: `T H⁻¹ Tᵀ` (the inner displacements eliminated as well), lower triangle by
+/// columns; its factor is left in `kept`. `None` where a pivot is not positive.
 pub fn eliminate(
     batch: &Batch,
     weights: &Weights,
@@ -133,7 +136,8 @@ pub fn eliminate(
 }
 
 kernel! {
-    /// The root `√α (I + γ w wᵀ)` of `V = α (I + 2 w wᵀ)` of each point times its rows of B, `columns` long.
+    /// The root `√α (I + γ w wᵀ)` of `V = α (I + 2 w wᵀ)` of each point times its rows of B,
+    /// `columns` long.
     fn times_roots(simd; weights: &'a [[Lane; SCALING]], b: &'a [Lane], columns: usize, y: &'a mut [Lane]) {
         let (weights, b, y) = (registers::<S>(weights.as_flattened()), registers::<S>(b), registers_mut::<S>(y));
         let (one, two) = (simd.splat_f64s(1.0), simd.splat_f64s(2.0));
@@ -248,7 +252,8 @@ kernel! {
     }
 }
 
-/// A tet with linear strain that is elastic before it yields: its four points are coupled by the mass matrix.
+/// A tet with linear strain that is elastic before it yields: its four points are coupled by the
+/// mass matrix.
 fn eliminate_hencky(
     e: &[Lane],
     flexibility: &Lane,
@@ -292,7 +297,8 @@ fn point_inverse<S: Simd>(
 }
 
 kernel! {
-    /// `y = (Σ_j c_j c_jᵀ ⊗ H_j⁻¹) E` of a tet with linear strain that is rigid before it flows: each point for itself.
+    /// `y = (Σ_j c_j c_jᵀ ⊗ H_j⁻¹) E` of a tet with linear strain that is rigid before it flows:
+    /// each point for itself.
     fn rigid_plastic(
         simd;
         e: &'a [Lane],
@@ -466,7 +472,8 @@ mod tests {
         }
     }
 
-    /// What is left of an element times displacements is the force that the element's own equations give, for every kind.
+    /// What is left of an element times displacements is the force that the element's own equations
+    /// give, for every kind.
     #[test]
     fn what_is_left_gives_the_forces_of_the_element() {
         let flow =

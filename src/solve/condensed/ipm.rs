@@ -1,12 +1,15 @@
-//! The interior-point iteration: homogeneous embedding, predictor–corrector, one condensed factor per iteration.
+//! The interior-point iteration: homogeneous embedding, predictor–corrector, one condensed factor
+//! per iteration.
 //!
 //! `min ½ xᵀPx + qᵀx`, `s = G x + h ∈ K` is embedded with τ, κ ≥ 0:
-//! `Px − Gᵀz + qτ = 0`, `s = Gx + hτ`, `κ = −xᵀPx/τ − qᵀx − hᵀz`. A solution with τ > 0 gives x/τ, z/τ; κ > 0 gives a
-//! certificate that the program is unbounded or infeasible. Rows of maximised unknowns y enter with their natural sign
-//! (`E x − F y − b τ = 0`); in the scalar row and in the objectives they count with the opposite one.
+//! `Px − Gᵀz + qτ = 0`, `s = Gx + hτ`, `κ = −xᵀPx/τ − qᵀx − hᵀz`. A solution with τ > 0 gives x/τ,
+//! z/τ; κ > 0 gives a certificate that the program is unbounded or infeasible. Rows of maximised
+//! unknowns y enter with their natural sign (`E x − F y − b τ = 0`); in the scalar row and in the
+//! objectives they count with the opposite one.
 //!
 //! # Source
-//! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic objectives (2024).
+//! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic
+//! objectives (2024).
 
 use super::cones::{Scaling, dot};
 use super::correction::Correction;
@@ -23,15 +26,17 @@ const TO_THE_SURFACE: f64 = 0.99;
 const REFINEMENTS: usize = 6;
 /// A pass that leaves this part of the error or more is the last.
 const STALLED: f64 = 0.9;
-/// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs no refinement; in limit
-/// analysis, where a refinement costs a tenth of the iteration, the larger one (as many iterations, an eighth of the solves less).
+/// Error of a direction's stationarity rows, as a part of the residual it is to remove, that needs
+/// no refinement; in limit analysis, where a refinement costs a tenth of the iteration, the larger
+/// one (as many iterations, an eighth of the solves less).
 const DIRECTION_ERROR: f64 = 0.01;
 const LIMIT_DIRECTION_ERROR: f64 = 0.1;
-/// Centrality correctors at most in an iteration; of limit analysis, where contacts end steps early.
+/// Centrality correctors at most in an iteration; of limit analysis, where contacts end steps
+/// early.
 const CORRECTORS: usize = 2;
 const LIMIT_CORRECTORS: usize = 8;
-/// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a solve, with what goes with it,
-/// then costs less than a tenth of a factor.
+/// Operations of a factorisation for each nonzero of the factor from which on correctors pay: a
+/// solve, with what goes with it, then costs less than a tenth of a factor.
 const DENSE_FACTOR: f64 = 1500.0;
 /// Parts of the second-order term that are tried.
 const SECOND_ORDER: [f64; 6] = [1.0, 0.75, 0.5, 0.25, 0.1, 0.0];
@@ -42,19 +47,23 @@ const LONGER: f64 = 0.3;
 const WORTH: f64 = 0.1;
 /// Complementarity products within these multiples of the target are well centred.
 const CENTRE: (f64, f64) = (0.1, 10.0);
-/// An iterate that stalls within this many times the tolerances is taken; in limit analysis they are rough as they are.
+/// An iterate that stalls within this many times the tolerances is taken; in limit analysis they
+/// are rough as they are.
 const NEARLY: f64 = 100.0;
 const LIMIT_NEARLY: f64 = 10.0;
 /// A certificate's residuals at most, however rough a solution may be.
 const CERTAIN: f64 = 1e-8;
-/// A certificate is accepted with residuals this many times larger once κ is so many times τ: the embedding has decided.
+/// A certificate is accepted with residuals this many times larger once κ is so many times τ: the
+/// embedding has decided.
 const DECIDED: (f64, f64) = (100.0, 1e3);
-/// Part of the load factor at first yield below which a factor is as good as zero: gap and residuals are measured there by what
-/// they would be at that part. Where a mesh's stresses carry no load at all, forces and objective vanish together.
+/// Part of the load factor at first yield below which a factor is as good as zero: gap and
+/// residuals are measured there by what they would be at that part. Where a mesh's stresses carry
+/// no load at all, forces and objective vanish together.
 const NOTHING: f64 = 1e-3;
-/// Velocities of contacts and what presses them at the start of limit analysis, beside the mean of the yield points. Most contacts of a
-/// mechanism open, at hundreds of times that velocity; started alike, each of them has to lose its pressure on the way, and a
-/// few of them at a time end the steps (static program of the paper's joint with 13 000 tets: 47 iterations, now 26; the pairs
+/// Velocities of contacts and what presses them at the start of limit analysis, beside the mean of
+/// the yield points. Most contacts of a mechanism open, at hundreds of times that velocity; started
+/// alike, each of them has to lose its pressure on the way, and a few of them at a time end the
+/// steps (static program of the paper's joint with 13 000 tets: 47 iterations, now 26; the pairs
 /// (30, 0.1) takes 31, and (100, 0.01) on other joints an eighth to a quarter more than this one).
 const OPENING: f64 = 100.0;
 const PRESSURE: f64 = 0.1;
@@ -154,7 +163,8 @@ fn residuals(problem: &ScaledProgram, p: &Point, reference: f64) -> Residuals {
     let scale = |k: usize| {
         sizes[0][k].max(sizes[1][k] / t).max(sizes[2][k] / t).max(live / t).max(least).max(1e-300)
     };
-    // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a measure as well
+    // closed contacts have neither slack nor gap; rows are of unit size, so the unknowns are a
+    // measure as well
     let primal_scale = largest(&problem.program.h).max(largest(&p.s) / t).max(largest(&p.x) / t);
     Residuals {
         dual: (off[0] / (t * scale(0))).max(off[1] / (t * scale(1))),
@@ -188,7 +198,8 @@ fn certificate(
         let rows = if points { problem.points..h.len() } else { 0..problem.points };
         rows.fold(0.0, |m: f64, i| m.max((r.f2[i] + h[i] * p.tau).abs()))
     };
-    // stationarity rows of one side's unknowns and of the other side's multipliers, without the τ term
+    // stationarity rows of one side's unknowns and of the other side's multipliers, without the τ
+    // term
     let stationarity = |maximised: bool| {
         if !problem.saddle && !maximised {
             return largest(&r.px);
@@ -251,7 +262,8 @@ pub fn iterate(
             iterations,
         }
     };
-    // the best iterate is an answer when it is nearly as good as asked for; the fields are certified in any case
+    // the best iterate is an answer when it is nearly as good as asked for; the fields are
+    // certified in any case
     let nearly = if problem.program.live.is_empty() { NEARLY } else { LIMIT_NEARLY };
     let stop = |status, best: Point, merit: f64, iteration| {
         let good = merit <= nearly && !matches!(status, SolveStatus::TimeLimit);
@@ -334,8 +346,8 @@ pub fn iterate(
     stop(SolveStatus::IterationLimit, best, best_merit, options.max_iterations)
 }
 
-/// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside; and the load factor at which
-/// that elastic stress would reach the yield surface, 0 where it never does.
+/// `min ½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, then slacks and multipliers pushed inside; and the
+/// load factor at which that elastic stress would reach the yield surface, 0 where it never does.
 fn starting_point(problem: &ScaledProgram, system: &CondensedSystem) -> (Point, f64) {
     let cones = &problem.cones;
     let minus_q: Vec<f64> = problem.program.q.iter().map(|q| -q).collect();
@@ -376,8 +388,8 @@ fn starting_point(problem: &ScaledProgram, system: &CondensedSystem) -> (Point, 
     };
     let (mut x, mut s, mut z) = (x, inside(s), inside(z));
     if !problem.program.live.is_empty() {
-        // without elasticity motions and forces have no size of their own; too large a start lets τ fall by many orders, and
-        // ten iterations go into its return
+        // without elasticity motions and forces have no size of their own; too large a start lets τ
+        // fall by many orders, and ten iterations go into its return
         let size = (cones.degree() / dot(&s, &z)).sqrt();
         [&mut x, &mut s, &mut z].into_iter().for_each(|v| v.iter_mut().for_each(|v| *v *= size));
         for &(at, d) in cones.blocks.iter().filter(|b| b.0 < problem.points) {
@@ -447,8 +459,9 @@ impl<'a> Newton<'a> {
         (n, affine)
     }
 
-    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2` for a few right-hand sides, refined on this full residual: the condensed
-    /// matrix alone loses the small multipliers in the rounding of the large `W⁻²`.
+    /// `P dx − Gᵀ dz = r1`, `−G dx − W² dz = r2` for a few right-hand sides, refined on this full
+    /// residual: the condensed matrix alone loses the small multipliers in the rounding of the
+    /// large `W⁻²`.
     fn kkt<const SIDES: usize>(&self, rhs: [Side<'_>; SIDES]) -> [(Vec<f64>, Vec<f64>); SIDES] {
         let Self { problem, scaling, .. } = *self;
         let mut solution = self.system.solve::<SIDES, true>(problem, scaling, rhs);
@@ -503,7 +516,8 @@ impl<'a> Newton<'a> {
         (0..a.len()).map(|i| weight(i) * a[i] * b[i]).sum()
     }
 
-    /// Right-hand side for removing the fraction `1 − σ` of the residuals with complementarity `ds`.
+    /// Right-hand side for removing the fraction `1 − σ` of the residuals with complementarity
+    /// `ds`.
     fn right_hand_side(&self, ds: &[f64], sigma: f64) -> (Vec<f64>, Vec<f64>) {
         let cones = &self.problem.cones;
         let keep = 1.0 - sigma;
@@ -513,15 +527,17 @@ impl<'a> Newton<'a> {
         (r1, r2)
     }
 
-    /// The direction that removes the fraction `1 − σ` of the residuals, with complementarity right-hand sides `ds`, `dk`.
+    /// The direction that removes the fraction `1 − σ` of the residuals, with complementarity
+    /// right-hand sides `ds`, `dk`.
     fn solve(&self, ds: &[f64], dk: f64, sigma: f64) -> Direction {
         let (r1, r2) = self.right_hand_side(ds, sigma);
         let [(x1, z1)] = self.kkt([(&r1, &r2)]);
         self.direction(x1, z1, dk, sigma)
     }
 
-    /// Mehrotra's direction: centred, and corrected for the second-order term of the affine direction. In limit analysis, where
-    /// affine steps are short and their second-order terms not to be trusted, only for as much of it as lengthens the step.
+    /// Mehrotra's direction: centred, and corrected for the second-order term of the affine
+    /// direction. In limit analysis, where affine steps are short and their second-order terms not
+    /// to be trusted, only for as much of it as lengthens the step.
     fn corrected(&self, affine: &Direction, ll: &[f64], targets: &Targets) -> Direction {
         let (cones, p) = (&self.problem.cones, self.point);
         let mut cross = cones.product(
@@ -555,8 +571,9 @@ impl<'a> Newton<'a> {
         self.centred(centring.plus(best.0, &second), targets)
     }
 
-    /// The direction with complementarity products brought back towards their targets where a longer step would leave
-    /// them far behind or ahead (Gondzio's centrality correctors); each costs one solve and is kept only if the step grows.
+    /// The direction with complementarity products brought back towards their targets where a
+    /// longer step would leave them far behind or ahead (Gondzio's centrality correctors); each
+    /// costs one solve and is kept only if the step grows.
     fn centred(&self, mut d: Direction, targets: &Targets) -> Direction {
         let (cones, p, lambda) = (&self.problem.cones, self.point, &self.scaling.lambda);
         let (least, most) = (CENTRE.0 * targets.centre, CENTRE.1 * targets.centre);

@@ -1,7 +1,8 @@
 //! The condensed interior-point method: only unknowns that elements share reach the sparse factor.
 //!
-//! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one; every
-//! iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one nested-dissection ordering.
+//! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one;
+//! every iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one
+//! nested-dissection ordering.
 
 pub mod cones;
 pub mod correction;
@@ -33,8 +34,8 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each shared unknown, for the
-    /// ordering, which `patterns` may know.
+    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each
+    /// shared unknown, for the ordering, which `patterns` may know.
     pub fn new(
         program: &ConicProgram,
         block: &[u32],
@@ -51,7 +52,8 @@ impl Prepared {
         self.system.forecast(&self.problem.program)
     }
 
-    /// Times the second of two factorisations of the starting matrix, and the second of two solves with it.
+    /// Times the second of two factorisations of the starting matrix, and the second of two solves
+    /// with it.
     pub fn yardstick(&mut self) -> Option<Yardstick> {
         let timed = |run: &mut dyn FnMut()| {
             run();

@@ -46,8 +46,8 @@ fn tile<S: Simd, const R: usize, const C: usize>(
     sums
 }
 
-/// `out += Σ_j a_j b_jᵀ` over the rows from `from` on, of two panels of one height: lower triangle by columns. The sum must be
-/// symmetric.
+/// `out += Σ_j a_j b_jᵀ` over the rows from `from` on, of two panels of one height: lower triangle
+/// by columns. The sum must be symmetric.
 pub fn add_products(
     a: &[Lane],
     b: &[Lane],

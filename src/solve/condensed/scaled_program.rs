@@ -49,8 +49,9 @@ impl ScaledProgram {
         a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
     }
 
-    /// Largest entry among the minimised unknowns, and of all. Rows of minimised unknowns are forces: what is lost of them
-    /// must be small beside forces, not beside strains or the power of the live loads.
+    /// Largest entry among the minimised unknowns, and of all. Rows of minimised unknowns are
+    /// forces: what is lost of them must be small beside forces, not beside strains or the power of
+    /// the live loads.
     pub(super) fn largest_of_kinds(&self, a: &[f64]) -> [f64; 2] {
         let all = largest(a);
         if !self.saddle {
@@ -64,7 +65,8 @@ impl ScaledProgram {
         [forces, all]
     }
 
-    /// Largest live load at the load factor; its balance with the stress leaves nothing of it in `P x`.
+    /// Largest live load at the load factor; its balance with the stress leaves nothing of it in
+    /// `P x`.
     pub(super) fn live_force(&self, x: &[f64]) -> f64 {
         if self.program.live.is_empty() {
             0.0

@@ -1,8 +1,10 @@
-//! Right-hand sides of Newton's system carried from elements that yield to the shared unknowns, solutions carried back.
+//! Right-hand sides of Newton's system carried from elements that yield to the shared unknowns,
+//! solutions carried back.
 //!
-//! An element takes its part of the right-hand side `(r₁, r₂)`, stationarity and slack rows, and does all there is to do
-//! while its data are at hand: scaling of the yield points, elimination of the parameters and the inner displacements; on
-//! the way back the multipliers and what is left of its rows.
+//! An element takes its part of the right-hand side `(r₁, r₂)`, stationarity and slack rows, and
+//! does all there is to do while its data are at hand: scaling of the yield points, elimination of
+//! the parameters and the inner displacements; on the way back the multipliers and what is left of
+//! its rows.
 
 use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
@@ -35,14 +37,15 @@ struct Part {
 }
 
 impl ElementSystem {
-    /// Batches worked on side by side before what they give is taken in one after the other, while it is near.
+    /// Batches worked on side by side before what they give is taken in one after the other, while
+    /// it is near.
     fn rounds(&self) -> impl Iterator<Item = Range<usize>> {
         let count = self.batches.len();
         (0..count).step_by(ROUND).map(move |from| from..(from + ROUND).min(count))
     }
 
-    /// Carries right-hand sides to the shared unknowns. `full` holds r₁; what stands in the places of the elements' own
-    /// unknowns afterwards is needed to come back.
+    /// Carries right-hand sides to the shared unknowns. `full` holds r₁; what stands in the places
+    /// of the elements' own unknowns afterwards is needed to come back.
     pub fn condense<const SIDES: usize>(
         &self,
         rhs: [Side<'_>; SIDES],
@@ -95,8 +98,9 @@ impl ElementSystem {
         })
     }
 
-    /// The elements' own unknowns and multipliers, from the shared unknowns in `full`. With CHECK what their rows and
-    /// forces leave of r₁ is taken into `errors`, which holds r₁ in the places of their own unknowns.
+    /// The elements' own unknowns and multipliers, from the shared unknowns in `full`. With CHECK
+    /// what their rows and forces leave of r₁ is taken into `errors`, which holds r₁ in the places
+    /// of their own unknowns.
     pub fn expand<const SIDES: usize, const CHECK: bool>(
         &self,
         rhs: [Side<'_>; SIDES],

@@ -1,7 +1,9 @@
-//! The condensed matrix `P + Gᵀ W⁻² G` of every iteration: one fixed pattern, one ordering, one symbolic factor.
+//! The condensed matrix `P + Gᵀ W⁻² G` of every iteration: one fixed pattern, one ordering, one
+//! symbolic factor.
 //!
-//! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach the sparse factor.
-//! Every entry has its place in the factor's own storage, so no matrix is assembled beside it.
+//! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach
+//! the sparse factor. Every entry has its place in the factor's own storage, so no matrix is
+//! assembled beside it.
 
 use super::cones::{Cones, Scaling, dot};
 use super::elements::{ElementSystem, UNSCALED, union};
@@ -13,8 +15,9 @@ use crate::solve::condensed::static_condensation::Side;
 use crate::solve::forecast::Forecast;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 
-/// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness. With 1e-8 (of the median)
-/// forces of joints with contact are lost in rounding and iterations do not end; 1e-6 to 1e-4 need the same number of iterations.
+/// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness.
+/// With 1e-8 (of the median) forces of joints with contact are lost in rounding and iterations do
+/// not end; 1e-6 to 1e-4 need the same number of iterations.
 const PROXIMAL: (f64, f64) = (1e-6, 1e-12);
 
 /// Columns of one cone's rows and where its products go.
@@ -144,7 +147,8 @@ impl CondensedSystem {
         self.factor.flops() / self.factor.nonzeros().max(1) as f64
     }
 
-    /// What a solution leaves of the stationarity rows: `r₁ − P x + Gᵀ z`, with the proximal terms that the factor holds.
+    /// What a solution leaves of the stationarity rows: `r₁ − P x + Gᵀ z`, with the proximal terms
+    /// that the factor holds.
     pub fn stationarity_error(
         &self,
         problem: &ScaledProgram,
@@ -244,8 +248,8 @@ impl CondensedSystem {
         Ok(())
     }
 
-    /// `P dx − Gᵀ dz = r₁`, `−G dx − W² dz = r₂` for a few right-hand sides, without refinement; with CHECK what is left of
-    /// r₁. W must be that of the factor.
+    /// `P dx − Gᵀ dz = r₁`, `−G dx − W² dz = r₂` for a few right-hand sides, without refinement;
+    /// with CHECK what is left of r₁. W must be that of the factor.
     pub fn solve<const SIDES: usize, const CHECK: bool>(
         &self,
         problem: &ScaledProgram,

@@ -1,14 +1,17 @@
 //! What a step aims at: the complementarity product of each cone and the residuals.
 //!
-//! Mehrotra's rule takes one fraction σ of the mean product, from the length of the affine step: `σ = (1 − α)³`. In limit analysis
-//! that step is a tenth or less because of a handful of cones in a hundred thousand (contacts that open or begin to slip), and one σ for
-//! all makes every other cone wait for them. There each cone has a σ of its own, from the way it could go for itself; σ of the
-//! residuals is their mean. The same way is the part of the cone's second-order term that is trusted.
+//! Mehrotra's rule takes one fraction σ of the mean product, from the length of the affine step:
+//! `σ = (1 − α)³`. In limit analysis that step is a tenth or less because of a handful of cones in
+//! a hundred thousand (contacts that open or begin to slip), and one σ for all makes every other
+//! cone wait for them. There each cone has a σ of its own, from the way it could go for itself; σ
+//! of the residuals is their mean. The same way is the part of the cone's second-order term that is
+//! trusted.
 
 use super::cones::Cones;
 
-/// Least part of the mean product that a cone with a target of its own aims at: smaller ones fall out of the neighbourhood of the
-/// central path before the others arrive (0.1 and 0.01 took as many iterations, with fewer correctors 0.2 took a quarter more).
+/// Least part of the mean product that a cone with a target of its own aims at: smaller ones fall
+/// out of the neighbourhood of the central path before the others arrive (0.1 and 0.01 took as many
+/// iterations, with fewer correctors 0.2 took a quarter more).
 const LEAST: f64 = 0.03;
 
 /// Targets of a step.
@@ -29,7 +32,8 @@ fn fraction(step: f64) -> f64 {
 }
 
 impl Targets {
-    /// The same for all cones; `step`: part of the affine direction that stays inside, `mu`: mean product.
+    /// The same for all cones; `step`: part of the affine direction that stays inside, `mu`: mean
+    /// product.
     pub fn common(cones: &Cones, step: f64, mu: f64) -> Self {
         let sigma = fraction(step);
         let mut products = cones.identity();
@@ -37,7 +41,8 @@ impl Targets {
         Self { sigma, centre: sigma * mu, products, trusted: Vec::new() }
     }
 
-    /// Each cone's own; `steps`: part of the affine direction that stays inside the cone, one value a cone, at most 1.
+    /// Each cone's own; `steps`: part of the affine direction that stays inside the cone, one value
+    /// a cone, at most 1.
     pub fn own(cones: &Cones, steps: Vec<f64>, mu: f64) -> Self {
         let mut products = vec![0.0; cones.rows];
         let mut sum = 0.0;
@@ -56,7 +61,8 @@ mod tests {
     use super::*;
     use crate::programs::conic::Cone;
 
-    /// One cone in a hundred that cannot go far keeps its product; the others and the residuals do not wait for it.
+    /// One cone in a hundred that cannot go far keeps its product; the others and the residuals do
+    /// not wait for it.
     #[test]
     fn a_cone_that_ends_the_step_holds_back_only_itself() {
         let cones = Cones::new(&[Cone::SecondOrder(3); 100]);

@@ -1,8 +1,9 @@
-//! Products and triangular solves of the blocks of small supernodes, on column-major storage, in registers.
+//! Products and triangular solves of the blocks of small supernodes, on column-major storage, in
+//! registers.
 //!
-//! Most supernodes are a few dozen columns wide: too small for kernels that pack their operands first. Here a strip of rows,
-//! three registers high, stays in registers while the columns pass. (What is not inlined into a kernel is compiled for the
-//! baseline: loops, no closures.)
+//! Most supernodes are a few dozen columns wide: too small for kernels that pack their operands
+//! first. Here a strip of rows, three registers high, stays in registers while the columns pass.
+//! (What is not inlined into a kernel is compiled for the baseline: loops, no closures.)
 
 use crate::math::wide::dispatch;
 use pulp::{Simd, WithSimd};
@@ -21,8 +22,9 @@ fn load<S: Simd, const V: usize>(simd: S, x: &[f64]) -> [S::f64s; V] {
     out
 }
 
-/// Cholesky of the square on top of a block, and the rows below it solved by it, in place, lower triangle. The block has
-/// `columns` columns of `height` values. False when a pivot is not positive.
+/// Cholesky of the square on top of a block, and the rows below it solved by it, in place, lower
+/// triangle. The block has `columns` columns of `height` values. False when a pivot is not
+/// positive.
 pub fn factor(block: &mut [f64], height: usize, columns: usize) -> bool {
     dispatch(Factor { block, height, columns })
 }
@@ -209,7 +211,8 @@ fn solve_last_rows<S: Simd>(
     simd.partial_store_f64s(&mut own[rows], simd.mul_f64s(x, simd.splat_f64s(inverse[c])));
 }
 
-/// What one supernode's rows take from the columns of another: rows from `first` on of its block times the first of them.
+/// What one supernode's rows take from the columns of another: rows from `first` on of its block
+/// times the first of them.
 pub struct Update<'a> {
     /// The updating block.
     pub block: &'a [f64],
@@ -224,8 +227,8 @@ pub struct Update<'a> {
 }
 
 impl Update<'_> {
-    /// Subtracts from the columns of `target`: value (i, j) goes to row `rows[i]` of column `columns[j]`, columns `height`
-    /// long. Some values above the diagonal are written as well.
+    /// Subtracts from the columns of `target`: value (i, j) goes to row `rows[i]` of column
+    /// `columns[j]`, columns `height` long. Some values above the diagonal are written as well.
     pub fn subtract(&self, target: &mut [f64], height: usize, rows: &[u32], columns: &[u32]) {
         dispatch(Subtract { update: self, target, height, rows, columns });
     }

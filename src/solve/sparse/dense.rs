@@ -1,7 +1,8 @@
 //! Dense kernels of the sparse factorisation, on column-major matrices, sequential.
 //!
-//! faer's kernels do the work; its parallel ones have two public reports of wrong results, so parallelism is ours, over
-//! blocks that each go through a sequential kernel: the digits do not depend on the number of threads.
+//! faer's kernels do the work; its parallel ones have two public reports of wrong results, so
+//! parallelism is ours, over blocks that each go through a sequential kernel: the digits do not
+//! depend on the number of threads.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{

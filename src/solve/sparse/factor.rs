@@ -1,8 +1,9 @@
-//! Numeric supernodal Cholesky: subtrees of the dissection side by side, then the separators in blocks.
+//! Numeric supernodal Cholesky: subtrees of the dissection side by side, then the separators in
+//! blocks.
 //!
-//! Left-looking: a supernode gathers the updates of its descendants, then factors its own dense block, so the factor and
-//! one block of work space per thread are all the memory. Where the work is cut depends on sizes alone: the factor
-//! is the same, byte for byte, on any number of threads.
+//! Left-looking: a supernode gathers the updates of its descendants, then factors its own dense
+//! block, so the factor and one block of work space per thread are all the memory. Where the work
+//! is cut depends on sizes alone: the factor is the same, byte for byte, on any number of threads.
 
 use super::symbolic::{Symbolic, Update};
 use super::{blocks, dense};
@@ -10,7 +11,8 @@ use faer::{MatMut, MatRef};
 use rayon::prelude::*;
 use std::sync::Mutex;
 
-/// Columns of a supernode updated together; wider supernodes are cut into such strips, one task each.
+/// Columns of a supernode updated together; wider supernodes are cut into such strips, one task
+/// each.
 const STRIP: usize = 96;
 /// Columns of a panel of a wide diagonal block.
 const PANEL: usize = 128;
@@ -86,7 +88,8 @@ impl Plan {
         plan
     }
 
-    /// Data of the subtrees, laid out supernode by supernode (s begins at `start(s)`): first and last supernode, data.
+    /// Data of the subtrees, laid out supernode by supernode (s begins at `start(s)`): first and
+    /// last supernode, data.
     pub fn cut<'a>(
         &self,
         data: &'a mut [f64],

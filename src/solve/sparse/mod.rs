@@ -1,4 +1,5 @@
-//! One symmetric positive definite sparse system: ordered once, factored as often as its values change.
+//! One symmetric positive definite sparse system: ordered once, factored as often as its values
+//! change.
 
 pub mod blocks;
 pub mod dense;
@@ -36,7 +37,8 @@ pub struct SparseCholesky {
 }
 
 impl SparseCholesky {
-    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering, which `patterns` may know.
+    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering,
+    /// which `patterns` may know.
     pub fn new(a: &SymmetricCsc, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
         let mut factor = Self::symbolic(a, block, patterns)?;
         factor.refactor(a)?;
@@ -58,7 +60,8 @@ impl SparseCholesky {
         self.factor()
     }
 
-    /// Lays out the factor of matrices with the pattern of `a`, as `patterns` knows it or learns it now, without numbers yet.
+    /// Lays out the factor of matrices with the pattern of `a`, as `patterns` knows it or learns it
+    /// now, without numbers yet.
     pub fn symbolic(
         a: &SymmetricCsc,
         block: &[u32],
@@ -106,7 +109,8 @@ impl SparseCholesky {
             + 24 * s.n
     }
 
-    /// The storage, all zero: the entries of the matrix are added at the places the locator tells, then it is factored.
+    /// The storage, all zero: the entries of the matrix are added at the places the locator tells,
+    /// then it is factored.
     pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
         if self.values.is_empty() {
             let len = self.layout.symbolic.len();
@@ -162,7 +166,8 @@ impl SparseCholesky {
     }
 }
 
-/// Asks for huge pages under memory not yet touched: the factor is too large for the address cache of small ones.
+/// Asks for huge pages under memory not yet touched: the factor is too large for the address cache
+/// of small ones.
 fn huge_pages(values: &mut Vec<f64>) {
     #[cfg(target_os = "linux")]
     {
@@ -170,7 +175,8 @@ fn huge_pages(values: &mut Vec<f64>) {
         let start = (values.as_mut_ptr() as usize).next_multiple_of(PAGE);
         let end = values.as_mut_ptr() as usize + 8 * values.capacity();
         if end > start + PAGE {
-            // SAFETY: the range lies within one allocation of ours; the call only advises and changes no content
+            // SAFETY: the range lies within one allocation of ours; the call only advises and
+            // changes no content
             unsafe {
                 libc::madvise(
                     start as *mut libc::c_void,
@@ -182,7 +188,8 @@ fn huge_pages(values: &mut Vec<f64>) {
     }
 }
 
-/// Finds the place of matrix entries in the factor's storage; entries of one column and block in a row are cheap.
+/// Finds the place of matrix entries in the factor's storage; entries of one column and block in a
+/// row are cheap.
 pub struct Locator<'a> {
     symbolic: &'a Symbolic,
     block: &'a [u32],
@@ -235,7 +242,8 @@ fn row_in(symbolic: &Symbolic, s: usize, position: u32) -> u32 {
     symbolic.columns(s) as u32 + rows.partition_point(|&r| r < position) as u32
 }
 
-/// `A⁻¹ b` refined until the residual stops falling; returns the solution and the last relative residual.
+/// `A⁻¹ b` refined until the residual stops falling; returns the solution and the last relative
+/// residual.
 pub fn solve_refined(a: &SymmetricCsc, factor: &SparseCholesky, b: &[f64]) -> (Vec<f64>, f64) {
     let size = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let scale = size(b);
@@ -261,7 +269,8 @@ pub fn solve_refined(a: &SymmetricCsc, factor: &SparseCholesky, b: &[f64]) -> (V
 mod tests {
     use super::*;
 
-    /// Laplacian of a grid of nodes with three unknowns each, shifted to be definite; blocks are the nodes.
+    /// Laplacian of a grid of nodes with three unknowns each, shifted to be definite; blocks are
+    /// the nodes.
     fn grid(m: usize) -> (SymmetricCsc, Vec<u32>) {
         let node = |i: usize, j: usize, k: usize| (i * m + j) * m + k;
         let mut columns: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * m * m * m];

@@ -3,9 +3,11 @@
 use crate::programs::conic::SymmetricCsc;
 use std::sync::{Mutex, PoisonError};
 
-/// A block with more neighbours than this many times the mean is kept out of the dissection and eliminated last.
+/// A block with more neighbours than this many times the mean is kept out of the dissection and
+/// eliminated last.
 ///
-/// The unknowns of a rigid face are joined to every node of the face; as a border they cost a few dense rows.
+/// The unknowns of a rigid face are joined to every node of the face; as a border they cost a few
+/// dense rows.
 const DENSE: usize = 30;
 
 /// Neighbours of every block, without itself, increasing.
@@ -18,7 +20,8 @@ pub struct BlockGraph {
 }
 
 impl BlockGraph {
-    /// The graph of a matrix whose unknown `i` lies in block `block[i]` of `blocks`; unknowns of one block are consecutive.
+    /// The graph of a matrix whose unknown `i` lies in block `block[i]` of `blocks`; unknowns of
+    /// one block are consecutive.
     pub fn new(a: &SymmetricCsc, block: &[u32], blocks: usize) -> Self {
         let mut lists: Vec<Vec<u32>> = vec![Vec::new(); blocks];
         let mut last: Vec<u32> = vec![u32::MAX; blocks];
@@ -116,16 +119,17 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
     if n < 8 || adjncy.is_empty() {
         return None;
     }
-    // METIS draws from the C library's one random sequence and swaps signal handlers: one ordering at a time, or two disturb
-    // each other's order from run to run
+    // METIS draws from the C library's one random sequence and swaps signal handlers: one ordering
+    // at a time, or two disturb each other's order from run to run
     static ONE: Mutex<()> = Mutex::new(());
     let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let mut nvtxs = n as i32;
     let mut options = [0i32; 40];
     let mut perm = vec![0i32; n];
     let mut iperm = vec![0i32; n];
-    // SAFETY: the arrays have the lengths METIS asks for (xadj n + 1, adjncy xadj[n], perm and iperm n, options
-    // METIS_NOPTIONS = 40); METIS writes only to perm, iperm and options and keeps no pointer.
+    // SAFETY: the arrays have the lengths METIS asks for (xadj n + 1, adjncy xadj[n], perm and
+    // iperm n, options METIS_NOPTIONS = 40); METIS writes only to perm, iperm and options and keeps
+    // no pointer.
     let status = unsafe {
         metis_sys::METIS_SetDefaultOptions(options.as_mut_ptr());
         options[metis_sys::moptions_et_METIS_OPTION_SEED as usize] = 1;

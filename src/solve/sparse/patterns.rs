@@ -1,7 +1,9 @@
-//! Patterns that were ordered before: load cases and kinds of analysis of one mesh share orderings and symbolic factors.
+//! Patterns that were ordered before: load cases and kinds of analysis of one mesh share orderings
+//! and symbolic factors.
 //!
-//! A layout follows from the block of each unknown and the graph of blocks alone, so what is found is, to the last bit, what would
-//! be made anew: sharing changes no result. Patterns are compared in full.
+//! A layout follows from the block of each unknown and the graph of blocks alone, so what is found
+//! is, to the last bit, what would be made anew: sharing changes no result. Patterns are compared
+//! in full.
 
 use super::factor::Plan;
 use super::ordering::BlockGraph;
@@ -9,8 +11,8 @@ use super::symbolic::Symbolic;
 use crate::programs::conic::SymmetricCsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Patterns kept at most. One mesh has two of each of its programs, with contact and without, and those again where a motion that
-/// friction held is pinned.
+/// Patterns kept at most. One mesh has two of each of its programs, with contact and without, and
+/// those again where a motion that friction held is pinned.
 const MOST: usize = 8;
 
 /// What ordering and symbolic factor of a matrix follow from.
@@ -50,7 +52,8 @@ impl Layout {
     }
 }
 
-/// The layouts of one mesh. Clones are one store; a new one for each mesh lets those of the last mesh go.
+/// The layouts of one mesh. Clones are one store; a new one for each mesh lets those of the last
+/// mesh go.
 #[derive(Clone, Default)]
 pub struct Patterns {
     kept: Arc<Mutex<Kept>>,
@@ -126,7 +129,8 @@ mod tests {
     use super::*;
     use crate::solve::sparse::SparseCholesky;
 
-    /// A ring of blocks of the given sizes, each coupled with the next; `couplings` joins more of them.
+    /// A ring of blocks of the given sizes, each coupled with the next; `couplings` joins more of
+    /// them.
     fn ring(sizes: &[usize], couplings: &[(u32, u32)]) -> (SymmetricCsc, Vec<u32>) {
         let block: Vec<u32> =
             sizes.iter().enumerate().flat_map(|(b, &n)| vec![b as u32; n]).collect();

@@ -1,7 +1,8 @@
-//! Forward and back substitution with a supernodal factor, for one or a few right-hand sides at once.
+//! Forward and back substitution with a supernodal factor, for one or a few right-hand sides at
+//! once.
 //!
-//! Reading the factor takes the time, so right-hand sides go through together, interleaved: entry `i` of side `k` of
-//! `SIDES` stands at `SIDES·i + k`.
+//! Reading the factor takes the time, so right-hand sides go through together, interleaved: entry
+//! `i` of side `k` of `SIDES` stands at `SIDES·i + k`.
 
 use super::factor::Plan;
 use super::symbolic::Symbolic;
@@ -138,14 +139,16 @@ fn backward<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64]
     });
 }
 
-/// Solves the triangle on top for the first `columns` of each side and subtracts the rows below from the rest.
+/// Solves the triangle on top for the first `columns` of each side and subtracts the rows below
+/// from the rest.
 ///
 /// `x` holds the sides one after the other, `height` entries each.
 fn forward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
     dispatch(Forward::<SIDES> { block, height, columns, x });
 }
 
-/// Subtracts the rows below, then solves the transposed triangle on top; the result is the first `columns` of each side.
+/// Subtracts the rows below, then solves the transposed triangle on top; the result is the first
+/// `columns` of each side.
 fn backward_block<const SIDES: usize>(block: &[f64], height: usize, columns: usize, x: &mut [f64]) {
     dispatch(Backward::<SIDES> { block, height, columns, x });
 }
@@ -185,7 +188,8 @@ impl<const SIDES: usize> WithSimd for Forward<'_, SIDES> {
         let Self { block, height, columns, x } = self;
         let mut x = sides::<SIDES>(x, height);
         let mut j = 0;
-        // four columns at a time: x is read and written once for the four, the columns once for all sides
+        // four columns at a time: x is read and written once for the four, the columns once for all
+        // sides
         while j + 4 <= columns {
             forward_columns::<S, SIDES, 4>(simd, block, height, j, &mut x);
             j += 4;

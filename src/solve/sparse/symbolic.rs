@@ -1,11 +1,14 @@
-//! Symbolic factor: permutation, supernodes, their rows, and who updates whom; made once per pattern.
+//! Symbolic factor: permutation, supernodes, their rows, and who updates whom; made once per
+//! pattern.
 //!
-//! Everything is found on the graph of blocks (nodes or faces), some ten times smaller than the matrix, then expanded.
+//! Everything is found on the graph of blocks (nodes or faces), some ten times smaller than the
+//! matrix, then expanded.
 
 use super::ordering::BlockGraph;
 use super::patterns::Pattern;
 
-/// Supernodes up to so many columns may be merged when at most this part of the merged block is zeros.
+/// Supernodes up to so many columns may be merged when at most this part of the merged block is
+/// zeros.
 const RELAX: [(usize, f64); 4] = [(12, 0.9), (32, 0.3), (96, 0.12), (usize::MAX, 0.04)];
 
 /// Layout of the factor of a matrix pattern.
@@ -22,7 +25,8 @@ pub struct Symbolic {
     pub row_start: Vec<usize>,
     /// Those rows, increasing within a supernode.
     pub rows: Vec<u32>,
-    /// Start of each supernode's dense block, (columns + rows) × columns by columns, among the values.
+    /// Start of each supernode's dense block, (columns + rows) × columns by columns, among the
+    /// values.
     pub value_start: Vec<usize>,
     /// Parent of each supernode; `u32::MAX` for a root. Supernodes are in postorder.
     pub parent: Vec<u32>,
@@ -340,7 +344,8 @@ fn supernodes(graph: &BlockGraph, order: &[usize], weight: &[usize]) -> (Vec<Nod
     (nodes, parents)
 }
 
-/// Merges supernodes with their parents where that adds few zeros: larger dense blocks, fewer of them.
+/// Merges supernodes with their parents where that adds few zeros: larger dense blocks, fewer of
+/// them.
 fn merge(
     mut nodes: Vec<Node>,
     mut parent: Vec<u32>,

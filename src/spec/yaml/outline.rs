@@ -91,7 +91,8 @@ impl Outline {
     }
 }
 
-/// What a decimal comma leaves behind between braces: `{t: 20,5 mm}` has the keys `t` and `5 mm`. No key of ours begins with a digit.
+/// What a decimal comma leaves behind between braces: `{t: 20,5 mm}` has the keys `t` and `5 mm`.
+/// No key of ours begins with a digit.
 fn is_half_a_number(key: &str) -> bool {
     key.starts_with(|c: char| c.is_ascii_digit())
 }

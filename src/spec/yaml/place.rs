@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, Default)]
 pub struct PlaceIndex {
     file: PathBuf,
-    /// Line, column (both from 1) of the place to show, and character index at which the value starts.
+    /// Line, column (both from 1) of the place to show, and character index at which the value
+    /// starts.
     at: BTreeMap<String, (usize, usize, usize)>,
 }
 
@@ -19,10 +20,12 @@ impl PlaceIndex {
         Self { file: file.to_path_buf(), at: BTreeMap::new() }
     }
 
-    /// Reads the places of a text that has already been accepted as YAML (so its aliases are harmless).
+    /// Reads the places of a text that has already been accepted as YAML (so its aliases are
+    /// harmless).
     pub(super) fn read(text: &str, file: &Path) -> Self {
         let mut index = Self::new(file);
-        // a second parser: where it disagrees with the first, messages lose their line, nothing else
+        // a second parser: where it disagrees with the first, messages lose their line, nothing
+        // else
         if let Ok(documents) = MarkedYaml::load_from_str(text)
             && let Some(root) = documents.first()
         {
@@ -87,8 +90,8 @@ impl PlaceIndex {
         self.at.contains_key(path)
     }
 
-    /// The place of the last `key` at `path`: the parser for places keeps the last value of a key, whose key is the
-    /// nearest one before it.
+    /// The place of the last `key` at `path`: the parser for places keeps the last value of a key,
+    /// whose key is the nearest one before it.
     pub(super) fn duplicate(&self, path: &str, key: &str, text: &str) -> Place {
         let mut place = self.place(path);
         if let Some((_, _, start)) = self.at.get(path) {
