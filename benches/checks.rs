@@ -38,7 +38,8 @@ fn seconds(mut call: impl FnMut()) -> f64 {
 fn main() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
     println!(
-        "| example | checks and verdict, 1/s | beside N > 5 % N_pl, 1/s | spec read and built, 1/s | M-N diagram, ms |"
+        "| example | checks and verdict, 1/s | beside N > 5 % N_pl, 1/s | spec read and built, \
+         1/s | M-N diagram, ms |"
     );
     println!("| --- | ---: | ---: | ---: | ---: |");
     for name in EXAMPLES {

@@ -139,7 +139,8 @@ fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options)
     let setup = start.elapsed().as_secs_f64();
     if let Some(f) = prepared.forecast() {
         println!(
-            "  set up in {setup:.2} s; forecast: {} unknowns, {:.1} M factor entries, {:.1} GFLOP a factor, {:.2} GiB, {:.0} s",
+            "  set up in {setup:.2} s; forecast: {} unknowns, {:.1} M factor entries, {:.1} GFLOP \
+             a factor, {:.2} GiB, {:.0} s",
             f.unknowns,
             f.factor_entries as f64 / 1e6,
             f.factor_flops / 1e9,

@@ -70,7 +70,8 @@ fn utf8(bytes: Vec<u8>, skipped: usize) -> Result<String, NotText> {
         None => Ok(text),
         Some(i) => {
             let problem = format!(
-                "byte {} of the file is zero: it is UTF-16 text without a byte-order mark, or no text",
+                "byte {} of the file is zero: it is UTF-16 text without a byte-order mark, or no \
+                 text",
                 skipped + i + 1
             );
             Err(NotText { problem, at: Some(place(&text.as_bytes()[..i])) })

@@ -207,7 +207,8 @@ pub enum UnitError {
     },
     /// A fraction of anything but inches.
     #[error(
-        "`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other units write decimals"
+        "`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other \
+         units write decimals"
     )]
     Fraction {
         /// What was written.
@@ -432,7 +433,8 @@ quantity!(
     "mm",
     None,
     r#"^\s*([-+0-9.eE]+\s*(mm|cm|m|in|ft|\")?|-?([0-9]+[ -]+)?[0-9]+/[0-9]+\s*(in|\"))\s*$"#,
-    "A length: bare number = mm, or with a suffix mm, cm, m, in, ft; inches also as fractions: 3/4 in, 1 1/4 in."
+    "A length: bare number = mm, or with a suffix mm, cm, m, in, ft; inches also as fractions: \
+     3/4 in, 1 1/4 in."
 );
 quantity!(
     Force,

@@ -100,8 +100,9 @@ fn l_shape(n: usize) -> (&'static str, TetMesh) {
         face.triangles.retain(|t| t.iter().all(|n| number[*n as usize] != u32::MAX));
         face.triangles.iter_mut().for_each(|t| *t = t.map(|n| number[n as usize]));
     }
-    let yaml = "materials: {s: {E: 1000, nu: 0.3}}\nbodies: {L: s}\nsupports:\n- {face: X0, fix: [x]}\n\
-                - {face: Y1, fix: [y]}\n- {face: Z0, fix: [z]}\n- {face: Z1, fix: [z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let yaml = "materials: {s: {E: 1000, nu: 0.3}}\nbodies: {L: s}\nsupports:\n- {face: X0, fix: \
+                [x]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [z]}\n- {face: Z1, fix: \
+                [z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
     (yaml, mesh)
 }
 
@@ -127,9 +128,9 @@ fn re_entrant_edge() {
 #[test]
 fn smooth_block() {
     let mesh = Block::new([3, 3, 3], [1.0; 3]).mesh(&["B"], |_| 0, |_, _| true);
-    let yaml = "materials: {s: {E: 1000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n\
-                - {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\nloads:\n\
-                - {face: X1, linear: {traction0: [0, 0, 0], gradient: [[0, 1, 0], [0, 0, 0], [0, 0, 0]]}}\n";
+    let yaml = "materials: {s: {E: 1000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: \
+                [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\nloads:\n- {face: X1, \
+                linear: {traction0: [0, 0, 0], gradient: [[0, 1, 0], [0, 0, 0], [0, 0, 0]]}}\n";
     let even = uniform("block uniform", yaml, mesh.clone(), 2.0, 6_000);
     let steps = adaptive("block adaptive", yaml, mesh, 2.0, 3_000);
     for s in &steps[1..] {

@@ -258,7 +258,8 @@ fn the_map_names_every_module() {
 /// The checks themselves: each fires on what it forbids and is silent on what it allows.
 #[test]
 fn the_checks_can_fail() {
-    let text = "use crate::diag::X;\nuse crate::{mesh::{tet, msh}, model::analysis::A};\nlet a = crate::cli::run();\n// crate::batch\n#[cfg(test)]\nuse crate::report::B;";
+    let text = "use crate::diag::X;\nuse crate::{mesh::{tet, msh}, model::analysis::A};\nlet a = \
+                crate::cli::run();\n// crate::batch\n#[cfg(test)]\nuse crate::report::B;";
     assert_eq!(
         used(&code(text)),
         ["diag::X", "mesh::tet", "mesh::msh", "model::analysis", "cli::run"]

@@ -18,8 +18,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 /// A block on rigid ground with friction, pushed obliquely.
-const ON_GROUND: &str = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {BLOCK: s}\n\
-    supports: [{face: Z0, law: contact, mu: 0.3, friction: associated}]\nloads: [{face: Z1, traction: [2, 0, -40]}]\n";
+const ON_GROUND: &str = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {BLOCK: s}\nsupports: \
+                         [{face: Z0, law: contact, mu: 0.3, friction: associated}]\nloads: \
+                         [{face: Z1, traction: [2, 0, -40]}]\n";
 
 fn on_ground() -> AnalysisModel {
     let mesh =
@@ -337,10 +338,10 @@ fn wedged(mu: f64) -> (String, TetMesh) {
     // 1e-3 (z − 5)²
     let gap = "{quadratic: [0.025, 0, 0, -0.01, 0, 0, 1.0e-3, 0, 0, 0]}";
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{BLOCK: s}}\nsupports:\n  \
-         - {{face: X0, law: contact, mu: {mu}, friction: associated, gap: {gap}}}\n  \
-         - {{face: X1, law: contact, mu: {mu}, friction: associated, gap: {gap}}}\n\
-         rigid: [{{face: SIDES, components: [x, y, z], free: [ux], at: [0, 0, 0], force: [100, 0, 0]}}]\nloads: []\n"
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{BLOCK: s}}\nsupports:\n  - {{face: \
+         X0, law: contact, mu: {mu}, friction: associated, gap: {gap}}}\n  - {{face: X1, law: \
+         contact, mu: {mu}, friction: associated, gap: {gap}}}\nrigid: [{{face: SIDES, \
+         components: [x, y, z], free: [ux], at: [0, 0, 0], force: [100, 0, 0]}}]\nloads: []\n"
     );
     (yaml, mesh)
 }
@@ -356,16 +357,19 @@ fn contacts_that_exclude_each_other_are_named() {
         assert!(solved.pass.upper.is_none());
         let warnings = case_result("A", &solved.model, &solved.pass, None).warnings;
         assert!(
-            warnings[0]
-                .starts_with("the kinematic program has no solution, so there is no upper bound: the solver found")
-                && warnings[0].ends_with("check initial gaps and what holds the parts there, or refine the mesh there"),
+            warnings[0].starts_with(
+                "the kinematic program has no solution, so there is no upper bound: the solver \
+                 found"
+            ) && warnings[0].ends_with(
+                "check initial gaps and what holds the parts there, or refine the mesh there"
+            ),
             "{warnings:?}"
         );
         assert_eq!(
             run.conflict.as_deref(),
             Some(
-                "the solver found no displacement on this mesh that satisfies the contacts `X0` (part BLOCK against the \
-                 ground) and `X1` (part BLOCK against the ground) together"
+                "the solver found no displacement on this mesh that satisfies the contacts `X0` \
+                 (part BLOCK against the ground) and `X1` (part BLOCK against the ground) together"
             )
         );
     }

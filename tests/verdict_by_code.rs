@@ -39,9 +39,11 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
     let of = |my: f64| {
         let load = |end: &str| format!("{{name: A, end: {end}, at: column_face, My: {my} kN m}}");
         let text = format!(
-            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: UB457x191x67, steel: S460M}}, beam: {{profile: IPE330, \
-             steel: S460M}}}}\nplate: {{thickness: 20}}\nbolts: {{size: M20, grade: \"10.9\", gauge: 100, rows: [-105, 105, 210]}}\n\
-             parameters: {{double_sided: true, column_stiffeners: false}}\nloads: [{}, {}]\n",
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: UB457x191x67, \
+             steel: S460M}}, beam: {{profile: IPE330, steel: S460M}}}}\nplate: {{thickness: \
+             20}}\nbolts: {{size: M20, grade: \"10.9\", gauge: 100, rows: [-105, 105, \
+             210]}}\nparameters: {{double_sided: true, column_stiffeners: false}}\nloads: [{}, \
+             {}]\n",
             load("beam_right"),
             load("beam_left")
         );
@@ -75,8 +77,9 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
 /// refuses, and the tension of the bolts is not clipped at what they carry.
 #[test]
 fn an_overload_is_refused_without_an_analysis() {
-    let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB140, steel: S235}, beam: {profile: IPE270, steel: \
-                S235}}\nplate: {thickness: 15}\nbolts: {size: M16, grade: \"8.8\", rows: [-85, 85, 170]}\nloads: [{name: A, end: \
+    let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB140, steel: \
+                S235}, beam: {profile: IPE270, steel: S235}}\nplate: {thickness: 15}\nbolts: \
+                {size: M16, grade: \"8.8\", rows: [-85, 85, 170]}\nloads: [{name: A, end: \
                 beam_right, at: column_face, My: 100 kN m}]\n";
     let hand = checks(text, &builtin()).expect("a joint");
     for analysis in [Verdict::None, Verdict::Undecided] {
@@ -97,9 +100,11 @@ fn an_overload_is_refused_without_an_analysis() {
 fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
     let of = |my: f64| {
         let text = format!(
-            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEA1000, steel: S460M}}, beam: {{profile: IPE600, steel: \
-             S355}}}}\nplate: {{thickness: 25, z: [-320, 460]}}\nbolts: {{size: M27, grade: \"10.9\", rows: [-200, 200, 370]}}\nparameters: \
-             {{column_stiffeners: false}}\nloads: [{{name: A, end: beam_right, at: column_face, My: {my} kN m, Vz: -100 kN}}]\n"
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEA1000, steel: \
+             S460M}}, beam: {{profile: IPE600, steel: S355}}}}\nplate: {{thickness: 25, z: [-320, \
+             460]}}\nbolts: {{size: M27, grade: \"10.9\", rows: [-200, 200, 370]}}\nparameters: \
+             {{column_stiffeners: false}}\nloads: [{{name: A, end: beam_right, at: column_face, \
+             My: {my} kN m, Vz: -100 kN}}]\n"
         );
         checks(&text, &builtin()).expect("a joint")
     };
@@ -151,8 +156,8 @@ fn random_spec(
         ("beam_to_column_end_plate", members, parameters)
     };
     let text = format!(
-        "template: {template}\nmembers: {{{members}}}\nplate: {{thickness: {thickness}}}\nbolts: {{size: {size}, grade: \"{grade}\", \
-         rows: {rows:?}}}\nparameters: {{{parameters}}}\n"
+        "template: {template}\nmembers: {{{members}}}\nplate: {{thickness: {thickness}}}\nbolts: \
+         {{size: {size}, grade: \"{grade}\", rows: {rows:?}}}\nparameters: {{{parameters}}}\n"
     );
     (text, beam.clone(), fy)
 }
@@ -233,8 +238,9 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
 /// A one-sided joint of HEB200 and IPE300 with more keys and these actions.
 fn one_sided(more: &str, members: &str, rows: &str, actions: &str) -> Option<HandChecks> {
     let text = format!(
-        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235{members}}}, beam: {{profile: IPE300, steel: \
-         S235}}}}\nplate: {{thickness: 15, z: [-165, 300]}}\nbolts: {{size: M20, grade: \"8.8\", rows: {rows}}}\nparameters: \
+        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: \
+         S235{members}}}, beam: {{profile: IPE300, steel: S235}}}}\nplate: {{thickness: 15, z: \
+         [-165, 300]}}\nbolts: {{size: M20, grade: \"8.8\", rows: {rows}}}\nparameters: \
          {{{more}}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, {actions}}}]\n"
     );
     checks(&text, &builtin())
@@ -275,9 +281,10 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     // a steel without β_w has no fillet welds by the code
     let s450 = one_sided("stiffener_weld: 4 mm", "", ROWS, small).expect("a joint");
     assert_eq!(verdict(&s450, Verdict::Ok).0.verdict, Verdict::Ok);
-    let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: S450}, beam: {profile: IPE300, steel: S235}}\n\
-                plate: {thickness: 15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, 190]}\nparameters: {stiffener_weld: 4 mm}\nloads: \
-                [{name: A, end: beam_right, at: bolt_plane, My: 20 kN m}]\n";
+    let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: \
+                S450}, beam: {profile: IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: \
+                {size: M20, grade: \"8.8\", rows: [-90, 90, 190]}\nparameters: {stiffener_weld: 4 \
+                mm}\nloads: [{name: A, end: beam_right, at: bolt_plane, My: 20 kN m}]\n";
     open(&checks(text, &builtin()).expect("a joint"), "Table 4.1 has no β_w");
 }
 
@@ -287,8 +294,9 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
 fn a_small_axial_force_is_held_against_a_weak_joint() {
     let text = |n: f64, m: f64| {
         format!(
-            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S355}}, beam: {{profile: IPE500, steel: \
-             S355}}}}\nplate: {{thickness: 8}}\nbolts: {{size: M12, grade: \"4.6\", rows: [-190, 190]}}\nloads: [{{name: A, end: \
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: \
+             S355}}, beam: {{profile: IPE500, steel: S355}}}}\nplate: {{thickness: 8}}\nbolts: \
+             {{size: M12, grade: \"4.6\", rows: [-190, 190]}}\nloads: [{{name: A, end: \
              beam_right, at: bolt_plane, N: {n} kN, My: {m} kN m}}]\n"
         )
     };
@@ -315,9 +323,11 @@ fn a_small_axial_force_is_held_against_a_weak_joint() {
 fn a_push_that_makes_the_web_buckle_binds() {
     let of = |n: f64| {
         let text = format!(
-            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S355}}, beam: {{profile: IPE400, steel: \
-             S355}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-130, 130]}}\nparameters: \
-             {{column_stiffeners: false}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, N: {n} kN, My: 1 kN m}}]\n"
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: \
+             S355}}, beam: {{profile: IPE400, steel: S355}}}}\nplate: {{thickness: 15}}\nbolts: \
+             {{size: M20, grade: \"8.8\", rows: [-130, 130]}}\nparameters: {{column_stiffeners: \
+             false}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, N: {n} kN, My: 1 kN \
+             m}}]\n"
         );
         verdict(&checks(&text, &builtin()).expect("a joint"), Verdict::Ok).0
     };
@@ -353,8 +363,10 @@ fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
 fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     let of = |v: f64| {
         let text = format!(
-            "template: beam_splice\nmembers: {{beam: {{profile: UB762x267x134, steel: S355}}}}\nplate: {{thickness: 30}}\nbolts: {{size: M27, \
-             grade: \"10.9\", rows: [-300, -200, 200, 300]}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, Vz: -{v} kN}}]\n"
+            "template: beam_splice\nmembers: {{beam: {{profile: UB762x267x134, steel: \
+             S355}}}}\nplate: {{thickness: 30}}\nbolts: {{size: M27, grade: \"10.9\", rows: \
+             [-300, -200, 200, 300]}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, Vz: \
+             -{v} kN}}]\n"
         );
         let hand = checks(&text, &builtin()).expect("a joint");
         hand.checks
@@ -377,9 +389,11 @@ fn a_slender_beam_web_is_held_against_its_shear_buckling() {
 fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     let spec = |outer: &str, gauge: f64| {
         let text = format!(
-            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB300, steel: S235}}, beam: {{profile: IPE400, steel: \
-             S235}}}}\nplate: {{thickness: 20, width: 290}}\nbolts: {{size: M20, grade: \"8.8\", gauge: {gauge}, rows: [-140, 140]}}\nparameters: \
-             {{{outer}}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, My: 60 kN m}}]\n"
+            "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB300, steel: \
+             S235}}, beam: {{profile: IPE400, steel: S235}}}}\nplate: {{thickness: 20, width: \
+             290}}\nbolts: {{size: M20, grade: \"8.8\", gauge: {gauge}, rows: [-140, \
+             140]}}\nparameters: {{{outer}}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, \
+             My: 60 kN m}}]\n"
         );
         let parsed = yaml::parse::<ConnectionSpec>(&text, Path::new("joint.yaml")).expect("a spec");
         assembly::build(&parsed, Path::new(""), &builtin())

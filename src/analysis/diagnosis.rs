@@ -133,10 +133,12 @@ pub fn conflict(
     match &names[..] {
         [] => None,
         [one] => Some(format!(
-            "the solver found no displacement on this mesh that satisfies the contact {one} everywhere"
+            "the solver found no displacement on this mesh that satisfies the contact {one} \
+             everywhere"
         )),
         [first @ .., last] => Some(format!(
-            "the solver found no displacement on this mesh that satisfies the contacts {} and {last} together",
+            "the solver found no displacement on this mesh that satisfies the contacts {} and \
+             {last} together",
             first.join(", ")
         )),
     }

@@ -135,8 +135,10 @@ impl From<PassError> for crate::diag::Diagnostic {
     fn from(e: PassError) -> Self {
         match e {
             PassError::Model(e) => e.into(),
-            e => crate::diag::Diagnostic::undecided("bounds/contradiction", e.to_string())
-                .help("the numbers are withheld; try another mesh or `--solver clarabel`, and report the case"),
+            e => crate::diag::Diagnostic::undecided("bounds/contradiction", e.to_string()).help(
+                "the numbers are withheld; try another mesh or `--solver clarabel`, and report \
+                 the case",
+            ),
         }
     }
 }

@@ -68,9 +68,9 @@ pub(super) fn check(
         return;
     }
     if load.section.is_some() || load.pressure.is_some() || load.traction.is_some() {
-        let problem =
-            "the load mixes a section under traction with forces and moments at a member end"
-                .to_owned();
+        let problem = "the load mixes a section under traction with forces and moments at a \
+                       member end"
+            .to_owned();
         value("", problem, "write two loads with the same `name`: they act together");
     }
     if load.end.is_none() {
@@ -78,7 +78,8 @@ pub(super) fn check(
         value("", "the forces and moments do not say which member end they act on".into(), help);
     }
     if load.at.is_none() {
-        let help = "add `at: node`, `at: column_face` or `at: bolt_plane`: the lever arm of the shear force hangs on it";
+        let help = "add `at: node`, `at: column_face` or `at: bolt_plane`: the lever arm of the \
+                    shear force hangs on it";
         value("", "the load does not say where its forces and moments act".into(), help);
     }
     if load.actions().is_empty() {

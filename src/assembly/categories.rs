@@ -11,9 +11,9 @@ pub(super) fn check(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
         if asks && !preloaded {
             faults.push(AssemblyError::Value {
                 path: "bolts.category".into(),
-                problem:
-                    "bolts of categories B, C and E are preloaded (EN 1993-1-8:2005 Table 3.2), these have no `preload`"
-                        .into(),
+                problem: "bolts of categories B, C and E are preloaded (EN 1993-1-8:2005 Table \
+                          3.2), these have no `preload`"
+                    .into(),
                 help: "add `preload: 0.7` to `bolts`, or take category A or D".into(),
             });
         }

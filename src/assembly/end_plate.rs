@@ -253,7 +253,8 @@ fn longitudinal(
     Err(AssemblyError::Value {
         path: format!("members.{role}.{key}"),
         problem: format!(
-            "the column is pressed with {stress:.0} MPa at the root of its web; its yield strength is {} MPa",
+            "the column is pressed with {stress:.0} MPa at the root of its web; its yield \
+             strength is {} MPa",
             steel.fy
         ),
         help: "check the number and its unit, or take a larger column".into(),
@@ -289,7 +290,8 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)>
         .is_some_and(|m| m.n_ed.is_some() || m.m_ed.is_some());
     let why = |l: &LoadSpec| match (&l.end, &l.section) {
         (Some(end), _) if !entry.ends.contains(end) => Some(format!(
-            "`{end}` is none of the ends that `hand_checks` of the template name: what acts there is not checked"
+            "`{end}` is none of the ends that `hand_checks` of the template name: what acts there \
+             is not checked"
         )),
         (None, Some(section)) if demanded(&l.name) && !given => {
             let cure = entry

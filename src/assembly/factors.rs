@@ -39,56 +39,56 @@ impl PartialFactors {
             catalog.annex(name).map_err(|e| faults.push(unlisted(e))).ok()
         });
         let (mut resolved, mut low) = (Vec::new(), Vec::new());
-        let mut factor = |name: &str,
-                          given: Option<f64>,
-                          of_annex: fn(&NationalAnnex) -> Option<f64>| {
-            let path = format!("code.{name}");
-            let recommended = catalog.partial_factor(name).map_err(|e| {
-                faults.push(AssemblyError::Catalog { path: path.clone(), cause: Box::new(e) });
-            });
-            let Ok(recommended) = recommended else { return 1.0 };
-            let set = annex.and_then(of_annex);
-            let value = given.or(set).unwrap_or(recommended.value);
-            if !RANGE.contains(&value) {
-                let (path, name, value) = (path.clone(), path.clone(), value.to_string());
-                faults.push(AssemblyError::OutOfRange {
-                    path,
-                    name,
-                    value,
-                    range: "0.5 to 3".into(),
+        let mut factor =
+            |name: &str, given: Option<f64>, of_annex: fn(&NationalAnnex) -> Option<f64>| {
+                let path = format!("code.{name}");
+                let recommended = catalog.partial_factor(name).map_err(|e| {
+                    faults.push(AssemblyError::Catalog { path: path.clone(), cause: Box::new(e) });
                 });
-            }
-            if value < recommended.value {
-                low.push(format!(
-                    "{name} = {value} is below the recommended {}: resistances are larger than by EN 1993",
-                    recommended.value
-                ));
-            }
-            let origin = match (given, set, annex) {
-                (Some(_), _, Some(a)) => format!("given, in place of annex {}", a.annex),
-                (Some(_), _, None) => "given".into(),
-                (None, Some(_), Some(a)) => {
-                    format!("annex {} ({}; {})", a.annex, a.standard, a.basis)
+                let Ok(recommended) = recommended else { return 1.0 };
+                let set = annex.and_then(of_annex);
+                let value = given.or(set).unwrap_or(recommended.value);
+                if !RANGE.contains(&value) {
+                    let (path, name, value) = (path.clone(), path.clone(), value.to_string());
+                    faults.push(AssemblyError::OutOfRange {
+                        path,
+                        name,
+                        value,
+                        range: "0.5 to 3".into(),
+                    });
                 }
-                (None, None, Some(a)) if a.basis != "recommended" => {
-                    format!(
-                        "recommended ({}); the row of annex {} leaves it out: check the annex",
-                        recommended.standard, a.annex
-                    )
+                if value < recommended.value {
+                    low.push(format!(
+                        "{name} = {value} is below the recommended {}: resistances are larger \
+                         than by EN 1993",
+                        recommended.value
+                    ));
                 }
-                _ => format!("recommended ({})", recommended.standard),
+                let origin = match (given, set, annex) {
+                    (Some(_), _, Some(a)) => format!("given, in place of annex {}", a.annex),
+                    (Some(_), _, None) => "given".into(),
+                    (None, Some(_), Some(a)) => {
+                        format!("annex {} ({}; {})", a.annex, a.standard, a.basis)
+                    }
+                    (None, None, Some(a)) if a.basis != "recommended" => {
+                        format!(
+                            "recommended ({}); the row of annex {} leaves it out: check the annex",
+                            recommended.standard, a.annex
+                        )
+                    }
+                    _ => format!("recommended ({})", recommended.standard),
+                };
+                resolved.push(Resolved {
+                    name: path,
+                    value: value.to_string(),
+                    given: given.is_some(),
+                    default: Some(set.unwrap_or(recommended.value).to_string()),
+                    range: Some("0.5 to 3".into()),
+                    about: recommended.applies_to.clone(),
+                    origin: Some(origin),
+                });
+                value
             };
-            resolved.push(Resolved {
-                name: path,
-                value: value.to_string(),
-                given: given.is_some(),
-                default: Some(set.unwrap_or(recommended.value).to_string()),
-                range: Some("0.5 to 3".into()),
-                about: recommended.applies_to.clone(),
-                origin: Some(origin),
-            });
-            value
-        };
         Self {
             gamma_m0: factor("gamma_M0", code.gamma_m0, |a| a.gamma_m0),
             gamma_m1: factor("gamma_M1", code.gamma_m1, |a| a.gamma_m1),
@@ -124,7 +124,8 @@ mod tests {
         assert_eq!(six(&e), [1.0, 1.0, 1.25, 1.25, 1.1, 1.1]);
         let e = ok(&with_code("{annex: Germany, gamma_M2: 1.3}")).end_plate.expect("hand checks");
         assert_eq!(six(&e), [1.0, 1.1, 1.3, 1.25, 1.1, 1.1]);
-        let all = "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: 1.05, gamma_M7: 1.06}";
+        let all = "{gamma_M0: 1.01, gamma_M1: 1.02, gamma_M2: 1.03, gamma_M3: 1.04, gamma_M3_ser: \
+                   1.05, gamma_M7: 1.06}";
         assert_eq!(
             six(&ok(&with_code(all)).end_plate.expect("hand checks")),
             [1.01, 1.02, 1.03, 1.04, 1.05, 1.06]

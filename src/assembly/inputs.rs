@@ -74,7 +74,9 @@ impl<'a> Inputs<'a> {
             faults.push(AssemblyError::Value {
                 path: format!("members.{role}.length"),
                 problem: format!("a system length of {length} mm; allowed: from 100 mm to 100 m"),
-                help: "give the distance between the centres of the columns, with its unit: `length: 6 m`".into(),
+                help: "give the distance between the centres of the columns, with its unit: \
+                       `length: 6 m`"
+                    .into(),
             });
         }
         column_forces(spec, template, &mut faults);
@@ -243,7 +245,8 @@ impl<'a> Inputs<'a> {
         if grades.is_empty() {
             return out;
         }
-        let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of AISC 360 are not in this edition";
+        let text = "the checks are those of EN 1993-1-8, which does not list them; the checks of \
+                    AISC 360 are not in this edition";
         out.push(format!("grades of ASTM standards ({}): {text}", grades.join(", ")));
         out
     }
@@ -353,7 +356,8 @@ fn preload(
         name: path(),
         value: said,
         range: format!(
-            "above 0, up to {:.1} kN or {} f_ub A_s, at which the thread of {} {} yields; usual: 0.7 f_ub A_s (F_p,C)",
+            "above 0, up to {:.1} kN or {} f_ub A_s, at which the thread of {} {} yields; usual: \
+             0.7 f_ub A_s (F_p,C)",
             most / 1e3,
             most / strength,
             size.size,
@@ -475,7 +479,8 @@ fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyErr
 
 fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     if spec.loads.is_empty() {
-        let about = "what acts on the joint; for example `{name: TOP, section: column_top, pressure: 45 MPa}`";
+        let about = "what acts on the joint; for example `{name: TOP, section: column_top, \
+                     pressure: 45 MPa}`";
         faults.push(AssemblyError::Missing { path: "loads".into(), about: about.into() });
     }
     let sections = || template.sections.iter().map(|s| s.name.as_str());
@@ -517,7 +522,8 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
             faults.push(AssemblyError::Value {
                 path: path.clone(),
                 problem: "a load on a section has `pressure` or `traction`, one of them".into(),
-                help: "write `pressure: 45 MPa` (positive pushes on the face) or `traction: [0 MPa, 0 MPa, -45 MPa]`"
+                help: "write `pressure: 45 MPa` (positive pushes on the face) or `traction: [0 \
+                       MPa, 0 MPa, -45 MPa]`"
                     .into(),
             });
         }

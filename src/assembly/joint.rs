@@ -565,8 +565,14 @@ impl<'a> Builder<'a> {
                 let Some(strength) = weaker.weld_strength(gamma_m2) else {
                     return Err(AssemblyError::Value {
                         path: "parameters".into(),
-                        problem: format!("`{name}` is a fillet weld, for which {} has no β_w (EN 1993-1-8 Table 4.1)", weaker.grade),
-                        help: "take a throat of 0 mm (full penetration), or a steel with β_w: `bracket catalog list steels`".into(),
+                        problem: format!(
+                            "`{name}` is a fillet weld, for which {} has no β_w (EN 1993-1-8 \
+                             Table 4.1)",
+                            weaker.grade
+                        ),
+                        help: "take a throat of 0 mm (full penetration), or a steel with β_w: \
+                               `bracket catalog list steels`"
+                            .into(),
                     });
                 };
                 let surface = rectangle(at, &s, &w.face)?;

@@ -54,7 +54,8 @@ pub(super) fn check(
         );
         return wrong(
             problem,
-            "give the end plates `role: plate`, or leave these bolts out of a template with `hand_checks`",
+            "give the end plates `role: plate`, or leave these bolts out of a template with \
+             `hand_checks`",
         );
     }
     for (plate, bolts) in &bolted {
@@ -66,15 +67,17 @@ pub(super) fn check(
         let rows: Vec<String> = seen.rows.iter().map(f64::to_string).collect();
         let columns: Vec<String> = seen.columns().iter().map(f64::to_string).collect();
         let problem = format!(
-            "it sees {} bolts (rows at z = {} mm, columns at y = {} mm), the geometry has {} in `{plate}`: {}",
+            "it sees {} bolts (rows at z = {} mm, columns at y = {} mm), the geometry has {} in \
+             `{plate}`: {}",
             listed.len(),
             rows.join(", "),
             columns.join(", "),
             bolts.len(),
             faults[0]
         );
-        let help = "write `rows` and `gauge` of `hand_checks` so that rows × 2 columns are the bolts of the template; a plate with \
-                    more than two columns has no hand checks yet: leave `hand_checks` out";
+        let help = "write `rows` and `gauge` of `hand_checks` so that rows × 2 columns are the \
+                    bolts of the template; a plate with more than two columns has no hand checks \
+                    yet: leave `hand_checks` out";
         return wrong(problem, help);
     }
     Ok(())
@@ -176,8 +179,8 @@ mod tests {
             (
                 "four columns",
                 vec![(COLUMNS, four.as_str())],
-                "it sees 6 bolts (rows at z = -215, -125, 110 mm, columns at y = -50, 50 mm), the geometry has 12 in `PLATE_R`: not seen are \
-                 BOLT_R1Q at y = 75 mm, z = -215 mm",
+                "it sees 6 bolts (rows at z = -215, -125, 110 mm, columns at y = -50, 50 mm), the \
+                 geometry has 12 in `PLATE_R`: not seen are BOLT_R1Q at y = 75 mm, z = -215 mm",
             ),
             (
                 "another gauge",

@@ -576,7 +576,10 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
             Diagnostic::input("template/unknown", format!("there is no template `{name}`{hint}"));
         return Err(d
             .path("template")
-            .help("`bracket templates` lists the shipped ones; a path to your own .yaml file works too")
+            .help(
+                "`bracket templates` lists the shipped ones; a path to your own .yaml file works \
+                 too",
+            )
             .into());
     };
     let file = PathBuf::from(format!("templates/{shipped}.yaml"));

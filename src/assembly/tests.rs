@@ -187,10 +187,12 @@ fn loads_decide_which_planes_of_symmetry_are_left() {
         [] as [usize; 0]
     );
     assert_eq!(axes(&both("{name: SIDE, section: beam_right_end, pressure: 1 MPa}")), [1]);
-    let pair = "{name: S, section: beam_right_end, pressure: 1 MPa}, {name: S, section: beam_left_end, pressure: 1 MPa}";
+    let pair = "{name: S, section: beam_right_end, pressure: 1 MPa}, {name: S, section: \
+                beam_left_end, pressure: 1 MPa}";
     assert_eq!(axes(&both(pair)), [0, 1]);
     // the same two pressures in two load cases: neither case is symmetric
-    let cases = "{name: A, section: beam_right_end, pressure: 1 MPa}, {name: B, section: beam_left_end, pressure: 1 MPa}";
+    let cases = "{name: A, section: beam_right_end, pressure: 1 MPa}, {name: B, section: \
+                 beam_left_end, pressure: 1 MPa}";
     assert_eq!(axes(&both(cases)), [1]);
 }
 
@@ -326,11 +328,14 @@ bolts:
     shank_gap: 0.5 mm
     size: bolt.d / 2
 contacts:
-  - {name: LAP, between: [LOWER, UPPER], face: {axis: z, at: 0, x: [-overlap / 2, overlap / 2], y: [-40 mm, 40 mm]}}
+  - {name: LAP, between: [LOWER, UPPER], face: {axis: z, at: 0, x: [-overlap / 2, overlap / 2], y: \
+                    [-40 mm, 40 mm]}}
 sections:
-  - {name: end, about: end of the upper plate, part: UPPER, outward: 1, face: {axis: x, at: 200 mm, y: [-40 mm, 40 mm], z: [0, thickness]}}
+  - {name: end, about: end of the upper plate, part: UPPER, outward: 1, face: {axis: x, at: 200 \
+                    mm, y: [-40 mm, 40 mm], z: [0, thickness]}}
 supports:
-  - {name: FIXED, part: LOWER, fix: [x, y, z], face: {axis: x, at: -200 mm, y: [-40 mm, 40 mm], z: [-thickness, 0]}}
+  - {name: FIXED, part: LOWER, fix: [x, y, z], face: {axis: x, at: -200 mm, y: [-40 mm, 40 mm], z: \
+                    [-thickness, 0]}}
 ";
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("lap.yaml"), template).expect("writable");

@@ -29,7 +29,8 @@ pub enum CatalogError {
     },
     /// Two rows with one name.
     #[error(
-        "{noun} `{name}` is there twice: {first} and {second} (names are compared without blanks, hyphens and case)"
+        "{noun} `{name}` is there twice: {first} and {second} (names are compared without blanks, \
+         hyphens and case)"
     )]
     Duplicate {
         /// `profile`, `bolt` …
@@ -108,7 +109,8 @@ pub enum CatalogError {
     },
     /// A thickness outside the bands of the grade.
     #[error(
-        "{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ {limit} mm)"
+        "{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ \
+         {limit} mm)"
     )]
     Thickness {
         /// `fy` or `fu`.
@@ -136,30 +138,31 @@ impl From<CatalogError> for Diagnostic {
         let new = |code| Diagnostic::input(code, message.clone());
         match error {
             CatalogError::Unread(d) => *d,
-            CatalogError::Unknown { kind, .. } => new("catalog/unknown-name")
-                .help(format!("`bracket catalog list {kind}` shows every name; a folder of your own tables (`--catalog DIR`, or `catalog: DIR` in the spec) adds \
-                     more")),
-            CatalogError::Ambiguous { choices, .. } => {
-                new("catalog/ambiguous-name").help(format!("write the standard too, for example `{}`", choices[0]))
-            }
-            CatalogError::Duplicate { second, .. } => {
-                place(new("catalog/duplicate-name"), second).help("rename or remove one of the two rows")
-            }
-            CatalogError::Cell { at, .. } => {
-                place(new("catalog/bad-cell"), at).help("correct the cell; columns carry their unit in the header")
-            }
+            CatalogError::Unknown { kind, .. } => new("catalog/unknown-name").help(format!(
+                "`bracket catalog list {kind}` shows every name; a folder of your own tables \
+                 (`--catalog DIR`, or `catalog: DIR` in the spec) adds more"
+            )),
+            CatalogError::Ambiguous { choices, .. } => new("catalog/ambiguous-name")
+                .help(format!("write the standard too, for example `{}`", choices[0])),
+            CatalogError::Duplicate { second, .. } => place(new("catalog/duplicate-name"), second)
+                .help("rename or remove one of the two rows"),
+            CatalogError::Cell { at, .. } => place(new("catalog/bad-cell"), at)
+                .help("correct the cell; columns carry their unit in the header"),
             CatalogError::MissingColumn { file, .. } => new("catalog/missing-column")
                 .file(file)
                 .help("the tables shipped in catalogs/ show the columns; headers carry the unit"),
-            CatalogError::UnknownColumn { file, .. } => {
-                new("catalog/unknown-column").file(file).help("correct the header, or remove the column")
-            }
+            CatalogError::UnknownColumn { file, .. } => new("catalog/unknown-column")
+                .file(file)
+                .help("correct the header, or remove the column"),
             CatalogError::UnknownTable { file } => new("catalog/unknown-table").file(file).help(
-                "start from the header line of a table in catalogs/: profiles_i, bolts, bolts_preloaded, bolt_grades, \
-                 steel_grades, steel_grades_product, friction_classes, partial_factors, national_annexes",
+                "start from the header line of a table in catalogs/: profiles_i, bolts, \
+                 bolts_preloaded, bolt_grades, steel_grades, steel_grades_product, \
+                 friction_classes, partial_factors, national_annexes",
             ),
-            CatalogError::Csv { at, .. } => place(new("catalog/not-csv"), at)
-                .help("UTF-8, comma separated, one header row, decimal point; every row has all the columns"),
+            CatalogError::Csv { at, .. } => place(new("catalog/not-csv"), at).help(
+                "UTF-8, comma separated, one header row, decimal point; every row has all the \
+                 columns",
+            ),
             CatalogError::Io { path, cause } => {
                 let denied = cause.kind() == std::io::ErrorKind::PermissionDenied;
                 let fault = if denied { Fault::Environment } else { Fault::Input };
@@ -173,11 +176,12 @@ impl From<CatalogError> for Diagnostic {
             CatalogError::Empty { path } => new("catalog/empty")
                 .file(path)
                 .help("put at least one table there, for example a copy of profiles_i.csv"),
-            CatalogError::Thickness { .. } => new("catalog/thickness")
-                .help("choose `fy_source: product_standard` where it reaches further, a thinner part or another grade"),
-            CatalogError::NoProductBands { .. } => {
-                new("catalog/no-bands").help("use `fy_source: table_3_1`, or add the bands in a catalogue of your own")
-            }
+            CatalogError::Thickness { .. } => new("catalog/thickness").help(
+                "choose `fy_source: product_standard` where it reaches further, a thinner part or \
+                 another grade",
+            ),
+            CatalogError::NoProductBands { .. } => new("catalog/no-bands")
+                .help("use `fy_source: table_3_1`, or add the bands in a catalogue of your own"),
         }
     }
 }

@@ -188,7 +188,8 @@ fn property_warning(profile: &IProfile) -> Option<Diagnostic> {
     let worst = if area.abs() > i_y.abs() { ("A", area) } else { ("I_y", i_y) };
     (worst.1.abs() > PROPERTY_TOLERANCE).then(|| {
         let message = format!(
-            "{} recomputed from the dimensions of {} differs from the table by {:+.2} % (limit {} %)",
+            "{} recomputed from the dimensions of {} differs from the table by {:+.2} % (limit {} \
+             %)",
             worst.0,
             profile.name,
             100.0 * worst.1,
@@ -197,7 +198,10 @@ fn property_warning(profile: &IProfile) -> Option<Diagnostic> {
         Diagnostic::input("catalog/section-mismatch", message)
             .file(&profile.source.file)
             .at(profile.source.line, 1)
-            .help("check h, b, tw, tf, r against the source; the model uses the dimensions, the checks the table")
+            .help(
+                "check h, b, tw, tf, r against the source; the model uses the dimensions, the \
+                 checks the table",
+            )
     })
 }
 

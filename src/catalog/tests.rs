@@ -22,7 +22,8 @@ fn fault(tables: &[(&str, &str)]) -> Diagnostic {
     merged(tables).expect_err("the table is wrong").into()
 }
 
-const HEAD: &str = "name,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,Iz_cm4,Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\n";
+const HEAD: &str = "name,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,\
+                    Iz_cm4,Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\n";
 const GOOD: &str =
     "MY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
 
@@ -360,12 +361,50 @@ fn wrong_tables_are_refused() {
         (format!("{HEAD}MY200,own\n"), "catalog/not-csv", "the row has 2 cells, the header 16"),
         ("a,b\n1,2\n".into(), "catalog/unknown-table", "fit no kind"),
         (String::new(), "catalog/unknown-table", "fit no kind"),
-        ("class,slip_factor_mu,surface_treatment\nE,-0.1,oiled\n".into(), "catalog/bad-cell", "must not be negative"),
-        ("standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN 1,S1,0,16,235,360,read\n".into(), "catalog/bad-cell", "`EN 1 S1` is in no table of steels"),
-        ("standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN 10025-6,S460Q,16,40,440,570,read\n".into(), "catalog/bad-cell", "16 does not continue"),
-        ("grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n9.9,900,800,0.6,0.6,no\n".into(), "catalog/bad-cell", "800 is below fyb = 900"),
-        ("grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n9.9,800,900,0.6,0.6,maybe\n".into(), "catalog/bad-cell", "neither `yes` nor `no`"),
-        (include_str!("../../catalogs/bolts.csv").replace("M18,no,18,2.5,254.5,192,20,", "MX18,no,18,2.5,254.5,192,17,").lines().enumerate().filter(|(i, l)| *i == 0 || l.starts_with("MX18")).map(|(_, l)| format!("{l}\n")).collect(), "catalog/bad-cell", "the hole 17 must exceed 18"),
+        (
+            "class,slip_factor_mu,surface_treatment\nE,-0.1,oiled\n".into(),
+            "catalog/bad-cell",
+            "must not be negative",
+        ),
+        (
+            "standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN \
+             1,S1,0,16,235,360,read\n"
+                .into(),
+            "catalog/bad-cell",
+            "`EN 1 S1` is in no table of steels",
+        ),
+        (
+            "standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN \
+             10025-6,S460Q,16,40,440,570,read\n"
+                .into(),
+            "catalog/bad-cell",
+            "16 does not continue",
+        ),
+        (
+            "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,\
+             preloadable\n9.9,900,800,0.6,0.6,no\n"
+                .into(),
+            "catalog/bad-cell",
+            "800 is below fyb = 900",
+        ),
+        (
+            "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,\
+             preloadable\n9.9,800,900,0.6,0.6,maybe\n"
+                .into(),
+            "catalog/bad-cell",
+            "neither `yes` nor `no`",
+        ),
+        (
+            include_str!("../../catalogs/bolts.csv")
+                .replace("M18,no,18,2.5,254.5,192,20,", "MX18,no,18,2.5,254.5,192,17,")
+                .lines()
+                .enumerate()
+                .filter(|(i, l)| *i == 0 || l.starts_with("MX18"))
+                .map(|(_, l)| format!("{l}\n"))
+                .collect(),
+            "catalog/bad-cell",
+            "the hole 17 must exceed 18",
+        ),
     ] {
         let d = fault(&[("own.csv", &text)]);
         assert_eq!(d.code, code, "{}", d.message);

@@ -72,7 +72,8 @@ impl UpperBound {
 /// Two bounds that contradict each other: one of them is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the lower bound {lower:.9e} exceeds the upper bound {upper:.9e}: one of the two fields is not admissible"
+    "the lower bound {lower:.9e} exceeds the upper bound {upper:.9e}: one of the two fields is \
+     not admissible"
 )]
 pub struct Contradiction {
     /// Lower bound.

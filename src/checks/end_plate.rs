@@ -203,7 +203,11 @@ fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
 fn left_out(e: &EndPlate) -> Vec<String> {
     let mut out = Vec::new();
     if e.rib > 0.0 {
-        out.push("component method: the rib is left out, on the safe side (EN 1993-1-8 has no formula for it)".into());
+        out.push(
+            "component method: the rib is left out, on the safe side (EN 1993-1-8 has no formula \
+             for it)"
+                .into(),
+        );
     }
     if let Some(c) = e.column.as_ref().filter(|c| c.doubler > 0.0) {
         out.extend(
@@ -610,9 +614,9 @@ fn brittle(rules: &[Check]) -> String {
     let each: Vec<String> =
         rules.iter().map(|c| format!("{}: {} ({})", c.subject, c.formula, c.clause)).collect();
     format!(
-        "no rule of rotation capacity holds, so that bolts may break before the rows have yielded as limit analysis takes them to: \
-         {}; design with the component method, whose rows below one with more than 1.9 F_t,Rd grow with their lever arms \
-         (6.2.7.2(9)), or elastically",
+        "no rule of rotation capacity holds, so that bolts may break before the rows have yielded \
+         as limit analysis takes them to: {}; design with the component method, whose rows below \
+         one with more than 1.9 F_t,Rd grow with their lever arms (6.2.7.2(9)), or elastically",
         each.join("; ")
     )
 }

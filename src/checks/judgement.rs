@@ -181,7 +181,8 @@ fn reason(
     match (verdict, by_code, by_analysis) {
         (Verdict::Ok, Verdict::Ok, Verdict::Ok) => {
             format!(
-                "{case}: every binding check holds, and the lower bound carries the load; governing: {what}"
+                "{case}: every binding check holds, and the lower bound carries the load; \
+                 governing: {what}"
             )
         }
         (Verdict::Ok, Verdict::Ok, _) => {
@@ -191,18 +192,21 @@ fn reason(
             format!("{case}: the lower bound carries the load; no check of the code covers it")
         }
         (Verdict::NotOk, Verdict::NotOk, Verdict::Ok) => format!(
-            "{case}: the lower bound carries the load, but a check of what limit analysis does not know fails: {what}"
+            "{case}: the lower bound carries the load, but a check of what limit analysis does \
+             not know fails: {what}"
         ),
         (Verdict::NotOk, Verdict::NotOk, _) => format!("{case}: a check fails: {what}"),
         (Verdict::NotOk, ..) => format!("{case}: the load is above the upper bound: {what}"),
         (Verdict::Undecided, Verdict::Undecided, Verdict::Ok) => format!(
-            "{case}: the lower bound carries the load, but the code gives no resistance for what limit analysis does not know: {what}"
+            "{case}: the lower bound carries the load, but the code gives no resistance for what \
+             limit analysis does not know: {what}"
         ),
         (Verdict::Undecided, Verdict::Undecided, _) => {
             format!("{case}: the code gives no resistance: {what}")
         }
         (Verdict::Undecided, _, Verdict::Undecided) if a.brittle => format!(
-            "{case}: the lower bound carries the load, but no rule of rotation capacity holds; the checks of the code are {}",
+            "{case}: the lower bound carries the load, but no rule of rotation capacity holds; \
+             the checks of the code are {}",
             by_code.words()
         ),
         (Verdict::Undecided, _, Verdict::Undecided) => {

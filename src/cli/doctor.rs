@@ -167,7 +167,8 @@ fn judge_memory(info: &str, limit: Option<u64>) -> Finding {
     };
     let (Some(total), Some(free)) = (mib("MemTotal:"), mib("MemAvailable:")) else {
         let cure = format!(
-            "make sure that about {LEAST_MEMORY} MiB are free for small models, 8 GiB for fine ones"
+            "make sure that about {LEAST_MEMORY} MiB are free for small models, 8 GiB for fine \
+             ones"
         );
         return Finding::lacking("memory", Status::Optional, "unknown (no /proc/meminfo)", cure);
     };
@@ -248,7 +249,8 @@ mod tests {
     fn disk_is_judged_by_df() {
         let answer = |free: &str| {
             format!(
-                "Filesystem 1024-blocks Used Available Capacity Mounted on\n/dev/x 9 8 {free} 1% /a b\n"
+                "Filesystem 1024-blocks Used Available Capacity Mounted on\n/dev/x 9 8 {free} 1% \
+                 /a b\n"
             )
         };
         assert_eq!(judge_disk(&answer("1048576")).found, "1024 MiB free in the current folder");

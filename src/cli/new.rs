@@ -223,31 +223,32 @@ pub fn starter(
         let _ = writeln!(out, "# {line}");
     }
     out.push_str(
-        "#\n# Lengths: a bare number is mm, `1.5 cm` works too. Forces, moments and stresses need a unit: 80 kN, 120 kN m,\n\
-         # 45 MPa. A commented line shows the default: take the `#` away to change it; values that follow from the profiles\n\
-         # are shown for those written here. `bracket schema spec` prints the JSON Schema for your editor, `bracket catalog\n\
-         # list` the profiles, bolts and steels.\n\n",
+        "#\n# Lengths: a bare number is mm, `1.5 cm` works too. Forces, moments and stresses need \
+         a unit: 80 kN, 120 kN m,\n# 45 MPa. A commented line shows the default: take the `#` \
+         away to change it; values that follow from the profiles\n# are shown for those written \
+         here. `bracket schema spec` prints the JSON Schema for your editor, `bracket catalog\n# \
+         list` the profiles, bolts and steels.\n\n",
     );
     let _ = write!(
         out,
-        "project:\n  title: New joint\n  date: {date:?}\n  # number: \"\"  # project number\n  # author: \"\"  # who made it\n  \
-         # checker: \"\"  # who checks it\n  # revision: \"A\"  # revision\n\n",
+        "project:\n  title: New joint\n  date: {date:?}\n  # number: \"\"  # project number\n  # \
+         author: \"\"  # who made it\n  # checker: \"\"  # who checks it\n  # revision: \"A\"  # \
+         revision\n\n",
     );
     out.push_str(
-        "code:\n  edition: EN 1993-1-8:2005\n  \
-         # annex: recommended  # national annex of the partial factors: UK, DE … (`bracket catalog list annexes`)\n  \
-         # gamma_M0: 1.0  # partial factor of cross-sections; each of them 0.5 to 3, in place of the annex\n  \
-         # gamma_M1: 1.0  # of instability\n  \
-         # gamma_M2: 1.25  # of bolts and welds\n  \
-         # gamma_M3: 1.25  # of slip at the ultimate limit state\n  \
-         # gamma_M3_ser: 1.1  # of slip at serviceability\n  \
-         # gamma_M7: 1.1  # of the preload of bolts\n  \
-         # fy_source: table_3_1  # or product_standard: steps of f_y from 16 mm up\n\n",
+        "code:\n  edition: EN 1993-1-8:2005\n  # annex: recommended  # national annex of the \
+         partial factors: UK, DE … (`bracket catalog list annexes`)\n  # gamma_M0: 1.0  # partial \
+         factor of cross-sections; each of them 0.5 to 3, in place of the annex\n  # gamma_M1: \
+         1.0  # of instability\n  # gamma_M2: 1.25  # of bolts and welds\n  # gamma_M3: 1.25  # \
+         of slip at the ultimate limit state\n  # gamma_M3_ser: 1.1  # of slip at \
+         serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n  # fy_source: table_3_1  \
+         # or product_standard: steps of f_y from 16 mm up\n\n",
     );
     // blanks, `#` and quotes in a path would end the text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
     let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
-    let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in catalogue";
+    let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in \
+               catalogue";
     let _ = writeln!(out, "template: {name}\n{own}\n\nmembers:");
     for m in &template.members {
         let _ = writeln!(
@@ -275,14 +276,16 @@ pub fn starter(
     if spec.bolts.is_some() {
         let _ = writeln!(
             out,
-            "\nbolts:\n  size: {}  # `bracket catalog list bolts`\n  grade: \"{}\"  # property class",
+            "\nbolts:\n  size: {}  # `bracket catalog list bolts`\n  grade: \"{}\"  # property \
+             class",
             BOLT.0, BOLT.1
         );
         inside("bolts.")
             .iter()
             .for_each(|r| line(&mut out, r.name.trim_start_matches("bolts."), r));
         out.push_str(
-            "  # preload: none  # or a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force: 98.7 kN\n",
+            "  # preload: none  # or a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a \
+             force: 98.7 kN\n",
         );
     }
     let others: Vec<&Resolved> = resolved.iter().filter(|r| !r.name.contains('.')).collect();
@@ -291,8 +294,9 @@ pub fn starter(
         others.iter().for_each(|r| line(&mut out, &r.name, r));
     }
     out.push_str(
-        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is on the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  \
-         # law: coulomb  # no dilation, by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
+        "\nfriction:\n  mu: 0  # friction coefficient of all contact surfaces, 0 to 2, 0 is on \
+         the safe side; or `class: C` (A, B, C, D of EN 1090-2)\n  # law: coulomb  # no dilation, \
+         by a fixed point; associated: slip dilates, both bounds are strict for this law\n\n",
     );
     let sections: Vec<&str> = template.sections.iter().map(|s| s.name.as_str()).collect();
     if !sections.is_empty() {
@@ -306,8 +310,9 @@ pub fn starter(
     if !ends.is_empty() {
         let _ = writeln!(
             out,
-            "# end: {}; at: the point N, Vy, Vz, T, My, Mz refer to. N pulls, Vz lifts, My pulls the top of the section (hogging)\n\
-             # factor: which of them the load factor multiplies (all, if left out)",
+            "# end: {}; at: the point N, Vy, Vz, T, My, Mz refer to. N pulls, Vz lifts, My pulls \
+             the top of the section (hogging)\n# factor: which of them the load factor multiplies \
+             (all, if left out)",
             ends.join(", ")
         );
     }
@@ -323,21 +328,23 @@ pub fn starter(
         );
         let _ = writeln!(
             out,
-            "\n# polygon: {{end: {end}, at: {at}, My: 100 kN m, N: 200 kN}}  # what is carried of two actions at once, by limit analysis in \
-             several directions; sizes: about what is carried of each alone; directions: 4, 8 (default), 12 … 32"
+            "\n# polygon: {{end: {end}, at: {at}, My: 100 kN m, N: 200 kN}}  # what is carried of \
+             two actions at once, by limit analysis in several directions; sizes: about what is \
+             carried of each alone; directions: 4, 8 (default), 12 … 32"
         );
     }
     let _ = write!(
         out,
-        "\nanalysis:\n  kind: limit  # limit (the load at collapse), elastic, elastoplastic, or a list: [elastic, limit]; the hand checks run with each\n  \
-         target_gap: {}  # wanted gap between the bounds, a fraction between 0 and 1; meshes are refined where it comes from until it is reached\n  \
-         # max_passes: {}  # meshes at most; 1: the first one alone\n  \
-         # max_macro_tets: {}  # tetrahedra at most; 1 or more\n  \
-         # time_limit: 20 min  # s, min, h; no limit by default\n  \
-         # coulomb_estimate: false  # limit with friction: estimate the load under Coulomb's law as well; up to ten solves more a mesh\n  mesh:\n    \
-         size: auto  # auto, or a length from 0.5 mm to 1000 mm\n    \
-         # layers: true  # a mesh plane at mid-thickness of every plate, flange, web and stiffener\n    \
-         # segments: {}  # sides of the meshed bolt circles; even, 12 to 48\n",
+        "\nanalysis:\n  kind: limit  # limit (the load at collapse), elastic, elastoplastic, or a \
+         list: [elastic, limit]; the hand checks run with each\n  target_gap: {}  # wanted gap \
+         between the bounds, a fraction between 0 and 1; meshes are refined where it comes from \
+         until it is reached\n  # max_passes: {}  # meshes at most; 1: the first one alone\n  # \
+         max_macro_tets: {}  # tetrahedra at most; 1 or more\n  # time_limit: 20 min  # s, min, \
+         h; no limit by default\n  # coulomb_estimate: false  # limit with friction: estimate the \
+         load under Coulomb's law as well; up to ten solves more a mesh\n  mesh:\n    size: auto  \
+         # auto, or a length from 0.5 mm to 1000 mm\n    # layers: true  # a mesh plane at \
+         mid-thickness of every plate, flange, web and stiffener\n    # segments: {}  # sides of \
+         the meshed bolt circles; even, 12 to 48\n",
         a.target_gap, a.max_passes, a.max_macro_tets, a.mesh.segments
     );
     Ok(out)

@@ -321,7 +321,8 @@ pub fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Dia
     }
     let message =
         "preload in an elastic, perfectly plastic analysis is not available yet in this version";
-    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; or `preload: none`";
+    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; or \
+                `preload: none`";
     let mut d = Diagnostic::input("model/unavailable", message).help(help);
     d.place = input.spec.index.place("bolts.preload");
     Err(d.into())
@@ -369,7 +370,8 @@ pub fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
             if size != 0.0 && !sizes.contains(&size) {
                 let [least, most] = [sizes.start(), sizes.end()].map(|s| format!("{s:e} {unit}"));
                 let message = format!(
-                    "`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from {least} to {most}"
+                    "`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from \
+                     {least} to {most}"
                 );
                 return refuse(
                     format!("loads[{i}].{key}"),
@@ -585,8 +587,8 @@ mod tests {
     #[test]
     fn rows_of_an_own_table_show_their_file_and_line() {
         let dir = tempfile::tempdir().expect("a folder");
-        let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,preloadable\n\
-                     MY8.8,640,800,0.6,0.6,yes\n";
+        let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,\
+                     alpha_v_shank_in_shear_plane,preloadable\nMY8.8,640,800,0.6,0.6,yes\n";
         let spec =
             include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
         for (name, text) in [("g.csv", table), ("joint.yaml", &spec)] {
@@ -607,11 +609,12 @@ mod tests {
     #[test]
     fn the_echo_is_the_spec_without_comments_and_polygon_directions_and_reads_back() {
         let dir = tempfile::tempdir().expect("a folder");
-        let text = "# a comment\ntemplate: beam_to_column_end_plate\n\
-                    members: {column: {profile: HEB200, steel: S235}, beam: {profile: IPE300, steel: S235}}\n\
-                    plate: {thickness: 5/8 in}\nbolts: {size: M20, grade: '8.8', rows: [-90, 90, 190]}\n\
-                    loads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, Vz: -60.5 kN}]\n\
-                    polygon: {end: beam_right, at: column_face, My: 100 kN m, N: 200 kN}\nanalysis: {kind: limit}\n";
+        let text = "# a comment\ntemplate: beam_to_column_end_plate\nmembers: {column: {profile: \
+                    HEB200, steel: S235}, beam: {profile: IPE300, steel: S235}}\nplate: \
+                    {thickness: 5/8 in}\nbolts: {size: M20, grade: '8.8', rows: [-90, 90, \
+                    190]}\nloads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, \
+                    Vz: -60.5 kN}]\npolygon: {end: beam_right, at: column_face, My: 100 kN m, N: \
+                    200 kN}\nanalysis: {kind: limit}\n";
         std::fs::write(dir.path().join("joint.yaml"), text).expect("written");
         let input = spec_file::read(&dir.path().join("joint.yaml"), None)
             .unwrap_or_else(|e| panic!("{e:#?}"));

@@ -91,7 +91,8 @@ mod tests {
             let committed = std::fs::read_to_string(&path).unwrap_or_default();
             assert!(
                 committed == fresh,
-                "schemas/{name}.schema.json is old: bracket schema {name} > schemas/{name}.schema.json"
+                "schemas/{name}.schema.json is old: bracket schema {name} > \
+                 schemas/{name}.schema.json"
             );
         }
     }

@@ -120,8 +120,11 @@ mod tests {
     use super::*;
 
     const JOINT: &str = include_str!("../../examples/paper_joint/joint.yaml");
-    const PROFILES: &str = "# source: mill sheet 7\nname,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,A_cm2,Iy_cm4,Iz_cm4,\
-        Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\nMY200,own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.3,305.8\n";
+    const PROFILES: &str = "# source: mill sheet \
+                            7\nname,series,standard,h_mm,b_mm,tw_mm,tf_mm,r_mm,mass_kg_per_m,\
+                            A_cm2,Iy_cm4,Iz_cm4,Wel_y_cm3,Wpl_y_cm3,Wel_z_cm3,Wpl_z_cm3\nMY200,\
+                            own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.\
+                            3,305.8\n";
 
     /// A folder with `joint.yaml` (the paper's joint, with a column of its own) and the tables
     /// given.

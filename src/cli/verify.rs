@@ -136,7 +136,10 @@ fn read(path: &Path) -> Result<Vec<u8>, Diagnostics> {
     std::fs::read(path).map_err(|e| {
         Diagnostic::input("verify/read", format!("`{}` cannot be read: {e}", path.display()))
             .file(path)
-            .help("name the folder of a finished result, as `bracket run` or `bracket analyse` left it")
+            .help(
+                "name the folder of a finished result, as `bracket run` or `bracket analyse` left \
+                 it",
+            )
             .into()
     })
 }
@@ -285,7 +288,8 @@ impl Scene<'_> {
             let off = distance_from_coulomb(model, &pass.shift, &displacement);
             if off > FAR_FROM_COULOMB {
                 refuted.push(format!(
-                    "{}: the shift of the contact cones is off the slips of Coulomb's law by {off:.1e} of the largest",
+                    "{}: the shift of the contact cones is off the slips of Coulomb's law by \
+                     {off:.1e} of the largest",
                     case.name
                 ));
             }

@@ -153,7 +153,8 @@ pub fn analyse(
             break;
         };
         log.line(format!(
-            "{name}: mesh {}: {} tets, gap {}; the next one is to have {} tets and a gap of {}, in {}",
+            "{name}: mesh {}: {} tets, gap {}; the next one is to have {} tets and a gap of {}, \
+             in {}",
             index + 1,
             fixed(tets as f64, 0, Rounding::Nearest),
             percent_up(steps[steps.len() - 1].gap),

@@ -274,7 +274,8 @@ pub fn finish(
         let refused = |k: &Kept| k.outcome.runs().iter().any(|(_, run)| run.refusal.is_some());
         if refused(&upper) {
             entry.warnings.push(format!(
-                "both bounds need {}, or more memory; `bounds` in a model file asks for one of them alone",
+                "both bounds need {}, or more memory; `bounds` in a model file asks for one of \
+                 them alone",
                 context.coarser
             ));
         }

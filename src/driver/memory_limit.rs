@@ -24,7 +24,8 @@ const MOST: f64 = 1099511627776.0 * 1024.0;
 /// The limit in bytes: `8GiB`, `500 MiB`, `1.5 TB`, `64G`.
 pub fn parse(text: &str) -> Result<u64, Diagnostics> {
     let refused = |why: String| {
-        let help = "write a number with its unit, for example `--memory-limit 8GiB` or `--memory-limit 500MiB`";
+        let help = "write a number with its unit, for example `--memory-limit 8GiB` or \
+                    `--memory-limit 500MiB`";
         Err(Diagnostic::input("cli/value", format!("--memory-limit is `{text}`: {why}"))
             .help(help)
             .into())

@@ -256,7 +256,8 @@ impl Writer {
         let name = self.name();
         self.put(format_args!("v = newv; Box(v) = {{{}, {}}};", triple(min), triple(size)));
         self.put(format_args!(
-            "{name} = BooleanIntersection{{ Volume{{{list}}}; Delete; }}{{ Volume{{v}}; Delete; }};"
+            "{name} = BooleanIntersection{{ Volume{{{list}}}; Delete; }}{{ Volume{{v}}; Delete; \
+             }};"
         ));
         name
     }

@@ -155,7 +155,8 @@ pub enum MeshError {
     },
     /// A tet without volume.
     #[error(
-        "tetrahedron {element} is flat: its volume is {volume:e} mm³, at least {limit:e} mm³ is needed for its size"
+        "tetrahedron {element} is flat: its volume is {volume:e} mm³, at least {limit:e} mm³ is \
+         needed for its size"
     )]
     Flat {
         /// Where.
@@ -181,7 +182,8 @@ pub enum MeshError {
     },
     /// Two tets on the same side of their common face, or a face of three tets.
     #[error(
-        "tetrahedron {element} is inverted or overlaps tetrahedron {other}: both lie on the same side of their common face"
+        "tetrahedron {element} is inverted or overlaps tetrahedron {other}: both lie on the same \
+         side of their common face"
     )]
     Folded {
         /// Where.
@@ -235,7 +237,8 @@ impl MeshError {
             E::Io { at, .. } => (
                 "mesh/read",
                 Some(at),
-                "check the path: it is relative to the file that names it; and the right to read it",
+                "check the path: it is relative to the file that names it; and the right to read \
+                 it",
             ),
             E::NotGmsh { at } => (
                 "mesh/not-gmsh",
@@ -291,12 +294,14 @@ impl MeshError {
             E::Flat { at, .. } => (
                 "mesh/flat",
                 Some(at),
-                "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the geometry",
+                "remesh with `Mesh.Optimize = 1;` or `Mesh.Algorithm3D = 10;`, or heal the \
+                 geometry",
             ),
             E::Duplicate { at, .. } => (
                 "mesh/duplicate",
                 Some(at),
-                "remove the second copy: a volume meshed twice, or a surface named twice in one group",
+                "remove the second copy: a volume meshed twice, or a surface named twice in one \
+                 group",
             ),
             E::Folded { at, .. } => (
                 "mesh/folded",
@@ -306,12 +311,14 @@ impl MeshError {
             E::NearNodes { .. } => (
                 "mesh/near-nodes",
                 None,
-                "remove the sliver there, or write `nodes: shared` if the bodies already share their nodes",
+                "remove the sliver there, or write `nodes: shared` if the bodies already share \
+                 their nodes",
             ),
             E::NotMatching { .. } => (
                 "mesh/not-matching",
                 None,
-                "mesh the bodies together (`BooleanFragments` in gmsh), so that they share the faces where they meet",
+                "mesh the bodies together (`BooleanFragments` in gmsh), so that they share the \
+                 faces where they meet",
             ),
             E::LooseTriangle { at, .. } => (
                 "mesh/loose-triangle",

@@ -23,7 +23,8 @@ pub const OLDEST: (u32, u32) = (4, 8);
 pub enum MesherError {
     /// No command was found.
     #[error(
-        "the mesher gmsh was not found: {VARIABLE} is not set, no .venv with gmsh lies above the current directory or the program, and there is no gmsh on PATH"
+        "the mesher gmsh was not found: {VARIABLE} is not set, no .venv with gmsh lies above the \
+         current directory or the program, and there is no gmsh on PATH"
     )]
     Missing,
     /// The environment variable cannot be read as a command.
@@ -62,7 +63,8 @@ pub enum MesherError {
     },
     /// The user asked to stop.
     #[error(
-        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was written"
+        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was \
+         written"
     )]
     Interrupted {
         /// How long it ran \[s\].
@@ -144,32 +146,43 @@ impl From<MesherError> for Diagnostic {
             E::Missing => ("mesher/missing", doctor),
             E::BadVariable { .. } => (
                 "mesher/variable",
-                format!("set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset it"),
+                format!(
+                    "set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset \
+                     it"
+                ),
             ),
             E::Start { .. } => ("mesher/start", doctor),
             E::NoVersion { .. } => ("mesher/version", doctor),
             E::TooOld { .. } => ("mesher/old", doctor),
-            E::TimeLimit { .. } => {
-                ("mesher/time", "allow more time (`analysis.time_limit`), or a larger `analysis.mesh.size`".into())
-            }
+            E::TimeLimit { .. } => (
+                "mesher/time",
+                "allow more time (`analysis.time_limit`), or a larger `analysis.mesh.size`".into(),
+            ),
             E::Interrupted { .. } => {
                 let help = "run the same command again when there is time for it";
                 return Diagnostic::undecided("mesher/interrupted", error.to_string()).help(help);
             }
-            E::Killed { .. } => {
-                ("mesher/killed", "free memory, or ask for a larger `analysis.mesh.size`; then run again".into())
-            }
+            E::Killed { .. } => (
+                "mesher/killed",
+                "free memory, or ask for a larger `analysis.mesh.size`; then run again".into(),
+            ),
             E::Failed { .. } => (
                 "mesher/failed",
-                "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it fails again, \
-                 `bracket doctor` tells what is wrong with the mesher"
+                "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it \
+                 fails again, `bracket doctor` tells what is wrong with the mesher"
                     .into(),
             ),
-            E::NoOutput { .. } => {
-                ("mesher/no-output", "check that the disk is not full; then run `bracket doctor`".into())
+            E::NoOutput { .. } => (
+                "mesher/no-output",
+                "check that the disk is not full; then run `bracket doctor`".into(),
+            ),
+            E::DiskFull { .. } => {
+                ("mesher/disk", "free some space, or write elsewhere with `--out`".into())
             }
-            E::DiskFull { .. } => ("mesher/disk", "free some space, or write elsewhere with `--out`".into()),
-            E::Write { .. } => ("mesher/write", "check the folder and the right to write there, or use `--out`".into()),
+            E::Write { .. } => (
+                "mesher/write",
+                "check the folder and the right to write there, or use `--out`".into(),
+            ),
         };
         Diagnostic::environment(code, error.to_string()).help(help)
     }

@@ -106,10 +106,14 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
             None => faults.push(
                 Diagnostic::input(
                     "mesh/body-lost",
-                    format!("the mesher lost the {} ({}): it has no tetrahedron", body.part.label, body.part.name),
+                    format!(
+                        "the mesher lost the {} ({}): it has no tetrahedron",
+                        body.part.label, body.part.name
+                    ),
                 )
                 .help(
-                    "parts overlap or a solid is degenerate: check the dimensions of this part and of its neighbours",
+                    "parts overlap or a solid is degenerate: check the dimensions of this part \
+                     and of its neighbours",
                 ),
             ),
         }
@@ -141,13 +145,17 @@ fn volumes(mesh: &TetMesh, scene: &Scene, faults: &mut Vec<Diagnostic>) -> Vec<V
                 Diagnostic::input(
                     "mesh/volume",
                     format!(
-                        "the {} ({}) has {meshed:.0} mm³ in the mesh and {exact:.0} mm³ by its dimensions, at most {} % may differ",
+                        "the {} ({}) has {meshed:.0} mm³ in the mesh and {exact:.0} mm³ by its \
+                         dimensions, at most {} % may differ",
                         body.part.label,
                         body.part.name,
                         100.0 * AGREE
                     ),
                 )
-                .help("parts overlap or nearly touch: check the dimensions of this part and of its neighbours"),
+                .help(
+                    "parts overlap or nearly touch: check the dimensions of this part and of its \
+                     neighbours",
+                ),
             );
         }
         out.push(VolumeCheck { body: body.part.name.clone(), meshed, exact });
@@ -240,7 +248,8 @@ fn area_fault(what: String, meshed: f64, exact: f64) -> Diagnostic {
     Diagnostic::input(
         "mesh/area",
         format!(
-            "{what} {meshed:.1} mm² in the mesh and {exact:.1} mm² by their dimensions, at most {} % may differ",
+            "{what} {meshed:.1} mm² in the mesh and {exact:.1} mm² by their dimensions, at most \
+             {} % may differ",
             100.0 * AGREE
         ),
     )
@@ -276,7 +285,8 @@ fn interface(
             Diagnostic::input(
                 "mesh/interface-empty",
                 format!(
-                    "the {} ({}) and the {} ({}) do not touch{}, but an interface between them is asked for",
+                    "the {} ({}) and the {} ({}) do not touch{}, but an interface between them is \
+                     asked for",
                     pa.label,
                     pa.name,
                     pb.label,
@@ -324,7 +334,8 @@ pub(super) fn looked_for(surface: &Surface) -> String {
             let [u, v, w] = axis.map(mm);
             let (r, l) = (mm(*radius), mm(*length));
             format!(
-                "on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), {l} mm long"
+                "on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), \
+                 {l} mm long"
             )
         }
     }
@@ -405,7 +416,8 @@ fn outer_faces(
                     ),
                 )
                 .help(format!(
-                    "the part reaches {}; move the face of this load or support, or its plane, to where the part ends",
+                    "the part reaches {}; move the face of this load or support, or its plane, to \
+                     where the part ends",
                     extent(&bounds.min, &bounds.max, None)
                 )),
             );

@@ -20,7 +20,8 @@ pub enum ModelError {
     },
     /// Nothing that could give way.
     #[error(
-        "no body has a yield strength and no contact can slip or open: there is nothing that could collapse"
+        "no body has a yield strength and no contact can slip or open: there is nothing that \
+         could collapse"
     )]
     NothingYields,
     /// Something holds the halves of a bolt apart where its preload draws them together.
@@ -35,12 +36,14 @@ pub enum ModelError {
     },
     /// A force per volume that the load factor multiplies.
     #[error(
-        "a body force on `{0}` carries the load factor: limit analysis takes body forces as dead loads only"
+        "a body force on `{0}` carries the load factor: limit analysis takes body forces as dead \
+         loads only"
     )]
     LiveBodyForce(String),
     /// What the load factor multiplies can do no work.
     #[error(
-        "every load that carries the load factor acts on what supports hold: it can grow without limit"
+        "every load that carries the load factor acts on what supports hold: it can grow without \
+         limit"
     )]
     LiveLoadsHeld,
     /// Nothing is multiplied by the load factor.

@@ -105,8 +105,8 @@ pub fn resolve(
         let mut probe = mesh.clone();
         match merge::merge_coincident(&mut probe) {
             Ok(n) if n > 0 => notes.push(format!(
-                "warning: {n} nodes of different bodies coincide but are not shared: the bodies are not connected there; \
-                 `nodes: split` pairs them"
+                "warning: {n} nodes of different bodies coincide but are not shared: the bodies \
+                 are not connected there; `nodes: split` pairs them"
             )),
             _ => {}
         }

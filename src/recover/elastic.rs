@@ -39,8 +39,8 @@ pub enum RecoverError {
     Unbalanced(String),
     /// The fixed point for Coulomb friction was not found.
     #[error(
-        "the fixed point for Coulomb friction did not converge: after {solves} solves the slips still change by {change:.1e} \
-         of the largest; `friction: associated` needs none"
+        "the fixed point for Coulomb friction did not converge: after {solves} solves the slips \
+         still change by {change:.1e} of the largest; `friction: associated` needs none"
     )]
     NotConverged {
         /// Problems solved.

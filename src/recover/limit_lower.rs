@@ -75,13 +75,14 @@ pub enum LowerError {
     Recover(#[from] RecoverError),
     /// There are dead loads and no field of theirs alone.
     #[error(
-        "with dead loads a lower bound needs a stress field of the dead loads alone, and none is given"
+        "with dead loads a lower bound needs a stress field of the dead loads alone, and none is \
+         given"
     )]
     NoDeadField,
     /// The dead loads' field is not strictly admissible.
     #[error(
-        "the stress field of the dead loads alone is not strictly admissible ({what}): without the live loads the \
-         structure may not stand"
+        "the stress field of the dead loads alone is not strictly admissible ({what}): without \
+         the live loads the structure may not stand"
     )]
     DeadField {
         /// What is wrong with it.
@@ -89,7 +90,8 @@ pub enum LowerError {
     },
     /// No equilibrium to rounding.
     #[error(
-        "the stress field cannot be brought into equilibrium: a residual of {residual:.1e} is left, the limit is {TOLERANCE:.0e}"
+        "the stress field cannot be brought into equilibrium: a residual of {residual:.1e} is \
+         left, the limit is {TOLERANCE:.0e}"
     )]
     Unbalanced {
         /// Largest relative residual.

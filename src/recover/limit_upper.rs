@@ -64,7 +64,8 @@ pub enum UpperError {
     Recover(#[from] RecoverError),
     /// The live loads do no work.
     #[error(
-        "the live loads do no work on the velocities that keep the volume: their power is {power:.3e} of {before:.3e} N mm"
+        "the live loads do no work on the velocities that keep the volume: their power is \
+         {power:.3e} of {before:.3e} N mm"
     )]
     NoPower {
         /// Power on the projected velocities.

@@ -8,7 +8,8 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_htm
 /// The look of the page: narrow tables that do not break, headings with what follows them, A4 when
 /// printed.
 const STYLE: &str = "\
-body{font:15px/1.45 system-ui,sans-serif;color:#1b1f24;max-width:60rem;margin:2rem auto;padding:0 1rem}
+body{font:15px/1.45 system-ui,sans-serif;color:#1b1f24;max-width:60rem;margin:2rem auto;padding:0 \
+                     1rem}
 h1{font-size:1.7rem;border-bottom:2px solid #2b5d8a;padding-bottom:.3rem}
 h2{font-size:1.25rem;margin-top:2rem;border-bottom:1px solid #c8d0d8}
 h1,h2,h3{break-after:avoid;page-break-after:avoid}
@@ -21,7 +22,8 @@ thead{display:table-header-group}
 img{max-width:100%;height:auto;display:block;margin:.5rem auto}
 pre{background:#f5f7f9;padding:.6rem;overflow-x:auto;font-size:.85rem;white-space:pre-wrap}
 @page{size:A4;margin:18mm 15mm}
-@media print{body{font-size:10pt;max-width:none;margin:0;padding:0}div.table{overflow:visible}table{font-size:8.5pt}}
+@media print{body{font-size:10pt;max-width:none;margin:0;padding:0}div.table{overflow:\
+                     visible}table{font-size:8.5pt}}
 ";
 
 /// The page of a report in Markdown; `picture` reads a file of the result folder.
@@ -132,12 +134,15 @@ mod tests {
 
     #[test]
     fn tables_and_pictures_are_in_the_page_and_nothing_of_the_user_runs() {
-        let markdown = "# A & <b>\n\n| check | Ed |\n| --- | ---: |\n| **bolt** | 1 < 2 |\n\n![Side view](drawing.svg)\n\n![gone](gone.png)\n\n\
-                        <script>alert(1)</script> and <img src=x onerror=y>\n\n```yaml\nproject: {title: \"<i>\"}\n```\n";
+        let markdown = "# A & <b>\n\n| check | Ed |\n| --- | ---: |\n| **bolt** | 1 < 2 \
+                        |\n\n![Side \
+                        view](drawing.svg)\n\n![gone](gone.png)\n\n<script>alert(1)</script> and \
+                        <img src=x onerror=y>\n\n```yaml\nproject: {title: \"<i>\"}\n```\n";
         let page = report_html(markdown, |name| (name == "drawing.svg").then(|| b"foo".to_vec()));
         for words in [
             "<title>A &amp; &lt;b&gt;</title>",
-            "<div class=\"table\"><table><thead><tr><th>check</th><th style=\"text-align: right\">Ed</th></tr></thead>",
+            "<div class=\"table\"><table><thead><tr><th>check</th><th style=\"text-align: \
+             right\">Ed</th></tr></thead>",
             "<strong>bolt</strong>",
             "<img src=\"data:image/svg+xml;base64,Zm9v\" alt=\"Side view\" />",
             "<img src=\"gone.png\"",

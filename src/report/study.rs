@@ -149,8 +149,8 @@ impl Study {
 
     /// The rows as CSV; what is absent is an empty cell.
     pub fn csv(&self) -> String {
-        let mut text = "case,analysis,meshes,solver,mesh,macro_tets,dofs,lower,upper,gap,expected_gap,seconds,\
-                        total_seconds,peak_memory_mib\n"
+        let mut text = "case,analysis,meshes,solver,mesh,macro_tets,dofs,lower,upper,gap,\
+                        expected_gap,seconds,total_seconds,peak_memory_mib\n"
             .to_string();
         let number = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
         for r in &self.rows {
@@ -224,8 +224,9 @@ impl Study {
     /// Writes `study.csv`, `study.md` and the plots into a folder.
     pub fn write(&self, folder: &Path) -> Result<(), Diagnostics> {
         let mut page = format!(
-            "# Speed against error\n\nGaps are certified: residuals at most {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes \
-             takes the best bounds of the meshes before it, and its time in all is theirs too.\n\n{}\n",
+            "# Speed against error\n\nGaps are certified: residuals at most \
+             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of the \
+             meshes before it, and its time in all is theirs too.\n\n{}\n",
             self.markdown()
         );
         for (stem, plot) in self.plots() {

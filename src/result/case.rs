@@ -162,11 +162,13 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
             }
             (SolveStatus::Optimal, _) => continue,
             (SolveStatus::Infeasible, ProgramRun { conflict: Some(c), .. }) => format!(
-                "the {name} program has no solution, so there is no {bound} bound: {c}; check initial gaps and what holds the \
-                 parts there, or refine the mesh there"
+                "the {name} program has no solution, so there is no {bound} bound: {c}; check \
+                 initial gaps and what holds the parts there, or refine the mesh there"
             ),
             _ if runs_away => continue,
-            (status, _) => format!("the {name} program ended with status `{}`: no bound", status.words()),
+            (status, _) => {
+                format!("the {name} program ended with status `{}`: no bound", status.words())
+            }
         });
     }
     warnings
@@ -209,7 +211,8 @@ pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
         .max_by(|a, b| a.1.total_cmp(&b.1));
     worst.map(|(residual, value)| {
         format!(
-            "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the tolerance {TOLERANCE:.0e}"
+            "the numbers are estimates, not bounds: the {residual} residual is {value:.1e}, the \
+             tolerance {TOLERANCE:.0e}"
         )
     })
 }

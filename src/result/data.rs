@@ -359,7 +359,8 @@ pub enum ResultError {
     },
     /// The certificate calls itself strict, its residuals do not.
     #[error(
-        "case `{case}` calls its bounds strict, but the {residual} residual is {value:e} (limit {RESIDUAL_TOLERANCE:e})"
+        "case `{case}` calls its bounds strict, but the {residual} residual is {value:e} (limit \
+         {RESIDUAL_TOLERANCE:e})"
     )]
     NotStrict {
         /// Name of the case.

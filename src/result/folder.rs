@@ -100,7 +100,8 @@ impl From<FolderError> for Diagnostic {
                     | io::ErrorKind::QuotaExceeded
                     | io::ErrorKind::FileTooLarge => (
                         "report/disk-full",
-                        "free some space or choose a folder on another disk with --out; nothing was left behind",
+                        "free some space or choose a folder on another disk with --out; nothing \
+                         was left behind",
                     ),
                     io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
                         ("report/read-only", "choose a folder you may write to with --out")

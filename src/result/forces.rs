@@ -123,7 +123,8 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
     paragraph(
         page,
         &inline(&format!(
-            "{}: forces of the bolts at load factor {}, from the stress of the lower bound ({what}), prying included{copies}:",
+            "{}: forces of the bolts at load factor {}, from the stress of the lower bound \
+             ({what}), prying included{copies}:",
             case.name,
             significant(s.load_factor, 4, Rounding::Down)
         )),

@@ -96,14 +96,15 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
                 ));
             }
             SolveStatus::Infeasible => tell(format!(
-                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load that only presses the parts \
-                 together or changes their volume does this"
+                "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load \
+                 that only presses the parts together or changes their volume does this"
             )),
             SolveStatus::Unbounded => {
                 let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
                 let without = if name == "frictionless static" { "without friction " } else { "" };
                 tell(format!(
-                    "{without}the dead loads alone make it collapse{parts}; the load factor has no lower bound"
+                    "{without}the dead loads alone make it collapse{parts}; the load factor has \
+                     no lower bound"
                 ));
             }
             status => tell(run_warning(name, bound, run).unwrap_or_else(|| {

@@ -115,8 +115,9 @@ pub(crate) fn section(page: &mut String, result: &ResultFile) {
     paragraph(
         page,
         &format!(
-            "{} and {} on {} at {} together. The hull of the inner points is carried: stresses that carry two loads carry every mean of \
-             them. What lies outside the outer hull is not: the mechanism of every direction bounds a half plane, not only its own load.{}",
+            "{} and {} on {} at {} together. The hull of the inner points is carried: stresses \
+             that carry two loads carry every mean of them. What lies outside the outer hull is \
+             not: the mechanism of every direction bounds a half plane, not only its own load.{}",
             first.action,
             second.action,
             inline(&polygon.end),

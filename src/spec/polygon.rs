@@ -113,7 +113,8 @@ impl PolygonSpec {
             if !SIZES.contains(size) {
                 let [least, most] = [SIZES.start(), SIZES.end()].map(|s| format!("{s:e} {unit}"));
                 let problem = format!(
-                    "`{0}` is {size:e} {unit}; the unit of an axis is positive, from {least} to {most}",
+                    "`{0}` is {size:e} {unit}; the unit of an axis is positive, from {least} to \
+                     {most}",
                     action.word()
                 );
                 fault(
@@ -131,7 +132,8 @@ impl PolygonSpec {
             fault(
                 "",
                 problem,
-                "give two of N, Vy, Vz, T, My, Mz with their units, for example `My: 100 kN m, N: 200 kN`",
+                "give two of N, Vy, Vz, T, My, Mz with their units, for example `My: 100 kN m, N: \
+                 200 kN`",
             );
         }
         if !(4..=MOST).contains(&self.directions) || !self.directions.is_multiple_of(4) {

@@ -130,10 +130,9 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
             let d = Diagnostic::input("yaml/type", format!("{at}{marker}{}", in_words(rest)));
             let d = d.help(match rest.split('"').nth(1).and_then(crate::units::with_point) {
                 Some(number) => format!("a number has a point before its decimals: `{number}`"),
-                None => {
-                    "write the kind of value that is expected here; `bracket schema` lists them"
-                        .into()
-                }
+                None => "write the kind of value that is expected here; `bracket schema` lists \
+                         them"
+                    .into(),
             });
             return named(d, path);
         }

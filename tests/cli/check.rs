@@ -10,9 +10,10 @@ use std::process::Stdio;
 /// HEB140 and IPE270 with M16 under a moment [kN m].
 fn joint(moment: f64, kind: &str) -> String {
     format!(
-        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB140, steel: S235}}, beam: {{profile: IPE270, steel: \
-         S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M16, grade: \"8.8\", rows: [-85, 85, 170]}}\nloads: [{{name: ULS1, end: \
-         beam_right, at: column_face, My: {moment} kN m}}]\nanalysis: {{kind: {kind}, max_passes: 1}}\n"
+        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB140, steel: S235}}, \
+         beam: {{profile: IPE270, steel: S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M16, \
+         grade: \"8.8\", rows: [-85, 85, 170]}}\nloads: [{{name: ULS1, end: beam_right, at: \
+         column_face, My: {moment} kN m}}]\nanalysis: {{kind: {kind}, max_passes: 1}}\n"
     )
 }
 
@@ -95,8 +96,9 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
 fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
     let bench = Bench::new().file("paper.yaml", crate::bench::JOINT).file(
         "tee.yaml",
-        "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: M16, grade: \"8.8\", gauge: 100, rows: \
-         [0]}\nparameters: {length: 100}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 20 kN}]\n",
+        "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: M16, \
+         grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100}\nloads: [{name: ULS1, \
+         end: top, at: bolt_plane, N: 20 kN}]\n",
     );
     let (_, err) = expect(&bench, &["check", "paper.yaml"], 0);
     assert!(last(&err).starts_with("verdict: none (no load is a demand)"), "{err}");

@@ -68,7 +68,8 @@ fn an_interrupted_solve_ends_in_order() {
         let (status, _, err) = running.end();
         assert_eq!(status.code(), Some(3), "{signal}: {err}");
         for words in [
-            "interrupted: the mesher ends now, solves at their next iteration, and what is certified is written",
+            "interrupted: the mesher ends now, solves at their next iteration, and what is \
+             certified is written",
             "the static program was interrupted",
             "result: block/report.md",
         ] {

@@ -193,7 +193,8 @@ fn dead_loads_are_not_multiplied() {
 #[test]
 fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
     let bench = bar(&format!(
-        "{BAR}dead:\n  - {{face: X1, traction: [0, 0, 0]}}\n  - {{face: Y1, traction: [0, 300, 0]}}\n"
+        "{BAR}dead:\n  - {{face: X1, traction: [0, 0, 0]}}\n  - {{face: Y1, traction: [0, 300, \
+         0]}}\n"
     ));
     let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 3);
     assert!(

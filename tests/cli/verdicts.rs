@@ -43,8 +43,9 @@ supports:
 /// The arm under `factor` times My = 400 N m and Vz = −1 kN at the wall.
 fn spec(factor: f64) -> String {
     format!(
-        "template: ./arm.yaml\nmembers: {{arm: {{profile: IPE80, steel: S235}}}}\nloads: [{{name: ULS1, end: tip, at: node, My: {} kN m, \
-         Vz: {} kN}}]\nanalysis: {{kind: limit, max_passes: 1}}\n",
+        "template: ./arm.yaml\nmembers: {{arm: {{profile: IPE80, steel: S235}}}}\nloads: [{{name: \
+         ULS1, end: tip, at: node, My: {} kN m, Vz: {} kN}}]\nanalysis: {{kind: limit, \
+         max_passes: 1}}\n",
         0.4 * factor,
         -factor
     )

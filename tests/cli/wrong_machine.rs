@@ -114,8 +114,9 @@ fn an_output_folder_of_someone_else_stays_as_it_is() {
 #[cfg(unix)]
 fn block() -> Bench {
     let mesh = Block::new([4, 2, 2], [40.0, 20.0, 20.0]).mesh(&["BLOCK"], |_| 0, |_, _| false);
-    let model = "mesh: m.msh\nanalysis: elastic\nmaterials: {s: {E: 210000, nu: 0.3}}\nbodies: {BLOCK: s}\n\
-                 supports: [{face: X0, fix: [x, y, z]}]\nloads: [{face: X1, traction: [0, 0, -1]}]\n";
+    let model = "mesh: m.msh\nanalysis: elastic\nmaterials: {s: {E: 210000, nu: 0.3}}\nbodies: \
+                 {BLOCK: s}\nsupports: [{face: X0, fix: [x, y, z]}]\nloads: [{face: X1, traction: \
+                 [0, 0, -1]}]\n";
     Bench::new().file("block.yaml", model).file("m.msh", msh_write::text(&mesh))
 }
 
@@ -176,7 +177,8 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
         Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "tmpfs"]).arg(&disk).output();
     if !mounted.is_ok_and(|o| o.status.success()) {
         eprintln!(
-            "not run: this user may not mount a file system (the limit on file sizes stands for it)"
+            "not run: this user may not mount a file system (the limit on file sizes stands for \
+             it)"
         );
         return;
     }

@@ -98,9 +98,11 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("nu: 0.3}", "nu: 0.3, E: 1}", "yaml/duplicate-key", 3, "`E`", "keep one"),
     ("nu: 0.3}", "nu: 0.3, density: 1}", "yaml/unknown-key", 3, "`density`", "E, nu, fy"),
     (
-        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\ninterfaces:\n  \
-         - {between: [A, B], law: contact, mu: 0.3, friction: associated}\n",
-        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n",
+        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: \
+         steel, C: steel}\ninterfaces:\n  - {between: [A, B], law: contact, mu: 0.3, friction: \
+         associated}\n",
+        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, \
+         C: steel}\n",
         "model/never-yields",
         3,
         "no body has a yield strength and no interface can open or slip",

@@ -234,7 +234,8 @@ const ROWS: &[Row] = &[
     ),
     (
         "45 MPa}]",
-        "45 MPa}, {name: T P, section: column_top, pressure: 1 MPa}, {name: T/P, section: column_top, pressure: 1 MPa}]",
+        "45 MPa}, {name: T P, section: column_top, pressure: 1 MPa}, {name: T/P, section: \
+         column_top, pressure: 1 MPa}]",
         "spec/value",
         "joint.yaml:10:",
         "`T P` and `T/P` would write the same files",

@@ -70,7 +70,8 @@ impl Solved {
         let b = p.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         let [lower, upper] = [b.lower().value(), b.upper().value()];
         println!(
-            "{name}: [{lower:.10e}, {upper:.10e}] gap {:.3e}; {} tets, dofs {} / {}, iterations {} / {}",
+            "{name}: [{lower:.10e}, {upper:.10e}] gap {:.3e}; {} tets, dofs {} / {}, iterations \
+             {} / {}",
             b.gap(),
             self.model.mesh.tets.len(),
             runs[0].dofs,

@@ -13,9 +13,10 @@ use bracket::spec::analysis::AnalysisKind;
 /// its mesh.
 fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {
     let joint = joint(&format!(
-        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
-         parameters: {{length: 60, welded: true, flange_thickness: 16, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\n\
-         loads: [{{name: A, end: top, at: bolt_plane, {load}}}]\n"
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
+         M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 60, welded: true, \
+         flange_thickness: 16, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\nloads: \
+         [{{name: A, end: top, at: bolt_plane, {load}}}]\n"
     ));
     let (file, mesh) = model(&joint, factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));

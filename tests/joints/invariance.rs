@@ -28,9 +28,11 @@ const TOLERANCE: [f64; 2] = [2e-8, 2e-4];
 
 fn spec(loads: &str, mu: f64) -> String {
     format!(
-        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
-         parameters: {{length: 60, welded: true, flange_thickness: 20, flange_width: 160, web_thickness: 12, web_height: 30}}\n\
-         friction: {{mu: {mu}, law: associated}}\nloads: [{{name: ULS1, end: top, at: bolt_plane, {loads}}}]\n"
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
+         M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 60, welded: true, \
+         flange_thickness: 20, flange_width: 160, web_thickness: 12, web_height: 30}}\nfriction: \
+         {{mu: {mu}, law: associated}}\nloads: [{{name: ULS1, end: top, at: bolt_plane, \
+         {loads}}}]\n"
     )
 }
 
@@ -191,8 +193,10 @@ fn load_factors_do_not_depend_on_axes_origin_or_order() {
 fn specs_of_the_same_joint_share_its_energy() {
     let of = |rows: &str, my: &str| {
         let text = format!(
-            "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M12, grade: \"8.8\", rows: {rows}}}\n\
-             parameters: {{length: 120, welded: true}}\nfriction: {{mu: 0}}\nloads: [{{name: A, end: top, at: node, N: 20 kN, My: {my}}}]\n"
+            "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
+             M12, grade: \"8.8\", rows: {rows}}}\nparameters: {{length: 120, welded: \
+             true}}\nfriction: {{mu: 0}}\nloads: [{{name: A, end: top, at: node, N: 20 kN, My: \
+             {my}}}]\n"
         );
         let (file, mesh) = model(&joint(&text), 4.0, true, AnalysisKind::Elastic);
         bounds(&format!("rows {rows}, My {my}"), &file, &mesh)

@@ -17,11 +17,11 @@ const FORCE: f64 = 0.7 * 800.0 * 157.0;
 /// kN.
 fn spec(preload: &str, n: f64) -> String {
     format!(
-        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\n\
-         bolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0], preload: {preload}}}\n\
-         parameters: {{length: 60, welded: true, flange_thickness: 16, flange_width: 160, web_height: 30}}\n\
-         friction: {{mu: 0}}\nloads: [{{name: A, end: top, at: bolt_plane, N: {n} kN}}]\n\
-         analysis: {{kind: [elastic, limit], max_passes: 1, mesh: {{layers: false}}}}\n"
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
+         M16, grade: \"8.8\", gauge: 100, rows: [0], preload: {preload}}}\nparameters: {{length: \
+         60, welded: true, flange_thickness: 16, flange_width: 160, web_height: 30}}\nfriction: \
+         {{mu: 0}}\nloads: [{{name: A, end: top, at: bolt_plane, N: {n} kN}}]\nanalysis: {{kind: \
+         [elastic, limit], max_passes: 1, mesh: {{layers: false}}}}\n"
     )
 }
 
@@ -118,7 +118,8 @@ fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
     assert!(limit.get("preload").is_none() && elastic.get("load_displacement").is_none());
     let report = bench.read("joint/report.md");
     for words in [
-        "Bolt BOLT_1P: the preload of 43.96 kN in the half that is meshed (a plane of symmetry halves the bolt) closes the cut",
+        "Bolt BOLT_1P: the preload of 43.96 kN in the half that is meshed (a plane of symmetry \
+         halves the bolt) closes the cut",
         "| bolts.preload | 87920 | N | given |",
         "limit analysis: the preload of BOLT\\_1P drops out",
         "with preload it does not bracket a displacement",

@@ -21,7 +21,8 @@ fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let s = joint_stiffness(&entry, &hand_checks(joint.end_plate.as_ref().unwrap()).moments);
     if let Some(s) = &s {
         println!(
-            "{name}: {} tets, φ [{:.4}, {:.4}] mrad, beam {:.4}, S_j,ini [{:.0}, {:.0}] kN m/rad, component method {:.0}",
+            "{name}: {} tets, φ [{:.4}, {:.4}] mrad, beam {:.4}, S_j,ini [{:.0}, {:.0}] kN m/rad, \
+             component method {:.0}",
             m.mesh.tets.len(),
             1e3 * s.rotation[0],
             1e3 * s.rotation[1],
@@ -36,9 +37,10 @@ fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
 
 fn splice(length: u32, load: &str) -> String {
     format!(
-        "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: S235}}}}\nplate: {{thickness: 12, width: 110, z: [-110, 110]}}\n\
-         bolts: {{size: M16, grade: \"8.8\", gauge: 70, rows: [-60, 60]}}\nparameters: {{beam_length: {length}}}\nfriction: {{mu: 0}}\n\
-         loads: [{{name: A, end: beam_right, at: bolt_plane, {load}}}]\n"
+        "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: S235}}}}\nplate: \
+         {{thickness: 12, width: 110, z: [-110, 110]}}\nbolts: {{size: M16, grade: \"8.8\", \
+         gauge: 70, rows: [-60, 60]}}\nparameters: {{beam_length: {length}}}\nfriction: {{mu: \
+         0}}\nloads: [{{name: A, end: beam_right, at: bolt_plane, {load}}}]\n"
     )
 }
 
@@ -82,9 +84,11 @@ fn a_shear_force_or_a_gap_gives_no_stiffness() {
 /// One-sided: the class at 6 m against the boundaries of 5.2.2.5, and what the bracket contains.
 #[test]
 fn a_joint_at_a_column_has_a_class() {
-    let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB160, steel: S235}, beam: {profile: IPE200, steel: S235, length: 6 m}}\n\
-         plate: {thickness: 12, width: 120, z: [-110, 110]}\nbolts: {size: M16, grade: \"8.8\", gauge: 80, rows: [-60, 60]}\nfriction: {mu: 0}\n\
-         loads: [{name: A, end: beam_right, at: bolt_plane, My: 10 kN m}]\n";
+    let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB160, steel: \
+                S235}, beam: {profile: IPE200, steel: S235, length: 6 m}}\nplate: {thickness: 12, \
+                width: 120, z: [-110, 110]}\nbolts: {size: M16, grade: \"8.8\", gauge: 80, rows: \
+                [-60, 60]}\nfriction: {mu: 0}\nloads: [{name: A, end: beam_right, at: bolt_plane, \
+                My: 10 kN m}]\n";
     let s = stiffness("one-sided", spec).unwrap();
     assert!(s.contains_column && s.classes.len() == 2, "{s:?}");
     // E I_b/L_b of IPE200, 1943 cm⁴, over 6 m

@@ -7,10 +7,11 @@ use bracket::spec::analysis::AnalysisKind;
 /// mm), F_t = 100 kN a bolt: M16 8.8 with a γ_M2 that makes 0.9 · 800 · 157/γ_M2 = 100 kN.
 fn b15(t: f64, factor: f64) -> [f64; 2] {
     let spec = format!(
-        "code: {{gamma_M2: 1.1304}}\ntemplate: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\n\
-         bolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
-         parameters: {{length: 100, welded: true, flange_thickness: {t}, flange_width: 160, web_thickness: 10, web_height: 30}}\n\
-         friction: {{mu: 0}}\nloads: [{{name: PULL, end: top, at: bolt_plane, N: 1 kN}}]\n"
+        "code: {{gamma_M2: 1.1304}}\ntemplate: t_stub\nmembers: {{tee: {{profile: IPE300, steel: \
+         S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: \
+         {{length: 100, welded: true, flange_thickness: {t}, flange_width: 160, web_thickness: \
+         10, web_height: 30}}\nfriction: {{mu: 0}}\nloads: [{{name: PULL, end: top, at: \
+         bolt_plane, N: 1 kN}}]\n"
     );
     let (file, mesh) = model(&joint(&spec), factor, false, AnalysisKind::Limit);
     assert_eq!(file.symmetry, 4);
@@ -60,8 +61,9 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
 #[ignore = "heavy: a minute"]
 fn t_stub_t1() {
     let mut joint = joint(
-        "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S355}}\nbolts: {size: M12, grade: \"8.8\", gauge: 90, rows: [-20, 20]}\n\
-         friction: {mu: 0}\nloads: [{name: PULL, end: top, at: bolt_plane, N: 1 kN}]\n",
+        "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S355}}\nbolts: {size: M12, \
+         grade: \"8.8\", gauge: 90, rows: [-20, 20]}\nfriction: {mu: 0}\nloads: [{name: PULL, \
+         end: top, at: bolt_plane, N: 1 kN}]\n",
     );
     for (name, m) in &mut joint.assembly.materials {
         m.fy = Some(if name.to_lowercase().contains("bolt") { 640.0 } else { 431.0 });

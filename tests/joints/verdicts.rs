@@ -7,9 +7,11 @@ use serde_json::Value;
 /// Verdict and bounds of a T-stub pulled by `n` kN; the run must end with `code`.
 fn answer(bench: &Bench, name: &str, n: f64, code: i32) -> (String, [f64; 2]) {
     let spec = format!(
-        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: M16, grade: \"8.8\", gauge: 100, rows: [0]}}\n\
-         parameters: {{length: 100, welded: true, flange_thickness: 40, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\n\
-         loads: [{{name: ULS1, end: top, at: bolt_plane, N: {n} kN}}]\nanalysis: {{kind: limit, max_passes: 1, mesh: {{layers: false}}}}\n"
+        "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
+         M16, grade: \"8.8\", gauge: 100, rows: [0]}}\nparameters: {{length: 100, welded: true, \
+         flange_thickness: 40, flange_width: 160, web_height: 30}}\nfriction: {{mu: 0}}\nloads: \
+         [{{name: ULS1, end: top, at: bolt_plane, N: {n} kN}}]\nanalysis: {{kind: limit, \
+         max_passes: 1, mesh: {{layers: false}}}}\n"
     );
     std::fs::write(bench.path().join(format!("{name}.yaml")), spec).expect("written");
     let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "2.5"]);

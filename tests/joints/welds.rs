@@ -13,10 +13,11 @@ use bracket::spec::analysis::AnalysisKind;
 /// Two IPE 200 with thick plates, pulled; throats in mm.
 fn splice(flange: f64, web: f64, steel: &str) -> String {
     format!(
-        "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: {steel}}}}}\nplate: {{thickness: 25, width: 110, z: [-110, 110]}}\n\
-         bolts: {{size: M16, grade: \"8.8\", gauge: 70, rows: [-60, 60]}}\n\
-         parameters: {{flange_weld: {flange}, web_weld: {web}, beam_length: 200}}\nfriction: {{mu: 0}}\n\
-         loads: [{{name: PULL, end: beam_right, at: bolt_plane, N: 100 kN}}]\n"
+        "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: {steel}}}}}\nplate: \
+         {{thickness: 25, width: 110, z: [-110, 110]}}\nbolts: {{size: M16, grade: \"8.8\", \
+         gauge: 70, rows: [-60, 60]}}\nparameters: {{flange_weld: {flange}, web_weld: {web}, \
+         beam_length: 200}}\nfriction: {{mu: 0}}\nloads: [{{name: PULL, end: beam_right, at: \
+         bolt_plane, N: 100 kN}}]\n"
     )
 }
 

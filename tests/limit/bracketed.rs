@@ -17,7 +17,8 @@ fn clamped_plate() {
             |axis, z| axis == 2 && (z - 0.5).abs() < 1e-9,
         );
         let m = model(
-            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n",
+            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, \
+             traction: [0, 0, 1]}\n",
             mesh,
         );
         let [low, up] = factors("C1", &m);
@@ -37,7 +38,8 @@ fn clamped_plate_fine() {
     name(&mut mesh, "X0", "B", |p| p[0] == 0.0);
     name(&mut mesh, "X1", "B", |p| p[0] == 5.0);
     let m = model(
-        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n",
+        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: \
+         [0, 0, 1]}\n",
         mesh,
     );
     let [low, up] = factors(&format!("C1, {} tets", m.mesh.tets.len()), &m);
@@ -49,8 +51,9 @@ fn clamped_plate_fine() {
 fn cube_between_platens(n: usize) -> bracket::model::AnalysisModel {
     let mesh: TetMesh = Block::new([n; 3], [1.0; 3]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     model(
-        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-         rigid:\n- {face: Z1, components: [x, y, z], free: [uz], at: [0, 0, 1], force: [0, 0, -1]}\n",
+        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, \
+         fix: [z]}\nrigid:\n- {face: Z1, components: [x, y, z], free: [uz], at: [0, 0, 1], force: \
+         [0, 0, -1]}\n",
         mesh,
     )
 }

@@ -50,10 +50,10 @@ fn groove(mu: f64, pressures: [f64; 2], material: &str, cells: [usize; 3]) -> An
     let [px, py] = pressures;
     under_coulomb(model(
         &format!(
-            "bodies: {{B: {material}}}\nsupports:\n- {{face: X0, law: contact, mu: {mu:?}, friction: coulomb}}\n\
-             - {{face: Y0, law: contact, mu: {mu:?}, friction: coulomb}}\n\
-             dead:\n- {{face: X1, traction: [{:?}, 0, 0]}}\n- {{face: Y1, traction: [0, {:?}, 0]}}\n\
-             loads:\n- {{face: Z1, traction: [0, 0, 1]}}\n",
+            "bodies: {{B: {material}}}\nsupports:\n- {{face: X0, law: contact, mu: {mu:?}, \
+             friction: coulomb}}\n- {{face: Y0, law: contact, mu: {mu:?}, friction: \
+             coulomb}}\ndead:\n- {{face: X1, traction: [{:?}, 0, 0]}}\n- {{face: Y1, traction: \
+             [0, {:?}, 0]}}\nloads:\n- {{face: Z1, traction: [0, 0, 1]}}\n",
             -px, -py
         ),
         mesh,
@@ -84,8 +84,9 @@ fn pushed_block() {
     let mesh =
         Block::new([2, 2, 1], [30.0, 20.0, 10.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
     let m = under_coulomb(model(
-        "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: coulomb}\n\
-         dead:\n- {face: Z1, traction: [0, 0, -5]}\nloads:\n- {face: X0, traction: [1, 0, 0]}\n",
+        "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: \
+         coulomb}\ndead:\n- {face: Z1, traction: [0, 0, -5]}\nloads:\n- {face: X0, traction: [1, \
+         0, 0]}\n",
         mesh,
     ));
     let (_, [_, estimate, up]) = three("pushed block", &m);
@@ -102,8 +103,9 @@ fn wedged_block() {
     let mesh =
         Block::new([3, 2, 2], [30.0, 20.0, 20.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
     let m = under_coulomb(model(
-        "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: coulomb}\n\
-         - {face: Z1, law: contact, mu: 0.4, friction: coulomb}\nloads:\n- {face: X0, traction: [1, 0, 0]}\n",
+        "bodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0.4, friction: coulomb}\n- \
+         {face: Z1, law: contact, mu: 0.4, friction: coulomb}\nloads:\n- {face: X0, traction: [1, \
+         0, 0]}\n",
         mesh,
     ));
     let (pass, [low, estimate, up]) = three("wedged block", &m);
@@ -141,7 +143,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
         assert_eq!(associated.status, SolveStatus::Optimal, "seed {seed}");
         let most = *associated.x.last().unwrap();
         println!(
-            "seed {seed}: {low:.5} ≤ {factor:.5} (raw {raw:.5} ≤ {most:.5}) ≤ {up:.5}, {estimate:?}"
+            "seed {seed}: {low:.5} ≤ {factor:.5} (raw {raw:.5} ≤ {most:.5}) ≤ {up:.5}, \
+             {estimate:?}"
         );
         assert!(low <= factor && factor <= up, "seed {seed}: {low} {factor} {up}");
         assert!(
@@ -153,7 +156,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
         apart += usize::from(factor < 0.99 * up);
     }
     println!(
-        "{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: {not_reached:#?}"
+        "{found} estimates, {apart} of them more than 1 % below the upper bound; not reached: \
+         {not_reached:#?}"
     );
     assert!(found >= 20 && not_reached.len() * 10 <= found, "{not_reached:#?}");
 }
@@ -171,9 +175,9 @@ fn nothing_is_estimated_unasked() {
     let mesh = || Block::new([2, 1, 1], [30.0, 10.0, 10.0]).mesh(&["B"], |_| 0, |_, _| false);
     let text = |friction: &str| {
         format!(
-            "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}}}\ncoulomb_estimate: true\nbodies: {{B: s}}\n\
-             supports:\n- {{face: X0, fix: [x, y, z]}}\n- {{face: Z0, law: contact, {friction}}}\n\
-             loads:\n- {{face: X1, traction: [0, 0, 1]}}\n"
+            "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}}}\ncoulomb_estimate: true\nbodies: \
+             {{B: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\n- {{face: Z0, law: contact, \
+             {friction}}}\nloads:\n- {{face: X1, traction: [0, 0, 1]}}\n"
         )
     };
     for (kind, friction, wants) in [

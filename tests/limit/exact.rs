@@ -41,8 +41,8 @@ fn exact(name: &str, want: f64, tolerance: f64, at: impl Fn(u64) -> AnalysisMode
 fn bar_in_tension() {
     exact("A1", 1.0, 1e-6, |seed| {
         model(
-            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-             loads:\n- {face: X1, traction: [1, 0, 0]}\n",
+            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: \
+             Z0, fix: [z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
             cuboid([3, 2, 2], [30.0, 10.0, 12.0], seed),
         )
     });
@@ -53,8 +53,8 @@ fn bar_in_tension() {
 fn bar_in_plane_strain() {
     exact("A2", 2.0 / 3.0f64.sqrt(), 1e-6, |seed| {
         model(
-            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-             - {face: Y1, fix: [y]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
+            "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: \
+             Z0, fix: [z]}\n- {face: Y1, fix: [y]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
             cuboid([3, 2, 2], [30.0, 10.0, 12.0], seed),
         )
     });
@@ -100,8 +100,9 @@ fn beam_in_pure_bending() {
             let m = b * h * h / 4.0;
             model(
                 &format!(
-                    "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n{plane}\
-                     rigid:\n- {{face: X1, components: [x], free: [ux, ry], at: [30, 0, 0], moment: [0, {m:?}, 0]}}\n"
+                    "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+                     [y]}}\n{plane}rigid:\n- {{face: X1, components: [x], free: [ux, ry], at: \
+                     [30, 0, 0], moment: [0, {m:?}, 0]}}\n"
                 ),
                 mesh,
             )
@@ -153,7 +154,8 @@ fn cube_under_all_round_pressure() {
 fn all_round_pressure_beside_a_dead_pull() {
     let pull = |t: f64| {
         format!(
-            "dead:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n- {{face: X0, traction: [{:?}, 0, 0]}}\n",
+            "dead:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n- {{face: X0, traction: [{:?}, 0, \
+             0]}}\n",
             -t
         )
     };
@@ -206,8 +208,9 @@ fn lifted(traction: &str, mu: f64, dead: &str) -> AnalysisModel {
     );
     model(
         &format!(
-            "bodies: {{A: s, B: s}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, friction: associated}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: {traction}}}\n{dead}"
+            "bodies: {{A: s, B: s}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, \
+             friction: associated}}\nsupports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: \
+             Z1, traction: {traction}}}\n{dead}"
         ),
         mesh,
     )
@@ -259,8 +262,8 @@ fn mechanisms_at_zero_load() {
 fn dead_load_beyond_the_limit() {
     let m = model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\nloads:\n- {{face: X1, traction: [0, 0, 1]}}\n\
-             dead:\n- {{face: X1, traction: [{:?}, 0, 0]}}\n",
+            "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\nloads:\n- {{face: X1, \
+             traction: [0, 0, 1]}}\ndead:\n- {{face: X1, traction: [{:?}, 0, 0]}}\n",
             1.5 * FY
         ),
         cuboid([3, 2, 2], [30.0, 10.0, 12.0], 1),

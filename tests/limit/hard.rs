@@ -28,9 +28,10 @@ fn blocks(seed: u64) -> TetMesh {
 /// Two blocks under pressure, free to widen; `upper`: strength of B \[MPa\].
 fn pressed(mesh: TetMesh, interface: &str, pressure: f64, upper: f64) -> AnalysisModel {
     let yaml = format!(
-        "materials: {{a: {{E: 210000, nu: 0.3, fy: {FY:?}}}, b: {{E: 210000, nu: 0.3, fy: {upper:?}}}}}\n\
-         bodies: {{A: a, B: b}}\n{interface}supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n\
-         - {{face: Z0, fix: [z]}}\nloads:\n- {{face: Z1, pressure: {pressure:?}}}\n"
+        "materials: {{a: {{E: 210000, nu: 0.3, fy: {FY:?}}}, b: {{E: 210000, nu: 0.3, fy: \
+         {upper:?}}}}}\nbodies: {{A: a, B: b}}\n{interface}supports:\n- {{face: X0, fix: [x]}}\n- \
+         {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\nloads:\n- {{face: Z1, pressure: \
+         {pressure:?}}}\n"
     );
     match solved::resolve_as("limit", &yaml, mesh) {
         Ok(model) => model,
@@ -129,8 +130,9 @@ fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
         x[0] = cuts[x[0].round() as usize];
     }
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3, fy: {FY:?}}}}}\nbodies: {{A: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\n\
-         rigid:\n- {{face: X1, components: [x, y, z], free: [ux, uz, ry], force: [0, 0, {:?}], at: [{length:?}, 0, 0]}}\n",
+        "materials: {{s: {{E: 210000, nu: 0.3, fy: {FY:?}}}}}\nbodies: {{A: s}}\nsupports:\n- \
+         {{face: X0, fix: [x, y, z]}}\nrigid:\n- {{face: X1, components: [x, y, z], free: [ux, \
+         uz, ry], force: [0, 0, {:?}], at: [{length:?}, 0, 0]}}\n",
         -width * t
     );
     let model = match solved::resolve_as("limit", &yaml, mesh) {

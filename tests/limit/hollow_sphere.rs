@@ -24,8 +24,8 @@ fn sphere(segments: usize, layers: usize, facets: usize) -> [f64; 2] {
         .mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let tets = mesh.tets.len();
     let m = model(
-        "bodies: {B: s}\nsupports:\n- {face: S0, fix: [x]}\n- {face: S1, fix: [y]}\n- {face: S2, fix: [z]}\n\
-         loads:\n- {face: BOTTOM, pressure: 1}\n",
+        "bodies: {B: s}\nsupports:\n- {face: S0, fix: [x]}\n- {face: S1, fix: [y]}\n- {face: S2, \
+         fix: [z]}\nloads:\n- {face: BOTTOM, pressure: 1}\n",
         mesh,
     );
     factors(&format!("A10, {facets} facets, {tets} tets"), &m)

@@ -31,8 +31,9 @@ fn bar([m, n]: [f64; 2]) -> AnalysisModel {
     let flat = |axis: usize, z: f64| axis == 2 && (z / 2.5).fract() == 0.0;
     let mesh = Block::new([4, 1, 8], SIDES).jittered(3).mesh(&["B"], |_| 0, flat);
     let yaml = format!(
-        "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\nrigid:\n\
-         - {{face: X1, components: [x], free: [ux, ry, rz], at: [40, 5, 10], force: [{:?}, 0, 0], moment: [0, {:?}, 0]}}\n",
+        "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+         [y]}}\nrigid:\n- {{face: X1, components: [x], free: [ux, ry, rz], at: [40, 5, 10], \
+         force: [{:?}, 0, 0], moment: [0, {:?}, 0]}}\n",
         n * N,
         m * M
     );

@@ -48,9 +48,9 @@ fn punch(first: f64, ratio: f64) -> AnalysisModel {
     name(&mut mesh, "PUNCH", "B", |p| p[2] == 0.0 && p[0] <= 1.0);
     model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n{PLANE_STRAIN}- {{face: MIDDLE, fix: [x]}}\n- {{face: SIDE, fix: [x, z]}}\n\
-             - {{face: BOTTOM, fix: [x, z]}}\n\
-             rigid:\n- {{face: PUNCH, components: [x, z], free: [uz], at: [0, 0, 0], force: [0, 0, -0.2]}}\n"
+            "bodies: {{B: s}}\nsupports:\n{PLANE_STRAIN}- {{face: MIDDLE, fix: [x]}}\n- {{face: \
+             SIDE, fix: [x, z]}}\n- {{face: BOTTOM, fix: [x, z]}}\nrigid:\n- {{face: PUNCH, \
+             components: [x, z], free: [uz], at: [0, 0, 0], force: [0, 0, -0.2]}}\n"
         ),
         mesh,
     )
@@ -95,8 +95,9 @@ fn platens(half: f64, x: Vec<f64>, z: Vec<f64>) -> AnalysisModel {
     name(&mut mesh, "PLATEN", "B", |p| p[2] == 1.0);
     model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n{PLANE_STRAIN}- {{face: X0, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n\
-             rigid:\n- {{face: PLATEN, components: [x, z], free: [uz], at: [0, 0, 1], force: [0, 0, {:?}]}}\n",
+            "bodies: {{B: s}}\nsupports:\n{PLANE_STRAIN}- {{face: X0, fix: [x]}}\n- {{face: Z0, \
+             fix: [z]}}\nrigid:\n- {{face: PLATEN, components: [x, z], free: [uz], at: [0, 0, 1], \
+             force: [0, 0, {:?}]}}\n",
             -half * thick
         ),
         mesh,

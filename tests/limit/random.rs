@@ -48,7 +48,8 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
         _ => {
             let (mu, gap) = (r.between(0.01, 1.5), if r.next() < 0.3 { 0.05 } else { 0.0 });
             format!(
-                "interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}, friction: associated}}\n"
+                "interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}, \
+                 friction: associated}}\n"
             )
         }
     };
@@ -66,8 +67,8 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
         false => String::new(),
     };
     let yaml = format!(
-        "{MATERIALS}bodies: {{A: s, B: s}}\n{interface}supports:\n- {{face: Z0, fix: {foot}}}\n{guide}\
-             loads:\n- {{face: Z1, traction: {t:?}}}\n{dead}"
+        "{MATERIALS}bodies: {{A: s, B: s}}\n{interface}supports:\n- {{face: Z0, fix: \
+         {foot}}}\n{guide}loads:\n- {{face: Z1, traction: {t:?}}}\n{dead}"
     );
     // an upper block that nothing holds is refused with its name
     match solved::resolve(&yaml, mesh) {

@@ -45,7 +45,8 @@ fn stack(seed: u64) -> Option<AnalysisModel> {
     let load = if between(0.0, 1.0) < 0.3 {
         let middle = [0.5 * size[0], 0.5 * size[1], size[2]];
         format!(
-            "rigid:\n- {{face: Z1, components: [x, y, z], free: [ux, uy, uz, rx, ry, rz], at: {middle:?}, force: {t:?}}}\n"
+            "rigid:\n- {{face: Z1, components: [x, y, z], free: [ux, uy, uz, rx, ry, rz], at: \
+             {middle:?}, force: {t:?}}}\n"
         )
     } else {
         format!("loads:\n- {{face: Z1, traction: {t:?}}}\n")
@@ -56,7 +57,8 @@ fn stack(seed: u64) -> Option<AnalysisModel> {
     };
     let [a, b, c] = bodies;
     let yaml = format!(
-        "{MATERIALS}bodies: {{A: {a}, B: {b}, C: {c}}}\n{joints}supports:\n- {{face: Z0, fix: [x, y, z]}}\n{load}{dead}"
+        "{MATERIALS}bodies: {{A: {a}, B: {b}, C: {c}}}\n{joints}supports:\n- {{face: Z0, fix: [x, \
+         y, z]}}\n{load}{dead}"
     );
     match solved::resolve_as("limit", &yaml, mesh) {
         Ok(model) => Some(model),

@@ -72,7 +72,8 @@ fn platen(n: usize, body: bool) -> AnalysisModel {
         );
         model(
             &format!(
-                "bodies: {{A: s, B: r}}\nsupports:\n{sides}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+                "bodies: {{A: s, B: r}}\nsupports:\n{sides}loads:\n- {{face: Z1, traction: [0, 0, \
+                 -1]}}\n"
             ),
             mesh,
         )
@@ -128,10 +129,12 @@ fn strip_between_platens() {
         |c| usize::from(c[2] > 1.0),
         |d, x| d == 2 && (x - 1.0).abs() < 1e-9,
     );
-    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [z]}\n";
+    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: \
+                Z0, fix: [z]}\n";
     let m = model(
         &format!(
-            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, \
+             -1]}}\n"
         ),
         mesh,
     );
@@ -172,10 +175,12 @@ fn punch() {
     };
     let flat = |d: usize, x: f64| (d == 2 && x.abs() < 1e-9) || (d == 0 && (x - 1.0).abs() < 1e-9);
     let mesh = hollow(shape.mesh(&["A", "B", "VOID"], body, flat));
-    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: Z0, fix: [x, z]}\n- {face: X1, fix: [x]}\n";
+    let held = "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n- {face: \
+                Z0, fix: [x, z]}\n- {face: X1, fix: [x]}\n";
     let m = model(
         &format!(
-            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, -1]}}\n"
+            "bodies: {{A: s, B: r}}\nsupports:\n{held}loads:\n- {{face: Z1, traction: [0, 0, \
+             -1]}}\n"
         ),
         mesh,
     );
@@ -198,11 +203,11 @@ fn pushed(lower: &str, upper: &str) -> AnalysisModel {
         shape.mesh(&["A", "B"], |c| usize::from(c[2] > 0.0), |d, x| d == 2 && x.abs() < 1e-9);
     model(
         &format!(
-            "bodies: {{A: {lower}, B: {upper}}}\ninterfaces:\n\
-             - {{between: [A, B], law: contact, mu: 0.3, gap: 0.1, friction: associated}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\ndead:\n- {{face: Z1, traction: [0, 0, -100]}}\n\
-             loads:\n- {{face: Z1, traction: [10, 0, 0]}}\n- {{face: X1, traction: [0, 0, 10]}}\n\
-             - {{face: X0, traction: [0, 0, -10]}}\n"
+            "bodies: {{A: {lower}, B: {upper}}}\ninterfaces:\n- {{between: [A, B], law: contact, \
+             mu: 0.3, gap: 0.1, friction: associated}}\nsupports:\n- {{face: Z0, fix: [x, y, \
+             z]}}\ndead:\n- {{face: Z1, traction: [0, 0, -100]}}\nloads:\n- {{face: Z1, traction: \
+             [10, 0, 0]}}\n- {{face: X1, traction: [0, 0, 10]}}\n- {{face: X0, traction: [0, 0, \
+             -10]}}\n"
         ),
         mesh,
     )
@@ -250,11 +255,11 @@ fn lapped_plates() {
     // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, the
     // resultant lies in the joint
     let m = model(
-        "bodies: {LOWER: r, UPPER: r, MEMBER: s}\ninterfaces:\n\
-         - {between: [LOWER, UPPER], law: contact, mu: 0.3, friction: associated}\n\
-         - {between: [LOWER, MEMBER], law: contact, mu: 0}\n- {between: [UPPER, MEMBER], law: contact, mu: 0}\n\
-         supports:\n- {face: Z0, fix: [x, y, z]}\n\
-         loads:\n- {face: END, linear: {traction0: [0, 20, 0], gradient: [[0, 0, 0], [0, 0, -12], [0, 0, 0]]}}\n",
+        "bodies: {LOWER: r, UPPER: r, MEMBER: s}\ninterfaces:\n- {between: [LOWER, UPPER], law: \
+         contact, mu: 0.3, friction: associated}\n- {between: [LOWER, MEMBER], law: contact, mu: \
+         0}\n- {between: [UPPER, MEMBER], law: contact, mu: 0}\nsupports:\n- {face: Z0, fix: [x, \
+         y, z]}\nloads:\n- {face: END, linear: {traction0: [0, 20, 0], gradient: [[0, 0, 0], [0, \
+         0, -12], [0, 0, 0]]}}\n",
         mesh,
     );
     let exact = 0.3 * FY / 6.0;
@@ -276,9 +281,10 @@ fn rigid_face_on_a_rigid_body() {
         |c| usize::from(c[0] > 30.0),
         |d, x| d == 0 && (x - 30.0).abs() < 1e-9,
     );
-    let yaml = "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0}\n\
-         supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-         rigid:\n- {face: X1, components: [x, y, z], free: [ux], at: [40, 5, 6], force: [-12000, 0, 0]}\n";
+    let yaml = "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: \
+                0}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
+                [z]}\nrigid:\n- {face: X1, components: [x, y, z], free: [ux], at: [40, 5, 6], \
+                force: [-12000, 0, 0]}\n";
     let [low, up] = sharp_factors("head", &model(yaml, mesh)).map(|x| x * FY);
     let exact = FY / 100.0;
     assert!(
@@ -328,8 +334,9 @@ fn held_rigid_bodies() {
 /// What a rigid body cannot mend is refused with a word for it.
 #[test]
 fn wrong_rigid_bodies_are_refused() {
-    let good = "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\nbodies: {A: s, B: r}\ninterfaces: []\n\
-                supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, 1]}\n";
+    let good = "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\nbodies: \
+                {A: s, B: r}\ninterfaces: []\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- \
+                {face: X1, traction: [0, 0, 1]}\n";
     let contact = "[{between: [A, B], law: contact, mu: 0}]";
     let rows: [(&str, &str, &str); 12] = [
         ("A: s", "A: r", "no body has a yield strength"),

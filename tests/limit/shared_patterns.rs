@@ -21,9 +21,9 @@ fn leaves() -> TetMesh {
 /// The leaves with friction, under a load.
 fn case(kind: &str, load: &str) -> AnalysisModel {
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}}}\nbodies: {{LOWER: s, UPPER: s}}\n\
-         interfaces:\n- {{between: [LOWER, UPPER], law: contact, mu: 0.3, friction: associated}}\n\
-         supports:\n- {{face: X0, fix: [x, y, z]}}\nloads:\n- {load}\n"
+        "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}}}\nbodies: {{LOWER: s, UPPER: \
+         s}}\ninterfaces:\n- {{between: [LOWER, UPPER], law: contact, mu: 0.3, friction: \
+         associated}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\nloads:\n- {load}\n"
     );
     match solved::resolve_as(kind, &yaml, leaves()) {
         Ok(model) => model,

@@ -47,8 +47,9 @@ fn strip(radial: usize, around: usize, below: f64, above: f64) {
     // unit traction over the gross section
     let m = model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n- {{face: Y0, fix: [y]}}\n- {{face: Y1, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n\
-             rigid:\n- {{face: PULLED, components: [x], free: [ux], at: [{w:?}, 0, 0], force: [{:?}, 0, 0]}}\n",
+            "bodies: {{B: s}}\nsupports:\n- {{face: Y0, fix: [y]}}\n- {{face: Y1, fix: [x]}}\n- \
+             {{face: Z0, fix: [z]}}\nrigid:\n- {{face: PULLED, components: [x], free: [ux], at: \
+             [{w:?}, 0, 0], force: [{:?}, 0, 0]}}\n",
             w * half
         ),
         mesh,

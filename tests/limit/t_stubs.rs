@@ -89,11 +89,11 @@ fn strip_t_stub(t: f64, n: usize, layers: usize) -> AnalysisModel {
     name(&mut mesh, "FOOT", "BOLT", |p| p[2] == 0.0);
     name(&mut mesh, "TOP", "T", |p| (p[2] - t - 24.0).abs() < 1e-9);
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}, b: {{E: 210000, nu: 0.3, fy: {:?}}}}}\n\
-         bodies: {{T: s, BOLT: b}}\ninterfaces:\n- {{between: [T, BOLT], law: contact, mu: 0}}\n\
-         supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: YB, fix: [y]}}\n\
-         - {{face: GROUND, law: contact, mu: 0}}\n- {{face: FOOT, fix: [z]}}\n\
-         loads:\n- {{face: TOP, traction: [0, 0, 1]}}\n",
+        "materials: {{s: {{E: 210000, nu: 0.3, fy: 235}}, b: {{E: 210000, nu: 0.3, fy: \
+         {:?}}}}}\nbodies: {{T: s, BOLT: b}}\ninterfaces:\n- {{between: [T, BOLT], law: contact, \
+         mu: 0}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: YB, \
+         fix: [y]}}\n- {{face: GROUND, law: contact, mu: 0}}\n- {{face: FOOT, fix: \
+         [z]}}\nloads:\n- {{face: TOP, traction: [0, 0, 1]}}\n",
         100e3 / 144.0
     );
     solved::resolve(&yaml, mesh).unwrap_or_else(|e| panic!("{e:?}"))
@@ -294,11 +294,11 @@ fn t1(size: f64) {
     let folder = tempfile::tempdir().unwrap();
     let meshed =
         mesh_joint(&bursi_jaspart(size), &MeshOptions::new(folder.path()), &mut |_| {}).unwrap();
-    let yaml = "materials: {flange: {E: 210000, nu: 0.3, fy: 431}, bolt: {E: 210000, nu: 0.3, fy: 640}}\n\
-         bodies: {T: flange, BOLT_0: bolt}\ninterfaces:\n- {between: [BOLT_0, T], law: contact, mu: 0}\n\
-         supports:\n- {face: SYM_X0, fix: [x]}\n- {face: SYM_Y0, fix: [y]}\n\
-         - {face: GROUND, law: contact, mu: 0}\n- {face: FOOT_0, fix: [z]}\n\
-         loads:\n- {face: TOP, traction: [0, 0, 1]}\n";
+    let yaml = "materials: {flange: {E: 210000, nu: 0.3, fy: 431}, bolt: {E: 210000, nu: 0.3, fy: \
+                640}}\nbodies: {T: flange, BOLT_0: bolt}\ninterfaces:\n- {between: [BOLT_0, T], \
+                law: contact, mu: 0}\nsupports:\n- {face: SYM_X0, fix: [x]}\n- {face: SYM_Y0, \
+                fix: [y]}\n- {face: GROUND, law: contact, mu: 0}\n- {face: FOOT_0, fix: \
+                [z]}\nloads:\n- {face: TOP, traction: [0, 0, 1]}\n";
     let m = solved::resolve(yaml, meshed.mesh).unwrap_or_else(|e| panic!("{e:?}"));
     let ([low, up], share) = forces(&format!("F1, size {size}"), &m, 7.1 * 80.0);
     assert!(low <= 160.0 && up >= 134.0, "[{low}, {up}]");

@@ -42,8 +42,8 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
 /// of the cubes; the stronger weld leaves it to them.
 #[test]
 fn cubes_in_tension() {
-    let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-                loads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
+                [z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
     // 2 · 3 · 200/10 = 120 MPa
     exact("weak in tension", 120.0, |seed| {
         welded(cubes(seed), "throat: 3, thickness: 10, strength: 200", pull)
@@ -74,8 +74,8 @@ fn tension_and_shear() {
     let loads: String =
         faces.iter().map(|(f, t)| format!("- {{face: {f}, traction: {t}}}\n")).collect();
     let rest = format!(
-        "supports:\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\nloads:\n{loads}dead:\n\
-         - {{face: X0, traction: [-60, 0, 0]}}\n- {{face: X1, traction: [60, 0, 0]}}\n"
+        "supports:\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\nloads:\n{loads}dead:\n- \
+         {{face: X0, traction: [-60, 0, 0]}}\n- {{face: X1, traction: [60, 0, 0]}}\n"
     );
     let seed = 1;
     let m = welded(cubes(seed), "strength_traction: 100", &rest);
@@ -113,9 +113,10 @@ fn pair_of_fillets() {
     }
     let m = model(
         &format!(
-            "bodies: {{A: s, B: r}}\ninterfaces:\n- {{between: [A, B], law: weld, throat: {a:?}, thickness: {t:?}, strength: {f:?}}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: [0, 3, 4]}}\n\
-             - {{face: EDGE0, traction: [0, 0, -3]}}\n- {{face: EDGE1, traction: [0, 0, 3]}}\n"
+            "bodies: {{A: s, B: r}}\ninterfaces:\n- {{between: [A, B], law: weld, throat: {a:?}, \
+             thickness: {t:?}, strength: {f:?}}}\nsupports:\n- {{face: Z0, fix: [x, y, \
+             z]}}\nloads:\n- {{face: Z1, traction: [0, 3, 4]}}\n- {{face: EDGE0, traction: [0, 0, \
+             -3]}}\n- {{face: EDGE1, traction: [0, 0, 3]}}\n"
         ),
         mesh,
     );
@@ -133,8 +134,8 @@ fn pair_of_fillets() {
 /// what the certificate says.
 #[test]
 fn the_weld_dissipates() {
-    let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-                loads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
+                [z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
     let m = welded(cubes(1), "strength_traction: 120", pull);
     let pass = run(&m);
     let upper = pass.upper.as_ref().unwrap().certificate();
@@ -157,7 +158,13 @@ fn the_weld_dissipates() {
 fn turned_weld() {
     let (b, h, s) = (8.0, 12.0, 40.0);
     let bounds = [2, 4].map(|n| {
-        let shape = Block { cells: [2, 2, n], min: [0.0, 0.0, -6.0], max: [20.0, b, 6.0], jitter: 0.2, seed: 4 };
+        let shape = Block {
+            cells: [2, 2, n],
+            min: [0.0, 0.0, -6.0],
+            max: [20.0, b, 6.0],
+            jitter: 0.2,
+            seed: 4,
+        };
         let mesh = shape.mesh(
             &["A", "B"],
             |c| usize::from(c[0] > 10.0),
@@ -165,9 +172,10 @@ fn turned_weld() {
         );
         let m = model(
             &format!(
-                "bodies: {{A: r, B: r}}\ninterfaces:\n- {{between: [A, B], law: weld, strength_traction: {s:?}}}\n\
-                 supports:\n- {{face: X0, fix: [x, y, z]}}\n\
-                 rigid:\n- {{face: X1, components: [x, y, z], free: [ux, ry], at: [10, 0, 0], moment: [0, {:?}, 0]}}\n",
+                "bodies: {{A: r, B: r}}\ninterfaces:\n- {{between: [A, B], law: weld, \
+                 strength_traction: {s:?}}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\nrigid:\n- \
+                 {{face: X1, components: [x, y, z], free: [ux, ry], at: [10, 0, 0], moment: [0, \
+                 {:?}, 0]}}\n",
                 b * h * h / 4.0
             ),
             mesh,

@@ -62,8 +62,8 @@ pub fn bar(seed: u64) -> Case {
     Case {
         name: "bar",
         model: model(
-            "bodies: {A: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-             loads:\n- {face: X1, traction: [100, 0, 0]}\n",
+            "bodies: {A: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: \
+             Z0, fix: [z]}\nloads:\n- {face: X1, traction: [100, 0, 0]}\n",
             one(seed),
         ),
         factor: FY / 100.0,
@@ -90,8 +90,9 @@ pub fn bar_with_rigid_end(seed: u64) -> Case {
     let mut case = bar(seed);
     case.name = "bar with rigid end";
     case.model = model(
-        "bodies: {A: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-         rigid:\n- {face: X1, components: [x], free: [ux, ry, rz], at: [30, 5, 6], force: [12000, 0, 0]}\n",
+        "bodies: {A: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, \
+         fix: [z]}\nrigid:\n- {face: X1, components: [x], free: [ux, ry, rz], at: [30, 5, 6], \
+         force: [12000, 0, 0]}\n",
         one(seed),
     );
     case
@@ -101,8 +102,9 @@ pub fn cube(seed: u64) -> Case {
     Case {
         name: "cube",
         model: model(
-            "bodies: {A: s}\nloads:\n- {face: X1, traction: [0, 10, 0]}\n- {face: X0, traction: [0, -10, 0]}\n\
-             - {face: Y1, traction: [10, 0, 0]}\n- {face: Y0, traction: [-10, 0, 0]}\n",
+            "bodies: {A: s}\nloads:\n- {face: X1, traction: [0, 10, 0]}\n- {face: X0, traction: \
+             [0, -10, 0]}\n- {face: Y1, traction: [10, 0, 0]}\n- {face: Y0, traction: [-10, 0, \
+             0]}\n",
             one(seed),
         ),
         factor: K / 10.0,
@@ -118,8 +120,9 @@ pub fn lid(seed: u64) -> Case {
     Case {
         name: "lid",
         model: model(
-            "bodies: {A: s, B: r}\nsupports:\n- {face: Y0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 10, 0]}\n\
-             - {face: X0, traction: [0, -10, 0]}\n- {face: Y1, traction: [10, 0, 0]}\n",
+            "bodies: {A: s, B: r}\nsupports:\n- {face: Y0, fix: [x, y, z]}\nloads:\n- {face: X1, \
+             traction: [0, 10, 0]}\n- {face: X0, traction: [0, -10, 0]}\n- {face: Y1, traction: \
+             [10, 0, 0]}\n",
             mesh,
         ),
         factor: K / 10.0,
@@ -135,9 +138,9 @@ pub fn pressed(seed: u64) -> Case {
     Case {
         name: "pressed",
         model: model(
-            "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0}\n\
-             supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-             loads:\n- {face: X1, traction: [-100, 0, 0]}\n",
+            "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: \
+             0}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
+             [z]}\nloads:\n- {face: X1, traction: [-100, 0, 0]}\n",
             mesh,
         ),
         factor: FY / 100.0,
@@ -155,10 +158,10 @@ pub fn sliding(seed: u64) -> Case {
     Case {
         name: "sliding",
         model: model(
-            "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0.3, friction: associated}\n\
-             supports:\n- {face: Z0, fix: [x, y, z]}\ndead:\n- {face: Z1, traction: [0, 0, -100]}\n\
-             loads:\n- {face: Z1, traction: [10, 0, 0]}\n- {face: X1, traction: [0, 0, 10]}\n\
-             - {face: X0, traction: [0, 0, -10]}\n",
+            "bodies: {A: s, B: r}\ninterfaces:\n- {between: [A, B], law: contact, mu: 0.3, \
+             friction: associated}\nsupports:\n- {face: Z0, fix: [x, y, z]}\ndead:\n- {face: Z1, \
+             traction: [0, 0, -100]}\nloads:\n- {face: Z1, traction: [10, 0, 0]}\n- {face: X1, \
+             traction: [0, 0, 10]}\n- {face: X0, traction: [0, 0, -10]}\n",
             mesh,
         ),
         factor: 3.0,
@@ -177,10 +180,11 @@ pub fn own_weight(seed: u64) -> Case {
     Case {
         name: "own weight",
         model: solved::resolve(
-            "materials: {w: {E: 210000, nu: 0.3, fy: 6}}\nbodies: {A: w}\nsupports:\n- {face: Z0, law: contact, mu: 0.3, friction: associated}\n\
-             dead:\n- {body: A, force: [0, 0, -0.5]}\nloads:\n- {body: A, force: [0.1, 0, 0]}\n\
-             - {face: X1, linear: {traction0: [0, 0, 1], gradient: [[0, 0, 0], [0, 0, 0], [0, 0, -0.1]]}}\n\
-             - {face: X0, linear: {traction0: [0, 0, -1], gradient: [[0, 0, 0], [0, 0, 0], [0, 0, 0.1]]}}\n",
+            "materials: {w: {E: 210000, nu: 0.3, fy: 6}}\nbodies: {A: w}\nsupports:\n- {face: Z0, \
+             law: contact, mu: 0.3, friction: associated}\ndead:\n- {body: A, force: [0, 0, \
+             -0.5]}\nloads:\n- {body: A, force: [0.1, 0, 0]}\n- {face: X1, linear: {traction0: \
+             [0, 0, 1], gradient: [[0, 0, 0], [0, 0, 0], [0, 0, -0.1]]}}\n- {face: X0, linear: \
+             {traction0: [0, 0, -1], gradient: [[0, 0, 0], [0, 0, 0], [0, 0, 0.1]]}}\n",
             mesh,
         )
         .unwrap(),

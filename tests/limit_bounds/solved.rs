@@ -83,9 +83,9 @@ fn stacked(factor: f64) -> AnalysisModel {
     let (t, p) = (10.0 * factor, 200.0 * factor);
     model(
         &format!(
-            "bodies: {{A: s, B: s}}\ninterfaces:\n\
-             - {{between: [A, B], law: contact, mu: 0.3, friction: associated}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
+            "bodies: {{A: s, B: s}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: 0.3, \
+             friction: associated}}\nsupports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n- {{face: \
+             Z1, traction: [{t:?}, 0, {:?}]}}\n",
             -p
         ),
         mesh,

@@ -61,11 +61,11 @@ fn held_down(t: f64, kt: f64, friction: &str, preload: bool, seed: u64) -> Solve
     let spring = part("SPRING", [20.0, 0.0, 0.0], [22.0, 1.0, 1.0], "X0", seed + 2);
     let mesh = beside(beside(plate, bolt), spring);
     let yaml = format!(
-        "materials:\n  hard: {{E: 1.0e6, nu: 0}}\n  bolt: {{E: 1000, nu: 0}}\n  spring: {{E: {:?}, nu: 0}}\n\
-         bodies: {{PLATE: hard, BOLT: bolt, SPRING: spring}}\nsupports:\n\
-         - {{face: PLATE_Z0, law: contact, mu: {MU}, friction: {friction}}}\n\
-         - {{face: BOLT_Z0, fix: [z]}}\n- {{face: SPRING_X1, fix: [x]}}\n\
-         rigid:\n- {{face: HEAD, components: [x, y, z], free: [ux, uz], force: [{t:?}, 0, 0], dead_force: [0, 0, {:?}]}}\n",
+        "materials:\n  hard: {{E: 1.0e6, nu: 0}}\n  bolt: {{E: 1000, nu: 0}}\n  spring: {{E: \
+         {:?}, nu: 0}}\nbodies: {{PLATE: hard, BOLT: bolt, SPRING: spring}}\nsupports:\n- {{face: \
+         PLATE_Z0, law: contact, mu: {MU}, friction: {friction}}}\n- {{face: BOLT_Z0, fix: \
+         [z]}}\n- {{face: SPRING_X1, fix: [x]}}\nrigid:\n- {{face: HEAD, components: [x, y, z], \
+         free: [ux, uz], force: [{t:?}, 0, 0], dead_force: [0, 0, {:?}]}}\n",
         2.0 * kt,
         if preload { 0.0 } else { -N0 },
     );

@@ -22,7 +22,8 @@ fn loads(ratio: f64) -> String {
     // N as 100 MPa on 10 × 4, T as traction on X1, 4 × 2
     let t = ratio * MU * N / 8.0;
     format!(
-        "dead:\n- {{face: Z1, traction: [0, 0, -100]}}\nloads:\n- {{face: X1, traction: [{:?}, 0, 0]}}\n",
+        "dead:\n- {{face: Z1, traction: [0, 0, -100]}}\nloads:\n- {{face: X1, traction: [{:?}, 0, \
+         0]}}\n",
         -t
     )
 }
@@ -34,8 +35,8 @@ fn on_ground(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::So
         |_, _| false,
     );
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{BLOCK: s}}\nsupports:\n\
-         - {{face: Z0, law: contact, mu: {MU}, friction: {friction}}}\n{}",
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{BLOCK: s}}\nsupports:\n- {{face: Z0, \
+         law: contact, mu: {MU}, friction: {friction}}}\n{}",
         loads(ratio)
     );
     solve(&yaml, mesh)
@@ -55,9 +56,9 @@ fn on_block(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::Sol
         upper.into_iter().filter(|t| t.iter().all(|&n| mesh.nodes[n as usize][2] >= 0.0)).collect();
     mesh.faces.push(bracket::mesh::NamedFaces { name: "PUSH".into(), triangles: upper });
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{LOWER: s, UPPER: s}}\n\
-         interfaces:\n- {{between: [LOWER, UPPER], law: contact, mu: {MU}, friction: {friction}}}\n\
-         supports:\n- {{face: Z0, fix: [x, y, z]}}\n{}",
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{LOWER: s, UPPER: s}}\ninterfaces:\n- \
+         {{between: [LOWER, UPPER], law: contact, mu: {MU}, friction: {friction}}}\nsupports:\n- \
+         {{face: Z0, fix: [x, y, z]}}\n{}",
         loads(ratio).replace("X1", "PUSH")
     );
     solve(&yaml, mesh)

@@ -38,8 +38,9 @@ fn block(xy: &[f64], z: &[f64]) -> TetMesh {
 
 fn quarter(law: &str, load: &str, top: f64) -> String {
     format!(
-        "materials: {{s: {{E: {E:?}, nu: {NU}}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n\
-         - {{face: Y0, fix: [y]}}\n{law}rigid:\n- {{face: Z1, components: [z], free: [{}], force: [0, 0, {top:?}]}}\n{load}",
+        "materials: {{s: {{E: {E:?}, nu: {NU}}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: X0, \
+         fix: [x]}}\n- {{face: Y0, fix: [y]}}\n{law}rigid:\n- {{face: Z1, components: [z], free: \
+         [{}], force: [0, 0, {top:?}]}}\n{load}",
         if top == 0.0 { "" } else { "uz" }
     )
 }
@@ -64,7 +65,8 @@ fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
 fn hertz(xy: &[f64], z: &[f64]) -> Solved {
     let k = 0.5 / R;
     let law = format!(
-        "- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, 0]}}}}\n"
+        "- {{face: Z0, law: contact, mu: 0, gap: {{quadratic: [0, 0, 0, 0, {k:?}, {k:?}, 0, 0, 0, \
+         0]}}}}\n"
     );
     solve_to(&quarter(&law, "", -F / 4.0), block(xy, z), &SolveOptions::default())
 }

@@ -53,7 +53,8 @@ fn a_moment_bends_it_along_a_circle() {
     let moment = |face: &str, sign: f64| {
         let k = sign * k;
         format!(
-            "- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, 0, 0], [0, 0, 0]]}}}}\n"
+            "- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, 0, \
+             0], [0, 0, 0]]}}}}\n"
         )
     };
     for seed in [1, 7, 42] {
@@ -84,7 +85,8 @@ fn clamped_on_one_side_and_pressed() {
     for (name, nu, sides) in [("ν 0", 0.0, ""), ("ν 0.3 between plane-strain sides", 0.3, SIDES)]
     {
         let yaml = format!(
-            "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}loads:\n- {{face: Z1, pressure: {p:?}}}\n",
+            "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}loads:\n- {{face: Z1, pressure: \
+             {p:?}}}\n",
             steel(nu)
         );
         let shear = E / (2.0 * (1.0 + nu));
@@ -102,8 +104,8 @@ fn peeled_off_a_rough_ground() {
     for mu in ["0", "0.3, friction: associated"] {
         let guide = if mu == "0" { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" } else { "" };
         let yaml = format!(
-            "{}supports:\n{guide}- {{face: Z0, law: contact, mu: {mu}}}\nloads:\n- {{face: Z1, pressure: {p:?}}}\n\
-             - {{face: X1, traction: [0, 0, {:?}]}}\n",
+            "{}supports:\n{guide}- {{face: Z0, law: contact, mu: {mu}}}\nloads:\n- {{face: Z1, \
+             pressure: {p:?}}}\n- {{face: X1, traction: [0, 0, {:?}]}}\n",
             steel(0.0),
             force / T
         );
@@ -133,9 +135,8 @@ fn pressed_down_until_its_end_lies_on_the_ground() {
 /// Clamped at `gap` above rough ground and pressed.
 fn lowered(gap: f64, nu: f64, sides: &str) -> String {
     format!(
-        "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}\
-         - {{face: Z0, law: contact, mu: 0.3, friction: associated, gap: {gap:?}}}\nloads:\n\
-         - {{face: Z1, pressure: 0.01}}\n",
+        "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}- {{face: Z0, law: contact, mu: 0.3, \
+         friction: associated, gap: {gap:?}}}\nloads:\n- {{face: Z1, pressure: 0.01}}\n",
         steel(nu)
     )
 }

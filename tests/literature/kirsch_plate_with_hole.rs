@@ -39,9 +39,9 @@ fn a29_plate_with_a_hole() {
     let pulled: Vec<[u32; 3]> = crate::common::triangles_where(&mesh, |x| (x[0] - w).abs() < 1e-9);
     mesh.faces.push(bracket::mesh::NamedFaces { name: "PULLED".into(), triangles: pulled });
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Y0, fix: [y]}}\n\
-         - {{face: Y1, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\n\
-         loads:\n- {{face: PULLED, traction: [{s:?}, 0, 0]}}\n"
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Y0, \
+         fix: [y]}}\n- {{face: Y1, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: \
+         [z]}}\nloads:\n- {{face: PULLED, traction: [{s:?}, 0, 0]}}\n"
     );
     let solved = solve(&yaml, mesh);
     solved.strict("A29");

@@ -68,9 +68,9 @@ fn a17_thick_cylinder() {
             [radius(x[0]) * c[0], radius(x[0]) * c[1], x[2]]
         });
         let yaml = format!(
-            "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Y0, fix: [y]}}\n\
-             - {{face: Y1, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\n\
-             loads:\n- {{face: X0, pressure: {P:?}}}\n"
+            "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Y0, \
+             fix: [y]}}\n- {{face: Y1, fix: [x]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: \
+             [z]}}\nloads:\n- {{face: X0, pressure: {P:?}}}\n"
         );
         solve(&yaml, mesh).strict(&format!("A17 {facets} facets"))
     };
@@ -85,8 +85,9 @@ fn a13_hollow_sphere() {
         let mesh = Prism { n: segments, layers: 4 }
             .mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
         let yaml = format!(
-            "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n\
-             - {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\nloads:\n- {{face: BOTTOM, pressure: {P:?}}}\n"
+            "materials: {{s: {{E: {E:?}, nu: 0.3}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, \
+             fix: [x]}}\n- {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\nloads:\n- {{face: \
+             BOTTOM, pressure: {P:?}}}\n"
         );
         solve(&yaml, mesh).strict(&format!("A13 {facets} facets"))
     };

@@ -24,9 +24,9 @@ fn gap_and_both_errors_fall_with_the_fourth_power() {
     let exact = -(3f64.sqrt()) * a.powi(4) * b * b * length / (640.0 * g);
     let corners = [[0.0, 0.0], [a, 0.0], [0.5 * a, 0.5 * 3f64.sqrt() * a]];
     let yaml = format!(
-        "materials: {{s: {{E: {e:?}, nu: {nu}}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [z]}}\n\
-         - {{face: S1, fix: [z]}}\n- {{face: S2, fix: [z]}}\n- {{face: BOTTOM, fix: [x, y]}}\n\
-         - {{face: TOP, fix: [x, y]}}\nloads:\n- {{body: B, force: [0, 0, {b:?}]}}\n"
+        "materials: {{s: {{E: {e:?}, nu: {nu}}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: S0, \
+         fix: [z]}}\n- {{face: S1, fix: [z]}}\n- {{face: S2, fix: [z]}}\n- {{face: BOTTOM, fix: \
+         [x, y]}}\n- {{face: TOP, fix: [x, y]}}\nloads:\n- {{body: B, force: [0, 0, {b:?}]}}\n"
     );
     let errors: Vec<[f64; 3]> = [1, 2, 4]
         .map(|k| {

@@ -34,8 +34,9 @@ fn column(seed: u64) -> TetMesh {
 
 fn hanging(b: f64, gap: f64, seed: u64) -> (Solved, f64) {
     let yaml = format!(
-        "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Z1, fix: [x, y, z]}}\n\
-         - {{face: Z0, law: contact, mu: 0, gap: {gap:?}}}\nloads:\n- {{body: B, force: [0, 0, {:?}]}}\n",
+        "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Z1, fix: \
+         [x, y, z]}}\n- {{face: Z0, law: contact, mu: 0, gap: {gap:?}}}\nloads:\n- {{body: B, \
+         force: [0, 0, {:?}]}}\n",
         -b
     );
     let r = (0.5 * b * L - gap * E / L).max(0.0);
@@ -77,8 +78,9 @@ fn a_loose_block_falls_through_its_gap_and_is_pressed() {
                 if mu > 0.0 { "" } else { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" };
             let law = if mu > 0.0 { ", friction: associated" } else { "" };
             let yaml = format!(
-                "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n{guide}\
-                 - {{face: Z0, law: contact, mu: {mu:?}, gap: {gap:?}{law}}}\nloads:\n- {{face: Z1, pressure: {p:?}}}\n"
+                "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n{guide}- \
+                 {{face: Z0, law: contact, mu: {mu:?}, gap: {gap:?}{law}}}\nloads:\n- {{face: Z1, \
+                 pressure: {p:?}}}\n"
             );
             let exact = -p * A * gap - p * p * A * L / (2.0 * E);
             solve(&yaml, column(seed)).exact(&format!("loose, gap {gap}, μ {mu}"), exact, 1e-6);
@@ -96,10 +98,10 @@ fn a_quadratic_gap_closes_from_its_middle() {
             jitter: 0.2,
             seed,
         };
-        let yaml = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n\
-                    - {face: Y0, fix: [y]}\n- {face: Z0, law: contact, mu: 0.3, friction: associated, \
-                    gap: {quadratic: [0.001, 0, 0, 0, 0.0002, 0.0001, 0, 0, 0, 0]}}\nloads:\n\
-                    - {face: Z1, pressure: 60}\n";
+        let yaml = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: X0, \
+                    fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, law: contact, mu: 0.3, \
+                    friction: associated, gap: {quadratic: [0.001, 0, 0, 0, 0.0002, 0.0001, 0, 0, \
+                    0, 0]}}\nloads:\n- {face: Z1, pressure: 60}\n";
         let s = solve(yaml, mesh.mesh(&["B"], |_| 0, |_, _| false));
         s.strict("quadratic gap");
         let c = s.pass.upper.as_ref().unwrap().certificate();
@@ -111,16 +113,19 @@ fn a_quadratic_gap_closes_from_its_middle() {
 
 #[test]
 fn a_part_without_support_is_named() {
-    let loose = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let loose = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nloads:\n- {face: X1, \
+                 traction: [1, 0, 0]}\n";
     let told = format!("{:?}", resolve(loose, column(1)).unwrap_err());
     assert!(told.contains("model/loose-part") && told.contains("part B"), "{told}");
-    let slides = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z0, law: contact, mu: 0}\n\
-                  dead:\n- {face: Z1, pressure: 5}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n";
+    let slides = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z0, \
+                  law: contact, mu: 0}\ndead:\n- {face: Z1, pressure: 5}\nloads:\n- {face: X1, \
+                  traction: [1, 0, 0]}\n";
     let told = format!("{:?}", resolve(slides, column(1)).unwrap_err());
     assert!(told.contains("model/loose-part") && told.contains("part B"), "{told}");
     // lifted off: contact does not pull
-    let lifted = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n\
-                  - {face: Z0, law: contact, mu: 0.3, friction: associated}\nloads:\n- {face: Z1, pressure: -5}\n";
+    let lifted = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z0, \
+                  law: contact, mu: 0.3, friction: associated}\nloads:\n- {face: Z1, pressure: \
+                  -5}\n";
     solve(lifted, column(1)).no_equilibrium("lifted", "part B moves along +z");
 }
 
@@ -131,9 +136,9 @@ fn pushed(material: &str, mu: f64, ratio: f64, scale: f64) -> Solved {
     let mesh = Block::new(PUSHED, [10.0, 4.0, 2.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     let t = ratio * mu * 100.0 * 40.0 / 8.0;
     let yaml = format!(
-        "materials: {{s: {material}}}\nbodies: {{B: s}}\nsupports:\n\
-         - {{face: Z0, law: contact, mu: {mu:?}, friction: associated}}\nloads:\n\
-         - {{face: Z1, pressure: {:?}}}\n- {{face: X1, traction: [{:?}, 0, 0]}}\n",
+        "materials: {{s: {material}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Z0, law: contact, \
+         mu: {mu:?}, friction: associated}}\nloads:\n- {{face: Z1, pressure: {:?}}}\n- {{face: \
+         X1, traction: [{:?}, 0, 0]}}\n",
         100.0 * scale,
         -t * scale
     );
@@ -147,10 +152,11 @@ fn no_load_no_energy() {
     for e in s.strict("zero load, contact") {
         assert!(e.abs() <= 1e-12 * reference, "{e:e}");
     }
-    let held = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z1, fix: [x, y, z]}\n";
+    let held = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z1, \
+                fix: [x, y, z]}\n";
     assert_eq!(solve(held, column(1)).strict("zero load, held"), [0.0, 0.0]);
-    let gap = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z1, fix: [x, y, z]}\n\
-               - {face: Z0, law: contact, mu: 0.3, friction: associated, gap: 0.01}\n";
+    let gap = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z1, fix: \
+               [x, y, z]}\n- {face: Z0, law: contact, mu: 0.3, friction: associated, gap: 0.01}\n";
     for e in solve(gap, column(1)).strict("zero load, open gap") {
         assert!(e.abs() <= 1e-12 * reference, "{e:e}");
     }
@@ -175,8 +181,8 @@ fn nearly_incompressible() {
     pushed("{E: 210000, nu: 0.4999}", 0.3, 0.5, 1.0).strict("ν 0.4999 in contact");
     let mesh =
         Block::new([4, 3, 3], [10.0, 8.0, 6.0]).jittered(5).mesh(&["B"], |_| 0, |_, _| false);
-    let yaml = "materials: {s: {E: 210000, nu: 0.4999}}\nbodies: {B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\n\
-                loads:\n- {face: X1, traction: [0, 0, -10]}\n";
+    let yaml = "materials: {s: {E: 210000, nu: 0.4999}}\nbodies: {B: s}\nsupports:\n- {face: X0, \
+                fix: [x, y, z]}\nloads:\n- {face: X1, traction: [0, 0, -10]}\n";
     solve(yaml, mesh).strict("ν 0.4999 cantilever");
 }
 
@@ -197,10 +203,10 @@ fn a_stiffness_contrast_of_a_million() {
                 |d, x| d == 2 && x == 4.0,
             );
             let yaml = format!(
-                "materials: {{l: {{E: {lower:?}, nu: 0.3}}, u: {{E: {upper:?}, nu: 0.3}}}}\n\
-                 bodies: {{LOWER: l, UPPER: u}}\ninterfaces:\n- {{between: [LOWER, UPPER], {law}}}\nsupports:\n\
-                 - {{face: Z0, fix: [x, y, z]}}\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\nloads:\n\
-                 - {{face: Z1, pressure: 0.01}}\n"
+                "materials: {{l: {{E: {lower:?}, nu: 0.3}}, u: {{E: {upper:?}, nu: \
+                 0.3}}}}\nbodies: {{LOWER: l, UPPER: u}}\ninterfaces:\n- {{between: [LOWER, \
+                 UPPER], {law}}}\nsupports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X0, fix: \
+                 [x]}}\n- {{face: Y0, fix: [y]}}\nloads:\n- {{face: Z1, pressure: 0.01}}\n"
             );
             solve(&yaml, mesh).strict(&format!("{law}, E {lower} under {upper}"));
         }
@@ -222,8 +228,9 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
         let c = crate::common::renamed(c.mesh(&["C"], |_| 0, |_, _| false), "Z1", "TOP_C");
         let guide = if mu == "0" { "- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n" } else { "" };
         let yaml = format!(
-            "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s, C: s}}\nsupports:\n{guide}\
-             - {{face: Z0, law: contact, mu: {mu}}}\nloads:\n- {{face: Z1, pressure: 60}}\n"
+            "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{B: s, C: \
+             s}}\nsupports:\n{guide}- {{face: Z0, law: contact, mu: {mu}}}\nloads:\n- {{face: Z1, \
+             pressure: 60}}\n"
         );
         solve(&yaml, crate::common::beside(b, c)).strict(&format!("unloaded part beside, μ {mu}"));
     }
@@ -277,14 +284,16 @@ fn pin_in_plate(with_pin: bool) -> TetMesh {
 fn a_bolt_loose_in_its_hole() {
     let pulled = "loads:\n- {face: X1, traction: [50, 10, 0]}\n";
     let plate = format!(
-        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s}}\nsupports:\n- {{face: X0, fix: [x, y, z]}}\n{pulled}"
+        "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s}}\nsupports:\n- {{face: X0, \
+         fix: [x, y, z]}}\n{pulled}"
     );
     let alone = solve(&plate, pin_in_plate(false)).strict("plate without bolt");
     for mu in ["0", "0.3, friction: associated"] {
         let bolted = |gap: f64, supports: &str| {
             format!(
-                "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s, PIN: s}}\ninterfaces:\n\
-                 - {{between: [PLATE, PIN], law: contact, mu: {mu}, gap: {gap:?}}}\nsupports:\n{supports}{pulled}"
+                "materials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {{PLATE: s, PIN: \
+                 s}}\ninterfaces:\n- {{between: [PLATE, PIN], law: contact, mu: {mu}, gap: \
+                 {gap:?}}}\nsupports:\n{supports}{pulled}"
             )
         };
         // the hole changes its shape by less than the clearance: the bolt feels nothing and may lie
@@ -299,7 +308,8 @@ fn a_bolt_loose_in_its_hole() {
         let work = 50.0 * 20.0 * 6.0 * 0.5;
         let bears = bolted(
             0.5,
-            "- {face: PIN0, fix: [x, y, z]}\n- {face: PIN1, fix: [x, y, z]}\n- {face: Y0, fix: [y]}\n",
+            "- {face: PIN0, fix: [x, y, z]}\n- {face: PIN1, fix: [x, y, z]}\n- {face: Y0, fix: \
+             [y]}\n",
         );
         let bears = bears.replace("50, 10, 0", "50, 0, 0");
         let [lower, upper] =

@@ -86,9 +86,9 @@ fn bad(least: f64, worst: f64) -> TetMesh {
 /// slide where nothing pushes it.
 fn model(nu: f64, mu: &str, loads: &str) -> String {
     format!(
-        "materials: {{s: {{E: 210000, nu: {nu:?}}}}}\nbodies: {{LOWER: s, UPPER: s}}\n\
-         interfaces:\n- {{between: [LOWER, UPPER], law: contact, mu: {mu}}}\n\
-         supports:\n- {{face: Z0, fix: [x, y, z]}}\nloads:\n{loads}"
+        "materials: {{s: {{E: 210000, nu: {nu:?}}}}}\nbodies: {{LOWER: s, UPPER: \
+         s}}\ninterfaces:\n- {{between: [LOWER, UPPER], law: contact, mu: {mu}}}\nsupports:\n- \
+         {{face: Z0, fix: [x, y, z]}}\nloads:\n{loads}"
     )
 }
 

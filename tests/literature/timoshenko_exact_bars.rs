@@ -31,8 +31,8 @@ fn a1_bar_in_tension() {
     for seed in SEEDS {
         let mesh = block([5, 2, 3], [0.0; 3], [50.0, 10.0, 12.0], seed);
         let yaml = format!(
-            "{STEEL}supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n\
-             loads:\n- {{face: X1, traction: [80, 0, 0]}}\n"
+            "{STEEL}supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, \
+             fix: [z]}}\nloads:\n- {{face: X1, traction: [80, 0, 0]}}\n"
         );
         let (n, a, l) = (80.0 * 120.0, 120.0, 50.0);
         solve(&yaml, mesh).exact("A1", -n * n * l / (2.0 * E * a), 1e-8);
@@ -49,7 +49,8 @@ fn a6_pure_bending_without_support() {
         let load = |face: &str, sign: f64| {
             let k = sign * m / i;
             format!(
-                "- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, 0, 0], [0, 0, 0]]}}}}\n"
+                "- {{face: {face}, linear: {{traction0: [0, 0, 0], gradient: [[0, 0, {k:?}], [0, \
+                 0, 0], [0, 0, 0]]}}}}\n"
             )
         };
         let yaml = format!("{STEEL}loads:\n{}{}", load("X1", 1.0), load("X0", -1.0));
@@ -81,8 +82,8 @@ fn a9_column_under_its_own_weight() {
     for seed in SEEDS {
         let mesh = block([2, 2, 5], [0.0; 3], [10.0, 12.0, l], seed);
         let yaml = format!(
-            "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Z1, fix: [x, y, z]}}\n\
-             loads:\n- {{body: B, force: [0, 0, {:?}]}}\n",
+            "materials: {{s: {{E: 210000, nu: 0}}}}\nbodies: {{B: s}}\nsupports:\n- {{face: Z1, \
+             fix: [x, y, z]}}\nloads:\n- {{body: B, force: [0, 0, {:?}]}}\n",
             -rho_g
         );
         let s = solve(&yaml, mesh);

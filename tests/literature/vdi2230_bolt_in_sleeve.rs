@@ -48,10 +48,10 @@ fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     let sleeve = renamed(sleeve.mesh(&["SLEEVE"], |_| 0, |_, _| false), "Z0", "SLEEVE_END");
     let mesh = beside(renamed(bolt, "X0", "BX"), renamed(sleeve, "X0", "SX"));
     let yaml = format!(
-        "materials: {{s: {{E: 200000, nu: 0}}}}\nbodies: {{BOLT: s, SLEEVE: s}}\nsupports:\n\
-         - {{face: BOLT_END, fix: [z]}}\n- {{face: SLEEVE_END, law: contact, mu: 0}}\n\
-         - {{face: BX, fix: [x]}}\n- {{face: SX, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n\
-         rigid:\n- {{face: Z1, components: [z], free: [uz], force: [0, 0, {force:?}]}}\n"
+        "materials: {{s: {{E: 200000, nu: 0}}}}\nbodies: {{BOLT: s, SLEEVE: s}}\nsupports:\n- \
+         {{face: BOLT_END, fix: [z]}}\n- {{face: SLEEVE_END, law: contact, mu: 0}}\n- {{face: BX, \
+         fix: [x]}}\n- {{face: SX, fix: [x]}}\n- {{face: Y0, fix: [y]}}\nrigid:\n- {{face: Z1, \
+         components: [z], free: [uz], force: [0, 0, {force:?}]}}\n"
     );
     // the axis may point either way
     let axis = if seed.is_multiple_of(2) { "[0, 0, 1]" } else { "[0, 0, -1]" };

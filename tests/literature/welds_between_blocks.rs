@@ -30,8 +30,8 @@ fn bars(seed: u64) -> TetMesh {
 
 fn yaml(strength: f64, rest: &str) -> String {
     format!(
-        "materials: {{m: {{E: 210000, nu: 0}}}}\nbodies: {{A: m, B: m}}\ninterfaces:\n\
-         - {{between: [A, B], law: weld, strength_traction: {strength:?}}}\n{rest}"
+        "materials: {{m: {{E: 210000, nu: 0}}}}\nbodies: {{A: m, B: m}}\ninterfaces:\n- \
+         {{between: [A, B], law: weld, strength_traction: {strength:?}}}\n{rest}"
     )
 }
 
@@ -117,10 +117,10 @@ fn welded_and_in_contact() {
         let rest = crate::common::triangles_where(&mesh, |x| x[2] == 10.0 && x[0] >= 10.0);
         mesh.faces.push(bracket::mesh::NamedFaces { name: "REST".into(), triangles: rest });
         solve(
-            "materials: {m: {E: 210000, nu: 0.3}}\nbodies: {A: m, B: m}\ninterfaces:\n\
-             - {between: [A, B], face: HALF, law: weld, strength_traction: 30}\n\
-             - {between: [A, B], face: REST, law: contact, mu: 0.2, friction: associated}\n\
-             supports:\n- {face: Z0, fix: [x, y, z]}\nloads:\n- {face: Z1, traction: [6, 0, 2]}\n",
+            "materials: {m: {E: 210000, nu: 0.3}}\nbodies: {A: m, B: m}\ninterfaces:\n- {between: \
+             [A, B], face: HALF, law: weld, strength_traction: 30}\n- {between: [A, B], face: \
+             REST, law: contact, mu: 0.2, friction: associated}\nsupports:\n- {face: Z0, fix: [x, \
+             y, z]}\nloads:\n- {face: Z1, traction: [6, 0, 2]}\n",
             mesh,
         )
         .strict("welded and in contact")

@@ -33,10 +33,10 @@ fn stacked(pressure: f64) -> AnalysisModel {
     let (p, t) = (pressure, 0.1 * pressure);
     plastic_model(
         &format!(
-            "bodies: {{LOW: s, HIGH: s}}\n\
-             interfaces:\n- {{between: [LOW, HIGH], law: contact, mu: 0.3, gap: 0.01, friction: associated}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X1, law: contact, mu: 0.0, gap: 0.02}}\n\
-             loads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
+            "bodies: {{LOW: s, HIGH: s}}\ninterfaces:\n- {{between: [LOW, HIGH], law: contact, \
+             mu: 0.3, gap: 0.01, friction: associated}}\nsupports:\n- {{face: Z0, fix: [x, y, \
+             z]}}\n- {{face: X1, law: contact, mu: 0.0, gap: 0.02}}\nloads:\n- {{face: Z1, \
+             traction: [{t:?}, 0, {:?}]}}\n",
             -p
         ),
         mesh,
@@ -83,7 +83,8 @@ fn nothing_is_lost() {
             k.program.objective(&s.x, &s.z)
         });
         println!(
-            "{name}: all conditions {all:.9e} {split:.9e}, plain {plain:.9e}; here {low:.9e} {up:.9e}"
+            "{name}: all conditions {all:.9e} {split:.9e}, plain {plain:.9e}; here {low:.9e} \
+             {up:.9e}"
         );
         let slack = 1e-6 * low.abs();
         assert!((low - all).abs() <= slack, "{name}: {low} {all}");
@@ -132,7 +133,8 @@ fn dead_loads_and_body_forces_count() {
     );
     let both = plastic_model(
         &format!(
-            "{support}dead:\n- {{face: Z1, traction: [0, 0, {p:?}]}}\nloads:\n- {{face: Z1, traction: [{t:?}, 0, 0]}}\n"
+            "{support}dead:\n- {{face: Z1, traction: [0, 0, {p:?}]}}\nloads:\n- {{face: Z1, \
+             traction: [{t:?}, 0, 0]}}\n"
         ),
         mesh(),
     );

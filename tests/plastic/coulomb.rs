@@ -76,14 +76,14 @@ fn mesh(seed: u64) -> TetMesh {
 /// The joint under T, all but the line of its analysis.
 fn yaml(t: f64, kt: f64, friction: &str) -> String {
     format!(
-        "materials:\n  hard: {{E: 1.0e6, nu: 0}}\n  bolt: {{E: 1000, nu: 0}}\n  spring: {{E: {:?}, nu: 0}}\n  \
-         strut: {{E: 1000, nu: 0.3, fy: {FY}}}\n\
-         bodies: {{PLATE: hard, BOLT: bolt, SPRING: spring, STRUT: strut}}\n\
-         interfaces:\n- {{between: [PLATE, STRUT], law: contact, mu: 0}}\nsupports:\n\
-         - {{face: GROUND, law: contact, mu: {MU}, friction: {friction}}}\n\
-         - {{face: BOLT_END, fix: [z]}}\n- {{face: SPRING_END, fix: [x]}}\n- {{face: STRUT_END, fix: [x]}}\n\
-         - {{face: STRUT_UNDER, fix: [z]}}\n- {{face: BACK, fix: [y]}}\n\
-         rigid:\n- {{face: HEAD, components: [x, y, z], free: [ux, uz], force: [{t:?}, 0, 0], dead_force: [0, 0, -{N0}]}}\n",
+        "materials:\n  hard: {{E: 1.0e6, nu: 0}}\n  bolt: {{E: 1000, nu: 0}}\n  spring: {{E: \
+         {:?}, nu: 0}}\n  strut: {{E: 1000, nu: 0.3, fy: {FY}}}\nbodies: {{PLATE: hard, BOLT: \
+         bolt, SPRING: spring, STRUT: strut}}\ninterfaces:\n- {{between: [PLATE, STRUT], law: \
+         contact, mu: 0}}\nsupports:\n- {{face: GROUND, law: contact, mu: {MU}, friction: \
+         {friction}}}\n- {{face: BOLT_END, fix: [z]}}\n- {{face: SPRING_END, fix: [x]}}\n- \
+         {{face: STRUT_END, fix: [x]}}\n- {{face: STRUT_UNDER, fix: [z]}}\n- {{face: BACK, fix: \
+         [y]}}\nrigid:\n- {{face: HEAD, components: [x, y, z], free: [ux, uz], force: [{t:?}, 0, \
+         0], dead_force: [0, 0, -{N0}]}}\n",
         2.0 * kt,
     )
 }

@@ -52,9 +52,9 @@ fn bars(times: f64, seed: u64) -> AnalysisModel {
     let n = FY * (times * 120.0 + times.min(1.0) * 96.0);
     plastic_model(
         &format!(
-            "bodies: {{A: r, B: s}}\n\
-             supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n\
-             rigid:\n- {{face: X1, components: [x], free: [ux], at: [30, 0, 0], force: [{n:?}, 0, 0]}}\n"
+            "bodies: {{A: r, B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+             [y]}}\n- {{face: Z0, fix: [z]}}\nrigid:\n- {{face: X1, components: [x], free: [ux], \
+             at: [30, 0, 0], force: [{n:?}, 0, 0]}}\n"
         ),
         mesh,
     )
@@ -88,9 +88,10 @@ fn a3_cube_in_shear_beside_an_elastic_cube() {
         // u = (γ y, 0, 0): the sides carry the shear as a reaction
         plastic_model(
             &format!(
-                "bodies: {{A: r, B: s}}\nsupports:\n- {{face: Y0, fix: [x, y, z]}}\n- {{face: X0, fix: [y]}}\n- {{face: X1, fix: [y]}}\n\
-                 - {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\n\
-                 rigid:\n- {{face: Y1, components: [x, y, z], free: [ux], at: [0, 10, 0], force: [{force:?}, 0, 0]}}\n"
+                "bodies: {{A: r, B: s}}\nsupports:\n- {{face: Y0, fix: [x, y, z]}}\n- {{face: X0, \
+                 fix: [y]}}\n- {{face: X1, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, \
+                 fix: [z]}}\nrigid:\n- {{face: Y1, components: [x, y, z], free: [ux], at: [0, 10, \
+                 0], force: [{force:?}, 0, 0]}}\n"
             ),
             mesh,
         )
@@ -124,8 +125,9 @@ fn bar_below_and_beyond_its_strength() {
         let t = part * FY;
         plastic_model(
             &format!(
-                "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n\
-                 loads:\n- {{face: X1, traction: [{t:?}, 0, 0]}}\n"
+                "bodies: {{B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+                 [y]}}\n- {{face: Z0, fix: [z]}}\nloads:\n- {{face: X1, traction: [{t:?}, 0, \
+                 0]}}\n"
             ),
             cuboid([3, 2, 1], [0.0; 3], [30.0, 10.0, 12.0], seed, "B"),
         )

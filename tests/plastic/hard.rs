@@ -27,9 +27,10 @@ fn blocks(seed: u64) -> TetMesh {
 fn pressed(material: &str, mu: f64, gap: f64, foot: &str, load: &str) -> AnalysisModel {
     let law = if mu > 0.0 { ", friction: associated" } else { "" };
     let yaml = format!(
-        "materials: {{a: {material}, b: {{E: {E:?}, nu: 0.3, fy: {FY:?}}}}}\nbodies: {{A: a, B: b}}\n\
-         interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}{law}}}\nsupports:\n\
-         - {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n{foot}loads:\n- {{face: Z1, {load}}}\n"
+        "materials: {{a: {material}, b: {{E: {E:?}, nu: 0.3, fy: {FY:?}}}}}\nbodies: {{A: a, B: \
+         b}}\ninterfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: \
+         {gap:?}{law}}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+         [y]}}\n{foot}loads:\n- {{face: Z1, {load}}}\n"
     );
     match solved::resolve(&yaml, blocks(5)) {
         Ok(model) => AnalysisModel { analysis: AnalysisKind::Elastoplastic, ..model },

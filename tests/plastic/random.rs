@@ -23,7 +23,8 @@ fn assembly(seed: u64) -> AnalysisModel {
         0 => String::new(),
         1 => format!("interfaces:\n- {{between: [A, B], law: contact, mu: 0, gap: {gap:?}}}\n"),
         _ => format!(
-            "interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}, friction: associated}}\n"
+            "interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}, friction: \
+             associated}}\n"
         ),
     };
     let (other, middle) = (if between(0.0, 1.0) < 0.3 { "r" } else { "s" }, 0.5 * size[2]);
@@ -36,8 +37,9 @@ fn assembly(seed: u64) -> AnalysisModel {
     );
     plastic_model(
         &format!(
-            "bodies: {{A: s, B: {other}}}\n{interface}supports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X0, fix: [x]}}\n\
-             - {{face: Y0, fix: [y]}}\nloads:\n- {{face: Z1, traction: {t:?}}}\n"
+            "bodies: {{A: s, B: {other}}}\n{interface}supports:\n- {{face: Z0, fix: [x, y, \
+             z]}}\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\nloads:\n- {{face: Z1, \
+             traction: {t:?}}}\n"
         ),
         mesh,
     )
@@ -78,7 +80,8 @@ fn random_assemblies() {
         }
     }
     println!(
-        "{ends:?}; {brackets} strict brackets, {yielded} with yield, {compared} compared with Clarabel"
+        "{ends:?}; {brackets} strict brackets, {yielded} with yield, {compared} compared with \
+         Clarabel"
     );
     assert!(brackets >= 10 && yielded >= 5 && compared >= 2);
 }

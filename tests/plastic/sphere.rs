@@ -58,8 +58,8 @@ fn bracket(p: f64, facets: usize) -> [f64; 2] {
         Prism { n: 6, layers: 5 }.mesh(|l, t| facetted_direction(l, facets).map(|c| radius(t) * c));
     let m = plastic_model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n- {{face: S1, fix: [y]}}\n- {{face: S2, fix: [z]}}\n\
-             loads:\n- {{face: BOTTOM, pressure: {:?}}}\n",
+            "bodies: {{B: s}}\nsupports:\n- {{face: S0, fix: [x]}}\n- {{face: S1, fix: [y]}}\n- \
+             {{face: S2, fix: [z]}}\nloads:\n- {{face: BOTTOM, pressure: {:?}}}\n",
             p * FY
         ),
         mesh,

@@ -28,10 +28,10 @@ fn bars(strength: f64, strain: f64, seed: u64) -> AnalysisModel {
     let n = E * strain * 120.0 + strength.min(FY) * 96.0;
     plastic_model(
         &format!(
-            "bodies: {{A: r, B: s, C: s}}\n\
-             interfaces:\n- {{between: [B, C], law: weld, strength_traction: {strength:?}}}\n\
-             supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n\
-             rigid:\n- {{face: X1, components: [x], free: [ux], at: [{LENGTH:?}, 0, 0], force: [{n:?}, 0, 0]}}\n"
+            "bodies: {{A: r, B: s, C: s}}\ninterfaces:\n- {{between: [B, C], law: weld, \
+             strength_traction: {strength:?}}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: \
+             Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\nrigid:\n- {{face: X1, components: [x], \
+             free: [ux], at: [{LENGTH:?}, 0, 0], force: [{n:?}, 0, 0]}}\n"
         ),
         mesh,
     )

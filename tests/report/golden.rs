@@ -166,7 +166,9 @@ fn result() -> ResultFile {
             verdict: Verdict::NotOk,
             by_code: Verdict::NotOk,
             by_analysis: Verdict::Undecided,
-            reason: "TOP: a check fails: end distance, end plate, utilisation 1.04 (EN 1993-1-8:2005 Table 3.3)".into(),
+            reason: "TOP: a check fails: end distance, end plate, utilisation 1.04 (EN \
+                     1993-1-8:2005 Table 3.3)"
+                .into(),
             governing: None,
         }),
         ..ResultFile::new("0123456789abcdef", 4, Verdict::NotOk)
@@ -184,8 +186,12 @@ fn data() -> ReportData {
         ],
         result: result(),
         input_name: "joint.yaml".into(),
-        input_read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 mm\n".into(),
-        input_text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` stays inside\n".into(),
+        input_read: "template: double_sided_end_plate\nplate:\n  thickness: 15 mm\n  width: 180 \
+                     mm\n"
+            .into(),
+        input_text: "template: double_sided_end_plate\nplate: {thickness: 15, width: 180}  # ``` \
+                     stays inside\n"
+            .into(),
         resolved: vec![ResolvedValue {
             name: "bolts.hole".into(),
             value: "18".into(),
@@ -199,7 +205,10 @@ fn data() -> ReportData {
             source: "EN 10365:2017".into(),
             values: vec![pair("h [mm]", "200"), pair("b [mm]", "200")],
         }],
-        drawings: vec![PictureRef { file: "drawing.svg".into(), caption: "Side view of the joint".into() }],
+        drawings: vec![PictureRef {
+            file: "drawing.svg".into(),
+            caption: "Side view of the joint".into(),
+        }],
         schedule: Table {
             columns: ["part", "number", "all [kg]"].map(String::from).to_vec(),
             rows: vec![["bolt", "12", "4.35"].map(String::from).to_vec()],
@@ -209,7 +218,13 @@ fn data() -> ReportData {
             columns: ["body", "tets", "least dihedral [°]"].map(String::from).to_vec(),
             rows: vec![["COLUMN", "3120", "11.2"].map(String::from).to_vec()],
         },
-        model: ModelTraits { contact: true, friction: true, facets: true, symmetry: true, ..Default::default() },
+        model: ModelTraits {
+            contact: true,
+            friction: true,
+            facets: true,
+            symmetry: true,
+            ..Default::default()
+        },
         assumptions: vec!["One bolt head of each pair is glued to its plate.".into()],
         notes: vec![],
     }

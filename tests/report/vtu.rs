@@ -71,8 +71,9 @@ fn meshio_reads_the_same_bits() {
         std::fs::write(&file, grid.to_bytes().expect("writes")).expect("writes");
         let run = Command::new(&python).arg(&script).arg(&file).output().unwrap_or_else(|e| {
             panic!(
-                "cannot run `{}` ({e}): this test needs a Python with meshio 5.3.5; make `.venv` with \
-                 `python3 -m venv .venv && .venv/bin/pip install meshio==5.3.5`, or name one in BRACKET_TEST_PYTHON",
+                "cannot run `{}` ({e}): this test needs a Python with meshio 5.3.5; make `.venv` \
+                 with `python3 -m venv .venv && .venv/bin/pip install meshio==5.3.5`, or name one \
+                 in BRACKET_TEST_PYTHON",
                 python.display()
             )
         });

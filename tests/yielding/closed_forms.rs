@@ -47,9 +47,9 @@ fn bars(seed: u64) -> AnalysisModel {
     let n = E * STRAIN * 120.0 + FY * 96.0;
     model(
         &format!(
-            "bodies: {{A: r, B: s}}\n\
-             supports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n\
-             rigid:\n- {{face: X1, components: [x], free: [ux], at: [30, 0, 0], force: [{n:?}, 0, 0]}}\n"
+            "bodies: {{A: r, B: s}}\nsupports:\n- {{face: X0, fix: [x]}}\n- {{face: Y0, fix: \
+             [y]}}\n- {{face: Z0, fix: [z]}}\nrigid:\n- {{face: X1, components: [x], free: [ux], \
+             at: [30, 0, 0], force: [{n:?}, 0, 0]}}\n"
         ),
         mesh,
     )
@@ -106,9 +106,10 @@ fn cube_in_shear_beyond_yield() {
         // u = (γ y, 0, 0): the sides carry the shear as a reaction
         let m = model(
             &format!(
-                "bodies: {{A: r, B: s}}\nsupports:\n- {{face: Y0, fix: [x, y, z]}}\n- {{face: X0, fix: [y]}}\n- {{face: X1, fix: [y]}}\n\
-                 - {{face: Z0, fix: [z]}}\n- {{face: Z1, fix: [z]}}\n\
-                 rigid:\n- {{face: Y1, components: [x, y, z], free: [ux], at: [0, 10, 0], force: [{force:?}, 0, 0]}}\n"
+                "bodies: {{A: r, B: s}}\nsupports:\n- {{face: Y0, fix: [x, y, z]}}\n- {{face: X0, \
+                 fix: [y]}}\n- {{face: X1, fix: [y]}}\n- {{face: Z0, fix: [z]}}\n- {{face: Z1, \
+                 fix: [z]}}\nrigid:\n- {{face: Y1, components: [x, y, z], free: [ux], at: [0, 10, \
+                 0], force: [{force:?}, 0, 0]}}\n"
             ),
             mesh,
         );
@@ -137,8 +138,8 @@ fn bar_just_below_yield() {
     let (area, length) = (120.0, 30.0);
     let n = 0.999 * FY * area;
     let m = model(
-        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: [z]}\n\
-         loads:\n- {face: X1, traction: [234.765, 0, 0]}\n",
+        "bodies: {B: s}\nsupports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, \
+         fix: [z]}\nloads:\n- {face: X1, traction: [234.765, 0, 0]}\n",
         cuboid([3, 2, 1], [0.0; 3], [length, 10.0, 12.0], 5, "B"),
     );
     exact("bar", &m, -n * n * length / (2.0 * E * area));
@@ -150,8 +151,9 @@ fn column(root_shear: f64) -> AnalysisModel {
     let length = 60.0;
     model(
         &format!(
-            "bodies: {{B: s}}\nsupports:\n- {{face: Z1, fix: [x, y, z]}}\n- {{face: X0, fix: [z]}}\n- {{face: X1, fix: [z]}}\n\
-             - {{face: Y0, fix: [y]}}\n- {{face: Y1, fix: [y]}}\nloads:\n- {{body: B, force: [{:?}, 0, 0]}}\n",
+            "bodies: {{B: s}}\nsupports:\n- {{face: Z1, fix: [x, y, z]}}\n- {{face: X0, fix: \
+             [z]}}\n- {{face: X1, fix: [z]}}\n- {{face: Y0, fix: [y]}}\n- {{face: Y1, fix: \
+             [y]}}\nloads:\n- {{body: B, force: [{:?}, 0, 0]}}\n",
             root_shear / length
         ),
         cuboid([2, 2, 4], [0.0; 3], [10.0, 12.0, length], 2, "B"),

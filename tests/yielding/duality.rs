@@ -230,10 +230,10 @@ fn blocks_in_contact(pressure: f64) -> AnalysisModel {
     let (p, t) = (pressure, 0.1 * pressure);
     model(
         &format!(
-            "bodies: {{LOW: s, HIGH: r}}\n\
-             interfaces:\n- {{between: [LOW, HIGH], law: contact, mu: 0.3, gap: 0.01, friction: associated}}\n\
-             supports:\n- {{face: Z0, fix: [x, y, z]}}\n- {{face: X1, law: contact, mu: 0.0, gap: 0.02}}\n\
-             loads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n",
+            "bodies: {{LOW: s, HIGH: r}}\ninterfaces:\n- {{between: [LOW, HIGH], law: contact, \
+             mu: 0.3, gap: 0.01, friction: associated}}\nsupports:\n- {{face: Z0, fix: [x, y, \
+             z]}}\n- {{face: X1, law: contact, mu: 0.0, gap: 0.02}}\nloads:\n- {{face: Z1, \
+             traction: [{t:?}, 0, {:?}]}}\n",
             -p
         ),
         mesh,

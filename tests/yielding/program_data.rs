@@ -170,7 +170,8 @@ fn elastic_bodies_stay_elastic() {
         |_, _| false,
     );
     let model = model(
-        "bodies: {A: r, B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, traction: [1, 0, 0]}\n",
+        "bodies: {A: r, B: s}\nsupports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: X1, \
+         traction: [1, 0, 0]}\n",
         mesh,
     );
     for (form, size) in [(Form::Plain, 20), (Form::Split, 95), (Form::Static, 30)] {

@@ -9,10 +9,10 @@ use crate::math::vec3;
 /// 400.
 fn spec(loads: &str) -> String {
     format!(
-        "template: beam_to_column_end_plate\n\
-         members: {{column: {{profile: HEB200, steel: S235}}, beam: {{profile: IPE300, steel: S235}}}}\n\
-         plate: {{thickness: 15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-90, 90, 190]}}\n\
-         parameters: {{double_sided: true}}\nloads: {loads}\n"
+        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, \
+         beam: {{profile: IPE300, steel: S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, \
+         grade: \"8.8\", rows: [-90, 90, 190]}}\nparameters: {{double_sided: true}}\nloads: \
+         {loads}\n"
     )
 }
 
@@ -31,7 +31,8 @@ fn resultant(j: &Joint, face: &str, dead: bool) -> ([f64; 3], [f64; 3], [f64; 3]
 fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
     let end = |name: &str| {
         format!(
-            "{{name: A, end: {name}, at: column_face, N: 3 kN, Vy: 1 kN, Vz: -2 kN, T: 5 kN m, My: 7 kN m, Mz: 11 kN m}}"
+            "{{name: A, end: {name}, at: column_face, N: 3 kN, Vy: 1 kN, Vz: -2 kN, T: 5 kN m, \
+             My: 7 kN m, Mz: 11 kN m}}"
         )
     };
     let j = ok(&spec(&format!("[{}, {}]", end("beam_right"), end("beam_left"))));
@@ -66,7 +67,8 @@ fn symmetry_knows_moments_from_forces() {
     };
     let pair = |right: &str, left: &str| {
         format!(
-            "[{{name: A, end: beam_right, at: column_face, {right}}}, {{name: A, end: beam_left, at: column_face, {left}}}]"
+            "[{{name: A, end: beam_right, at: column_face, {right}}}, {{name: A, end: beam_left, \
+             at: column_face, {left}}}]"
         )
     };
     assert_eq!(axes(&pair("My: 7 kN m, Vz: -1 kN", "My: 7 kN m, Vz: -1 kN")), [0, 1]);
@@ -141,7 +143,8 @@ fn wrong_actions_are_told_with_place_and_cure() {
         "{d:#?}"
     );
     assert!(d.help.as_ref().is_some_and(|h| h.contains("known here: beam_right")), "{d:#?}");
-    let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, at: node, N: 7 kN}]";
+    let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, \
+                 at: node, N: 7 kN}]";
     let d = joint(&spec(twice)).map(drop).expect_err("twice").0.remove(0);
     assert_eq!(d.place.path.as_deref(), Some("loads[1].end"), "{d:#?}");
 }

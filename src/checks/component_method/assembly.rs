@@ -391,7 +391,9 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
         }
     }
     if beam::class(&joint.beam.section, joint.beam.fy) == beam::Class::Slender {
-        let why = "the beam is of class 4 in bending: its compressed flange or web buckles before it yields".into();
+        let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
+                   it yields"
+            .into();
         out.push(Stability { why, clause: "EN 1993-1-1:2005 5.5.2", covered: false });
     }
     out

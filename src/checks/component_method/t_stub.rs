@@ -182,7 +182,8 @@ impl TStub {
             }
             (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
             (Mode::Flange, Some(ew)) => format!(
-                "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 · {} · {})/{}",
+                "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 \
+                 · {} · {})/{}",
                 n(e),
                 n(ew),
                 kn(mpl1),

@@ -32,27 +32,31 @@ pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");
     let rule = match e.always_prying {
         true => {
-            "they are taken to develop in every T-stub, whatever the length of the bolts (code.prying: always)"
+            "they are taken to develop in every T-stub, whatever the length of the bolts \
+             (code.prying: always)"
         }
         false => {
-            "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always takes them to develop everywhere"
+            "they develop where L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³); code.prying: always \
+             takes them to develop everywhere"
         }
     };
     let mut out = vec![Check::assumption(topic, "T-stubs", clause, title, rule)];
     if e.outer_gauge > 0.0 {
         let (clause, title) = ("EN 1993-1-8:2005 6.2.4", "four bolts in a row");
-        let words = "the code has no rule of its own: the checks count the inner two of every row alone, in tension, shear and slip, on the safe \
-                     side; the analysis has all four";
+        let words = "the code has no rule of its own: the checks count the inner two of every row \
+                     alone, in tension, shear and slip, on the safe side; the analysis has all \
+                     four";
         out.push(Check::assumption(topic, "bolts", clause, title, words));
     }
     let Some(c) = &e.column else { return out };
     let (clause, title) = ("EN 1993-1-8:2005 6.2.6.2(2)", "longitudinal stress of the column web");
     let words = match c.longitudinal {
-        Some(stress) => format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress)),
-        None => {
-            "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more (k_wc falls to 0.7 at f_y)"
-                .into()
+        Some(stress) => {
+            format!("σ_com,Ed = {} from N_Ed and M_Ed of the column", Unit::Stress.show(stress))
         }
+        None => "assumed: σ_com,Ed ≤ 0.7 f_y, k_wc = 1; members.column.N_Ed and M_Ed say more \
+                 (k_wc falls to 0.7 at f_y)"
+            .into(),
     };
     out.push(Check::assumption(topic, "column web", clause, title, words));
     out

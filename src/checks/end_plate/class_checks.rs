@@ -91,7 +91,8 @@ fn stiffness_classes(case: &Case<'_>) -> Vec<Check> {
     let storey = match ratio {
         Some(r) => {
             format!(
-                "K_b/K_c = {} of this beam and column, the code takes the means of the storey; rigid from {}",
+                "K_b/K_c = {} of this beam and column, the code takes the means of the storey; \
+                 rigid from {}",
                 n(r),
                 n(STIFF_COLUMNS)
             )

@@ -60,7 +60,8 @@ impl Method {
                 let alone = if resistance > 0.0 { axial.abs() / resistance } else { return None };
                 value = bending.max(alone);
                 formula += &format!(
-                    " = {}, N_Ed/N_j,Rd = {}/{} = {}, not added for N_Ed ≤ 0.05 N_pl,Rd; the larger",
+                    " = {}, N_Ed/N_j,Rd = {}/{} = {}, not added for N_Ed ≤ 0.05 N_pl,Rd; the \
+                     larger",
                     n(bending),
                     kn(axial.abs()),
                     kn(resistance),
@@ -71,8 +72,8 @@ impl Method {
             let together = 1.0 / self.with_axial(at).filter(|c| c.factor > 0.0)?.factor;
             value = bending.max(together);
             formula = format!(
-                "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the largest multiple in plastic \
-                 equilibrium",
+                "the larger of {formula} = {} and 1/α = {}, with α (M_j,Ed = {}, N_Ed = {}) the \
+                 largest multiple in plastic equilibrium",
                 n(bending),
                 n(together),
                 show(my),

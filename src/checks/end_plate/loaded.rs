@@ -163,7 +163,8 @@ fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let (demand, capacity, action, resistance, unit) = worst;
     (demand > capacity).then(|| {
         format!(
-            "{action} = {} is {} times {resistance} = {} of the beam {}: check the number and its unit",
+            "{action} = {} is {} times {resistance} = {} of the beam {}: check the number and its \
+             unit",
             unit.show(demand),
             n(demand / capacity),
             unit.show(capacity),
@@ -204,7 +205,8 @@ impl Side<'_> {
         let Some(mut check) = method.share(self.a.at(1.0)) else {
             let (clause, title) =
                 ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
-            let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of N_pl,Rd is covered";
+            let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
+                       N_pl,Rd is covered";
             return Check::undecided(Topic::ComponentMethod, self.subject(), clause, title, why);
         };
         check.steps.push(step("M_j,Rd", method.moment, Unit::Moment));

@@ -114,7 +114,8 @@ fn holes(e: &EndPlate) -> Vec<Check> {
         _ => ("normal round holes", 1.0),
     };
     let formula = format!(
-        "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table 3.6); d0 − d",
+        "d0 = {} mm, normal {} mm, oversize {} mm: bearing times {} (Table 3.4), k_s = {} (Table \
+         3.6); d0 − d",
         n(e.hole),
         n(b.hole_normal),
         n(b.hole_oversize),

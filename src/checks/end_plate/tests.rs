@@ -241,9 +241,10 @@ fn wrong_hand_checks_of_a_template_are_told_by_key() {
 /// A beam on one side shears the web panel: β = 1, and the panel is among the limits.
 #[test]
 fn other_templates_have_the_checks_they_ask_for() {
-    let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: S235}, beam: {profile: \
-                IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: {size: M18, grade: \"8.8\", rows: [-90, 90, 190]}\n\
-                loads: [{name: ULS1, end: beam_right, at: column_face, My: 40 kN m}]\n";
+    let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: \
+                S235}, beam: {profile: IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: \
+                {size: M18, grade: \"8.8\", rows: [-90, 90, 190]}\nloads: [{name: ULS1, end: \
+                beam_right, at: column_face, My: 40 kN m}]\n";
     let h = checks(spec);
     assert!(!h.failed() && h.notes.is_empty(), "{h:#?}");
     assert_eq!(
@@ -281,9 +282,9 @@ pub(super) fn loaded(loads: &str) -> HandChecks {
 
 pub(super) fn joint(more: &str, loads: &str) -> String {
     format!(
-        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, beam: {{profile: IPE300, steel: \
-         S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, grade: \"8.8\", rows: [-90, 90, 190]}}\nparameters: {{{more}}}\n\
-         loads: [{loads}]\n"
+        "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, \
+         beam: {{profile: IPE300, steel: S235}}}}\nplate: {{thickness: 15}}\nbolts: {{size: M20, \
+         grade: \"8.8\", rows: [-90, 90, 190]}}\nparameters: {{{more}}}\nloads: [{loads}]\n"
     )
 }
 
@@ -531,8 +532,9 @@ fn clause_4_5_3_3_welds_with_a_throat() {
 #[test]
 fn a_splice_has_no_column() {
     let h = checks(
-        "template: beam_splice\nmembers: {beam: {profile: IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: {size: M20, grade: \
-         \"8.8\", rows: [-90, 90, 190]}\nloads: [{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}]\n",
+        "template: beam_splice\nmembers: {beam: {profile: IPE300, steel: S235}}\nplate: \
+         {thickness: 15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, 190]}\nloads: \
+         [{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}]\n",
     );
     assert!(!h.failed() && h.notes.is_empty(), "{h:#?}");
     assert!(

@@ -55,7 +55,8 @@ fn web_welds(
         let pull: f64 = (s.first..=s.last).map(&force).sum();
         let mut worked = directional(&across_and_along(pull, s.width, throat, parallel), &steel);
         worked.formula = format!(
-            "σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · {} · {}); {}",
+            "σ⊥ = τ⊥ = F/(2 √2 a b_eff) = {}/(2 √2 · {} · {}), τ∥ = V/(2 a l_eff) = {}/(2 · {} · \
+             {}); {}",
             Unit::Force.show(pull),
             n(throat),
             n(s.width),

@@ -27,7 +27,8 @@ pub fn utilisation(f: &Forces) -> Worked {
     let both = v + t / 1.4;
     let kn = |x: f64| n(x * 1e-3);
     let formula = format!(
-        "max(F_v,Ed/F_v,Rd + F_t,Ed/(1.4 F_t,Rd), F_t,Ed/F_t,Rd) = max({}/{} + {}/(1.4 · {}), {}/{})",
+        "max(F_v,Ed/F_v,Rd + F_t,Ed/(1.4 F_t,Rd), F_t,Ed/F_t,Rd) = max({}/{} + {}/(1.4 · {}), \
+         {}/{})",
         kn(f.shear),
         kn(f.shear_resistance),
         kn(f.tension),

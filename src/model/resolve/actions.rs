@@ -62,7 +62,8 @@ fn traction(
         let m = format!(
             "the load on the face `{face}` needs exactly one of `traction`, `pressure`, `linear`"
         );
-        let help = "a face takes a traction in MPa: divide a force by the area; `force` (N/mm³) belongs to a body";
+        let help = "a face takes a traction in MPa: divide a force by the area; `force` (N/mm³) \
+                    belongs to a body";
         faults.add("model/load", path, m, help);
         return None;
     }

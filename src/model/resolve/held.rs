@@ -186,7 +186,8 @@ fn check_independent(
         if left < 1e-8 * before {
             let parts: Vec<&str> = (0..3).filter(|c| components[*c]).map(|c| AXES[c]).collect();
             let m = format!(
-                "the free motion `{}` of the rigid face `{name}` moves it in no way of its own in [{}]",
+                "the free motion `{}` of the rigid face `{name}` moves it in no way of its own in \
+                 [{}]",
                 MOTIONS[k],
                 parts.join(", ")
             );

@@ -121,7 +121,8 @@ fn faces(
         let found: Vec<_> = scene.table.faces().filter_map(ordered).collect();
         if found.is_empty() {
             let m = format!("the bodies `{a}` and `{b}` have no face in common");
-            let help = "bodies touch where they share mesh faces: use `BooleanFragments` in gmsh, and `nodes: split` when each body has its own nodes";
+            let help = "bodies touch where they share mesh faces: use `BooleanFragments` in gmsh, \
+                        and `nodes: split` when each body has its own nodes";
             faults.add("model/no-contact", &format!("{path}.between"), m, help);
             return None;
         }
@@ -154,10 +155,12 @@ fn faces(
                 scene.mesh.bodies[b as usize]
             ),
             None => format!(
-                "{outer} of the {all} triangles of `{name}` are outer faces: no second body touches there"
+                "{outer} of the {all} triangles of `{name}` are outer faces: no second body \
+                 touches there"
             ),
         };
-        let help = "an interface lies between two bodies; add `between` to take the triangles of that pair only";
+        let help = "an interface lies between two bodies; add `between` to take the triangles of \
+                    that pair only";
         faults.add("model/no-contact", &at, m, help);
         return None;
     }
@@ -247,18 +250,16 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         _ => {
             let absent: Vec<&str> = throat.iter().filter(|k| k.1.is_none()).map(|k| k.0).collect();
             let m = match (entry.strength_traction, absent.len()) {
-                (Some(_), _) => {
-                    "a weld has either `throat`, `thickness` and `strength`, or `strength_traction`"
-                        .into()
-                }
-                (None, 3) => {
-                    "a weld needs `throat`, `thickness` and `strength`, or `strength_traction`"
-                        .into()
-                }
+                (Some(_), _) => "a weld has either `throat`, `thickness` and `strength`, or \
+                                 `strength_traction`"
+                    .into(),
+                (None, 3) => "a weld needs `throat`, `thickness` and `strength`, or \
+                              `strength_traction`"
+                    .into(),
                 (None, _) => format!("the weld lacks `{}`", absent.join("` and `")),
             };
-            let help = "write `throat` and `thickness` in mm with `strength` in MPa on the throat, or `strength_traction` \
-                        in MPa on the interface alone";
+            let help = "write `throat` and `thickness` in mm with `strength` in MPa on the \
+                        throat, or `strength_traction` in MPa on the interface alone";
             faults.add("model/interface", path, m, help);
             return None;
         }

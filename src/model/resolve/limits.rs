@@ -26,8 +26,10 @@ pub(super) fn check(
     match &rigid[..] {
         [] => {}
         all if all.len() == scene.mesh.bodies.len() && !slips => {
-            let m = "no body has a yield strength and no interface can open or slip: nothing can collapse";
-            let help = "give the material of the bodies that can yield an `fy`; bodies without one are rigid";
+            let m = "no body has a yield strength and no interface can open or slip: nothing can \
+                     collapse";
+            let help = "give the material of the bodies that can yield an `fy`; bodies without \
+                        one are rigid";
             faults.add("model/never-yields", "materials", m, help);
         }
         some => notes.push(format!(
@@ -40,7 +42,8 @@ pub(super) fn check(
     for (i, load) in file.loads.iter().enumerate() {
         if let Some(body) = &load.body {
             let m = format!(
-                "a force in the body `{body}` carries the load factor, which limit analysis cannot increase"
+                "a force in the body `{body}` carries the load factor, which limit analysis \
+                 cannot increase"
             );
             let help = "write it under `dead`, where it is not multiplied, or load a face instead";
             faults.add("model/live-body-force", &format!("loads[{i}]"), m, help);
@@ -68,7 +71,8 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
     let (m, help) = match file.analysis {
         AnalysisKind::Elastic | AnalysisKind::Elastoplastic => (
             format!(
-                "`coulomb_estimate` with `analysis: {}`: it estimates the load factor of limit analysis",
+                "`coulomb_estimate` with `analysis: {}`: it estimates the load factor of limit \
+                 analysis",
                 file.analysis.word()
             ),
             "leave it out: the other kinds reach Coulomb's law by themselves",

@@ -81,7 +81,9 @@ pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
         && file.materials.values().all(|m| m.fy.is_none())
     {
         notes.push(
-            "no material has a yield strength `fy`: the elastic, perfectly plastic analysis is an elastic one".into(),
+            "no material has a yield strength `fy`: the elastic, perfectly plastic analysis is an \
+             elastic one"
+                .into(),
         );
     }
 }
@@ -96,7 +98,8 @@ pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<Stri
         .fold(0.0, f64::max);
     if largest < 10.0 && file.materials.values().any(|m| (1e3..1e7).contains(&m.e)) {
         notes.push(format!(
-            "warning: the largest dimension of the mesh is {largest} mm: if its lengths are in m, scale them to mm"
+            "warning: the largest dimension of the mesh is {largest} mm: if its lengths are in m, \
+             scale them to mm"
         ));
     }
     for (name, m) in &file.materials {

@@ -321,8 +321,8 @@ pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnos
         return Ok(modes);
     }
     let m = format!("{}; nothing resists that and the loads do work on it", driven.join("; "));
-    let help = "add a support, a tie or a contact that holds it; parts that only touch in a line or a point, or whose \
-                meshes do not share faces, are not connected";
+    let help = "add a support, a tie or a contact that holds it; parts that only touch in a line \
+                or a point, or whose meshes do not share faces, are not connected";
     Err(Diagnostic::input("model/loose-part", m).help(help).into())
 }
 

@@ -81,15 +81,18 @@ impl<'a> Scene<'a> {
             let (n, all) = (inner, named.triangles.len());
             let m = if ba == bb {
                 format!(
-                    "{n} of the {all} triangles of `{name}` lie inside body `{ba}`, not on the outside"
+                    "{n} of the {all} triangles of `{name}` lie inside body `{ba}`, not on the \
+                     outside"
                 )
             } else if claims.is_open(TetFace::from(a)) {
                 format!(
-                    "{n} of the {all} triangles of `{name}` lie in the contact between `{ba}` and `{bb}`"
+                    "{n} of the {all} triangles of `{name}` lie in the contact between `{ba}` and \
+                     `{bb}`"
                 )
             } else {
                 format!(
-                    "{n} of the {all} triangles of `{name}` lie between the bodies `{ba}` and `{bb}`, which are tied there"
+                    "{n} of the {all} triangles of `{name}` lie between the bodies `{ba}` and \
+                     `{bb}`, which are tied there"
                 )
             };
             faults.add(

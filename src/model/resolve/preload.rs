@@ -32,8 +32,10 @@ pub(super) fn read(
     notes: &mut Vec<String>,
 ) -> Vec<Cut> {
     if file.analysis == AnalysisKind::Elastoplastic && !file.preload.is_empty() {
-        let m = "preload in an elastic, perfectly plastic analysis is not available yet in this version";
-        let help = "available: `preload` with `analysis: elastic`, where it acts, and with `analysis: limit`, where it drops out";
+        let m = "preload in an elastic, perfectly plastic analysis is not available yet in this \
+                 version";
+        let help = "available: `preload` with `analysis: elastic`, where it acts, and with \
+                    `analysis: limit`, where it drops out";
         faults.add("model/unavailable", "preload", m, help);
         return Vec::new();
     }
@@ -106,7 +108,8 @@ fn numbers(entry: &PreloadEntry, path: &str, faults: &mut Faults<'_>) -> Option<
     let force = entry.force.is_finite() && entry.force > 0.0;
     if !force {
         let m = format!("the preload of `{}` is {} N, a preload is > 0", entry.body, entry.force);
-        let help = "write the tension of the meshed part of the bolt in N; a bolt without preload needs no entry";
+        let help = "write the tension of the meshed part of the bolt in N; a bolt without preload \
+                    needs no entry";
         faults.add("model/value", &format!("{path}.force"), m, help);
     }
     (axis && force).then(|| vec3::scale(1.0 / length, entry.axis))
@@ -167,7 +170,8 @@ fn sides(
         );
         (
             m,
-            "a cut lies inside the shank: let gmsh mesh a plane through it (`BooleanFragments`) and name it",
+            "a cut lies inside the shank: let gmsh mesh a plane through it (`BooleanFragments`) \
+             and name it",
         )
     } else if found.is_empty() {
         (format!("the cut `{cut}` is empty"), "name mesh faces inside the shank")
@@ -224,7 +228,8 @@ fn strength_note(
     let yields = fy * area.sum::<f64>();
     if entry.force > yields {
         notes.push(format!(
-            "warning: the preload of `{}`, {} N, is more than the {yields:.0} N at which its shank yields",
+            "warning: the preload of `{}`, {} N, is more than the {yields:.0} N at which its \
+             shank yields",
             entry.body, entry.force
         ));
     }
@@ -259,17 +264,27 @@ pub(super) fn preloads(
         .map(|cut| {
             let (mine, others) = rest.split_at(cut.faces.len());
             rest = others;
-            let held = mine.iter().flat_map(|p| p.nodes_a.into_iter().zip(p.nodes_b)).find(|(a, b)| a == b);
+            let held = mine
+                .iter()
+                .flat_map(|p| p.nodes_a.into_iter().zip(p.nodes_b))
+                .find(|(a, b)| a == b);
             if let Some((node, _)) = held {
                 let [x, y, z] = split.mesh.nodes[node as usize];
                 let m = format!(
-                    "something is tied to the shank of `{}` on both sides of the cut `{}`, at ({x}, {y}, {z})",
+                    "something is tied to the shank of `{}` on both sides of the cut `{}`, at \
+                     ({x}, {y}, {z})",
                     cut.preload.body, cut.preload.cut
                 );
-                let help = "cut the shank where nothing is tied to it: `law: contact` on the shank, or another cut";
+                let help = "cut the shank where nothing is tied to it: `law: contact` on the \
+                            shank, or another cut";
                 return Err(Diagnostic::input("model/preload", m).help(help).into());
             }
-            let pair = |p: &OpenPair| FacePair { a: face(p.a), b: face(p.b), nodes_a: p.nodes_a, nodes_b: p.nodes_b };
+            let pair = |p: &OpenPair| FacePair {
+                a: face(p.a),
+                b: face(p.b),
+                nodes_a: p.nodes_a,
+                nodes_b: p.nodes_b,
+            };
             Ok(Preload { faces: mine.iter().map(pair).collect(), ..cut.preload })
         })
         .collect()

@@ -133,7 +133,8 @@ supports:
   - {face: LEFT, fix: [y, z]}
   - {face: FLOOR, law: contact, mu: 0.2, gap: 0.5}
 rigid:
-  - {face: RIGHT, components: [x, y, z], free: [rz, ux], at: [40, 5, 5], force: [-7, 0, 0], dead_moment: [0, 0, 9]}
+  - {face: RIGHT, components: [x, y, z], free: [rz, ux], at: [40, 5, 5], force: [-7, 0, 0], \
+                dead_moment: [0, 0, 9]}
 loads:
   - {face: LEFT, pressure: 2}
   - {face: LEFT, linear: {traction0: [1, 0, 0], gradient: [[0, 0, 0.1], [0, 0, 0], [0, 0, 0]]}}

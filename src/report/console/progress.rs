@@ -58,12 +58,16 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             log.line(format!("{case}: {name} program: {}", forecast_words(unknowns, forecast)));
         }
         Event::Waits { needed, room } => log.line(format!(
-            "{case}: the programs run one after the other, the {name} one last: side by side they need {} more memory, {}",
+            "{case}: the programs run one after the other, the {name} one last: side by side they \
+             need {} more memory, {}",
             gib(needed, Rounding::Up),
             room_words(&room)
         )),
         Event::Refused(refusal) => {
-            log.line(format!("{case}: the {name} program is not started: it {}", refusal_words(refusal)));
+            log.line(format!(
+                "{case}: the {name} program is not started: it {}",
+                refusal_words(refusal)
+            ));
         }
         Event::Solve { forecast } => {
             log.stage(format!("{case}: solving the {name} program"));
@@ -71,13 +75,21 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
         }
         Event::Iteration(i) => {
             let Iteration { number, gap, residual, step, .. } = i;
-            log.detail(format!("{case}: {name} iteration {number}: gap {gap:.1e}, residual {residual:.1e}, step {step:.2}"));
+            log.detail(format!(
+                "{case}: {name} iteration {number}: gap {gap:.1e}, residual {residual:.1e}, step \
+                 {step:.2}"
+            ));
             // with bar and time left it fits into 80 columns
-            log.iteration(program, i, &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"));
+            log.iteration(
+                program,
+                i,
+                &format!("iteration {number}, gap {gap:.0e}, residual {residual:.0e}"),
+            );
         }
         Event::Tightening => log.line(format!("{case}: the bolts are tightened first")),
         Event::Slips { solves, change } => log.line(format!(
-            "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed them by {} of the largest",
+            "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed \
+             them by {} of the largest",
             percent_up(change)
         )),
         Event::Certify => {
@@ -88,11 +100,19 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             let tets = fixed(tets as f64, 0, Rounding::Nearest);
             log.line(format!("{case}: the {name} program with yield conditions in {tets} tets"));
         }
-        Event::Coulomb => log.line(format!("{case}: Coulomb's law by a fixed point on the {name} program")),
-        Event::Frictionless => log.line(format!("{case}: the {name} program once more, without friction")),
+        Event::Coulomb => {
+            log.line(format!("{case}: Coulomb's law by a fixed point on the {name} program"))
+        }
+        Event::Frictionless => {
+            log.line(format!("{case}: the {name} program once more, without friction"))
+        }
         Event::Ended(run) => {
             log.end(program);
-            log.detail(format!("{case}: {name} program: {} after {} iterations", run.status.words(), run.iterations));
+            log.detail(format!(
+                "{case}: {name} program: {} after {} iterations",
+                run.status.words(),
+                run.iterations
+            ));
         }
     }
 }

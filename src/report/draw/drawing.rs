@@ -289,7 +289,9 @@ fn loads(e: &EndPlate) -> Drawing {
     let plane =
         if e.column.is_some() { "bolt planes = column faces" } else { "bolt plane (dashed)" };
     d.text([x, y - 112.0], Anchor::Middle, plane);
-    let lines = ["Positive as drawn: N pulls, Vz lifts, My pulls the top; y′ = z′ × x′. Values at the bolt plane, load factor 1:".into()];
+    let lines = ["Positive as drawn: N pulls, Vz lifts, My pulls the top; y′ = z′ × x′. Values \
+                  at the bolt plane, load factor 1:"
+        .into()];
     let values = e.actions.iter().map(value);
     for (i, text) in lines.into_iter().chain(values).enumerate() {
         d.text([MARGIN, y + 140.0 + LINE * i as f64], Anchor::Start, &text);
@@ -327,13 +329,16 @@ mod tests {
         joint.end_plate.expect("an end plate")
     }
 
-    const COLUMN: &str = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, steel: S235}, beam: {profile: \
-        IPE300, steel: S235}}\nplate: {thickness: 15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, 190]}\nparameters: \
-        {double_sided: true, doubler: true, rib: true}\nloads: [{name: A, end: beam_right, at: node, My: 40 kN m, Vz: -30 kN}, {name: \
-        A, end: beam_left, at: node, My: 30 kN m, Mz: 1 kN m}]\n";
-    const SPLICE: &str = "template: beam_splice\nmembers: {beam: {profile: IPE600, steel: S235}}\nplate: {thickness: 6, z: [-400, \
-        310]}\nbolts: {size: M20, grade: \"8.8\", rows: [-350, -200, -155, 155]}\nloads: [{name: A, end: beam_right, at: bolt_plane, \
-        My: 40 kN m}]\n";
+    const COLUMN: &str = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB200, \
+                          steel: S235}, beam: {profile: IPE300, steel: S235}}\nplate: {thickness: \
+                          15}\nbolts: {size: M20, grade: \"8.8\", rows: [-90, 90, \
+                          190]}\nparameters: {double_sided: true, doubler: true, rib: \
+                          true}\nloads: [{name: A, end: beam_right, at: node, My: 40 kN m, Vz: \
+                          -30 kN}, {name: A, end: beam_left, at: node, My: 30 kN m, Mz: 1 kN m}]\n";
+    const SPLICE: &str = "template: beam_splice\nmembers: {beam: {profile: IPE600, steel: \
+                          S235}}\nplate: {thickness: 6, z: [-400, 310]}\nbolts: {size: M20, \
+                          grade: \"8.8\", rows: [-350, -200, -155, 155]}\nloads: [{name: A, end: \
+                          beam_right, at: bolt_plane, My: 40 kN m}]\n";
 
     /// No two texts overlap, and every dimension that a fitter needs is there.
     #[test]

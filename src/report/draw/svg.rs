@@ -78,7 +78,8 @@ impl Drawing {
         let (x, y, w, h) = (x1.min(x2), y1.min(y2), (x2 - x1).abs(), (y2 - y1).abs());
         let _ = writeln!(
             self.body,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.1}\" height=\"{h:.1}\" fill=\"{fill}\" {}/>",
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.1}\" height=\"{h:.1}\" fill=\"{fill}\" \
+             {}/>",
             pen.attributes()
         );
     }
@@ -130,7 +131,8 @@ impl Drawing {
         let (from, to) = (at(-angle), at(angle));
         let _ = writeln!(
             self.body,
-            "<path d=\"M {:.1} {:.1} A {radius:.1} {radius:.1} 0 1 {} {:.1} {:.1}\" fill=\"none\" {}/>",
+            "<path d=\"M {:.1} {:.1} A {radius:.1} {radius:.1} 0 1 {} {:.1} {:.1}\" fill=\"none\" \
+             {}/>",
             from[0],
             from[1],
             u8::from(clockwise),
@@ -206,8 +208,9 @@ impl Drawing {
         let [width, height] = self.size.map(|s| (s + 16.0).ceil());
         let title = title.replace('&', "&amp;").replace('<', "&lt;");
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
-             font-family=\"sans-serif\" font-size=\"{LETTERS}\" fill=\"#1e1e1e\">\n<title>{title}</title>\n<rect width=\"{width}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"{LETTERS}\" \
+             fill=\"#1e1e1e\">\n<title>{title}</title>\n<rect width=\"{width}\" \
              height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>\n",
             self.body
         )

@@ -63,40 +63,46 @@ const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Detailing,
         "Detailing",
-        "Least distances decide the verdict. Greatest distances bind exposed or compressed steel alone, room for tools and \
-         washers is practice: passing them is a warning.",
+        "Least distances decide the verdict. Greatest distances bind exposed or compressed steel \
+         alone, room for tools and washers is practice: passing them is a warning.",
     ),
     (
         Topic::Bolts,
         "Bolts",
-        "Resistances of one bolt; below them what the actions of the load cases ask, which decides the verdict. A row carries the part \
-         of its resistance that the joint uses of its own (component method), prying included; shear goes to the bolts by what \
-         tension leaves of them, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
+        "Resistances of one bolt; below them what the actions of the load cases ask, which \
+         decides the verdict. A row carries the part of its resistance that the joint uses of its \
+         own (component method), prying included; shear goes to the bolts by what tension leaves \
+         of them, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
     ),
     (
         Topic::Welds,
         "Welds",
-        "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet welds on both sides need these throats to be as \
-         strong. Welds with a throat have its strength in limit analysis; here, those of the flanges take moment and axial force, those of the web the shear force \
-         and beside the rows in tension the rows' forces too; and none may be weaker than the joint (6.2.3(4)).",
+        "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet \
+         welds on both sides need these throats to be as strong. Welds with a throat have its \
+         strength in limit analysis; here, those of the flanges take moment and axial force, \
+         those of the web the shear force and beside the rows in tension the rows' forces too; \
+         and none may be weaker than the joint (6.2.3(4)).",
     ),
     (
         Topic::Member,
         "Beam and stiffeners at the joint",
-        "The beam's cross-section under the actions at the joint (EN 1993-1-1 6.2) and the column's stiffeners on what is left of them at the root. \
-         They decide the verdict: neither the local buckling of the beam nor the cut is in the mesh.",
+        "The beam's cross-section under the actions at the joint (EN 1993-1-1 6.2) and the \
+         column's stiffeners on what is left of them at the root. They decide the verdict: \
+         neither the local buckling of the beam nor the cut is in the mesh.",
     ),
     (
         Topic::ComponentMethod,
         "Component method",
-        "For both senses of bending; rows count from the tension side. Every T-stub follows Table 6.2. Of a load case, strength by this method decides where no limit analysis does; where one decides and \
-         nothing may buckle, a demand above its resistance is a warning.",
+        "For both senses of bending; rows count from the tension side. Every T-stub follows Table \
+         6.2. Of a load case, strength by this method decides where no limit analysis does; where \
+         one decides and nothing may buckle, a demand above its resistance is a warning.",
     ),
     (
         Topic::Stability,
         "Stability",
-        "What may buckle before it yields. Limit analysis does not see it, so that these checks and the component method decide \
-         beside any bracket; where the code gives no resistance, the verdict is at most UNDECIDED.",
+        "What may buckle before it yields. Limit analysis does not see it, so that these checks \
+         and the component method decide beside any bracket; where the code gives no resistance, \
+         the verdict is at most UNDECIDED.",
     ),
     (
         Topic::Stiffness,
@@ -106,8 +112,8 @@ const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Ductility,
         "Rotation capacity",
-        "Limit analysis takes every part to yield as long as it must. Where no rule holds, bolts may break before the rows have \
-         yielded, and the verdict is at most UNDECIDED.",
+        "Limit analysis takes every part to yield as long as it must. Where no rule holds, bolts \
+         may break before the rows have yielded, and the verdict is at most UNDECIDED.",
     ),
 ];
 

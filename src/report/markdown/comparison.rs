@@ -72,17 +72,19 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     let beam = Unit::Moment.show(c.beam);
     if method < low && !c.stability.is_empty() {
         return format!(
-            "{} % below the lower bound. Limit analysis sees no buckling, so that the component method decides: {}; {rows}; the beam \
-             alone carries {beam}.",
+            "{} % below the lower bound. Limit analysis sees no buckling, so that the component \
+             method decides: {}; {rows}; the beam alone carries {beam}.",
             percent(1.0 - method / low),
             c.stability.join("; ")
         );
     }
     if method < low {
         return format!(
-            "{} % below the lower bound. The model carries more because the component method bends plates and flanges at f_y where the \
-             model, unable to contract along a hinge, carries up to 2/√3 = {} of that; and because it measures to the bolt axis where \
-             the head, {} mm to either side, holds the plate nearer to the web; {rows}; the beam alone carries {beam}.",
+            "{} % below the lower bound. The model carries more because the component method \
+             bends plates and flanges at f_y where the model, unable to contract along a hinge, \
+             carries up to 2/√3 = {} of that; and because it measures to the bolt axis where the \
+             head, {} mm to either side, holds the plate nearer to the web; {rows}; the beam \
+             alone carries {beam}.",
             percent(1.0 - method / low),
             significant(PLANE_STRAIN, 4, Rounding::Nearest),
             significant(c.head, 3, Rounding::Nearest)
@@ -90,9 +92,9 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     }
     if method > up {
         return format!(
-            "{} % above the upper bound, for the mechanism of the model fails earlier than the sum of the components: {rows}; the \
-             beam alone carries {beam}; M_j,Rd knows nothing of the shear force, and of the column only its web and flange at \
-             the joint.",
+            "{} % above the upper bound, for the mechanism of the model fails earlier than the \
+             sum of the components: {rows}; the beam alone carries {beam}; M_j,Rd knows nothing \
+             of the shear force, and of the column only its web and flange at the joint.",
             percent(method / up - 1.0)
         );
     }

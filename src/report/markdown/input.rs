@@ -9,7 +9,8 @@ pub(crate) fn sections(page: &mut String, data: &ReportData) {
     heading(page, "Input");
     paragraph(
         page,
-        "As it was read: without comments, with the defaults of what it leaves out. The file itself stands at the end.",
+        "As it was read: without comments, with the defaults of what it leaves out. The file \
+         itself stands at the end.",
     );
     yaml(page, &data.input_read);
     values(page, data);

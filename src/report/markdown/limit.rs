@@ -15,7 +15,8 @@ pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String
             format!(", after which {} of it are missing to Coulomb's law", percent_up(m))
         });
         format!(
-            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load factors, and this is one of them.",
+            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load \
+             factors, and this is one of them.",
             run.solves
         )
     });
@@ -30,7 +31,8 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         paragraph(
             page,
             &format!(
-                "The given load of the whole structure is {given}; the load at collapse {word} between {low} and {high} {unit}."
+                "The given load of the whole structure is {given}; the load at collapse {word} \
+                 between {low} and {high} {unit}."
             ),
         );
     }
@@ -43,8 +45,8 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         paragraph(
             page,
             &format!(
-                "The given load of the whole structure is {}; the load at collapse {word} at most {most} {unit}: how much of it is carried \
-                 at least is not known.",
+                "The given load of the whole structure is {}; the load at collapse {word} at most \
+                 {most} {unit}: how much of it is carried at least is not known.",
                 load.words()
             ),
         );
@@ -70,16 +72,17 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     match (case.problem, smooth, case.upper) {
         (FrictionModel::Coulomb, Some(_), Some(_)) => paragraph(
             page,
-            "Under Coulomb's law the load factor is at least that without friction (the lower value) and at most that with \
-             associated friction (the upper value).",
+            "Under Coulomb's law the load factor is at least that without friction (the lower \
+             value) and at most that with associated friction (the upper value).",
         ),
         (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
             let (low, high) = bracket(low, high, 3);
             paragraph(
                 page,
                 &format!(
-                    "Without dilation (Coulomb's law with the same coefficient) the load factor is at least that without \
-                     friction and at most that with associated friction: between {low} and {high}."
+                    "Without dilation (Coulomb's law with the same coefficient) the load factor \
+                     is at least that without friction and at most that with associated friction: \
+                     between {low} and {high}."
                 ),
             );
         }

@@ -16,8 +16,8 @@ pub(crate) fn displacement(page: &mut String, case: &CaseResult) {
         paragraph(
             page,
             &format!(
-                "The load of the whole structure is {}. Its {what}{mean} is at least {low} {unit}; once something yields, an energy \
-                 does not bound it from above.",
+                "The load of the whole structure is {}. Its {what}{mean} is at least {low} \
+                 {unit}; once something yields, an energy does not bound it from above.",
                 load.words()
             ),
         );
@@ -32,8 +32,9 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
     page.push_str(&format!("## Yielding of {}\n\n", inline(&case.name)));
     paragraph(
         page,
-        "The utilisation is the largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress. The yielded volume is that in which the \
-         upper bound's field has plastic strain (an estimate), the plastic work that of this field in the whole structure.",
+        "The utilisation is the largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress. The \
+         yielded volume is that in which the upper bound's field has plastic strain (an \
+         estimate), the plastic work that of this field in the whole structure.",
     );
     let dash = || "–".to_string();
     let mut parts: Vec<_> = case.yielding.iter().collect();
@@ -70,7 +71,8 @@ pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
         paragraph(
             page,
             &format!(
-                "Yield conditions were needed {}; everywhere else the stress was found below yield without them.",
+                "Yield conditions were needed {}; everywhere else the stress was found below \
+                 yield without them.",
                 of_both.join(", and ")
             ),
         );

@@ -35,7 +35,8 @@ pub(crate) fn preload_words(bolt: &Tightened) -> String {
         ""
     };
     format!(
-        "Bolt {}: the preload of {}{halved} closes the cut {} by {} mm, the same for both programs{loaded}.",
+        "Bolt {}: the preload of {}{halved} closes the cut {} by {} mm, the same for both \
+         programs{loaded}.",
         inline(&bolt.body),
         kilonewtons(bolt.force),
         inline(&bolt.cut),

@@ -122,7 +122,8 @@ fn joint(page: &mut String, data: &ReportData) {
     if !data.schedule.rows.is_empty() {
         paragraph(
             page,
-            "Bolts, plates and stiffeners, with masses from nominal sizes at 7850 kg/m³; members by their length on site:",
+            "Bolts, plates and stiffeners, with masses from nominal sizes at 7850 kg/m³; members \
+             by their length on site:",
         );
         table(page, &data.schedule);
     }
@@ -156,7 +157,8 @@ fn problem_words(problem: FrictionModel, contact: bool) -> &'static str {
         FrictionModel::Associated => " with contact and associated friction",
         FrictionModel::Coulomb => " with contact and Coulomb friction",
         FrictionModel::ShiftedCones => {
-            " with contact, in the last step of the fixed point for Coulomb friction (shifted cones)"
+            " with contact, in the last step of the fixed point for Coulomb friction (shifted \
+             cones)"
         }
     }
 }
@@ -182,7 +184,8 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
         (_, Some(Upper::Finite(0.0))) if case.quantity == Quantity::LoadFactor => {
             let verb = if strict { "is" } else { "is estimated as" };
             format!(
-                "{name}: the {what} {verb} **0**: a mechanism moves the structure freely, and the live loads drive it."
+                "{name}: the {what} {verb} **0**: a mechanism moves the structure freely, and the \
+                 live loads drive it."
             )
         }
         (Some(lower), Some(Upper::Finite(upper))) => {
@@ -195,7 +198,8 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
         (Some(lower), Some(Upper::Unbounded(_))) => {
             let low = significant(lower, 6, Rounding::Down);
             format!(
-                "{name}: the loads can grow without limit; the {what} is unbounded above and at least **{low}**{unit}."
+                "{name}: the loads can grow without limit; the {what} is unbounded above and at \
+                 least **{low}**{unit}."
             )
         }
         (Some(lower), None) => {
@@ -222,8 +226,8 @@ fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
     if !strict && (case.lower.is_some() || case.upper.is_some()) {
         paragraph(
             page,
-            "**These are estimates, not bounds**: a residual of the certificate exceeds its tolerance, or no certificate \
-             was computed.",
+            "**These are estimates, not bounds**: a residual of the certificate exceeds its \
+             tolerance, or no certificate was computed.",
         );
     }
     meaning(page, case, data);
@@ -246,8 +250,9 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
             paragraph(
                 page,
                 &format!(
-                    "The load of the whole structure is {}. Its {what}{mean} {word} between {a} and {b} {unit}, so the initial \
-                     stiffness between {soft} and {stiff} {}/{unit}.",
+                    "The load of the whole structure is {}. Its {what}{mean} {word} between {a} \
+                     and {b} {unit}, so the initial stiffness between {soft} and {stiff} \
+                     {}/{unit}.",
                     load.words(),
                     load.unit()
                 ),
@@ -320,8 +325,8 @@ fn fixed_point_words(run: &FixedPointRun) -> String {
         None => String::new(),
     };
     format!(
-        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} of the largest{contraction}. The \
-         bracket is strict for that last problem.",
+        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} \
+         of the largest{contraction}. The bracket is strict for that last problem.",
         percent_up(run.change)
     )
 }
@@ -507,8 +512,8 @@ fn seconds(s: Option<f64>) -> String {
 fn certificates(page: &mut String, data: &ReportData) {
     paragraph(
         page,
-        "Residuals of the two fields, recomputed from the fields themselves by code that shares nothing with the solver; \
-         all dimensionless.",
+        "Residuals of the two fields, recomputed from the fields themselves by code that shares \
+         nothing with the solver; all dimensionless.",
     );
     let mut rows = Vec::new();
     for case in &data.result.cases {
@@ -557,13 +562,14 @@ fn limits(data: &ReportData) -> Vec<String> {
     let limit = kinds.contains(&AnalysisKind::Limit);
     let model = data.model;
     let mut out = vec![
-        "Small displacements: equilibrium is that of the undeformed shape. Buckling and second-order effects are not covered."
+        "Small displacements: equilibrium is that of the undeformed shape. Buckling and \
+         second-order effects are not covered."
             .to_string(),
-        "The bounds hold for the mechanical model: bodies, materials, supports and loads as listed above. They say nothing about \
-         how well the model stands for the building."
+        "The bounds hold for the mechanical model: bodies, materials, supports and loads as \
+         listed above. They say nothing about how well the model stands for the building."
             .to_string(),
-        "What is bracketed is the quantity named in the answer. Local values (stresses, pressures, displacements of a point) come \
-         without a guarantee."
+        "What is bracketed is the quantity named in the answer. Local values (stresses, \
+         pressures, displacements of a point) come without a guarantee."
             .to_string(),
     ];
     if kinds.contains(&AnalysisKind::Elastic) {
@@ -571,51 +577,64 @@ fn limits(data: &ReportData) -> Vec<String> {
     }
     if kinds.contains(&AnalysisKind::Elastoplastic) {
         out.push(
-            "Elastic, perfectly plastic analysis (Hencky): all loads grow together from zero and nothing that has yielded unloads; no \
-             hardening, no strain limit."
+            "Elastic, perfectly plastic analysis (Hencky): all loads grow together from zero and \
+             nothing that has yielded unloads; no hardening, no strain limit."
                 .into(),
         );
     }
     if limit {
-        out.push("Limit analysis: rigid, perfectly plastic material with enough ductility to redistribute; no strain limit is checked.".into());
+        out.push(
+            "Limit analysis: rigid, perfectly plastic material with enough ductility to \
+             redistribute; no strain limit is checked."
+                .into(),
+        );
         if model.preload || model.initial_gap {
-            out.push("In limit analysis preload drops out and contacts with an initial gap count as closed.".into());
+            out.push(
+                "In limit analysis preload drops out and contacts with an initial gap count as \
+                 closed."
+                    .into(),
+            );
         }
     }
     if model.friction {
         out.push(
-            "Associated friction lets sliding faces lift off each other (slip dilates). The collapse load of the same joint with \
-             Coulomb friction is at least that without friction and at most that with associated friction: a lower bound with \
-             associated friction is not safe for a Coulomb structure, the frictionless lower bound is."
+            "Associated friction lets sliding faces lift off each other (slip dilates). The \
+             collapse load of the same joint with Coulomb friction is at least that without \
+             friction and at most that with associated friction: a lower bound with associated \
+             friction is not safe for a Coulomb structure, the frictionless lower bound is."
                 .into(),
         );
         if model.coulomb
             && data.result.cases.iter().any(|c| c.problem == FrictionModel::ShiftedCones)
         {
             out.push(
-                "Coulomb friction is reached by a fixed point over problems with shifted cones. The bounds are strict for the last of \
-                 these problems; they are not bounds of Coulomb's."
+                "Coulomb friction is reached by a fixed point over problems with shifted cones. \
+                 The bounds are strict for the last of these problems; they are not bounds of \
+                 Coulomb's."
                     .into(),
             );
         }
     }
     if model.preload && kinds.contains(&AnalysisKind::Elastic) {
         out.push(
-            "Preload: the bolts are tightened first, under the dead loads alone; then the closures of their cuts stay. The bounds are \
-             strict for the structure with these closures, and they bracket its energy only."
+            "Preload: the bolts are tightened first, under the dead loads alone; then the \
+             closures of their cuts stay. The bounds are strict for the structure with these \
+             closures, and they bracket its energy only."
                 .into(),
         );
     }
     if model.facets {
         out.push(
-            "Holes, shanks and fillets are meshed as flat facets. The meshed body is the body for both programs, so the bracket is \
-             strict for it; the difference between facets and true curves is not part of the gap."
+            "Holes, shanks and fillets are meshed as flat facets. The meshed body is the body for \
+             both programs, so the bracket is strict for it; the difference between facets and \
+             true curves is not part of the gap."
                 .into(),
         );
     }
     if model.symmetry {
         out.push(
-            "Geometry, supports and loads are symmetric about the planes used; a solution is taken to be so too."
+            "Geometry, supports and loads are symmetric about the planes used; a solution is \
+             taken to be so too."
                 .into(),
         );
     }

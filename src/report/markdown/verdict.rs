@@ -30,7 +30,8 @@ fn rows(j: &Judgement) -> Vec<Vec<String>> {
     let row = |name: &str, verdict: Verdict, on: &str| {
         vec![name.to_owned(), verdict.words().into(), on.to_owned()]
     };
-    let code = "binding checks of EN 1993; strength by the component method where no limit analysis decides";
+    let code = "binding checks of EN 1993; strength by the component method where no limit \
+                analysis decides";
     let analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
         _ => "strict bounds of limit analysis; without friction from below",

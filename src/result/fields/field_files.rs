@@ -47,8 +47,10 @@ impl From<FieldFileError> for crate::diag::Diagnostic {
     fn from(e: FieldFileError) -> Self {
         match e {
             FieldFileError::Vtu(e) => e.into(),
-            other => crate::diag::Diagnostic::input("verify/fields", other.to_string())
-                .help("name a finished result folder whose files are unchanged, or run the analysis again"),
+            other => crate::diag::Diagnostic::input("verify/fields", other.to_string()).help(
+                "name a finished result folder whose files are unchanged, or run the analysis \
+                 again",
+            ),
         }
     }
 }

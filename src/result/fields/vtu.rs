@@ -77,8 +77,10 @@ pub enum VtuError {
 
 impl From<VtuError> for Diagnostic {
     fn from(e: VtuError) -> Self {
-        Diagnostic::input("report/vtu", e.to_string())
-            .help("use a field file of a finished result folder, unchanged; run the analysis again if it is damaged")
+        Diagnostic::input("report/vtu", e.to_string()).help(
+            "use a field file of a finished result folder, unchanged; run the analysis again if \
+             it is damaged",
+        )
     }
 }
 
@@ -157,8 +159,8 @@ impl VtuGrid {
         // writing to a String cannot fail, so the results of `write!` are dropped
         let _ = write!(
             head,
-            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
-             <UnstructuredGrid>\n"
+            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+             header_type=\"UInt64\">\n<UnstructuredGrid>\n"
         );
         if !self.field_data.is_empty() {
             head.push_str("<FieldData>\n");

@@ -49,7 +49,8 @@ impl Outline {
                     let at = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
                     if matches!(value, Outline::Nothing) && is_half_a_number(key) {
                         let message = format!(
-                            "the comma before `{key}` ends an entry, and `{key}` becomes a key of its own"
+                            "the comma before `{key}` ends an entry, and `{key}` becomes a key of \
+                             its own"
                         );
                         let mut d = Diagnostic::input("yaml/comma", message);
                         d.place = index.place(&at);

@@ -32,7 +32,8 @@ fn read(text: &str) -> Result<Parsed<Doc>, Diagnostics> {
     parse(text, Path::new("joint.yaml"))
 }
 
-const GOOD: &str = "title: a\nbolts:\n  - size: M16\n    rows: [1, 2.5]\n  - {size: M18, rows: [3, -4]}\nsizes: {b: 1}\n";
+const GOOD: &str = "title: a\nbolts:\n  - size: M16\n    rows: [1, 2.5]\n  - {size: M18, rows: \
+                    [3, -4]}\nsizes: {b: 1}\n";
 
 #[test]
 fn values_and_places() {

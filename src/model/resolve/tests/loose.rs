@@ -5,7 +5,8 @@ use crate::model::resolve::motions::displacement;
 
 fn text(interfaces: &str, rest: &str, bodies: &str) -> String {
     format!(
-        "mesh: m.msh\nanalysis: elastic\nmaterials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: {bodies}\n{interfaces}\n{rest}\n"
+        "mesh: m.msh\nanalysis: elastic\nmaterials: {{s: {{E: 210000, nu: 0.3}}}}\nbodies: \
+         {bodies}\n{interfaces}\n{rest}\n"
     )
 }
 
@@ -20,7 +21,8 @@ const ALL: &str = "{A: s, B: s, C: s}";
 
 #[test]
 fn frictionless_contact_lets_a_part_slide() {
-    let contact = "interfaces: [{between: [A, B], law: contact, mu: 0}]\nsupports: [{face: LEFT, fix: [x, y, z]}]";
+    let contact = "interfaces: [{between: [A, B], law: contact, mu: 0}]\nsupports: [{face: LEFT, \
+                   fix: [x, y, z]}]";
     // pressed on: three free motions in the plane of contact, on which the pressure does no work
     let m = model(row(), &text(contact, "loads: [{face: RIGHT, traction: [-1, 0, 0]}]", ALL))
         .expect("pressed");
@@ -74,7 +76,8 @@ fn a_body_in_free_space() {
 fn loads_of_any_size_are_judged_alike() {
     for scale in ["e-9", "e0", "e9"] {
         let pull = format!(
-            "loads: [{{face: LEFT, traction: [-1.0{scale}, 0, 0]}}, {{face: RIGHT, traction: [1.0{scale}, 0, 0]}}]"
+            "loads: [{{face: LEFT, traction: [-1.0{scale}, 0, 0]}}, {{face: RIGHT, traction: \
+             [1.0{scale}, 0, 0]}}]"
         );
         assert_eq!(model(row(), &text("", &pull, ALL)).expect("in balance").free_modes.len(), 6);
         let push = format!("loads: [{{face: LEFT, traction: [-1.0{scale}, 0, 0]}}]");

@@ -5,9 +5,11 @@ use super::*;
 /// Old text, new text, code, line, part of the message, part of the cure.
 const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     (
-        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n\
-         interfaces:\n  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n",
-        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, C: steel}\n",
+        "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: \
+         steel, C: steel}\ninterfaces:\n  - {between: [B, A], law: contact, mu: 0.3, friction: \
+         associated}\n",
+        "analysis: limit\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: steel, \
+         C: steel}\n",
         "model/never-yields",
         3,
         "no body has a yield strength and no interface can open or slip",
