@@ -1,14 +1,17 @@
-"""Writes the generated blocks of README.md, so that nothing the program says is typed by hand.
+"""Writes the generated blocks of README.md and docs/, so that nothing the program says is typed by hand.
 
 usage: readme.py            rewrite the blocks (run scripts/paper_joint.sh first)
        readme.py --check    exit 1 if a block differs; numbers may differ by 1 % (other machines round differently)
 
-A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -->`:
-  picture  the picture of the mesh, copied from results/paper_joint to docs/
-  spec     examples/paper_joint/joint.yaml without its comments
-  result   the history table and the bracket, from results/paper_joint/result.json
-  study    table and plot of docs/study, what `bracket study` left of the paper's joint (its times are of one machine: never checked)
-  help     what `bracket --help` prints
+A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -->`. `BLOCKS` says in which file:
+  picture    the picture of the mesh, copied from results/paper_joint to docs/
+  spec       examples/paper_joint/joint.yaml without its comments
+  result     the history table and the bracket, from results/paper_joint/result.json
+  worked     the expected result of examples/one_sided_stiffened (expected.json, `heavy`)
+  templates  what `bracket templates NAME` prints of every template
+  annexes    what `bracket catalog list annexes` prints
+  study      table and plot of docs/study, written by scripts/study.sh (its times are of one machine: never checked)
+  help       what `bracket --help` prints
 """
 
 import csv
@@ -23,9 +26,9 @@ import sys
 import json
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-README = ROOT / "README.md"
 EXAMPLE = ROOT / "examples" / "paper_joint"
 RESULT = ROOT / "results" / "paper_joint"
+WORKED = ROOT / "examples" / "one_sided_stiffened"
 PICTURE = pathlib.PurePosixPath("docs/paper_joint.png")
 TOLERANCE = 0.01
 
@@ -112,19 +115,75 @@ def study(_check: bool) -> str:
             gap = f"{math.ceil(1e4 * float(row['gap'])) / 100:.2f} %" if row["gap"] else "–"
             seconds = f"{float(row['total_seconds']):.0f}"
             lines.append(f"| {row['meshes']} | {row['macro_tets']} | {gap} | {seconds} | {row['peak_memory_mib']} |")
-    return "\n".join([*lines, "", "![Certified gap against the number of tets](docs/study/tets.png)"])
+    return "\n".join([*lines, "", "![Certified gap against the number of tetrahedra](study/tets.png)"])
+
+
+def worked(_check: bool) -> str:
+    """The expected result of the worked example, in sentences."""
+    expected = json.loads((WORKED / "expected.json").read_text(encoding="utf-8"))["heavy"]
+    (case, wanted), *_ = expected["cases"].items()
+    lower, upper = wanted["overlaps"]
+    least, most = math.floor(1e3 / upper) / 1e3, math.ceil(1e3 / lower) / 1e3
+    used = expected["utilisations"]["moment and axial force of the joint"]
+    moment = expected["resistances"]["tension at the top: moment resistance of the joint"]
+    verdict = expected["verdict"].replace("_", " ").upper()
+    return "\n".join(
+        [
+            f"- By analysis: the load factor of `{case}` at collapse lies between **{lower}** and **{upper}**. So the load uses",
+            f"  between {least} and {most} of the capacity.",
+            f"- By code: M_j,Rd = {moment / 1e6:.1f} kN m by the component method, utilisation {used:.2f}.",
+            f"- Verdict: **{verdict}**, exit code {expected['exit']}.",
+        ]
+    )
+
+
+def program(*arguments: str) -> str:
+    """What the program prints."""
+    path = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "release" / "bracket"
+    if not path.is_file():
+        raise Fault("the program is not built: cargo build --release --locked")
+    return subprocess.run([path, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def templates(_check: bool) -> str:
+    """Every template with its parameters, sections and member ends."""
+    lines = []
+    for row in program("templates").splitlines():
+        template = json.loads(program("templates", row.split()[0], "--format", "json"))
+        roles = ", ".join(f"`{m['role']}`" for m in template["members"]) or "none"
+        lines += [f"### `{template['name']}`: {template['title']}", "", template["about"], "", f"Members: {roles}.", ""]
+        lines += ["| parameter | meaning |", "| --- | --- |"]
+        for p in template["parameters"]:
+            required = " (required)" if p["required"] else ""
+            lines.append(f"| `{p['name']}` | {p['about']}{required} |")
+        lines.append("")
+        if template["sections"]:
+            lines += ["| section for `section:` | meaning |", "| --- | --- |"]
+            lines += [f"| `{s['name']}` | {s['about']} |" for s in template["sections"]] + [""]
+        if template["ends"]:
+            lines += ["| member end for `end:` | points for `at:` | meaning |", "| --- | --- | --- |"]
+            for e in template["ends"]:
+                points = ", ".join(f"`{a}`" for a in e["at"])
+                lines.append(f"| `{e['name']}` | {points} | {e['about']} |")
+            lines.append("")
+    return "\n".join(lines).rstrip("\n")
+
+
+def annexes(_check: bool) -> str:
+    """The partial factors of the annexes."""
+    return "```text\n" + "\n".join(line.rstrip() for line in program("catalog", "list", "annexes").splitlines()) + "\n```"
 
 
 def help_text(_check: bool) -> str:
     """The subcommands."""
-    program = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "release" / "bracket"
-    if not program.is_file():
-        raise Fault("the program is not built: cargo build --release --locked")
-    text = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout
-    return "```text\n" + "\n".join(line.rstrip() for line in text.strip().splitlines()) + "\n```"
+    return "```text\n" + "\n".join(line.rstrip() for line in program("--help").strip().splitlines()) + "\n```"
 
 
-BLOCKS = {"picture": picture, "spec": spec, "result": bracket, "study": study, "help": help_text}
+BLOCKS = {
+    "README.md": {"picture": picture, "spec": spec, "result": bracket, "worked": worked},
+    "docs/guide.md": {"templates": templates, "annexes": annexes, "study": study},
+    "docs/contract.md": {"help": help_text},
+}
 
 
 def same(old: str, new: str) -> bool:
@@ -145,35 +204,46 @@ def same(old: str, new: str) -> bool:
     return True
 
 
+def rewrite(name: str, blocks: dict, check: bool) -> list[str]:
+    """Rewrites the blocks of a file, or only compares them; the names of those that differ."""
+    path = ROOT / name
+    text = path.read_text(encoding="utf-8")
+    stale = []
+    for block, make in blocks.items():
+        pattern = re.compile(rf"(<!-- generated:{block}\b[^>]*-->\n)(.*?)(<!-- /generated:{block} -->)", re.DOTALL)
+        match = pattern.search(text)
+        if match is None:
+            raise Fault(f"{name} has no block `{block}`")
+        try:
+            new = make(check) + "\n"
+        except Fault as fault:
+            raise Fault(f"{name}, block `{block}`: {fault}") from fault
+        if not same(match.group(2), new):
+            stale.append(block)
+        if not check:
+            text = text[: match.start(2)] + new + text[match.end(2) :]
+    if not check:
+        path.write_text(text, encoding="utf-8")
+    return stale
+
+
 def main() -> int:
     """Rewrites or checks the blocks."""
     check = sys.argv[1:] == ["--check"]
     if sys.argv[1:] and not check:
         print(__doc__, file=sys.stderr)
         return 2
-    text = README.read_text(encoding="utf-8")
-    stale = []
-    for name, make in BLOCKS.items():
-        pattern = re.compile(rf"(<!-- generated:{name}\b[^>]*-->\n)(.*?)(<!-- /generated:{name} -->)", re.DOTALL)
-        match = pattern.search(text)
-        if match is None:
-            print(f"readme: README.md has no block `{name}`", file=sys.stderr)
-            return 1
+    code = 0
+    for name, blocks in BLOCKS.items():
         try:
-            new = make(check) + "\n"
+            stale = rewrite(name, blocks, check)
         except Fault as fault:
-            print(f"readme: block `{name}`: {fault}", file=sys.stderr)
+            print(f"readme: {fault}", file=sys.stderr)
             return 1
-        if not same(match.group(2), new):
-            stale.append(name)
-        if not check:
-            text = text[: match.start(2)] + new + text[match.end(2) :]
-    if check:
-        for name in stale:
-            print(f"readme: block `{name}` is stale: run scripts/readme.py", file=sys.stderr)
-        return 1 if stale else 0
-    README.write_text(text, encoding="utf-8")
-    return 0
+        for block in stale if check else []:
+            print(f"readme: {name}, block `{block}` is stale: run scripts/readme.py", file=sys.stderr)
+            code = 1
+    return code
 
 
 if __name__ == "__main__":
