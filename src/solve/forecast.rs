@@ -62,6 +62,15 @@ impl Forecast {
     }
 }
 
+/// Time of the pieces a solve is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Yardstick {
+    /// One factorisation \[s\].
+    pub factor: f64,
+    /// One solve \[s\].
+    pub solve: f64,
+}
+
 /// Floating-point operations per second of a dense Cholesky factorisation on one thread of this
 /// machine.
 pub fn dense_rate() -> f64 {

@@ -25,6 +25,11 @@ impl ScaledProgram {
         Self { program, cones, maximised, saddle, points }
     }
 
+    /// True for programs of limit analysis, whose last unknown is the load factor.
+    pub(super) fn is_limit(&self) -> bool {
+        !self.program.live.is_empty()
+    }
+
     /// Scalar product in which maximised unknowns count negative.
     pub(super) fn signed_dot(&self, a: &[f64], b: &[f64]) -> f64 {
         if !self.saddle {

@@ -4,7 +4,7 @@
 //! Reading the factor takes the time, so right-hand sides go through together, interleaved: entry
 //! `i` of side `k` of `SIDES` stands at `SIDES·i + k`.
 
-use super::factor::Plan;
+use super::plan::Plan;
 use super::symbolic::Symbolic;
 use crate::math::wide::dispatch;
 use pulp::{Simd, WithSimd};

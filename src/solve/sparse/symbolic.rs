@@ -5,7 +5,7 @@
 //! matrix, then expanded.
 
 use super::ordering::BlockGraph;
-use super::patterns::Pattern;
+use super::pattern::Pattern;
 
 /// Supernodes up to so many columns may be merged when at most this part of the merged block is
 /// zeros.
