@@ -8,27 +8,31 @@ use super::{clarabel, pages};
 use crate::programs::conic::{ConicProgram, cone_margin};
 use std::time::Instant;
 
-/// Clarabel's memory, in that of the condensed method, on the same program.
+/// Clarabel's memory over the forecast of the condensed method, with room: at most 2.1 measured on
+/// elastic programs, see benches/README.md.
 const CLARABEL_MEMORY: u64 = 3;
+/// The same for programs with yield conditions, which Clarabel takes written out: 3.3 to 6.0
+/// measured.
+const CLARABEL_MEMORY_YIELDING: u64 = 7;
 
-/// A program with its ordering and symbolic factor, ready to be solved; its cost is known.
+/// A program with its ordering and symbolic factor, ready to be solved, with a forecast of its cost.
 pub struct Prepared<'a> {
     program: &'a ConicProgram,
-    way: Way,
+    method: Method,
     start: Instant,
 }
 
-/// How a prepared program is solved.
-enum Way {
-    /// No cones: a linear system, ordered and laid out.
+/// Method that solves a prepared program.
+enum Method {
+    /// A program without cones: a linear system, ordered and laid out.
     Linear(Box<SparseCholesky>),
-    /// A linear system that cannot be laid out.
+    /// A linear system whose factor cannot be laid out.
     Singular,
-    /// Nothing loads it: zero.
+    /// A program without loads: the solution is zero.
     Rest,
-    /// By the condensed method.
+    /// The condensed method.
     Condensed(Box<condensed::Prepared>),
-    /// By Clarabel.
+    /// Clarabel.
     Clarabel,
 }
 
@@ -40,53 +44,53 @@ pub fn prepare<'a>(
 ) -> Prepared<'a> {
     let start = Instant::now();
     pages::keep();
-    let way = if program.cones.is_empty() {
+    let method = if program.cones.is_empty() {
         SparseCholesky::symbolic(&program.p, block, &options.patterns)
-            .map_or(Way::Singular, |f| Way::Linear(Box::new(f)))
+            .map_or(Method::Singular, |f| Method::Linear(Box::new(f)))
     } else if program.q.iter().all(|q| *q == 0.0) && at_rest(program) {
-        Way::Rest
+        Method::Rest
     } else if options.solver == Solver::Condensed {
         condensed::Prepared::new(program, block, &options.patterns)
-            .map_or(Way::Clarabel, |p| Way::Condensed(Box::new(p)))
+            .map_or(Method::Clarabel, |p| Method::Condensed(Box::new(p)))
     } else {
-        Way::Clarabel
+        Method::Clarabel
     };
-    Prepared { program, way, start }
+    Prepared { program, method, start }
 }
 
 impl Prepared<'_> {
-    /// What the solve will cost; `None` where nobody can tell (Clarabel) or it costs little.
+    /// Forecast of the cost of the solve; `None` for Clarabel, whose cost is unknown, and where the
+    /// cost is negligible.
     pub fn forecast(&self) -> Option<Forecast> {
-        match &self.way {
-            Way::Condensed(p) => Some(p.forecast()),
-            Way::Linear(factor) => Some(Forecast::of_factor(factor)),
+        match &self.method {
+            Method::Condensed(p) => Some(p.forecast()),
+            Method::Linear(factor) => Some(Forecast::of_factor(factor)),
             _ => None,
         }
     }
 
-    /// Times one factor and one solve of the matrix the iterations work with; `None` where there is
-    /// no such matrix.
+    /// Times one factorisation and one solve of the iterations' matrix; `None` for other methods.
     pub fn yardstick(&mut self) -> Option<Yardstick> {
-        match &mut self.way {
-            Way::Condensed(p) => p.yardstick(),
+        match &mut self.method {
+            Method::Condensed(p) => p.yardstick(),
             _ => None,
         }
     }
 
-    /// Solves it.
+    /// Solves the program.
     ///
-    /// A program without cones is a linear system and is solved as one. When the condensed method
-    /// ends without an answer, Clarabel is asked.
+    /// A program without cones is solved as a linear system. When the condensed method ends without
+    /// an answer and memory allows, Clarabel solves it.
     pub fn solve(mut self, options: &SolveOptions) -> Solution {
         self.run(None, options)
     }
 
-    /// Solves it and keeps what was prepared, for [`Self::solve_at`].
+    /// Solves the program and keeps the preparation for [`Self::solve_at`].
     pub fn solve_first(&mut self, options: &SolveOptions) -> Solution {
         self.run(None, options)
     }
 
-    /// Solves it with other offsets of its rows; all that was prepared stays as it is.
+    /// Solves the program with other row offsets; the preparation is used again.
     pub fn solve_at(&mut self, offsets: &[f64], options: &SolveOptions) -> Solution {
         self.start = Instant::now();
         self.run(Some(offsets), options)
@@ -94,34 +98,38 @@ impl Prepared<'_> {
 
     fn run(&mut self, offsets: Option<&[f64]>, options: &SolveOptions) -> Solution {
         let start = self.start;
-        let solution = match &mut self.way {
-            Way::Linear(factor) => match factor.refactor(&self.program.p) {
+        let solution = match &mut self.method {
+            Method::Linear(factor) => match factor.refactor(&self.program.p) {
                 Ok(()) => Some(linear_solution(self.program, factor)),
                 Err(_) => Some(failed(self.program)),
             },
-            Way::Singular => Some(failed(self.program)),
-            Way::Rest => Some(Solution {
+            Method::Singular => Some(failed(self.program)),
+            Method::Rest => Some(Solution {
                 status: SolveStatus::Optimal,
                 x: vec![0.0; self.program.unknowns()],
                 z: vec![0.0; self.program.h.len()],
                 iterations: 0,
                 seconds: 0.0,
             }),
-            Way::Condensed(prepared) => {
+            Method::Condensed(prepared) => {
                 use SolveStatus::{Interrupted, Optimal, TimeLimit, Unbounded};
                 let bytes = prepared.forecast().bytes;
                 let solution = prepared.solve_at(offsets.unwrap_or(&self.program.h), options);
                 let answered =
                     matches!(solution.status, Optimal | Unbounded | TimeLimit | Interrupted);
-                // Clarabel takes about twice as much memory
-                let fits = available_memory().is_none_or(|there| there / CLARABEL_MEMORY > bytes);
+                let times = if self.program.elements.batches.is_empty() {
+                    CLARABEL_MEMORY
+                } else {
+                    CLARABEL_MEMORY_YIELDING
+                };
+                let fits = available_memory().is_none_or(|there| there / times > bytes);
                 (answered || !fits).then_some(solution)
             }
-            Way::Clarabel => None,
+            Method::Clarabel => None,
         };
         let solution = solution.unwrap_or_else(|| {
-            // frees the factor
-            self.way = Way::Clarabel;
+            // frees the factor of the condensed method
+            self.method = Method::Clarabel;
             match offsets {
                 Some(h) => clarabel::solve(
                     &ConicProgram { h: h.to_vec(), ..self.program.clone() },
@@ -130,7 +138,7 @@ impl Prepared<'_> {
                 None => clarabel::solve(self.program, options),
             }
         });
-        // preparing and an attempt in vain count as well
+        // the preparation and a failed attempt count as well
         Solution { seconds: start.elapsed().as_secs_f64(), ..solution }
     }
 }

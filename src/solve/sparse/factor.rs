@@ -1,30 +1,31 @@
-//! Numeric supernodal Cholesky: subtrees of the dissection side by side, then the separators in
+//! Numeric supernodal Cholesky: subtrees of the dissection in parallel, then the separators in
 //! blocks.
 //!
-//! Left-looking: a supernode gathers the updates of its descendants, then factors its own dense
-//! block, so the factor and one block of work space per thread are all the memory. Where the work
-//! is cut depends on sizes alone: the factor is the same, byte for byte, on any number of threads.
+//! The method is left-looking: a supernode gathers the updates of its descendants, then factors its
+//! own dense block. It needs only the factor and one block of work space per thread. The cuts of the
+//! work depend on sizes alone, so that the factor is the same, byte for byte, on any number of
+//! threads.
 
+use super::blocks;
+use super::dense::{self, MatMut, MatRef};
 use super::plan::Plan;
 use super::symbolic::{Symbolic, Update};
-use super::{blocks, dense};
-use faer::{MatMut, MatRef};
 use rayon::prelude::*;
 use std::sync::Mutex;
 
-/// Columns of a supernode updated together; wider supernodes are cut into such strips, one task
-/// each.
+/// Number of columns of a supernode updated together; wider supernodes are cut into such strips, one
+/// task each.
 const STRIP: usize = 96;
 /// Columns of a panel of a wide diagonal block.
 const PANEL: usize = 128;
 /// Rows of a panel solved together.
 const ROWS: usize = 512;
-/// Columns of a supernode whose products packing does not pay for.
+/// Number of columns of a supernode up to which packing the operands of its products does not pay.
 const NARROW: usize = 128;
 /// Work space of one thread.
 #[derive(Default)]
 struct Work {
-    /// Place of a row in the supernode at hand.
+    /// Place of a row in the current supernode.
     place: Vec<u32>,
     /// One update before it is scattered.
     product: Vec<f64>,
@@ -35,7 +36,7 @@ struct Work {
     runs: Vec<(u32, u32, u32)>,
 }
 
-/// Work spaces, taken and given back.
+/// Work spaces, taken by tasks and returned.
 #[derive(Default)]
 pub struct Pool(Mutex<Vec<Work>>);
 
@@ -55,7 +56,7 @@ impl Pool {
 /// A pivot was not positive.
 pub struct NotPositive;
 
-/// One supernode's dense block being made.
+/// The dense block of one supernode while it is computed.
 struct Target<'a> {
     symbolic: &'a Symbolic,
     s: usize,
@@ -72,7 +73,7 @@ pub fn factor(
     pool: &Pool,
 ) -> Result<(), NotPositive> {
     let mut pieces = plan.cut(values, |s| symbolic.value_start[s]);
-    // the costliest first: less waiting at the end
+    // the most expensive first, for less idle time at the end
     pieces.sort_by_key(|(first, last, _)| {
         std::cmp::Reverse(symbolic.value_start[*last + 1] - symbolic.value_start[*first])
     });
@@ -173,7 +174,7 @@ impl Target<'_> {
             let contiguous = targets[tall - 1] - targets[0] + 1 == tall as u32
                 && rows[wide - 1] - rows[0] + 1 == wide as u32;
             if contiguous {
-                // rows above the diagonal are written as well, and never read
+                // rows above the diagonal are written too, but never read
                 let whole =
                     MatMut::from_column_major_slice_mut(strip, height, (to - from) as usize);
                 let part = whole.submatrix_mut(targets[0] as usize, column, tall, wide);
@@ -190,7 +191,7 @@ impl Target<'_> {
                     _ => runs.push((t, i as u32, 1)),
                 }
             }
-            // rows above the diagonal are written as well, and never read
+            // rows above the diagonal are written too, but never read
             for (j, values) in product.chunks_exact(tall).enumerate() {
                 let column = (rows[j] - from) as usize * height;
                 let column = &mut strip[column..column + height];
