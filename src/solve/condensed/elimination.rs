@@ -1,8 +1,8 @@
-//! One batch of elements that yield: its parameters and inner displacements eliminated, in dense
-//! kernels eight elements wide.
+//! Elimination of the parameters and inner displacements of one batch of elements that yield, in
+//! dense kernels eight elements wide.
 //!
-//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is
-//! `H = F + Σ B_jᵀ V_j B_j + ρ`; what is left is `T H⁻¹ Tᵀ`.
+//! With V_j the vector block of `W_j⁻²`, the matrix of the parameters is
+//! `H = F + Σ B_jᵀ V_j B_j + ρ`; the elimination leaves `T H⁻¹ Tᵀ`.
 
 use super::panel;
 use crate::elements::batch::{Batch, Rule, Shape, VERTEX_VALUES, YIELD_ROWS};
@@ -38,7 +38,7 @@ pub fn own_trace(batch: &Batch, weights: &Weights) -> Lane {
     trace
 }
 
-/// Entries kept of a batch's elimination.
+/// Number of stored entries of the elimination of a batch.
 pub fn kept(batch: &Batch) -> usize {
     let inner = batch.shape.inner() * batch.displacements();
     let own = match batch.shape {
@@ -46,7 +46,7 @@ pub fn kept(batch: &Batch) -> usize {
         Shape::Flow { subtets, rule: Rule::Hencky, .. } => {
             subtets * VERTEX_VALUES * (VERTEX_VALUES + 1) / 2
         }
-        // the scaling of the points is enough
+        // the scaling of the points determines it
         Shape::Flow { .. } => 0,
     };
     own + inner
@@ -57,7 +57,7 @@ pub fn inner_panel<'a>(batch: &Batch, factor: &'a [Lane]) -> &'a [Lane] {
     &factor[factor.len() - batch.shape.inner() * batch.displacements()..]
 }
 
-/// Memory of eliminations, used again from batch to batch.
+/// Work memory of eliminations, used again from batch to batch.
 #[derive(Default)]
 pub struct Scratch {
     panel: Buffer,
@@ -65,12 +65,12 @@ pub struct Scratch {
     own: Vec<Lane>,
 }
 
-/// Lanes that begin where a cache line does: a register is loaded from one line instead of two.
+/// Lanes aligned to cache lines, so that a register is loaded from one line instead of two.
 #[derive(Default)]
 struct Buffer(Vec<f64>);
 
 impl Buffer {
-    /// So many lanes with any content.
+    /// `count` lanes with any content.
     fn lanes(&mut self, count: usize) -> &mut [Lane] {
         const LINE: usize = 64;
         if self.0.len() < LANES * (count + 1) {
@@ -82,7 +82,7 @@ impl Buffer {
 }
 
 /// Eliminates one batch: `T H⁻¹ Tᵀ` (the inner displacements eliminated as well), lower triangle by
-/// columns; its factor is left in `kept`. `None` where a pivot is not positive.
+/// columns; its factor is stored in `kept`. `None` where a pivot is not positive.
 pub fn eliminate(
     batch: &Batch,
     weights: &Weights,
@@ -171,7 +171,7 @@ kernel! {
     }
 }
 
-/// The super-element: dense in its 30 parameters.
+/// Eliminates a super-element, which is dense in its 30 parameters.
 fn eliminate_stress(
     batch: &Batch,
     weights: &Weights,
@@ -206,7 +206,7 @@ fn eliminate_stress(
 }
 
 kernel! {
-    /// The parameters' own matrix on top of the panel, their strains below.
+    /// Fills the panel: the matrix of the parameters on top, their strains below.
     fn fill_hencky(
         simd;
         e: &'a [Lane],
@@ -252,8 +252,8 @@ kernel! {
     }
 }
 
-/// A tet with linear strain that is elastic before it yields: its four points are coupled by the
-/// mass matrix.
+/// Eliminates a tet with linear strain that is elastic before it yields; the mass matrix couples its
+/// four points.
 fn eliminate_hencky(
     e: &[Lane],
     flexibility: &Lane,
@@ -275,7 +275,7 @@ fn eliminate_hencky(
     Some(())
 }
 
-/// `H⁻¹ = a (I − g w wᵀ)` of a point that is rigid before it flows: a, g, w.
+/// `H⁻¹ = a (I − g w wᵀ)` of a point that is rigid before it yields: a, g, w.
 #[inline(always)]
 fn point_inverse<S: Simd>(
     simd: S,
@@ -297,8 +297,8 @@ fn point_inverse<S: Simd>(
 }
 
 kernel! {
-    /// `y = (Σ_j c_j c_jᵀ ⊗ H_j⁻¹) E` of a tet with linear strain that is rigid before it flows:
-    /// each point for itself.
+    /// `y = (Σ_j c_j c_jᵀ ⊗ H_j⁻¹) E` of a tet with linear strain that is rigid before it yields;
+    /// the points are independent.
     fn rigid_plastic(
         simd;
         e: &'a [Lane],
@@ -361,7 +361,7 @@ kernel! {
 }
 
 kernel! {
-    /// `y ← H⁻¹ y` at points that are rigid before they flow.
+    /// `y ← H⁻¹ y` at points that are rigid before they yield.
     fn solve_points(simd; weights: &'a [[Lane; SCALING]], proximal: f64, y: &'a mut [Lane]) {
         let y = registers_mut::<S>(y);
         for offset in 0..parts::<S>() {

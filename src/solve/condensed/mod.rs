@@ -1,7 +1,7 @@
 //! The condensed interior-point method: only unknowns that elements share reach the sparse factor.
 //!
-//! Slacks and multipliers of the cones are eliminated cone by cone, yielding elements one by one;
-//! every iteration factors what is left of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one
+//! Slacks and multipliers of the cones are eliminated cone by cone, and elements that yield one by
+//! one. Every iteration factors the rest of `P + Gᵀ W⁻² G`, whose pattern is fixed, under one
 //! nested-dissection ordering.
 
 pub mod cones;

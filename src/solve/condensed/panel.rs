@@ -1,10 +1,10 @@
-//! Dense operations on panels of eight elements at once: entry by entry, the eight side by side.
+//! Dense operations on panels of eight elements at once; the eight values of an entry are adjacent.
 
 use crate::math::lanes::{Place, kernel};
 use crate::math::wide::{Lane, dispatch, parts, registers, registers_mut};
 use pulp::{Simd, WithSimd};
 
-/// Part of a diagonal entry that its pivot is raised by: what rounding may have taken from it.
+/// Fraction of a diagonal entry added to its pivot, an allowance for rounding.
 const ROUNDING: f64 = 1e-14;
 /// Rows and columns of a tile, whose sums stay in registers.
 const TILE: usize = 4;
@@ -152,7 +152,7 @@ fn product_tile<S: Simd, const R: usize, const C: usize>(
 /// Cholesky of the leading m columns, rows below solved. False where a pivot is not positive.
 pub fn factor(panel: &mut [Lane], m: usize, height: usize) -> bool {
     dispatch(Factor { panel, m, height });
-    // a pivot that is not positive leaves a diagonal that is not a number, or zero
+    // a pivot that is not positive leaves NaN or zero on the diagonal
     (0..m).all(|c| panel[c * height + c].iter().all(|d| *d > 0.0 && d.is_finite()))
 }
 

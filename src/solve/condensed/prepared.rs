@@ -11,7 +11,7 @@ use crate::solve::sparse::{LinearError, Patterns};
 use crate::solve::status::{Solution, SolveOptions};
 use std::time::Instant;
 
-/// A program scaled, ordered and laid out.
+/// A program that is scaled, ordered and laid out.
 pub struct Prepared {
     scales: Scales,
     problem: ScaledProgram,
@@ -19,8 +19,8 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a program with at least one cone; `block` gives the block (node or face) of each
-    /// shared unknown, for the ordering, which `patterns` may know.
+    /// Prepares a program with at least one cone. `block` gives the block (node or face) of each
+    /// shared unknown for the ordering, which is taken from `patterns` if known.
     pub fn new(
         program: &ConicProgram,
         block: &[u32],
@@ -32,13 +32,13 @@ impl Prepared {
         Ok(Self { scales, problem, system })
     }
 
-    /// What the solve will cost.
+    /// Forecast of the cost of the solve.
     pub fn forecast(&self) -> Forecast {
         self.system.forecast(&self.problem.program)
     }
 
-    /// Times the second of two factorisations of the starting matrix, and the second of two solves
-    /// with it.
+    /// Time of the second of two factorisations of the starting matrix, and of the second of two
+    /// solves with it.
     pub fn yardstick(&mut self) -> Option<Yardstick> {
         let timed = |run: &mut dyn FnMut()| {
             run();
@@ -60,7 +60,7 @@ impl Prepared {
         self.run(options)
     }
 
-    /// Solves it with other offsets of its rows; scales, ordering and pattern stay.
+    /// Solves the program with other row offsets; scales, ordering and pattern stay.
     pub fn solve_at(&mut self, offsets: &[f64], options: &SolveOptions) -> Solution {
         self.problem.program.h = self.scales.scale_offsets(offsets);
         self.run(options)

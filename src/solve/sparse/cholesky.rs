@@ -15,21 +15,21 @@ use std::sync::Arc;
 /// A Cholesky factor `A = L Lᵀ` under nested dissection.
 pub struct SparseCholesky {
     pub(super) layout: Arc<Layout>,
-    /// The matrix, and then its factor, in that layout.
+    /// The matrix, later its factor, in that layout.
     values: Vec<f64>,
     pool: Pool,
 }
 
 impl SparseCholesky {
-    /// Factors the upper triangle `a`; `block` gives the block of each unknown for the ordering,
-    /// which `patterns` may know.
+    /// Factors the upper triangle `a`. `block` gives the block of each unknown for the ordering,
+    /// which is taken from `patterns` if known.
     pub fn new(a: &SymmetricCsc, block: &[u32], patterns: &Patterns) -> Result<Self, LinearError> {
         let mut factor = Self::symbolic(a, block, patterns)?;
         factor.refactor(a)?;
         Ok(factor)
     }
 
-    /// Factors a matrix with the pattern the layout was made for.
+    /// Factors a matrix with the pattern of the layout.
     pub fn refactor(&mut self, a: &SymmetricCsc) -> Result<(), LinearError> {
         self.clear()?;
         let mut values = std::mem::take(&mut self.values);
@@ -44,8 +44,8 @@ impl SparseCholesky {
         self.factor()
     }
 
-    /// Lays out the factor of matrices with the pattern of `a`, as `patterns` knows it or learns it
-    /// now, without numbers yet.
+    /// Lays out the factor of matrices with the pattern of `a`, without values. The layout is taken
+    /// from `patterns`, or made and stored there.
     pub fn symbolic(
         a: &SymmetricCsc,
         block: &[u32],
@@ -84,14 +84,14 @@ impl SparseCholesky {
         self.layout.symbolic.flops.iter().sum()
     }
 
-    /// Memory of the factor and its layout, once it has numbers \[bytes\].
+    /// Memory of the factor with values and of its layout \[bytes\].
     pub fn bytes(&self) -> usize {
         let s = &self.layout.symbolic;
         8 * s.len() + 4 * s.rows.len() + std::mem::size_of::<Update>() * s.updates.len() + 24 * s.n
     }
 
-    /// The storage, all zero: the entries of the matrix are added at the places the locator tells,
-    /// then it is factored.
+    /// The storage, set to zero. The caller adds the entries of the matrix at the places that the
+    /// locator gives, then factors.
     pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
         if self.values.is_empty() {
             let len = self.layout.symbolic.len();
@@ -115,7 +115,7 @@ impl SparseCholesky {
             .map_err(|_| LinearError::Singular)
     }
 
-    /// Tells the places of entries.
+    /// The places of entries.
     pub fn locator(&self) -> Locator<'_> {
         Locator::new(&self.layout)
     }
@@ -126,7 +126,7 @@ impl SparseCholesky {
         x
     }
 
-    /// `A⁻¹ B` for a few right-hand sides, at about the price of one.
+    /// `A⁻¹ B` for a few right-hand sides, at about the cost of one.
     pub fn solve_all<const SIDES: usize>(&self, b: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
         let n = self.layout.symbolic.n;
         let mut x = vec![0.0; SIDES * n];
@@ -147,8 +147,8 @@ impl SparseCholesky {
     }
 }
 
-/// Asks for huge pages under memory not yet touched: the factor is too large for the address cache
-/// of small ones.
+/// Requests huge pages for memory not yet touched: the address cache does not cover the factor in
+/// small pages.
 fn huge_pages(values: &mut Vec<f64>) {
     #[cfg(target_os = "linux")]
     {
@@ -169,8 +169,7 @@ fn huge_pages(values: &mut Vec<f64>) {
     }
 }
 
-/// `A⁻¹ b` refined until the residual stops falling; returns the solution and the last relative
-/// residual.
+/// `A⁻¹ b`, refined until the residual stops falling: the solution and its last relative residual.
 pub fn solve_refined(a: &SymmetricCsc, factor: &SparseCholesky, b: &[f64]) -> (Vec<f64>, f64) {
     let size = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let scale = size(b);

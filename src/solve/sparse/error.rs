@@ -1,6 +1,6 @@
 //! Errors of the factorisation.
 
-/// Why a factorisation failed.
+/// Reason why a factorisation failed.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum LinearError {
     /// The matrix is not positive definite: some part can move freely.

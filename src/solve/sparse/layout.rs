@@ -10,7 +10,7 @@ pub struct Layout {
     pub pattern: Pattern,
     /// The factor's layout.
     pub symbolic: Symbolic,
-    /// How its tree is cut for threads.
+    /// Cut of its tree for threads.
     pub plan: Plan,
 }
 

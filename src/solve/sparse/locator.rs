@@ -3,8 +3,8 @@
 use super::layout::Layout;
 use super::symbolic::Symbolic;
 
-/// Finds the place of matrix entries in the factor's storage; entries of one column and block in a
-/// row are cheap.
+/// Finds the places of matrix entries in the storage of the factor. Successive entries of one column
+/// and block are found fast.
 pub struct Locator<'a> {
     symbolic: &'a Symbolic,
     block: &'a [u32],
@@ -12,7 +12,7 @@ pub struct Locator<'a> {
     owner: Vec<u32>,
     /// Position of the first unknown of each block.
     first: Vec<u32>,
-    /// The supernode, block and row found last.
+    /// Supernode, block and row of the last entry.
     known: (u32, u32, u32),
 }
 

@@ -3,17 +3,17 @@
 use super::ordering::BlockGraph;
 use crate::programs::conic::SymmetricCsc;
 
-/// What ordering and symbolic factor of a matrix follow from.
+/// The data that determine the ordering and the symbolic factor of a matrix.
 #[derive(PartialEq, Eq)]
 pub struct Pattern {
     /// Block of each unknown, numbered without gaps; unknowns of one block are consecutive.
     pub block: Vec<u32>,
-    /// Which blocks are coupled.
+    /// Couplings of the blocks.
     pub graph: BlockGraph,
 }
 
 impl Pattern {
-    /// Of a matrix whose unknown `i` lies in block `block[i]`.
+    /// The pattern of a matrix whose unknown `i` lies in block `block[i]`.
     pub fn new(a: &SymmetricCsc, block: &[u32]) -> Self {
         let (block, blocks) = without_gaps(block);
         let graph = BlockGraph::new(a, &block, blocks);

@@ -1,27 +1,27 @@
-//! Patterns that were ordered before: load cases and kinds of analysis of one mesh share orderings
-//! and symbolic factors.
+//! Store of layouts: load cases and kinds of analysis of one mesh share orderings and symbolic
+//! factors.
 //!
-//! A layout follows from the block of each unknown and the graph of blocks alone, so what is found
-//! is, to the last bit, what would be made anew: sharing changes no result. Patterns are compared
-//! in full.
+//! The block of each unknown and the graph of blocks determine a layout. A layout from the store is
+//! therefore equal, to the last bit, to a new one, and sharing changes no result. Patterns are
+//! compared in full.
 
 use super::layout::Layout;
 use super::pattern::Pattern;
 use crate::programs::conic::SymmetricCsc;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Patterns kept at most. One mesh has two of each of its programs, with contact and without, and
-/// those again where a motion that friction held is pinned.
+/// Largest number of layouts kept. One mesh has two patterns for each of its programs, with and
+/// without contact, and these again where a motion resisted by friction alone is pinned.
 pub(super) const MOST: usize = 8;
 
-/// The layouts of one mesh. Clones are one store; a new one for each mesh lets those of the last
-/// mesh go.
+/// The layouts of one mesh. Clones share one store; a new store for each mesh releases the layouts of
+/// the last mesh.
 #[derive(Clone, Default)]
 pub struct Patterns {
     kept: Arc<Mutex<Kept>>,
 }
 
-/// The layouts, the one used last at the end, and how often one was found.
+/// The layouts in the order of their last use, and the number of times one was found.
 #[derive(Default)]
 struct Kept {
     layouts: Vec<Arc<Layout>>,
@@ -39,7 +39,7 @@ impl Kept {
 }
 
 impl Patterns {
-    /// The layout for matrices with the pattern of `a`, made only if it is not there yet.
+    /// The layout for matrices with the pattern of `a`, made only if the store does not contain it.
     pub fn layout(&self, a: &SymmetricCsc, block: &[u32]) -> Arc<Layout> {
         let pattern = Pattern::new(a, block);
         let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
@@ -50,7 +50,7 @@ impl Patterns {
                 return layout;
             }
         }
-        // made while others may look: two that need the same at once both make it, and one stays
+        // made without the lock: two threads that need the same layout both make it, one is kept
         let layout = Arc::new(Layout::new(pattern));
         let mut kept = kept();
         if let Some(other) = kept.find(&layout.pattern) {
@@ -63,7 +63,7 @@ impl Patterns {
         layout
     }
 
-    /// Layouts there are, and how often one of them was found.
+    /// Number of layouts, and number of times one of them was found.
     pub fn count(&self) -> (usize, usize) {
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         (kept.layouts.len(), kept.found)

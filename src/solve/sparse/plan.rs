@@ -5,22 +5,22 @@ use super::symbolic::Symbolic;
 /// Subtrees with less than this part of all operations are factored by one thread.
 const SUBTREE: f64 = 1.0 / 24.0;
 
-/// How the tree is cut for threads.
+/// Cut of the tree for threads.
 pub struct Plan {
     /// Subtrees (first and last supernode) that are independent of each other, in order.
     pub subtrees: Vec<(usize, usize)>,
     /// Supernodes above them, in order.
     pub top: Vec<usize>,
-    /// Where their unknowns stand among themselves.
+    /// Numbers of their unknowns among themselves.
     pub above: Above,
 }
 
 /// The unknowns above the subtrees, numbered among themselves.
 #[derive(Default)]
 pub struct Above {
-    /// First number of each supernode above.
+    /// First number in each supernode above.
     pub first: Vec<usize>,
-    /// Number of each unknown; of those in subtrees none.
+    /// Number of each unknown; `u32::MAX` in subtrees.
     pub number: Vec<u32>,
     /// Their number.
     pub count: usize,
@@ -41,7 +41,7 @@ impl Above {
 }
 
 impl Plan {
-    /// Cuts the tree: subtrees as large as allowed, and what is above them.
+    /// Cuts the tree into subtrees as large as allowed and the supernodes above them.
     pub fn new(symbolic: &Symbolic) -> Self {
         let count = symbolic.supernodes();
         let mut below = symbolic.flops.clone();
@@ -53,7 +53,7 @@ impl Plan {
         let limit = SUBTREE * symbolic.flops.iter().sum::<f64>();
         let mut plan = Self { subtrees: Vec::new(), top: Vec::new(), above: Above::default() };
         let mut s = count;
-        // from the root down; a subtree is left behind whole
+        // from the root down; a subtree is skipped as a whole
         while s > 0 {
             s -= 1;
             if below[s] <= limit {
