@@ -1,9 +1,10 @@
 //! Certificates of the elastic energy bounds, computed from the fields and the model alone.
 //!
 //! A certificate shares nothing with the solver, and with the programs only the model itself (mesh,
-//! loads, shape functions). Strain energy is computed at Gauss points and work by direct quadrature;
-//! equilibrium, tractions and contact are computed from the stored values, face by face. The
-//! identity Σ contributions = gap, asserted in every run, ties both certificates together.
+//! loads, shape functions). Strain energy is computed at Gauss points and work by direct
+//! quadrature; equilibrium, tractions and contact are computed from the stored values, face by
+//! face. The identity Σ contributions = gap, asserted in every run, ties both certificates
+//! together.
 
 use crate::certify::faces::{FaceKey, FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
@@ -351,8 +352,8 @@ pub fn certify_displacement(
     certify_motion(model, &space, u, &inside, &stress)
 }
 
-/// Certifies nodal displacements u; `inside` adds the energy stored in a tet and the work of its body
-/// forces, `stress` gives the stress at the vertices of one of its faces.
+/// Certifies nodal displacements u; `inside` adds the energy stored in a tet and the work of its
+/// body forces, `stress` gives the stress at the vertices of one of its faces.
 pub(crate) fn certify_motion(
     model: &AnalysisModel,
     space: &Tet10Space,

@@ -6,9 +6,9 @@
 //! `∫ strength ‖g‖`.
 //!
 //! Limit analysis, at unit power of the live loads:
-//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, the
-//! dissipation by the rule of the upper bound: every term is ≥ 0 where the stress is inside the yield
-//! surface.
+//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, with
+//! dissipations by the rule of the upper bound. Every term is ≥ 0 where the stress is inside the
+//! yield surface.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).

@@ -21,9 +21,9 @@ fn at_middles(strains: &[Mandel; 4]) -> [Mandel; 6] {
 
 /// An upper bound of the mean of `‖ε‖` over a tet with the given strain rates at its vertices.
 ///
-/// The rule has ten points: the vertex rule on the 8 tets that edge midpoints make, averaged over the
-/// three diagonals of the octahedron between them. The weights are 1/32 at vertices and 7/48 at edge
-/// midpoints. Each further subdivision applies the rule to those 8 tets.
+/// The rule has ten points: the vertex rule on the 8 tets that edge midpoints make, averaged over
+/// the three diagonals of the octahedron between them. The weights are 1/32 at vertices and 7/48 at
+/// edge midpoints. Each further subdivision applies the rule to those 8 tets.
 pub fn mean_norm(strains: &[Mandel; 4], subdivisions: u32) -> f64 {
     let middles = at_middles(strains);
     let norms = middles.map(|m| mandel::norm(&m));

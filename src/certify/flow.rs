@@ -7,8 +7,8 @@ use crate::elements::{split_flow, split_tet10};
 use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 
-/// Velocities of vertices and mid-side nodes \[mm per unit of time\], and the kind of element of the
-/// bodies that yield.
+/// Velocities of vertices and mid-side nodes \[mm per unit of time\], and the kind of element of
+/// the bodies that yield.
 ///
 /// In split elements the inner velocities follow from the outer ones as in
 /// [`crate::elements::split_flow`]: they are not stored.

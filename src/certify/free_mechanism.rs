@@ -2,9 +2,9 @@
 //! dissipation.
 //!
 //! Parts that only contact holds can lift off, or slide and dilate with associated friction,
-//! without dissipation. Where the live loads do positive work on such a motion and the dead loads do
-//! no work against it, `λ_up = (0 − dead power)/live power ≤ 0`. The certificate is that of an upper
-//! bound with every body rigid; it does not depend on how the motion was found.
+//! without dissipation. Where the live loads do positive work on such a motion and the dead loads
+//! do no work against it, `λ_up = (0 − dead power)/live power ≤ 0`. The certificate is that of an
+//! upper bound with every body rigid; it does not depend on how the motion was found.
 
 use crate::certify::faces::weld_faces;
 use crate::certify::factor::UpperFactor;

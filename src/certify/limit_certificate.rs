@@ -2,8 +2,8 @@
 //!
 //! Lower bound: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
 //! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
-//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. In limit analysis
-//! initial gaps count as closed, and bodies without a yield strength are rigid.
+//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. In limit
+//! analysis initial gaps count as closed, and bodies without a yield strength are rigid.
 //!
 //! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
 //! distance, estimated from the residuals, is the `cover` of the certificate. A bound must include
@@ -106,8 +106,8 @@ fn slenderness(model: &AnalysisModel) -> f64 {
     vec3::norm(vec3::sub(hi, lo)) / smallest
 }
 
-/// Largest utilisation of the yield surface and the tet where it is reached; NaN if any stress is NaN
-/// or infinite.
+/// Largest utilisation of the yield surface and the tet where it is reached; NaN if any stress is
+/// NaN or infinite.
 pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<usize>) {
     let radii = model.yield_radii();
     let mut worst = (0.0, None);
@@ -124,8 +124,8 @@ pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<u
     worst
 }
 
-/// Allowance, as a utilisation, for the largest relative residual of a stress field's equilibrium: a
-/// field in exact equilibrium differs by no more.
+/// Allowance, as a utilisation, for the largest relative residual of a stress field's equilibrium:
+/// a field in exact equilibrium differs by no more.
 pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: f64) -> f64 {
     // unbalanced forces of one sign on every face add up over L/h faces and bend a section one
     // element deep with the lever arm L
@@ -218,8 +218,8 @@ pub fn dissipation_densities(
         .collect()
 }
 
-/// Certifies velocities as an upper bound; each subdivision of the dissipation rule brings the bound
-/// nearer to the value of the field itself.
+/// Certifies velocities as an upper bound; each subdivision of the dissipation rule brings the
+/// bound nearer to the value of the field itself.
 pub fn certify_upper(
     model: &AnalysisModel,
     field: &VelocityField,
@@ -267,9 +267,9 @@ pub fn certify_upper(
     let strain = largest(shares.iter().map(|s| s.strain));
     let welds = welds::dissipations(model, u);
     let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(welds.iter().copied()));
-    // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a compact
-    // body and more in a slender one; every other residual moves a neighbouring element in the same
-    // way
+    // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
+    // compact body and more in a slender one; every other residual moves a neighbouring element in
+    // the same way
     let residual = trace + strain + off + violation.unwrap_or(0.0);
     let smallest =
         (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();

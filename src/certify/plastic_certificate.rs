@@ -27,8 +27,8 @@ use crate::model::loads::Loads;
 /// Number of times the tets are subdivided for the dissipation.
 const SUBDIVISIONS: u32 = 1;
 
-/// `∫ π(p)` over the pieces of a tet, an upper bound \[N mm\]; infinite for plastic strain in a body
-/// without a yield strength.
+/// `∫ π(p)` over the pieces of a tet, an upper bound \[N mm\]; infinite for plastic strain in a
+/// body without a yield strength.
 pub fn dissipated(pieces: &[PlasticPiece], radius: Option<f64>) -> f64 {
     let of = |p: &PlasticPiece| {
         if p.plastic == [[0.0; 5]; 4] {

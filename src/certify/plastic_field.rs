@@ -120,8 +120,8 @@ fn subtet_displacements(outer: &[V3; 10], inner: &InnerNodes, k: usize) -> [V3; 
 }
 
 /// The plastic strain of least energy at the given strain of a (sub)tet: the minimum of
-/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between the vertices, found by exact
-/// minimisation vertex after vertex.
+/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between the vertices, found by
+/// exact minimisation vertex after vertex.
 ///
 /// Zero where `2G ‖dev (ε_i + Σ_j ε_j)‖/5 ≤ √(2/3) f_y` at every vertex. `two_mu` = 2G and `radius`
 /// = √(2/3) f_y in MPa.

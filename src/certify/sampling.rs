@@ -221,8 +221,8 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     worst
 }
 
-/// Largest violation of the contact law \[mm\]; with `initial` initial gaps and shifts count, without
-/// it gaps count as closed.
+/// Largest violation of the contact law \[mm\]; with `initial` initial gaps and shifts count,
+/// without it gaps count as closed.
 fn gap_cones(
     model: &AnalysisModel,
     u: &DisplacementField,

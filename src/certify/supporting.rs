@@ -1,5 +1,5 @@
-//! The half plane of two actions that a mechanism bounds. It is stronger than the load factor of the
-//! mechanism, which is one point of its edge.
+//! The half plane of two actions that a mechanism bounds. It is stronger than the load factor of
+//! the mechanism, which is one point of its edge.
 //!
 //! Let actions `x₁ A₁ + x₂ A₂` act. For every pair x that some admissible stress carries, virtual
 //! work with admissible velocities gives `x₁ P₁ + x₂ P₂ ≤ D`: P_k is the power of the unit action

@@ -1,7 +1,7 @@
 //! Tolerance of certificates.
 
-/// Largest residual of a strict bound, dimensionless: each residual is relative to the largest value
-/// of its own field (docs/theory.md, section 10).
+/// Largest residual of a strict bound, dimensionless: each residual is relative to the largest
+/// value of its own field (docs/theory.md, section 10).
 ///
 /// Recovered fields satisfy their equations to rounding, which even slivers keep a hundred times
 /// smaller (`recover::restore_equilibrium`). A larger residual than this is an error of the field

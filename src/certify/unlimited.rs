@@ -2,10 +2,10 @@
 //! alone that comes nowhere nearer to yield.
 //!
 //! Let a field be in equilibrium with the live loads alone, with its contact tractions inside their
-//! cones, a zero deviator in every body that yields, and no traction in any weld of finite strength.
-//! Any multiple of it may then be added to an admissible field of the dead loads: the yield
-//! condition does not change and friction cones are convex. So every load factor can be carried,
-//! also under Coulomb's law, because such a field presses contacts without shear.
+//! cones, a zero deviator in every body that yields, and no traction in any weld of finite
+//! strength. Any multiple of it may then be added to an admissible field of the dead loads: the
+//! yield condition does not change and friction cones are convex. So every load factor can be
+//! carried, also under Coulomb's law, because such a field presses contacts without shear.
 
 use crate::certify::certificate::certify_stress;
 use crate::certify::faces::{roles, weld_faces};

@@ -22,8 +22,8 @@ pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
 /// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at
 /// vertices and mid-sides.
 ///
-/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6. Each
-/// subdivision applies this to the four triangles that the mid-sides make.
+/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6.
+/// Each subdivision applies this to the four triangles that the mid-sides make.
 pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
     if subdivisions == 0 {
         let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
@@ -80,8 +80,8 @@ pub fn dissipations(model: &AnalysisModel, u: &[V3]) -> Vec<f64> {
 pub struct Utilisation {
     /// Largest traction over the strength; NaN if any traction is NaN.
     pub largest: f64,
-    /// Upper bound of the mean traction over the strength: the mean of the values at the vertices of
-    /// the faces, between which the traction is linear.
+    /// Upper bound of the mean traction over the strength: the mean of the values at the vertices
+    /// of the faces, between which the traction is linear.
     pub mean: f64,
 }
 

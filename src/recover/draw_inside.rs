@@ -1,9 +1,9 @@
 //! A stress field in equilibrium, drawn inside the yield surface: the field of a strict lower bound
 //! of the load factor.
 //!
-//! The field is drawn towards a field of the dead loads alone, strictly inside, until every point is
-//! inside: `c σ + (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead loads
-//! σ_d is zero.
+//! The field is drawn towards a field of the dead loads alone, strictly inside, until every point
+//! is inside: `c σ + (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without dead
+//! loads σ_d is zero.
 
 use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;

@@ -1,9 +1,9 @@
 //! Recovery of fields that are admissible to rounding from the unknowns of a solver.
 //!
-//! A conic solver satisfies its constraints to its tolerance only. The violation that remains in the
-//! displacement is removed along a field that opens every contact. The stress is projected: contact
-//! tractions, strictly inside their cones, are brought into balance with the loads part by part, and
-//! an elastic solution brings the bodies into equilibrium with them to rounding.
+//! A conic solver satisfies its constraints to its tolerance only. The violation that remains in
+//! the displacement is removed along a field that opens every contact. The stress is projected:
+//! contact tractions, strictly inside their cones, are brought into balance with the loads part by
+//! part, and an elastic solution brings the bodies into equilibrium with them to rounding.
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
@@ -53,8 +53,8 @@ pub enum RecoverError {
 /// The displacement field of a kinematic solution, contacts opened where the solver left them
 /// violated.
 ///
-/// `model` is the model of the program; `patterns`, here and below, holds the known orderings of the
-/// matrices of its mesh.
+/// `model` is the model of the program; `patterns`, here and below, holds the known orderings of
+/// the matrices of its mesh.
 pub fn displacement(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -307,8 +307,8 @@ pub(crate) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
     row
 }
 
-/// Sets that interface tractions must stay in: the cones of contact tractions, then the strengths of
-/// welds.
+/// Sets that interface tractions must stay in: the cones of contact tractions, then the strengths
+/// of welds.
 pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
     let mut sets: Vec<Within> = cone_ranges(&statics.program)
         .into_iter()
@@ -325,8 +325,8 @@ pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
 /// Contact and weld tractions, corrected so that they balance the loads on every rigid motion that
 /// only they resist.
 ///
-/// Where a contact force is below the error of the solver, the exact force may be zero (a loose part
-/// without load): such forces are dropped when no balance is found with them.
+/// Where a contact force is below the error of the solver, the exact force may be zero (a loose
+/// part without load): such forces are dropped when no balance is found with them.
 fn balanced_tractions(
     statics: &Static,
     mut found: Vec<f64>,

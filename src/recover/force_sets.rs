@@ -99,8 +99,9 @@ pub(crate) fn into_cone(s: &mut [f64], slope: f64) {
 /// Corrects `z` by the smallest change in the Dikin metric of each set that makes
 /// `rows · z = needed`; true when every force is still in its set.
 ///
-/// In the inverse Hessian of a cone's barrier, a force near the surface of the cone grows or shrinks
-/// easily along itself and hardly moves out of the cone; a change of length below 1 stays inside.
+/// In the inverse Hessian of a cone's barrier, a force near the surface of the cone grows or
+/// shrinks easily along itself and hardly moves out of the cone; a change of length below 1 stays
+/// inside.
 pub(crate) fn balance(sets: &[Within], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
     let n = rows.len();
     for _ in 0..3 {

@@ -81,8 +81,8 @@ fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     null_space(&gram, 1e-12).into_iter().map(combine).collect()
 }
 
-/// The motion with its closed cones closed to rounding and no other cone violated; the small program
-/// is solved to its tolerance only.
+/// The motion with its closed cones closed to rounding and no other cone violated; the small
+/// program is solved to its tolerance only.
 fn cleaned(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let n = modes.len();
     let combine = |c: &[f64]| -> Vec<f64> {

@@ -7,8 +7,8 @@
 //!    `factor · live + dead` part by part. The factor is an unknown of this balance: where every
 //!    contact slips, friction itself is the limit.
 //! 2. one refined elastic solution carries the forces that the stress leaves unbalanced. Rigid
-//!    bodies, which a solver may leave without stress, are so much stiffer that they carry the loads
-//!    acting on them.
+//!    bodies, which a solver may leave without stress, are so much stiffer that they carry the
+//!    loads acting on them.
 //! 3. the field is drawn inside the yield surface, see [`crate::recover::draw_inside`].
 
 use crate::certify::fields::StressField;
@@ -33,8 +33,8 @@ use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// Factor on the stiffness of bodies that never yield.
 const RIGID: f64 = 1e8;
-/// Margins of contact tractions inside their cones, relative to the pressure; the first with which a
-/// balance is found is used.
+/// Margins of contact tractions inside their cones, relative to the pressure; the first with which
+/// a balance is found is used.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 /// Live tractions over the yield radius below which they count as zero.
 const NOTHING: f64 = 1e-6;

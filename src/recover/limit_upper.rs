@@ -3,10 +3,11 @@
 //! The projection adds the change d of least elastic energy after which velocities keep the volume
 //! of all bodies that yield and leave rigid bodies without strain: `min ½ dᵀK̃ d` with
 //! `C (u + d) = 0`. K̃ is the elastic stiffness, with springs across contacts; C holds the weighted
-//! equations: one volume row per split element, four per plain one, the strain of rigid bodies. With
-//! `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve `C S⁻¹Cᵀ y = C u`. That matrix is
-//! nearly a multiple of the identity, so that conjugate gradients need few steps; `d = −S⁻¹Cᵀ y`.
-//! The same system opens contacts that remain violated, by flows that keep the volume.
+//! equations: one volume row per split element, four per plain one, the strain of rigid bodies.
+//! With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve `C S⁻¹Cᵀ y = C u`. That
+//! matrix is nearly a multiple of the identity, so that conjugate gradients need few steps;
+//! `d = −S⁻¹Cᵀ y`. The same system opens contacts that remain violated, by flows that keep the
+//! volume.
 
 use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
@@ -312,9 +313,9 @@ fn dofs(model: &AnalysisModel, kinematic: &Kinematic, e: usize) -> [usize; 30] {
     std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
 }
 
-/// The equations of tet `e` on its 30 velocities, weighted so that the sum of their squares compares
-/// with strain energy: change of volume of a split tet, `tr ε` at the vertices of a plain one, the
-/// whole strain at the vertices of a rigid one.
+/// The equations of tet `e` on its 30 velocities, weighted so that the sum of their squares
+/// compares with strain energy: change of volume of a split tet, `tr ε` at the vertices of a plain
+/// one, the whole strain at the vertices of a rigid one.
 fn equations(
     model: &AnalysisModel,
     yields: &[bool],

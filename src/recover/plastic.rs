@@ -21,8 +21,8 @@ use crate::solve::{Patterns, Solution};
 /// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers
 /// the energy.
 ///
-/// The cones of `model` are shifted as the rows of the program are by `offsets`; `patterns`, here and
-/// below, holds the known orderings of the matrices of the mesh.
+/// The cones of `model` are shifted as the rows of the program are by `offsets`; `patterns`, here
+/// and below, holds the known orderings of the matrices of the mesh.
 pub fn plastic_motion(
     model: &AnalysisModel,
     kinematic: &Kinematic,

@@ -12,8 +12,8 @@ use rayon::prelude::*;
 /// tolerance of a strict bound.
 const ROUNDING: f64 = 1e-11;
 
-/// Restores the equilibrium of the stress inside every sliver by the smallest change, under the body
-/// forces `body` \[N/mm³\]; leaves other tets as they are.
+/// Restores the equilibrium of the stress inside every sliver by the smallest change, under the
+/// body forces `body` \[N/mm³\]; leaves other tets as they are.
 ///
 /// The Piola map of a tet with dihedral angle θ cancels numbers 1/θ² times its stress, and the
 /// divergence divides the rounding by the height: 1e-16/θ³ of the stress, too much for a strict

@@ -3,8 +3,8 @@
 //!
 //! Without a deviator the stress is `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live
 //! body force. Limit analysis refuses live body forces, so that b = 0 in every run; the terms in b
-//! keep the field in equilibrium with any model. Tractions are continuous, so that c is one constant
-//! in each connected piece of a body. Least squares on the faces find these constants.
+//! keep the field in equilibrium with any model. Tractions are continuous, so that c is one
+//! constant in each connected piece of a body. Least squares on the faces find these constants.
 
 use crate::certify::faces::{FaceKey, FaceRole, contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
@@ -42,8 +42,8 @@ pub fn find<E>(
     Ok(certificate.is_strict().then_some(Unlimited { field, dead, certificate }))
 }
 
-/// Connected pieces of the bodies, tets joined by their faces: the piece of each tet, and the number
-/// of pieces.
+/// Connected pieces of the bodies, tets joined by their faces: the piece of each tet, and the
+/// number of pieces.
 fn pieces(model: &AnalysisModel, faces: &FaceNumbering) -> (Vec<usize>, usize) {
     let mesh = &model.mesh;
     let mut piece = vec![usize::MAX; mesh.tets.len()];

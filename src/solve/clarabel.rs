@@ -1,10 +1,11 @@
-//! Clarabel (homogeneous embedding, Nesterov–Todd scaling) as the conic solver, with its faer kernels.
+//! Clarabel (homogeneous embedding, Nesterov–Todd scaling) as the conic solver, with its faer
+//! kernels.
 //!
 //! Clarabel minimises. A saddle `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy`, with y maximised, becomes
 //! `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these
-//! equations, stationarity reads `P x + q + Eᵀw = Gᵀz` and `F y = F w`. So w is the y of the saddle,
-//! for regular and singular F; the y of the minimum equals it only where F is regular. The rows
-//! `E x − F y` are the rows of y in the matrix of the saddle, and b is minus its q.
+//! equations, stationarity reads `P x + q + Eᵀw = Gᵀz` and `F y = F w`. So w is the y of the
+//! saddle, for regular and singular F; the y of the minimum equals it only where F is regular. The
+//! rows `E x − F y` are the rows of y in the matrix of the saddle, and b is minus its q.
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};

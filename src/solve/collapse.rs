@@ -16,8 +16,8 @@ const EXCESS: f64 = 1e-6;
 /// Largest violation of a cone by the motion, relative to its largest opening.
 const VIOLATION: f64 = 1e-7;
 
-/// A direction among the given motions (`P m = 0`) along which the program is unbounded; `None` when
-/// none is found.
+/// A direction among the given motions (`P m = 0`) along which the program is unbounded; `None`
+/// when none is found.
 pub fn direction(
     program: &ConicProgram,
     modes: &[Vec<f64>],

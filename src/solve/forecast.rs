@@ -56,8 +56,8 @@ impl Forecast {
 
     /// One factor and some solves at this machine's measured rate.
     fn iteration(flops: f64, entries: usize, solves: f64) -> f64 {
-        // fraction of the dense rate that sparse factorisations reach, and bytes per second at which
-        // each solve reads the factor twice: both measured, see benches/README.md
+        // fraction of the dense rate that sparse factorisations reach, and bytes per second at
+        // which each solve reads the factor twice: both measured, see benches/README.md
         let (efficiency, reading) = (0.75, 1e10);
         flops / (efficiency * dense_rate()) + solves * 2.0 * 8.0 * entries as f64 / reading
     }

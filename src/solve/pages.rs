@@ -1,8 +1,9 @@
 //! Allocation of the vectors of an iteration, which each iteration creates anew.
 //!
-//! glibc returns every large vector to the system and requests it again. The system then clears each
-//! page, which took a sixth of the processor time of a limit analysis. So vectors up to the size
-//! below stay with the process; the factor, which is larger and lives long, still has its own pages.
+//! glibc returns every large vector to the system and requests it again. The system then clears
+//! each page, which took a sixth of the processor time of a limit analysis. So vectors up to the
+//! size below stay with the process; the factor, which is larger and lives long, still has its own
+//! pages.
 
 /// Size below which the memory of vectors is kept \[bytes\].
 #[cfg(all(target_os = "linux", target_env = "gnu"))]

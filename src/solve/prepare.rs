@@ -15,7 +15,8 @@ const CLARABEL_MEMORY: u64 = 3;
 /// measured.
 const CLARABEL_MEMORY_YIELDING: u64 = 7;
 
-/// A program with its ordering and symbolic factor, ready to be solved, with a forecast of its cost.
+/// A program with its ordering and symbolic factor, ready to be solved, with a forecast of its
+/// cost.
 pub struct Prepared<'a> {
     program: &'a ConicProgram,
     method: Method,

@@ -72,8 +72,8 @@ pub struct Iteration {
     pub gap: f64,
     /// Largest relative residual.
     pub residual: f64,
-    /// Length of the step that led to this iterate, 0 to 1; 0 at the start and where the solver does
-    /// not report it.
+    /// Length of the step that led to this iterate, 0 to 1; 0 at the start and where the solver
+    /// does not report it.
     pub step: f64,
     /// Wall time since the solve began \[s\].
     pub seconds: f64,
@@ -116,8 +116,8 @@ pub struct SolveOptions {
     pub limit_gap: f64,
     /// Relative residuals at which to stop.
     ///
-    /// An iterate that stalls within a hundred times (in limit analysis ten times) the requested gap
-    /// and residual is accepted.
+    /// An iterate that stalls within a hundred times (in limit analysis ten times) the requested
+    /// gap and residual is accepted.
     pub residual: f64,
     /// Relative imbalance of forces, and error of strains, at which to stop, where it exceeds
     /// `residual`.

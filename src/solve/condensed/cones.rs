@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_taken_off_leaves_the_range() {
+    fn subtracting_the_excess_moves_eigenvalues_into_the_span() {
         let cones = Cones::new(&[Cone::NonNegative, Cone::SecondOrder(3), Cone::SecondOrder(3)]);
         // eigenvalues 0.05; −4 and 6; 0.5 and 1.5
         let v = [0.05, 1.0, 3.0, -4.0, 1.0, 0.3, 0.4];

@@ -2,9 +2,9 @@
 //! parameters and inner displacements.
 //!
 //! With V_j the vector block of `W_j⁻²`, the matrix of the parameters is
-//! `H = F + Σ B_jᵀ V_j B_j + ρ`, and the stiffness of an element on its displacements is `T H⁻¹ Tᵀ`.
-//! Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V approaches zero,
-//! and no yield point constrains a pressure.
+//! `H = F + Σ B_jᵀ V_j B_j + ρ`, and the stiffness of an element on its displacements is
+//! `T H⁻¹ Tᵀ`. Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V
+//! approaches zero, and no yield point constrains a pressure.
 
 use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
 use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
@@ -47,11 +47,6 @@ impl ElementSystem {
             batches,
             ..Self::default()
         }
-    }
-
-    /// True when nothing yields.
-    pub fn is_empty(&self) -> bool {
-        self.batches.is_empty()
     }
 
     /// Adds the couplings of each element's shared unknowns to the columns of a pattern.

@@ -138,8 +138,15 @@ pub fn eliminate(
 kernel! {
     /// The root `√α (I + γ w wᵀ)` of `V = α (I + 2 w wᵀ)` of each point times its rows of B,
     /// `columns` long.
-    fn times_roots(simd; weights: &'a [[Lane; SCALING]], b: &'a [Lane], columns: usize, y: &'a mut [Lane]) {
-        let (weights, b, y) = (registers::<S>(weights.as_flattened()), registers::<S>(b), registers_mut::<S>(y));
+    fn times_roots(
+        simd;
+        weights: &'a [[Lane; SCALING]],
+        b: &'a [Lane],
+        columns: usize,
+        y: &'a mut [Lane],
+    ) {
+        let weights = registers::<S>(weights.as_flattened());
+        let (b, y) = (registers::<S>(b), registers_mut::<S>(y));
         let (one, two) = (simd.splat_f64s(1.0), simd.splat_f64s(2.0));
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
@@ -152,7 +159,8 @@ kernel! {
                     n = simd.mul_add_e_f64s(w[a], w[a], n);
                 }
                 // (√(1 + 2n) − 1)/n without cancellation
-                let gamma = simd.div_f64s(two, simd.add_f64s(simd.sqrt_f64s(simd.mul_add_e_f64s(two, n, one)), one));
+                let root = simd.sqrt_f64s(simd.mul_add_e_f64s(two, n, one));
+                let gamma = simd.div_f64s(two, simd.add_f64s(root, one));
                 for c in 0..columns {
                     let mut rows = [one; 5];
                     let mut along = simd.splat_f64s(0.0);
@@ -218,12 +226,14 @@ kernel! {
         const M: usize = VERTEX_VALUES;
         let height = M + all;
         let (e, panel) = (registers::<S>(e), registers_mut::<S>(panel));
-        let (weights, flexibility) = (registers::<S>(weights.as_flattened()), registers::<S>(flexibility));
+        let weights = registers::<S>(weights.as_flattened());
+        let flexibility = registers::<S>(flexibility);
         // V/4 at each vertex
         let quarter = simd.splat_f64s(0.25);
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
-            let [own, others] = [16.0, -4.0].map(|x| simd.mul_f64s(flexibility[offset], simd.splat_f64s(x)));
+            let [own, others] =
+                [16.0, -4.0].map(|x| simd.mul_f64s(flexibility[offset], simd.splat_f64s(x)));
             for v in 0..4 {
                 let size = weights[at.of(SCALING * v)];
                 let alpha = simd.mul_f64s(size, size);
@@ -244,7 +254,8 @@ kernel! {
                     let diagonal = &mut panel[at.of(c * height + c)];
                     *diagonal = simd.add_f64s(*diagonal, simd.add_f64s(alpha, own));
                     for i in 0..all {
-                        panel[at.of(c * height + M + i)] = simd.mul_f64s(quarter, e[at.of(c * all + i)]);
+                        panel[at.of(c * height + M + i)] =
+                            simd.mul_f64s(quarter, e[at.of(c * all + i)]);
                     }
                 }
             }
@@ -252,8 +263,8 @@ kernel! {
     }
 }
 
-/// Eliminates a tet with linear strain that is elastic before it yields; the mass matrix couples its
-/// four points.
+/// Eliminates a tet with linear strain that is elastic before it yields; the mass matrix couples
+/// its four points.
 fn eliminate_hencky(
     e: &[Lane],
     flexibility: &Lane,
@@ -315,7 +326,8 @@ kernel! {
             let at = Place { stride: parts::<S>(), offset };
             let mut m = [zero; M * M];
             for (combination, weight) in rule.points().iter().zip(weights) {
-                let (inverse, fraction, w) = point_inverse(simd, registers::<S>(weight), at, proximal);
+                let weight = registers::<S>(weight);
+                let (inverse, fraction, w) = point_inverse(simd, weight, at, proximal);
                 // one block of a point serves all pairs of its vertices
                 let mut block = [[zero; 5]; 5];
                 let taken = simd.mul_f64s(inverse, fraction);
@@ -367,7 +379,8 @@ kernel! {
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
             for (point, weight) in weights.iter().enumerate() {
-                let (inverse, fraction, w) = point_inverse(simd, registers::<S>(weight), at, proximal);
+                let weight = registers::<S>(weight);
+                let (inverse, fraction, w) = point_inverse(simd, weight, at, proximal);
                 let mut along = simd.splat_f64s(0.0);
                 for a in 0..5 {
                     along = simd.mul_add_e_f64s(w[a], y[at.of(5 * point + a)], along);

@@ -277,7 +277,8 @@ kernel! {
                 let y = simd.div_f64s(x[at.of(c)], panel[at.of(c * height + c)]);
                 x[at.of(c)] = y;
                 for r in c + 1..height {
-                    x[at.of(r)] = simd.negate_mul_add_e_f64s(panel[at.of(c * height + r)], y, x[at.of(r)]);
+                    let entry = panel[at.of(c * height + r)];
+                    x[at.of(r)] = simd.negate_mul_add_e_f64s(entry, y, x[at.of(r)]);
                 }
             }
         }

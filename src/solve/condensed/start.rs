@@ -7,9 +7,9 @@ use super::settings::Settings;
 use super::system::{CondensedSystem, Solved};
 use crate::programs::conic::cone_margin;
 
-/// The minimum of `½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, with slacks and multipliers moved inside
-/// the cones; and the load factor at which that elastic stress would reach the yield surface, 0
-/// where it never does.
+/// The minimum of `½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, with slacks and multipliers moved
+/// inside the cones; and the load factor at which that elastic stress would reach the yield
+/// surface, 0 where it never does.
 pub fn starting_point(
     problem: &ScaledProgram,
     settings: &Settings,

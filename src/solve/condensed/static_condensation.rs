@@ -1,10 +1,10 @@
-//! Static condensation of right-hand sides of Newton's system from elements that yield to the shared
-//! unknowns, and expansion of solutions back to the elements.
+//! Static condensation of right-hand sides of Newton's system from elements that yield to the
+//! shared unknowns, and expansion of solutions back to the elements.
 //!
 //! An element takes its part of the right-hand side `(r₁, r₂)`, stationarity and slack rows, and
 //! completes all steps while its data are in the cache: scaling of the yield points, elimination of
-//! the parameters and the inner displacements. The expansion gives its multipliers and the errors of
-//! its rows.
+//! the parameters and the inner displacements. The expansion gives its multipliers and the errors
+//! of its rows.
 
 use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
@@ -99,8 +99,8 @@ impl ElementSystem {
     }
 
     /// Computes the elements' own unknowns and multipliers from the shared unknowns in `full`. With
-    /// CHECK the errors of their rows and their forces go into `errors`, which holds r₁ in the places
-    /// of their own unknowns.
+    /// CHECK the errors of their rows and their forces go into `errors`, which holds r₁ in the
+    /// places of their own unknowns.
     pub fn expand<const SIDES: usize, const CHECK: bool>(
         &self,
         rhs: [Side<'_>; SIDES],

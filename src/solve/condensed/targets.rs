@@ -2,9 +2,9 @@
 //!
 //! Mehrotra's rule uses one fraction σ of the mean product, from the length α of the affine step:
 //! `σ = (1 − α)³`. In limit analysis a few cones in a hundred thousand (contacts that open or begin
-//! to slip) limit that step to a tenth or less, and one σ for all delays every other cone. There each
-//! cone has its own σ, from the affine step that the cone alone allows; σ of the residuals is their
-//! mean. The same step is the fraction of the second-order term that is used in the cone.
+//! to slip) limit that step to a tenth or less, and one σ for all delays every other cone. There
+//! each cone has its own σ, from the affine step that the cone alone allows; σ of the residuals is
+//! their mean. The same step is the fraction of the second-order term that is used in the cone.
 
 use super::cones::Cones;
 
@@ -41,8 +41,8 @@ impl Targets {
         Self { sigma, centre: sigma * mu, products, trusted: Vec::new() }
     }
 
-    /// A target for each cone; `steps`: fraction of the affine direction that stays inside the cone,
-    /// one value per cone, at most 1.
+    /// A target for each cone; `steps`: fraction of the affine direction that stays inside the
+    /// cone, one value per cone, at most 1.
     pub fn own(cones: &Cones, steps: Vec<f64>, mu: f64) -> Self {
         let mut products = vec![0.0; cones.rows];
         let mut sum = 0.0;

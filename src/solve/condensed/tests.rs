@@ -54,7 +54,7 @@ fn contradicting_rows_end_with_a_certificate() {
 }
 
 #[test]
-fn falling_without_limit_ends_with_a_direction() {
+fn an_unbounded_program_ends_with_a_direction() {
     // −x + y with x ≥ |y|: falls along x
     let rows: [(&[(u32, f64)], f64); 2] = [(&[(0, 1.0)], 0.0), (&[(1, 1.0)], 0.0)];
     let program = program(&[0.0, 1.0], &[-1.0, 1.0], &rows, &[Cone::SecondOrder(2)]);

@@ -52,8 +52,8 @@ impl SparseCholesky {
         patterns: &Patterns,
     ) -> Result<Self, LinearError> {
         let layout = patterns.layout(a, block);
-        if layout.symbolic.len() > u32::MAX as usize {
-            let gib = layout.symbolic.len() as f64 / f64::from(1 << 27);
+        if layout.symbolic.storage() > u32::MAX as usize {
+            let gib = layout.symbolic.storage() as f64 / f64::from(1 << 27);
             return Err(LinearError::Setup(format!("its factor would take {gib:.0} GiB")));
         }
         Ok(Self { layout, values: Vec::new(), pool: Pool::default() })
@@ -69,16 +69,6 @@ impl SparseCholesky {
         self.layout.symbolic.nonzeros()
     }
 
-    /// Length of its storage.
-    pub fn len(&self) -> usize {
-        self.layout.symbolic.len()
-    }
-
-    /// True for an empty matrix.
-    pub fn is_empty(&self) -> bool {
-        self.layout.symbolic.is_empty()
-    }
-
     /// Floating-point operations of a factorisation.
     pub fn flops(&self) -> f64 {
         self.layout.symbolic.flops.iter().sum()
@@ -87,14 +77,17 @@ impl SparseCholesky {
     /// Memory of the factor with values and of its layout \[bytes\].
     pub fn bytes(&self) -> usize {
         let s = &self.layout.symbolic;
-        8 * s.len() + 4 * s.rows.len() + std::mem::size_of::<Update>() * s.updates.len() + 24 * s.n
+        8 * s.storage()
+            + 4 * s.rows.len()
+            + std::mem::size_of::<Update>() * s.updates.len()
+            + 24 * s.n
     }
 
     /// The storage, set to zero. The caller adds the entries of the matrix at the places that the
     /// locator gives, then factors.
     pub fn clear(&mut self) -> Result<&mut [f64], LinearError> {
         if self.values.is_empty() {
-            let len = self.layout.symbolic.len();
+            let len = self.layout.symbolic.storage();
             self.values.try_reserve_exact(len).map_err(|e| LinearError::Setup(e.to_string()))?;
             huge_pages(&mut self.values);
             self.values.resize(len, 0.0);
@@ -102,11 +95,6 @@ impl SparseCholesky {
             self.values.par_chunks_mut(1 << 18).for_each(|part| part.fill(0.0));
         }
         Ok(&mut self.values)
-    }
-
-    /// The storage.
-    pub fn values_mut(&mut self) -> &mut [f64] {
-        &mut self.values
     }
 
     /// Factors the matrix that has been added.

@@ -2,8 +2,8 @@
 //! blocks.
 //!
 //! The method is left-looking: a supernode gathers the updates of its descendants, then factors its
-//! own dense block. It needs only the factor and one block of work space per thread. The cuts of the
-//! work depend on sizes alone, so that the factor is the same, byte for byte, on any number of
+//! own dense block. It needs only the factor and one block of work space per thread. The cuts of
+//! the work depend on sizes alone, so that the factor is the same, byte for byte, on any number of
 //! threads.
 
 use super::blocks;
@@ -13,8 +13,8 @@ use super::symbolic::{Symbolic, Update};
 use rayon::prelude::*;
 use std::sync::Mutex;
 
-/// Number of columns of a supernode updated together; wider supernodes are cut into such strips, one
-/// task each.
+/// Number of columns of a supernode updated together; wider supernodes are cut into such strips,
+/// one task each.
 const STRIP: usize = 96;
 /// Columns of a panel of a wide diagonal block.
 const PANEL: usize = 128;

@@ -3,8 +3,8 @@
 use super::layout::Layout;
 use super::symbolic::Symbolic;
 
-/// Finds the places of matrix entries in the storage of the factor. Successive entries of one column
-/// and block are found fast.
+/// Finds the places of matrix entries in the storage of the factor. Successive entries of one
+/// column and block are found fast.
 pub struct Locator<'a> {
     symbolic: &'a Symbolic,
     block: &'a [u32],

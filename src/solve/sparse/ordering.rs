@@ -79,13 +79,8 @@ impl BlockGraph {
     }
 
     /// Number of blocks.
-    pub fn len(&self) -> usize {
+    pub fn blocks(&self) -> usize {
         self.starts.len() - 1
-    }
-
-    /// True without blocks.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Neighbours of a block.
@@ -95,7 +90,7 @@ impl BlockGraph {
 
     /// New position → block. Falls back to the given order when METIS refuses (tiny graphs).
     pub fn nested_dissection(&self) -> Vec<usize> {
-        let n = self.len();
+        let n = self.blocks();
         let mean = self.neighbours.len() / n.max(1);
         let is_dense = |b: usize| self.of(b).len() > DENSE * mean.max(10);
         let inner: Vec<usize> = (0..n).filter(|&b| !is_dense(b)).collect();

@@ -14,8 +14,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// without contact, and these again where a motion resisted by friction alone is pinned.
 pub(super) const MOST: usize = 8;
 
-/// The layouts of one mesh. Clones share one store; a new store for each mesh releases the layouts of
-/// the last mesh.
+/// The layouts of one mesh. Clones share one store; a new store for each mesh releases the layouts
+/// of the last mesh.
 #[derive(Clone, Default)]
 pub struct Patterns {
     kept: Arc<Mutex<Kept>>,

@@ -1,4 +1,5 @@
-//! Cut of the tree of supernodes into independent subtrees, one task each, and the supernodes above.
+//! Cut of the tree of supernodes into independent subtrees, one task each, and the supernodes
+//! above.
 
 use super::symbolic::Symbolic;
 

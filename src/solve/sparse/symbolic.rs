@@ -1,7 +1,7 @@
 //! Symbolic factor: permutation, supernodes, their rows and their updates; made once per pattern.
 //!
-//! It is found on the graph of blocks (nodes or faces), about ten times smaller than the matrix, and
-//! then expanded.
+//! It is found on the graph of blocks (nodes or faces), about ten times smaller than the matrix,
+//! and then expanded.
 
 use super::ordering::BlockGraph;
 use super::pattern::Pattern;
@@ -62,7 +62,7 @@ impl Symbolic {
     /// Orders a pattern and lays out the factor of its matrices.
     pub fn new(pattern: &Pattern) -> Self {
         let Pattern { block, graph } = pattern;
-        let blocks = graph.len();
+        let blocks = graph.blocks();
         let mut weight = vec![0usize; blocks];
         block.iter().for_each(|&b| weight[b as usize] += 1);
         let order = postordered(graph, graph.nested_dissection());
@@ -96,14 +96,9 @@ impl Symbolic {
         &self.updates[self.update_start[s]..self.update_start[s + 1]]
     }
 
-    /// Values of the factor, the unused upper triangles of the diagonal blocks included.
-    pub fn len(&self) -> usize {
+    /// Number of stored values, unused upper triangles of the diagonal blocks included.
+    pub fn storage(&self) -> usize {
         self.value_start[self.supernodes()]
-    }
-
-    /// True for an empty matrix.
-    pub fn is_empty(&self) -> bool {
-        self.n == 0
     }
 
     /// Nonzeros of the factor.

@@ -172,7 +172,7 @@ fn patterns_that_differ_anywhere_have_layouts_of_their_own() {
 }
 
 #[test]
-fn the_store_stays_small_and_lets_go_of_what_was_not_used_for_longest() {
+fn the_store_stays_small_and_drops_the_layout_not_used_for_longest() {
     let patterns = Patterns::default();
     let of = |k: u32| ring(&[2; 30], &[(3, 5 + k)]);
     let layout = |k: u32| {
@@ -190,5 +190,5 @@ fn the_store_stays_small_and_lets_go_of_what_was_not_used_for_longest() {
     layout(0);
     assert_eq!(patterns.count(), (MOST, MOST + 1));
     layout(1);
-    assert_eq!(patterns.count(), (MOST, MOST + 1), "it was let go");
+    assert_eq!(patterns.count(), (MOST, MOST + 1), "it was dropped");
 }

@@ -29,10 +29,10 @@ fn element(shape: Shape, k: usize) -> YieldingElement {
     }
 }
 
-/// What is left of an element times displacements is the force that the element's own equations
-/// give, for every kind.
+/// The condensed matrix of an element times displacements equals the force of the element's own
+/// equations, for every kind of element.
 #[test]
-fn what_is_left_gives_the_forces_of_the_element() {
+fn condensed_matrix_gives_the_forces_of_the_element() {
     let flow = |subtets, rule, inner, pressures| Shape::Flow { subtets, rule, inner, pressures };
     let shapes = [
         (flow(1, Rule::Hencky, 0, 0), 29, 0.0),
