@@ -6,7 +6,8 @@
 //! `T H⁻¹ Tᵀ`. Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V
 //! approaches zero, and no yield point constrains a pressure.
 
-use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
+use super::elimination::{Scratch, eliminate, kept, own_trace};
+use super::yield_points::{SCALING, Weights};
 use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::programs::conic::{ConicProgram, SymmetricCsc};

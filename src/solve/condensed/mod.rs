@@ -22,5 +22,6 @@ pub mod system;
 pub mod targets;
 #[cfg(test)]
 mod tests;
+pub mod yield_points;
 
 pub use prepared::Prepared;

@@ -9,8 +9,9 @@
 use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::solve::condensed::elements::{ElementSystem, ROUND};
-use crate::solve::condensed::elimination::{inner_panel, inverse_square, solve_own};
+use crate::solve::condensed::elimination::{inner_panel, solve_own};
 use crate::solve::condensed::panel;
+use crate::solve::condensed::yield_points::inverse_square;
 use rayon::prelude::*;
 use std::ops::Range;
 

@@ -1,5 +1,6 @@
 use super::*;
-use crate::elements::batch::{Placed, YieldingElement};
+use crate::elements::batch::{Placed, YIELD_ROWS, YieldingElement};
+use crate::solve::condensed::yield_points::inverse_square;
 
 /// An element with any numbers, its flexibility and inner stiffness definite.
 fn element(shape: Shape, k: usize) -> YieldingElement {
