@@ -265,7 +265,7 @@ fn rigid_resultant_error(
         let size = vec3::norm(area);
         let n = vec3::scale(1.0 / size, area);
         let t = stress_at(model, field, (f.tet, f.local), nodes).map(|s| mandel::traction(&s, n));
-        // loads on the face itself are carried by it beside the action
+        // the face carries loads on itself in addition to the action
         let role = roles.get(&(f.tet, f.local));
         let t: [V3; 3] = std::array::from_fn(|i| {
             vec3::sub(t[i], role.map_or([0.0; 3], |r| r.load(corners[i], n)))

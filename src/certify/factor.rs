@@ -145,7 +145,7 @@ mod tests {
         assert!(lower(3.0).value() < 3.0 && upper(3.0).value() > 3.0);
     }
 
-    /// Every residual alone takes the strictness away.
+    /// Each residual alone makes a bound not strict.
     #[test]
     fn strict_only_within_tolerance() {
         let bad = 2.0 * TOLERANCE;

@@ -37,7 +37,8 @@ pub enum RecoverError {
     /// The fixed point for Coulomb friction was not found.
     #[error(
         "the fixed point for Coulomb friction did not converge: after {solves} solves the slips \
-         still change by {change:.1e} of the largest; `friction: associated` needs none"
+         still change by {change:.1e} of the largest; `friction: associated` needs no fixed \
+         point"
     )]
     NotConverged {
         /// Number of solves.

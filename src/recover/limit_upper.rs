@@ -157,7 +157,7 @@ impl<'a> Projector<'a> {
         debug_assert_eq!(p.row_idx, system.row_idx);
         system.values.iter_mut().zip(&p.values).for_each(|(a, b)| *a += b);
         let mean = |d: &[f64]| d.iter().sum::<f64>() / d.len().max(1) as f64;
-        // where all bodies are rigid the elastic stiffness is zero: theirs scales the springs
+        // where all bodies are rigid the elastic stiffness is zero; that of their motions is used
         let stiffness = &kinematic.program.stiffness;
         let elastic = mean(&p.diagonal());
         let spring = SPRING * if elastic > 0.0 { elastic } else { mean(stiffness) };

@@ -242,7 +242,7 @@ fn factor_columns<S: Simd, const W: usize>(
     }
 }
 
-/// The rows from `r` on of the columns at hand, solved by their triangle.
+/// The rows from `r` on of the current columns, solved by their triangle.
 #[inline(always)]
 fn solve_rows<S: Simd, const R: usize, const W: usize>(
     simd: S,

@@ -21,7 +21,7 @@ impl Pattern {
     }
 }
 
-/// The blocks that have unknowns, numbered anew, and their number.
+/// The blocks with unknowns, renumbered without gaps, and their number.
 fn without_gaps(block: &[u32]) -> (Vec<u32>, usize) {
     let mut number = vec![u32::MAX; block.iter().map(|&b| b as usize + 1).max().unwrap_or(0)];
     let mut count = 0;
