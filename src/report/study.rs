@@ -1,12 +1,11 @@
 //! The rows of a study of speed against error, as table, CSV and plots.
 
 use super::figures::{Rounding, fixed, percent_up};
-use crate::certify::TOLERANCE;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::gmsh::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::report::draw::plot::{Plot, Series};
-use crate::result::data::{CaseResult, HistoryRow, Upper};
+use crate::result::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
 use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 use std::fmt::Write;
@@ -226,7 +225,7 @@ impl Study {
     pub fn write(&self, folder: &Path) -> Result<(), Diagnostics> {
         let mut page = format!(
             "# Speed against error\n\nGaps are certified: residuals at most \
-             {TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of the \
+             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of the \
              meshes before it, and its time in all is theirs too.\n\n{}\n",
             self.markdown()
         );

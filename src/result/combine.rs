@@ -1,7 +1,6 @@
 //! The result of several passes: the largest lower bound and the smallest upper one, each with all
 //! that belongs to it.
 
-use crate::certify::TOLERANCE;
 use crate::certify::bracket::Contradiction;
 use crate::result::data::{
     CaseResult, Certificate, FrictionModel, PartYield, PeakPressure, Quantity, RawBracket, Upper,
@@ -80,7 +79,7 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
     let numbers = (lower.lower, upper.upper.and_then(Upper::finite));
     let gap = match numbers {
         (Some(l), Some(u)) => {
-            if l > u + TOLERANCE * l.abs().max(u.abs()) {
+            if l > u + 1e-9 * l.abs().max(u.abs()) {
                 return Err(Contradiction { lower: l, upper: u });
             }
             let scale = if l == 0.0 { u.abs() } else { l.abs() };

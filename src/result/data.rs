@@ -6,7 +6,6 @@
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::analysis::preload::Tightened;
-use crate::certify::TOLERANCE;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, JointStiffness, Judgement};
 use crate::diag::Diagnostic;
@@ -22,6 +21,9 @@ pub const SCHEMA: u32 = 1;
 
 /// Name of the file inside a result folder.
 pub const RESULT_FILE: &str = "result.json";
+
+/// Largest certificate residual of a strict bound, dimensionless (docs/contract.md, `result.json`).
+pub use crate::certify::TOLERANCE as RESIDUAL_TOLERANCE;
 
 /// A whole `result.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -309,7 +311,7 @@ pub struct PeakPressure {
 /// without the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
-    /// True when every residual is within [`TOLERANCE`]: only then `lower` and `upper` are
+    /// True when every residual is within [`RESIDUAL_TOLERANCE`]: only then `lower` and `upper` are
     /// bounds.
     pub strict: bool,
     /// max |div σ + b| h / max |σ|.
@@ -358,7 +360,7 @@ pub enum ResultError {
     /// The certificate calls itself strict, its residuals do not.
     #[error(
         "case `{case}` calls its bounds strict, but the {residual} residual is {value:e} (limit \
-         {TOLERANCE:e})"
+         {RESIDUAL_TOLERANCE:e})"
     )]
     NotStrict {
         /// Name of the case.
@@ -439,7 +441,7 @@ impl ResultFile {
                 return Err(ResultError::NoResidual { case: case.name.clone() });
             }
             // a NaN residual passes here and is caught below with its place
-            if let Some(&(residual, value)) = known.iter().find(|(_, v)| *v > TOLERANCE) {
+            if let Some(&(residual, value)) = known.iter().find(|(_, v)| *v > RESIDUAL_TOLERANCE) {
                 return Err(ResultError::NotStrict { case: case.name.clone(), residual, value });
             }
         }

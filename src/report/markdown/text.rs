@@ -1,7 +1,6 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
 use crate::analysis::coulomb::FixedPointRun;
-use crate::certify::TOLERANCE;
 use crate::checks::{Status, Topic};
 use crate::report::figures::{Rounding, bracket, percent_up, residual, significant};
 use crate::report::markdown::limit::{collapse, estimate_words, mechanism};
@@ -10,7 +9,8 @@ use crate::report::markdown::plastic::{displacement, yielding};
 use crate::report::markdown::preload::preload_words;
 use crate::report::markdown::{checks, comparison, input, summary, verdict};
 use crate::result::data::{
-    CaseResult, FrictionModel, HistoryRow, ProgramRun, Quantity, RawBracket, Upper,
+    CaseResult, FrictionModel, HistoryRow, ProgramRun, Quantity, RESIDUAL_TOLERANCE, RawBracket,
+    Upper,
 };
 use crate::result::demand::demands;
 use crate::result::{forces, polygon, stiffness};
@@ -530,8 +530,8 @@ fn certificates(page: &mut String, data: &ReportData) {
         };
         for (name, definition, value) in certificate.residuals() {
             if let Some(value) = value {
-                let pass = if value <= TOLERANCE { "pass" } else { "FAIL" };
-                let tolerance = format!("{TOLERANCE:.0e}");
+                let pass = if value <= RESIDUAL_TOLERANCE { "pass" } else { "FAIL" };
+                let tolerance = format!("{RESIDUAL_TOLERANCE:.0e}");
                 rows.push(vec![
                     case.name.clone(),
                     name.into(),
