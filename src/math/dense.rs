@@ -4,6 +4,7 @@
 //! This file and `solve/sparse/dense.rs` alone name faer.
 
 pub use faer::Mat;
+use faer::linalg::solvers::Qr;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::prelude::{Solve, SolveLstsq};
 use faer::{Par, Side};
@@ -150,19 +151,20 @@ pub fn orthogonal_factor(a: &Mat<f64>) -> Mat<f64> {
 /// Thin factors of `A = Q R`.
 pub struct ThinQr {
     q: Mat<f64>,
-    r: Mat<f64>,
+    factor: Qr<f64>,
 }
 
 impl ThinQr {
     /// Factors a matrix with at least as many rows as columns.
     pub fn new(a: &Mat<f64>) -> Self {
-        let qr = a.qr();
-        Self { q: qr.compute_thin_Q(), r: qr.thin_R().to_owned() }
+        let factor = a.qr();
+        Self { q: factor.compute_thin_Q(), factor }
     }
 
     /// The least-norm solution x of `Aᵀ x = y`.
     pub fn least_norm(&self, mut y: Mat<f64>) -> Mat<f64> {
-        solve_lower_triangular_in_place(self.r.transpose(), y.as_mut(), Par::Seq);
+        let r = self.factor.thin_R();
+        solve_lower_triangular_in_place(r.transpose(), y.as_mut(), Par::Seq);
         &self.q * &y
     }
 }
