@@ -110,7 +110,7 @@ fn main() {
         .num_threads(threads)
         .build_global()
         .expect("the pool is built once");
-    faer::set_global_parallelism(faer::Par::Seq);
+    bracket::math::dense::sequential_kernels();
     let mut model = match words[0].as_str() {
         "cantilever" => cantilever(&o),
         "grid" => {

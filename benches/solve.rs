@@ -57,10 +57,10 @@ fn main() {
         .num_threads(threads)
         .build_global()
         .expect("the pool is built once");
-    faer::set_global_parallelism(faer::Par::Seq);
+    bracket::math::dense::sequential_kernels();
     println!(
         "dense Cholesky rate {:.1} GFLOP/s, {threads} threads",
-        solve::forecast::dense_rate() / 1e9
+        solve::sparse::dense::dense_rate() / 1e9
     );
     for path in &models {
         let model = match size_factor {

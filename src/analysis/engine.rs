@@ -6,8 +6,9 @@ use crate::analysis::preload::{self, Tightened};
 use crate::analysis::program_run::{DiscreteProgram, Program};
 use crate::certify::PlasticField;
 use crate::certify::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
-use crate::certify::error::{Contributions, contributions, plastic_contributions};
+use crate::certify::contributions::{Contributions, contributions, plastic_contributions};
 use crate::certify::fields::{DisplacementField, StressField};
+use crate::math::dense::sequential_kernels;
 use crate::model::file::Bounds;
 use crate::model::opening::ConeShift;
 use crate::model::{AnalysisModel, ModelError};
@@ -307,8 +308,7 @@ pub(crate) fn both_of<'a, K: DiscreteProgram<'a>, S: DiscreteProgram<'a>>(
     kinematic: Option<impl FnOnce() -> Result<K, ModelError> + Send>,
     statics: Option<impl FnOnce() -> Result<S, ModelError> + Send>,
 ) -> Result<Both<K::Answer, S::Answer>, PassError> {
-    // faer's parallel dense kernels would make the last digits depend on the number of threads
-    faer::set_global_parallelism(faer::Par::Seq);
+    sequential_kernels();
     let context = Context { model, options, progress, start: Instant::now() };
     let (kinematic, statics) = rayon::join(
         || kinematic.map(|build| context.assemble(build)).transpose(),

@@ -6,10 +6,12 @@ use crate::analysis::engine::{
     Both, Event, PassError, PassOptions, ProgramRun, Progress, both, check_identity, runs,
 };
 use crate::analysis::program_run::{DiscreteProgram, Program};
-use crate::certify::error::{Contributions, LimitPair, limit_contributions};
+use crate::certify::contributions::{Contributions, LimitPair, limit_contributions};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::VelocityField;
+use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::limit_certificate::certify_lower;
+use crate::certify::unlimited::Unlimited;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
 use crate::elements::hencky_kinematic::Flow;
 use crate::math::vec3::V3;
@@ -18,10 +20,10 @@ use crate::model::{AnalysisModel, ModelError, resolve};
 use crate::programs::dofs::DofMap;
 use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
-use crate::recover::free_mechanism::{self, FreeMechanism};
+use crate::recover::free_mechanism;
 use crate::recover::limit_lower::{self, ApproximateStress, LowerError};
 use crate::recover::limit_upper::{self, UpperError};
-use crate::recover::unlimited::{self, Unlimited};
+use crate::recover::unlimited;
 use crate::solve::{self, Patterns, Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 

@@ -1,20 +1,19 @@
 //! Bounds as types: a number is a bound only with its certificate, and only [`Bracket::new`] joins
-//! two.
+//! two bounds.
 
-use crate::certify::certificate::{KinematicCertificate, StaticCertificate, TOLERANCE};
+use crate::certify::certificate::{KinematicCertificate, StaticCertificate};
+use crate::certify::tolerance::{TOLERANCE, in_order};
 
-/// A lower bound, strict as far as its certificate says, of the exact potential energy, −Π_c \[N
-/// mm\].
+/// A lower bound −Π_c of the exact potential energy \[N mm\]; strict if its certificate is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
     value: f64,
-    /// With preload: ½ ∫ σ:C⁻¹:σ of the whole structure \[N mm\].
+    /// `½ ∫ σ:C⁻¹:σ` of the whole structure \[N mm\]; `None` without preload.
     strain_energy: Option<f64>,
     certificate: StaticCertificate,
 }
 
-/// An upper bound, strict as far as its certificate says, of the exact potential energy, Π_p \[N
-/// mm\].
+/// An upper bound Π_p of the exact potential energy \[N mm\]; strict if its certificate is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UpperBound {
     value: f64,
@@ -22,20 +21,21 @@ pub struct UpperBound {
 }
 
 impl LowerBound {
-    /// From a certificate; `copies` of the meshed part make the structure.
+    /// The bound that a certificate proves; the structure consists of `copies` of the meshed part.
     pub fn new(certificate: StaticCertificate, copies: u32) -> Self {
         let strain_energy = certificate.strain_energy.map(|e| e * f64::from(copies));
         Self { value: -certificate.energy * f64::from(copies), strain_energy, certificate }
     }
-    /// Its value.
+    /// Value \[N mm\].
     pub fn value(&self) -> f64 {
         self.value
     }
-    /// What it rests on.
+    /// The certificate of the bound.
     pub fn certificate(&self) -> &StaticCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`] and no weld bears more than its strength.
+    /// True when every residual is within [`TOLERANCE`] and no weld carries more than its
+    /// strength.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         self.value.is_finite()
@@ -49,15 +49,15 @@ impl LowerBound {
 }
 
 impl UpperBound {
-    /// From a certificate; `copies` of the meshed part make the structure.
+    /// The bound that a certificate proves; the structure consists of `copies` of the meshed part.
     pub fn new(certificate: KinematicCertificate, copies: u32) -> Self {
         Self { value: certificate.energy * f64::from(copies), certificate }
     }
-    /// Its value.
+    /// Value \[N mm\].
     pub fn value(&self) -> f64 {
         self.value
     }
-    /// What it rests on.
+    /// The certificate of the bound.
     pub fn certificate(&self) -> &KinematicCertificate {
         &self.certificate
     }
@@ -69,11 +69,11 @@ impl UpperBound {
     }
 }
 
-/// Two bounds that contradict each other: one of them is wrong.
+/// Two bounds that contradict each other, or a bound that is NaN: one of the two fields is wrong.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the lower bound {lower:.9e} exceeds the upper bound {upper:.9e}: one of the two fields is \
-     not admissible"
+    "the lower bound {lower:.9e} is not below the upper bound {upper:.9e}: one of the two fields \
+     is not admissible"
 )]
 pub struct Contradiction {
     /// Lower bound.
@@ -90,13 +90,13 @@ pub struct Bracket {
 }
 
 impl Bracket {
-    /// Joins two bounds; refuses lower > upper beyond rounding.
+    /// Joins two bounds; refuses NaN, and lower > upper beyond the tolerance.
     pub fn new(lower: LowerBound, upper: UpperBound) -> Result<Self, Contradiction> {
-        let scale = lower.value.abs().max(upper.value.abs());
-        if lower.value > upper.value + 1e-9 * scale {
-            return Err(Contradiction { lower: lower.value, upper: upper.value });
+        if in_order(lower.value, upper.value) {
+            Ok(Self { lower, upper })
+        } else {
+            Err(Contradiction { lower: lower.value, upper: upper.value })
         }
-        Ok(Self { lower, upper })
     }
 
     /// The lower bound.
@@ -111,8 +111,8 @@ impl Bracket {
 
     /// Relative gap `(Π_p + Π_c) / |Π_c|`; 0 when both energies vanish.
     ///
-    /// With preload, under which the energy passes through zero, the largest of `|Π_p|`, `|Π_c|`
-    /// and `½ ∫ σ:C⁻¹:σ` takes the place of `|Π_c|`.
+    /// With preload the energy may pass through zero: the gap is then relative to the largest of
+    /// `|Π_p|`, `|Π_c|` and `½ ∫ σ:C⁻¹:σ`.
     ///
     /// # Source
     /// Paper, equation (7).
@@ -129,5 +129,32 @@ impl Bracket {
     /// True when both bounds are strict.
     pub fn is_strict(&self) -> bool {
         self.lower.is_strict() && self.upper.is_strict()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lower(value: f64) -> LowerBound {
+        LowerBound::new(StaticCertificate { energy: -value, ..StaticCertificate::default() }, 1)
+    }
+
+    fn upper(value: f64) -> UpperBound {
+        UpperBound::new(
+            KinematicCertificate { energy: value, ..KinematicCertificate::default() },
+            1,
+        )
+    }
+
+    /// Lower above upper and NaN are refused; values equal to rounding are accepted.
+    #[test]
+    fn joins_only_bounds_in_order() {
+        assert!(Bracket::new(lower(-2.0), upper(-1.5)).is_ok());
+        assert!(Bracket::new(lower(-2.0), upper(-2.0 * (1.0 + 1e-12))).is_ok());
+        assert!(Bracket::new(lower(-2.0), upper(-2.01)).is_err());
+        assert!(Bracket::new(lower(f64::NAN), upper(1.0)).is_err());
+        assert!(Bracket::new(lower(1.0), upper(f64::NAN)).is_err());
+        assert!(Bracket::new(lower(f64::NAN), upper(f64::NAN)).is_err());
     }
 }

@@ -1,12 +1,16 @@
-//! The certificate: what makes a number a bound, recomputed from the fields and the model alone.
+//! Certificates of the elastic energy bounds, computed from the fields and the model alone.
 //!
-//! Shares nothing with the solver, and with the programs only the model itself (mesh, loads, shape
-//! functions): strain energy comes from Gauss points, work from direct quadrature, equilibrium,
-//! tractions and contact from the stored values, face by face. The identity Σ contributions = gap,
-//! asserted in every run, ties both certificates together.
+//! A certificate shares nothing with the solver, and with the programs only the model itself (mesh,
+//! loads, shape functions). Strain energy is computed at Gauss points and work by direct
+//! quadrature; equilibrium, tractions and contact are computed from the stored values, face by
+//! face. The identity Σ contributions = gap, asserted in every run, ties both certificates
+//! together.
 
-use crate::certify::faces::{FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
+use crate::certify::faces::{FaceKey, FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
+use crate::certify::measures::{largest, largest_of_each, ratio};
+use crate::certify::rigid_fit::fit_rigid;
+use crate::certify::tractions::{at_barycentric, contact_tractions, face_stress, stress_at};
 use crate::certify::welds;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::super_element::{SuperElement, gradients, integrate};
@@ -14,19 +18,16 @@ use crate::elements::tet10;
 use crate::math::Sum;
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{TETRAHEDRON_2, TRIANGLE_4, triangle_p2};
-use crate::math::rigid_motion::rigid_displacement;
 use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
-use crate::model::analysis::{BoundaryFace, Preload, SurfaceLoad};
+use crate::model::analysis::{BoundaryFace, Preload, RigidFace, SurfaceLoad};
 use crate::model::loads::{Loads, face_corners, face_nodes};
 use crate::model::opening::bernstein_at;
+use std::collections::BTreeMap;
 
-/// Largest residual at which a bound is called strict.
-pub const TOLERANCE: f64 = 1e-9;
-
-/// What a stress field proves.
+/// Certificate of a stress field.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StaticCertificate {
     /// Complementary energy Π_c of the meshed part \[N mm\].
@@ -42,17 +43,17 @@ pub struct StaticCertificate {
     pub peak_pressure: Option<f64>,
     /// Largest traction of a weld over its strength; `None` without welds.
     pub weld: Option<f64>,
-    /// Largest utilisation of the yield strength, what the residuals may hide included, less 1;
+    /// Largest utilisation of the yield strength including the residuals' allowance, minus 1;
     /// `None` where nothing yields.
     pub yields: Option<f64>,
-    /// With preload: ½ ∫ σ:C⁻¹:σ alone \[N mm\], what a gap is measured against where the energy
-    /// may vanish.
+    /// `½ ∫ σ:C⁻¹:σ` alone \[N mm\], the reference of the gap where the energy may vanish; `None`
+    /// without preload.
     pub strain_energy: Option<f64>,
     /// Tension of each preloaded bolt in its cut \[N\].
     pub tensions: Vec<f64>,
 }
 
-/// What a displacement field proves.
+/// Certificate of a displacement field.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct KinematicCertificate {
     /// Potential energy Π_p of the meshed part \[N mm\].
@@ -61,8 +62,8 @@ pub struct KinematicCertificate {
     pub work: f64,
     /// max |u − u_d| / max |u| on supports and rigid faces.
     pub compatibility: f64,
-    /// Largest violation of the contact law by a Bernstein coefficient / max |g|; `None` without
-    /// contact.
+    /// Largest violation of the contact law by a Bernstein coefficient / max(|g|, |g₀|), g₀ the
+    /// initial gap and shift; `None` without contact.
     pub contact: Option<f64>,
     /// Smallest margin of a Bernstein coefficient `g_N + g₀ − μ‖g_T‖` \[mm\]; `None` without
     /// contact.
@@ -72,53 +73,8 @@ pub struct KinematicCertificate {
     pub largest_gap: Option<f64>,
     /// Largest contact pressure of the displacement's stress at face vertices \[MPa\], an estimate.
     pub peak_pressure: Option<f64>,
-    /// Work that each weld dissipates, an upper bound \[N mm\]; it is part of the energy.
+    /// Dissipation of each weld, an upper bound \[N mm\]; part of the energy.
     pub welds: Vec<f64>,
-}
-
-pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, f64::max)
-}
-
-/// `a / b`, 0 for 0 / 0.
-pub(crate) fn ratio(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a / b.max(f64::MIN_POSITIVE) }
-}
-
-/// Stress on a face of a tet: at the three vertices of local face `k`, [`FACES`] order.
-fn face_stress(field: &StressField, tet: usize, k: usize) -> [Mandel; 3] {
-    let s = &field.points[tet][k];
-    [s[0], s[1], s[2]]
-}
-
-/// Stress on a boundary face at the given nodes.
-pub(crate) fn stress_at(
-    model: &AnalysisModel,
-    field: &StressField,
-    f: (u32, u8),
-    nodes: [u32; 3],
-) -> [Mandel; 3] {
-    let (tet, k) = (f.0 as usize, f.1 as usize);
-    let s = face_stress(field, tet, k);
-    let own = FACES[k].map(|i| model.mesh.tets[tet][i]);
-    nodes.map(|n| own.iter().position(|m| *m == n).map_or([0.0; 6], |p| s[p]))
-}
-
-/// Traction of an interface `r = −(σ n − load)` on side A at the face's vertices, pressure positive
-/// along the normal \[MPa\].
-pub fn contact_tractions<L>(
-    model: &AnalysisModel,
-    field: &StressField,
-    face: &InterfaceFace<'_, L>,
-    role: Option<&FaceRole>,
-) -> [V3; 3] {
-    let (n, _) = face.normal(model);
-    let corners = face.corners(model);
-    let s = stress_at(model, field, (face.a.tet, face.a.local), face.nodes_a);
-    std::array::from_fn(|i| {
-        let load = role.map_or([0.0; 3], |r| r.load(corners[i], n));
-        vec3::sub(load, mandel::traction(&s[i], n))
-    })
 }
 
 /// Certifies a stress field under the given loads.
@@ -221,7 +177,7 @@ pub fn certify_stress(
         }
         let opening = f.opening(model);
         for (l, w) in TRIANGLE_4 {
-            energy.add(w * area * vec3::dot(combine(&r, l), n) * bernstein_at(&opening, l));
+            energy.add(w * area * vec3::dot(at_barycentric(&r, l), n) * bernstein_at(&opening, l));
         }
     }
     let contact = !contacts.is_empty();
@@ -229,8 +185,7 @@ pub fn certify_stress(
         energy: energy.value(),
         equilibrium: ratio(imbalance, max_stress),
         traction_jump: ratio(jump, max_traction),
-        // open contacts carry nothing but the rounding of the stress: measure against the larger of
-        // the two
+        // open contacts carry only rounding of the stress: relative to the larger of the two
         contact: contact.then(|| ratio(cone, max_r.max(max_traction))),
         peak_pressure: contact.then_some(peak),
         weld: largest_of_each(&welds::utilisations(model, field)),
@@ -238,11 +193,6 @@ pub fn certify_stress(
         strain_energy: model.has_preload().then_some(strain_energy),
         tensions,
     }
-}
-
-/// The largest; `None` of nothing, not a number if any is none.
-pub(crate) fn largest_of_each(values: &[f64]) -> Option<f64> {
-    values.iter().copied().reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
 }
 
 /// Largest difference between the traction r of side A of an interface and that of side B \[MPa\].
@@ -283,10 +233,6 @@ fn cut_tension(model: &AnalysisModel, field: &StressField, bolt: &Preload) -> (f
     (tension.value(), torn)
 }
 
-fn combine(v: &[V3; 3], l: [f64; 3]) -> V3 {
-    std::array::from_fn(|d| (0..3).map(|i| l[i] * v[i][d]).sum())
-}
-
 /// Largest traction jump on the inner face between subtets k and l.
 fn inner_jump(points: &[[V3; 4]; 4], s: &[[Mandel; 4]; 4], k: usize, l: usize) -> f64 {
     let shared: Vec<usize> = (0..4).filter(|&m| m != k && m != l).collect();
@@ -305,21 +251,21 @@ fn inner_jump(points: &[[V3; 4]; 4], s: &[[Mandel; 4]; 4], k: usize, l: usize) -
 fn rigid_resultant_error(
     model: &AnalysisModel,
     field: &StressField,
-    rigid: &crate::model::analysis::RigidFace,
-    roles: &std::collections::BTreeMap<crate::certify::faces::FaceKey, FaceRole>,
+    rigid: &RigidFace,
+    roles: &BTreeMap<FaceKey, FaceRole>,
     loads: Loads,
 ) -> f64 {
     let action = loads.action(rigid);
     let mut got = [Sum::default(); 6];
     let (mut total, mut reach) = (0.0, 0.0f64);
     for f in &rigid.faces {
-        let nodes = crate::model::loads::face_nodes(&model.mesh, f);
+        let nodes = face_nodes(&model.mesh, f);
         let corners = nodes.map(|n| model.mesh.nodes[n as usize]);
         let area = vec3::area_vector(&corners);
         let size = vec3::norm(area);
         let n = vec3::scale(1.0 / size, area);
         let t = stress_at(model, field, (f.tet, f.local), nodes).map(|s| mandel::traction(&s, n));
-        // loads on the face itself are carried by it beside the action
+        // the face carries loads on itself in addition to the action
         let role = roles.get(&(f.tet, f.local));
         let t: [V3; 3] = std::array::from_fn(|i| {
             vec3::sub(t[i], role.map_or([0.0; 3], |r| r.load(corners[i], n)))
@@ -327,10 +273,10 @@ fn rigid_resultant_error(
         total += size;
         reach = reach.max(largest(corners.map(|x| vec3::norm(vec3::sub(x, rigid.at)))));
         for (l, w) in TRIANGLE_4 {
-            let mut t = combine(&t, l);
+            let mut t = at_barycentric(&t, l);
             // the other components carry no traction of the rigid motion
             (0..3).filter(|&d| !rigid.components[d]).for_each(|d| t[d] = 0.0);
-            let m = vec3::cross(vec3::sub(combine(&corners, l), rigid.at), t);
+            let m = vec3::cross(vec3::sub(at_barycentric(&corners, l), rigid.at), t);
             for d in 0..3 {
                 got[d].add(w * size * t[d]);
                 got[3 + d].add(w * size * m[d]);
@@ -360,12 +306,12 @@ pub(crate) fn add_work(
         for (l, w) in TRIANGLE_4 {
             let shape = triangle_p2(l);
             let at = (0..6).fold([0.0; 3], |s, i| vec3::add(s, vec3::scale(shape[i], nodes[i])));
-            work.add(w * size * vec3::dot(load.at(combine(&corners, l), n), at));
+            work.add(w * size * vec3::dot(load.at(at_barycentric(&corners, l), n), at));
         }
     }
 }
 
-/// Largest displacement (or velocity) u of what supports hold.
+/// Largest component of the displacement (or velocity) u that a support fixes.
 pub(crate) fn off_supports(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
     let mut off = 0.0f64;
     for s in &model.supports {
@@ -406,8 +352,8 @@ pub fn certify_displacement(
     certify_motion(model, &space, u, &inside, &stress)
 }
 
-/// Certifies nodal displacements u whose elements tell the energy stored in a tet and the work of
-/// the forces there, and the stress at the vertices of one of its faces.
+/// Certifies nodal displacements u; `inside` adds the energy stored in a tet and the work of its
+/// body forces, `stress` gives the stress at the vertices of one of its faces.
 pub(crate) fn certify_motion(
     model: &AnalysisModel,
     space: &Tet10Space,
@@ -442,7 +388,7 @@ pub(crate) fn certify_motion(
     let (mut margin, mut max_g, mut max_gap) = (f64::INFINITY, 0.0f64, 0.0f64);
     let contacts = contact_faces(model);
     for f in &contacts {
-        // the Bernstein coefficients of every face with its own normal
+        // Bernstein coefficients, with the normal of the face itself
         let (n, _) = f.normal(model);
         let opening = f.opening(model);
         let a = space.triangle(f.nodes_a);
@@ -478,65 +424,6 @@ pub(crate) fn certify_motion(
         largest_gap: contact.then_some(max_gap),
         peak_pressure: contact.then(|| displacement_pressure(model, stress)),
     }
-}
-
-/// The rigid motion nearest to the displacement of a rigid face, among its free motions, and the
-/// largest deviation in its components \[mm\].
-pub(crate) fn fit_rigid(
-    model: &AnalysisModel,
-    space: &Tet10Space,
-    u: &[V3],
-    rigid: &crate::model::analysis::RigidFace,
-) -> ([f64; 6], f64) {
-    use faer::prelude::Solve;
-    let mut nodes: Vec<usize> = rigid
-        .faces
-        .iter()
-        .flat_map(|f| space.triangle(crate::model::loads::face_nodes(&model.mesh, f)))
-        .collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    let free: Vec<usize> = (0..6).filter(|&i| rigid.free[i]).collect();
-    let reach =
-        largest(nodes.iter().map(|&n| vec3::norm(vec3::sub(space.nodes[n], rigid.at)))).max(1e-12);
-    let unit = |i: usize| -> [f64; 6] {
-        let mut m = [0.0; 6];
-        m[i] = if i < 3 { 1.0 } else { 1.0 / reach };
-        m
-    };
-    let samples: Vec<(usize, usize)> = nodes
-        .iter()
-        .flat_map(|&n| (0..3).filter(|&d| rigid.components[d]).map(move |d| (n, d)))
-        .collect();
-    let mut motion = [0.0; 6];
-    if !free.is_empty() && samples.len() >= free.len() {
-        let a = faer::Mat::from_fn(samples.len(), free.len(), |s, c| {
-            let (n, d) = samples[s];
-            rigid_displacement(&unit(free[c]), rigid.at, space.nodes[n])[d]
-        });
-        let b = faer::Mat::from_fn(samples.len(), 1, |s, _| u[samples[s].0][samples[s].1]);
-        let normal = a.transpose() * &a;
-        let rhs = a.transpose() * &b;
-        // motions the face cannot show (a rotation about the normal with only x listed) stay zero
-        let scale =
-            (0..free.len()).map(|i| normal[(i, i)]).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-        let damped = faer::Mat::from_fn(free.len(), free.len(), |i, j| {
-            normal[(i, j)] + if i == j { 1e-14 * scale } else { 0.0 }
-        });
-        let mut x = damped.partial_piv_lu().solve(&rhs);
-        for _ in 0..2 {
-            let r = &rhs - &normal * &x;
-            x += damped.partial_piv_lu().solve(&r);
-        }
-        for (c, &i) in free.iter().enumerate() {
-            motion[i] = x[(c, 0)] * unit(i)[i];
-        }
-    }
-    let error =
-        largest(samples.iter().map(|&(n, d)| {
-            (rigid_displacement(&motion, rigid.at, space.nodes[n])[d] - u[n][d]).abs()
-        }));
-    (motion, error)
 }
 
 /// Largest pressure of the displacement's stress on contact faces, either side \[MPa\].

@@ -1,8 +1,8 @@
-//! Plastic dissipation of a linear strain rate, bounded from above.
+//! Upper bound of the plastic dissipation of a linear strain rate.
 //!
 //! `π(ε) = √2 k ‖ε‖` is convex and ε linear in a tet, so the value interpolated between any points
-//! of a partition is at least `∫ π(ε)`: the vertex rule, or the same on the 8 tets that the edge
-//! middles make.
+//! of a partition is at least `∫ π(ε)`. The rules here are the vertex rule, and the vertex rule on
+//! the 8 tets that the edge midpoints make.
 
 use crate::math::mandel::{self, Mandel};
 use crate::mesh::tet::EDGES;
@@ -21,9 +21,9 @@ fn at_middles(strains: &[Mandel; 4]) -> [Mandel; 6] {
 
 /// An upper bound of the mean of `‖ε‖` over a tet with the given strain rates at its vertices.
 ///
-/// Ten points: the vertex rule on the 8 tets that edge middles make, averaged over the three
-/// diagonals of the octahedron among them; weights 1/32 at vertices, 7/48 at edge middles. Each
-/// further subdivision applies it to those 8 tets.
+/// The rule has ten points: the vertex rule on the 8 tets that edge midpoints make, averaged over
+/// the three diagonals of the octahedron between them. The weights are 1/32 at vertices and 7/48 at
+/// edge midpoints. Each further subdivision applies the rule to those 8 tets.
 pub fn mean_norm(strains: &[Mandel; 4], subdivisions: u32) -> f64 {
     let middles = at_middles(strains);
     let norms = middles.map(|m| mandel::norm(&m));
@@ -37,7 +37,7 @@ pub fn mean_norm(strains: &[Mandel; 4], subdivisions: u32) -> f64 {
         touching.enumerate().for_each(|(i, e)| tet[i + 1] = middles[e]);
         tet
     });
-    // any diagonal gives a bound; the ends of the one with the least norms count most
+    // any diagonal gives a bound; its ends count most, so the one with the smallest norms is used
     let least = |d: &[usize; 2]| norms[d[0]] + norms[d[1]];
     let [p, q] =
         OPPOSITE.into_iter().min_by(|a, b| least(a).total_cmp(&least(b))).unwrap_or(OPPOSITE[0]);

@@ -1,4 +1,4 @@
-//! What each outer face of the mesh is asked for: supports, loads, rigid motion, contact.
+//! Conditions on each outer face of the mesh: supports, loads, rigid motion, contact.
 
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
@@ -13,13 +13,13 @@ pub type FaceKey = (u32, u8);
 /// The role of one outer face.
 #[derive(Clone, Debug, Default)]
 pub struct FaceRole<'a> {
-    /// Components held at zero or moving rigidly: their traction is a reaction.
+    /// Components that are fixed or move rigidly: their traction is a reaction.
     pub reaction: [bool; 3],
-    /// Loads on the face, and how much each counts.
+    /// Loads on the face, each with its factor.
     pub loads: Vec<(f64, &'a SurfaceLoad)>,
-    /// In contact or welded: its traction is that of the interface.
+    /// True in contact or at a weld: the traction is that of the interface.
     pub contact: bool,
-    /// On a preloaded cut: its traction is that of the other side.
+    /// True on a preloaded cut: the traction is that of the other side.
     pub cut: bool,
 }
 
@@ -36,8 +36,7 @@ fn key(f: &BoundaryFace) -> FaceKey {
     (f.tet, f.local)
 }
 
-/// The roles of all outer faces that have one under the given loads; faces without an entry are
-/// free.
+/// Roles of the outer faces under the given loads; faces without an entry are free.
 pub fn roles(
     model: &AnalysisModel,
     loads: Loads,
@@ -79,12 +78,12 @@ pub fn roles(
 
 /// One face of an interface seen from side A.
 pub struct InterfaceFace<'a, L> {
-    /// Its number among the faces of its kind: of contact faces, interfaces first.
+    /// Number among the faces of its kind; among contact faces, interfaces come first.
     pub index: usize,
-    /// Its law.
+    /// Law of the interface.
     pub law: &'a L,
-    /// Which interface of its kind it belongs to; contacts with the ground follow those between
-    /// parts.
+    /// Number of its interface among those of its kind; contacts with the ground follow those
+    /// between parts.
     pub of: usize,
     /// Side A.
     pub a: BoundaryFace,

@@ -1,42 +1,43 @@
 //! Bounds of the load factor as types: a number is a bound only with its certificate, and only
-//! [`FactorBracket::new`] joins two.
+//! [`FactorBracket::new`] joins two bounds.
 
 use crate::certify::bracket::Contradiction;
-use crate::certify::certificate::TOLERANCE;
 use crate::certify::limit_certificate::{LowerCertificate, UpperCertificate};
+use crate::certify::tolerance::{TOLERANCE, in_order};
 
-/// A lower bound, strict as far as its certificate says, of the limit load factor.
+/// A lower bound of the limit load factor; strict if its certificate is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerFactor {
     certificate: LowerCertificate,
 }
 
-/// An upper bound, strict as far as its certificate says, of the limit load factor.
+/// An upper bound of the limit load factor; strict if its certificate is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UpperFactor {
     certificate: UpperCertificate,
 }
 
+/// True when every residual is within [`TOLERANCE`].
 fn within<const N: usize>(residuals: [Option<f64>; N]) -> bool {
     residuals.into_iter().flatten().all(|r| r <= TOLERANCE)
 }
 
 impl LowerFactor {
-    /// From a certificate.
+    /// The bound that a certificate proves.
     pub fn new(certificate: LowerCertificate) -> Self {
         Self { certificate }
     }
-    /// Its value, rounded down; zero is exact, no live load acts then.
+    /// Value, rounded down; zero is exact because no live load acts then.
     pub fn value(&self) -> f64 {
         let factor = self.certificate.factor;
         if factor == 0.0 { 0.0 } else { factor.next_down() }
     }
-    /// What it rests on.
+    /// The certificate of the bound.
     pub fn certificate(&self) -> &LowerCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`] and the stress within the yield surface,
-    /// tractions of welds within their strength, what the residuals may hide included.
+    /// True when every residual is within [`TOLERANCE`], the stress within the yield surface and
+    /// the tractions of welds within their strength, the allowance for the residuals included.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         c.factor.is_finite()
@@ -46,19 +47,19 @@ impl LowerFactor {
 }
 
 impl UpperFactor {
-    /// From a certificate.
+    /// The bound that a certificate proves.
     pub fn new(certificate: UpperCertificate) -> Self {
         Self { certificate }
     }
-    /// Its value, what the residuals may hide included, rounded up.
+    /// Value including the allowance for the residuals, rounded up.
     pub fn value(&self) -> f64 {
         (self.certificate.factor + self.certificate.cover).next_up()
     }
-    /// What it rests on.
+    /// The certificate of the bound.
     pub fn certificate(&self) -> &UpperCertificate {
         &self.certificate
     }
-    /// True when every residual is within [`TOLERANCE`] and the live loads do work.
+    /// True when every residual is within [`TOLERANCE`] and the live loads do positive work.
     pub fn is_strict(&self) -> bool {
         let c = &self.certificate;
         self.value().is_finite()
@@ -75,12 +76,10 @@ pub struct FactorBracket {
 }
 
 impl FactorBracket {
-    /// Joins two bounds; refuses lower > upper beyond rounding.
+    /// Joins two bounds; refuses NaN, and lower > upper beyond the tolerance.
     pub fn new(lower: LowerFactor, upper: UpperFactor) -> Result<Self, Contradiction> {
         let (low, up) = (lower.value(), upper.value());
-        // numbers that are none are in no order
-        let ordered = low <= up + 1e-9 * low.abs().max(up.abs());
-        if ordered {
+        if in_order(low, up) {
             Ok(Self { lower, upper })
         } else {
             Err(Contradiction { lower: low, upper: up })
@@ -138,6 +137,7 @@ mod tests {
         assert!(FactorBracket::new(lower(2.0), upper(2.0 * (1.0 - 1e-12))).is_ok());
         assert!(FactorBracket::new(lower(2.0), upper(1.99)).is_err());
         assert!(FactorBracket::new(lower(2.0), upper(f64::NAN)).is_err());
+        assert!(FactorBracket::new(lower(f64::NAN), upper(2.0)).is_err());
         assert_eq!(
             FactorBracket::new(lower(0.0), upper(1.0)).expect("in order").gap(),
             f64::INFINITY
@@ -145,7 +145,7 @@ mod tests {
         assert!(lower(3.0).value() < 3.0 && upper(3.0).value() > 3.0);
     }
 
-    /// Every residual alone takes the strictness away.
+    /// Each residual alone makes a bound not strict.
     #[test]
     fn strict_only_within_tolerance() {
         let bad = 2.0 * TOLERANCE;

@@ -1,4 +1,4 @@
-//! The two fields of an analysis as plain data: what is certified, stored and drawn.
+//! The two fields of an analysis as plain data, which is certified, stored and drawn.
 
 use crate::elements::super_element::PointStress;
 use crate::math::vec3::V3;
@@ -19,7 +19,7 @@ pub struct StressField {
 }
 
 impl StressField {
-    /// No stress at all.
+    /// Zero stress.
     pub fn none(tets: usize) -> Self {
         Self { points: vec![[[[0.0; 6]; 4]; 4]; tets] }
     }

@@ -7,8 +7,8 @@ use crate::elements::{split_flow, split_tet10};
 use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 
-/// Velocities of vertices and mid-side nodes, and the elements of the bodies that flow \[mm per
-/// unit of time\].
+/// Velocities of vertices and mid-side nodes \[mm per unit of time\], and the kind of element of
+/// the bodies that yield.
 ///
 /// In split elements the inner velocities follow from the outer ones as in
 /// [`crate::elements::split_flow`]: they are not stored.
@@ -16,18 +16,18 @@ use crate::model::AnalysisModel;
 pub struct VelocityField {
     /// The velocity of each node.
     pub nodes: DisplacementField,
-    /// What bodies with a yield strength are made of; the others are rigid and made of plain
+    /// Elements of the bodies with a yield strength; other bodies are rigid and consist of plain
     /// elements.
     pub flow: Flow,
 }
 
 /// A tet in which the velocity is quadratic: a plain element or a subtet of a split one.
 pub struct Piece {
-    /// Its corners \[mm\].
+    /// Corners \[mm\].
     pub corners: [V3; 4],
-    /// Its volume \[mm³\].
+    /// Volume \[mm³\].
     pub volume: f64,
-    /// Its velocities: vertices, then mid-sides.
+    /// Velocities: vertices, then mid-sides.
     pub velocities: [V3; 10],
 }
 

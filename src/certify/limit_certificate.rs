@@ -1,21 +1,21 @@
-//! Certificates of load factors, recomputed from the stored field and the model alone.
+//! Certificates of load factors, computed from the stored field and the model alone.
 //!
-//! Lower: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
-//! friction cones. Upper: velocities that keep the volume, hold supports and contact law; the
-//! factor is `(dissipation − power of dead loads) / power of live loads`. In limit analysis initial
-//! gaps count as closed, and bodies without a yield strength are rigid.
+//! Lower bound: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
+//! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
+//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. In limit
+//! analysis initial gaps count as closed, and bodies without a yield strength are rigid.
 //!
-//! Equations hold to rounding only, and a stress or velocity that satisfies them exactly lies near
-//! by: how near, measured from the residuals, is the certificate's `cover`. A bound has to leave
-//! room for it.
+//! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
+//! distance, estimated from the residuals, is the `cover` of the certificate. A bound must include
+//! this allowance.
 
-use crate::certify::certificate::{
-    add_work, certify_stress, fit_rigid, largest, off_supports, ratio,
-};
+use crate::certify::certificate::{add_work, certify_stress, off_supports};
 use crate::certify::dissipation::mean_norm;
 use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
 use crate::certify::flow::{Piece, VelocityField, pieces};
+use crate::certify::measures::{largest, ratio};
+use crate::certify::rigid_fit::fit_rigid;
 use crate::certify::welds;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::tet10;
@@ -27,10 +27,10 @@ use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use rayon::prelude::*;
 
-/// What a stress field proves of the load factor.
+/// Certificate of a stress field in limit analysis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LowerCertificate {
-    /// Load factor it is in equilibrium with.
+    /// Load factor of the loads in equilibrium with the field.
     pub factor: f64,
     /// max |div σ + b| h / max |σ|.
     pub equilibrium: f64,
@@ -42,19 +42,20 @@ pub struct LowerCertificate {
     pub peak_pressure: Option<f64>,
     /// max ‖dev σ‖ / (√(2/3) f_y) over bodies that yield; 0 without any.
     pub utilisation: f64,
-    /// Part where that is reached.
+    /// Part where the largest utilisation is reached.
     pub limiting_part: Option<u32>,
     /// Largest traction of a weld over its strength; `None` without welds.
     pub weld: Option<f64>,
-    /// Utilisation that the residuals may hide: an exact equilibrium differs by no more.
+    /// Allowance for the residuals, as a utilisation: a field in exact equilibrium differs by no
+    /// more.
     pub cover: f64,
-    /// Part of the field given that is left after it was drawn into the yield surface; 1 when it
-    /// was taken as it is.
+    /// Fraction of the given field that is left after it was drawn inside the yield surface; 1 when
+    /// it was used unchanged.
     pub scaled_by: f64,
 }
 
 impl LowerCertificate {
-    /// The largest utilisation of yield surfaces and welds; not a number if one of them is none.
+    /// Largest utilisation of yield surfaces and welds; NaN if either of them is NaN.
     pub fn worst(&self) -> f64 {
         match self.weld {
             Some(weld) if weld.is_nan() || weld > self.utilisation => weld,
@@ -63,7 +64,7 @@ impl LowerCertificate {
     }
 }
 
-/// What velocities prove of the load factor.
+/// Certificate of velocities in limit analysis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct UpperCertificate {
     /// (dissipation − power of dead loads) / power of live loads.
@@ -88,12 +89,12 @@ pub struct UpperCertificate {
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
     pub dead_power: f64,
-    /// Load factor that the residuals may hide: exactly admissible velocities near by give no more
-    /// than the factor and this.
+    /// Allowance for the residuals, as a load factor: exactly admissible velocities nearby give at
+    /// most `factor + cover`.
     pub cover: f64,
 }
 
-/// Extent of the model over the size of its smallest element.
+/// Ratio of the extent of the model to the size of its smallest element.
 fn slenderness(model: &AnalysisModel) -> f64 {
     let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
         (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
@@ -105,8 +106,8 @@ fn slenderness(model: &AnalysisModel) -> f64 {
     vec3::norm(vec3::sub(hi, lo)) / smallest
 }
 
-/// Largest utilisation of the yield surface and the tet where it is reached; not a number if any
-/// stress is none.
+/// Largest utilisation of the yield surface and the tet where it is reached; NaN if any stress is
+/// NaN or infinite.
 pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<usize>) {
     let radii = model.yield_radii();
     let mut worst = (0.0, None);
@@ -123,11 +124,11 @@ pub fn utilisation(model: &AnalysisModel, field: &StressField) -> (f64, Option<u
     worst
 }
 
-/// Utilisation that the largest relative residual of a stress field's equilibrium may hide: an
-/// exact equilibrium differs by no more.
+/// Allowance, as a utilisation, for the largest relative residual of a stress field's equilibrium:
+/// a field in exact equilibrium differs by no more.
 pub fn hidden_utilisation(model: &AnalysisModel, field: &StressField, residual: f64) -> f64 {
-    // forces left over on every face, all of one sign, add up over L/h faces and bend a section one
-    // element deep with a lever L
+    // unbalanced forces of one sign on every face add up over L/h faces and bend a section one
+    // element deep with the lever arm L
     let stress = largest(field.points.iter().flatten().flatten().map(mandel::norm));
     let strengths =
         model.yield_radii().into_iter().flatten().chain(model.welds.iter().map(|w| w.strength));
@@ -158,7 +159,7 @@ pub fn certify_lower(model: &AnalysisModel, field: &StressField, factor: f64) ->
     }
 }
 
-/// What one tet adds to an upper bound.
+/// Contribution of one tet to an upper bound.
 struct Share {
     trace: f64,
     strain: f64,
@@ -217,8 +218,8 @@ pub fn dissipation_densities(
         .collect()
 }
 
-/// Certifies velocities as an upper bound; each subdivision of the dissipation's rule brings it
-/// nearer to the field's own value.
+/// Certifies velocities as an upper bound; each subdivision of the dissipation rule brings the
+/// bound nearer to the value of the field itself.
 pub fn certify_upper(
     model: &AnalysisModel,
     field: &VelocityField,
@@ -258,7 +259,7 @@ pub fn certify_upper(
             dead.add(motion[i] * r.dead_action[i]);
         }
     }
-    // the largest of several numbers forgets those that are none
+    // `largest` skips NaN
     let finite = u.iter().flatten().all(|x| x.is_finite());
     let margin = smallest_margin(model, &space, u);
     let violation = margin.map(|m| (-m).max(0.0));
@@ -266,9 +267,9 @@ pub fn certify_upper(
     let strain = largest(shares.iter().map(|s| s.strain));
     let welds = welds::dissipations(model, u);
     let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(welds.iter().copied()));
-    // a volume change is undone by a flow that is larger by the inf-sup constant, about 10 in a
-    // compact body and more by the slenderness; every other residual moves a neighbouring element
-    // likewise
+    // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
+    // compact body and more in a slender one; every other residual moves a neighbouring element in
+    // the same way
     let residual = trace + strain + off + violation.unwrap_or(0.0);
     let smallest =
         (0..mesh.tets.len()).map(|e| mesh.volume(e)).fold(f64::INFINITY, f64::min).cbrt();
@@ -295,15 +296,15 @@ pub fn certify_upper(
     }
 }
 
-/// The motions that velocities give the rigid faces, about their reference points \[mm, rad per
-/// unit of time\].
+/// Motions of the rigid faces under the velocities, about their reference points \[mm, rad per unit
+/// of time\].
 pub fn rigid_motions(model: &AnalysisModel, field: &VelocityField) -> Vec<[f64; 6]> {
     let space = Tet10Space::new(&model.mesh);
     model.rigid.iter().map(|r| fit_rigid(model, &space, &field.nodes.u, r).0).collect()
 }
 
-/// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of every contact face, with its own
-/// normal; gaps closed.
+/// Smallest margin `g_N − μ‖g_T‖` of the Bernstein coefficients of all contact faces, each with its
+/// own normal; initial gaps count as closed.
 fn smallest_margin(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> Option<f64> {
     let margins = contact_faces(model).into_iter().flat_map(|f| {
         let (n, _) = f.normal(model);

@@ -4,19 +4,25 @@
 
 pub mod bracket;
 pub mod certificate;
+pub mod contributions;
 pub mod dissipation;
-pub mod error;
 pub mod faces;
 pub mod factor;
 pub mod fields;
 pub mod flow;
+pub mod free_mechanism;
 pub mod limit_certificate;
+pub mod measures;
 pub mod plastic_certificate;
 pub mod plastic_field;
 pub mod resultants;
+pub mod rigid_fit;
 pub mod sampling;
 pub mod slip;
 pub mod supporting;
+pub mod tolerance;
+pub mod tractions;
+pub mod unlimited;
 pub mod welds;
 
 pub use bracket::{Bracket, LowerBound, UpperBound};
@@ -24,3 +30,4 @@ pub use factor::{FactorBracket, LowerFactor, UpperFactor};
 pub use fields::{DisplacementField, StressField};
 pub use flow::VelocityField;
 pub use plastic_field::PlasticField;
+pub use tolerance::TOLERANCE;

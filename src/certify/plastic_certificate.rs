@@ -1,17 +1,18 @@
-//! Certificates of the elastic, perfectly plastic energy (Hencky), recomputed from the fields and
-//! the model alone.
+//! Certificates of the elastic, perfectly plastic energy (Hencky), computed from the fields and the
+//! model alone.
 //!
 //! Upper bound: `½ ∫ (ε − p):C:(ε − p) + ∫ π(p) − work` of any displacement with any traceless
-//! plastic strain p, the dissipation `π(p) = √(2/3) f_y ‖p‖` from above as in
+//! plastic strain p, with the upper bound of the dissipation `π(p) = √(2/3) f_y ‖p‖` of
 //! [`crate::certify::dissipation`]. Lower bound: −Π_c of a stress in equilibrium and inside the
-//! yield surface; what the residuals of its equilibrium may hide must find room there too.
+//! yield surface, with an allowance for the residuals of its equilibrium.
 
 use crate::certify::certificate::{
-    KinematicCertificate, StaticCertificate, certify_motion, certify_stress, largest,
+    KinematicCertificate, StaticCertificate, certify_motion, certify_stress,
 };
 use crate::certify::dissipation::mean_norm;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{hidden_utilisation, utilisation};
+use crate::certify::measures::largest;
 use crate::certify::plastic_field::{PlasticField, PlasticPiece, at_points, length, tensor};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::PointStress;
@@ -23,11 +24,11 @@ use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 
-/// Halvings of the tets on which the dissipation is evaluated.
+/// Number of times the tets are subdivided for the dissipation.
 const SUBDIVISIONS: u32 = 1;
 
-/// `∫ π(p)` of a tet's pieces, an upper bound \[N mm\]; infinite where plastic strain has no yield
-/// strength.
+/// `∫ π(p)` over the pieces of a tet, an upper bound \[N mm\]; infinite for plastic strain in a
+/// body without a yield strength.
 pub fn dissipated(pieces: &[PlasticPiece], radius: Option<f64>) -> f64 {
     let of = |p: &PlasticPiece| {
         if p.plastic == [[0.0; 5]; 4] {
@@ -40,7 +41,7 @@ pub fn dissipated(pieces: &[PlasticPiece], radius: Option<f64>) -> f64 {
     pieces.iter().map(of).sum()
 }
 
-/// `∫ π(p)` over the tets that `counts` picks, an upper bound \[N mm\].
+/// `∫ π(p)` over the tets that `counts` selects, an upper bound \[N mm\].
 pub fn dissipation(
     model: &AnalysisModel,
     field: &PlasticField,
@@ -110,7 +111,7 @@ pub fn certify_plastic_motion(model: &AnalysisModel, field: &PlasticField) -> Ki
     certify_motion(model, &space, &field.nodes.u, &inside, &stress)
 }
 
-/// Certifies a stress field under all loads, its yield condition included.
+/// Certifies a stress field under all loads, yield condition included.
 pub fn certify_yielding_stress(model: &AnalysisModel, field: &StressField) -> StaticCertificate {
     let base = certify_stress(model, field, Loads::ALL);
     let residual = largest([base.equilibrium, base.traction_jump, base.contact.unwrap_or(0.0)]);
@@ -128,9 +129,9 @@ pub fn utilisations(model: &AnalysisModel, field: &StressField) -> Vec<f64> {
     field.points.iter().zip(&model.mesh.tet_body).map(of).collect()
 }
 
-/// Largest utilisation in each tet of the elastic stress that a displacement alone stands for, as
-/// the vertex rule of the plastic strain measures it: below 1 the best plastic strain is zero. 0
-/// where nothing yields.
+/// Largest utilisation in each tet of the elastic trial stress of a displacement, measured by the
+/// vertex rule of the plastic strain: below 1 the best plastic strain is zero. 0 where nothing
+/// yields.
 pub fn trial_utilisations(model: &AnalysisModel, field: &PlasticField) -> Vec<f64> {
     let space = Tet10Space::new(&model.mesh);
     let (materials, radii) = (model.stiffnesses(), model.yield_radii());
@@ -150,22 +151,22 @@ pub fn trial_utilisations(model: &AnalysisModel, field: &PlasticField) -> Vec<f6
         .collect()
 }
 
-/// What has become of a body that may yield.
+/// State of a body that may yield.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {
-    /// Part of its volume with plastic strain larger than [`FLOWS`] times the strain at yield: of
-    /// the upper bound's field, an estimate.
+    /// Fraction of its volume with plastic strain above [`FLOWS`] times the strain at yield, an
+    /// estimate from the field of the upper bound.
     pub flowing: f64,
-    /// Its dissipation \[N mm\], an upper bound of that of the upper bound's field.
+    /// Upper bound of the dissipation in the field of the upper bound \[N mm\].
     pub dissipation: f64,
-    /// Largest utilisation of the lower bound's stress.
+    /// Largest utilisation by the stress of the lower bound.
     pub utilisation: f64,
 }
 
-/// Plastic strain, over the elastic strain at yield, from which on a point counts as yielded.
+/// Plastic strain, relative to the elastic strain at yield, above which a point counts as yielded.
 pub const FLOWS: f64 = 0.01;
 
-/// What has become of each body, as far as the two fields tell; `None` for those that never yield.
+/// State of each body, computed from the fields given; `None` for bodies that never yield.
 pub fn body_states(
     model: &AnalysisModel,
     motion: Option<&PlasticField>,

@@ -2,9 +2,9 @@
 //! quadratic and linear.
 //!
 //! The plastic strain is linear in a plain tet, or in each of the four subtets of a split one, and
-//! stored by its five deviatoric components: it keeps the volume as it stands. Any such field is
-//! admissible; of a displacement the best one follows tet by tet ([`plastic_strain`]), with no
-//! solver asked.
+//! stored by its five deviatoric components, so that it keeps the volume. Any such field is
+//! admissible. The best one for a displacement is computed tet by tet ([`plastic_strain`]), without
+//! a solver.
 
 use crate::certify::fields::DisplacementField;
 use crate::elements::space::Tet10Space;
@@ -20,11 +20,10 @@ use rayon::prelude::*;
 pub type Deviator = [f64; 5];
 /// Plastic strain at the four vertices of a (sub)tet.
 pub type VertexFlow = [Deviator; 4];
-/// Displacements of the nodes inside a split tet, as [`split_tet10`] numbers them from 10 on
-/// \[mm\].
+/// Displacements of the nodes inside a split tet, numbered from 10 in [`split_tet10`] \[mm\].
 pub type InnerNodes = [V3; split_tet10::NODES - split_tet10::OUTER];
 
-/// What a tet is made of, and its plastic strain.
+/// Kind of element of a tet, and its plastic strain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlasticTet {
     /// A plain 10-node tetrahedron without plastic strain.
@@ -52,17 +51,17 @@ pub struct PlasticField {
 /// A tet in which the displacement is quadratic and the plastic strain linear: a plain element or a
 /// subtet of a split one.
 pub struct PlasticPiece {
-    /// Its corners \[mm\].
+    /// Corners \[mm\].
     pub corners: [V3; 4],
-    /// Its volume \[mm³\].
+    /// Volume \[mm³\].
     pub volume: f64,
-    /// Its displacements: vertices, then mid-sides \[mm\].
+    /// Displacements: vertices, then mid-sides \[mm\].
     pub displacements: [V3; 10],
-    /// Plastic strain at its vertices.
+    /// Plastic strain at the vertices.
     pub plastic: VertexFlow,
 }
 
-/// The tensor of a deviator's components.
+/// The tensor with the given deviatoric components.
 pub fn tensor(d: &Deviator) -> Mandel {
     std::array::from_fn(|i| (0..5).map(|a| d[a] * DEVIATORIC[a][i]).sum())
 }
@@ -73,7 +72,7 @@ pub fn length(d: &Deviator) -> f64 {
 }
 
 impl PlasticField {
-    /// A displacement without plastic strain on so many plain tets.
+    /// A displacement without plastic strain on `tets` plain tets.
     pub fn elastic(nodes: DisplacementField, tets: usize) -> Self {
         Self { nodes, tets: vec![PlasticTet::Elastic; tets] }
     }
@@ -120,14 +119,14 @@ fn subtet_displacements(outer: &[V3; 10], inner: &InnerNodes, k: usize) -> [V3; 
         .map(|n| if n < split_tet10::OUTER { outer[n] } else { inner[n - split_tet10::OUTER] })
 }
 
-/// The plastic strain that costs least at the given strain of a (sub)tet: the least
-/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between its vertices, by exact
-/// minimisation vertex after vertex.
+/// The plastic strain of least energy at the given strain of a (sub)tet: the minimum of
+/// `½ ∫ 2G ‖dev ε − p‖² + ¼ V √(2/3) f_y Σ ‖p_i‖` over p linear between the vertices, found by
+/// exact minimisation vertex after vertex.
 ///
 /// Zero where `2G ‖dev (ε_i + Σ_j ε_j)‖/5 ≤ √(2/3) f_y` at every vertex. `two_mu` = 2G and `radius`
 /// = √(2/3) f_y in MPa.
 pub fn plastic_strain(strains: &[Mandel; 4], two_mu: f64, radius: f64) -> VertexFlow {
-    // sweeps of a system with condition 5: rounding is reached in some 40
+    // the system has condition number 5: about 40 sweeps reach rounding
     const SWEEPS: usize = 100;
     let e = strains.map(|s| deviator(&s));
     let mut p = [[0.0; 5]; 4];
@@ -156,7 +155,7 @@ pub fn plastic_strain(strains: &[Mandel; 4], two_mu: f64, radius: f64) -> Vertex
 }
 
 /// The field of a displacement in which every tet of a body with a yield strength has the plastic
-/// strain that costs least; `inner`: displacements inside, for the tets that are split.
+/// strain of least energy; `inner`: displacements inside, for the tets that are split.
 pub fn with_plastic_strain(
     model: &AnalysisModel,
     nodes: DisplacementField,
@@ -229,12 +228,12 @@ mod tests {
 
     fn strains(seed: &mut u64, size: f64) -> (VertexFlow, [Mandel; 4]) {
         let e: VertexFlow = std::array::from_fn(|_| std::array::from_fn(|_| size * random(seed)));
-        // a change of volume flows nothing
+        // a change of volume causes no plastic strain
         (e, e.map(|e| std::array::from_fn(|i| tensor(&e)[i] + if i < 3 { 0.01 } else { 0.0 })))
     }
 
-    /// No random neighbour, near or far, costs less; and none at all where the trial stress says
-    /// so.
+    /// No random neighbour, near or far, has less energy; the plastic strain is zero exactly where
+    /// the trial stress is below yield.
     #[test]
     fn no_other_plastic_strain_costs_less() {
         let mut seed = 77;

@@ -1,15 +1,14 @@
-//! Resultants of contact: with which force, and where, one body presses on another, from a stress
-//! field.
+//! Resultants of contact tractions between bodies, from a stress field.
 
-use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::contact_faces;
 use crate::certify::fields::StressField;
+use crate::certify::tractions::contact_tractions;
 use crate::math::Sum;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use std::collections::BTreeMap;
 
-/// What contact carries between two bodies of the meshed part.
+/// Resultant of the contact between two bodies of the meshed part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactResultant {
     /// Bodies of the mesh; the second is `None` where it is rigid ground.
@@ -46,7 +45,7 @@ pub fn contact_resultants(model: &AnalysisModel, field: &StressField) -> Vec<Con
         for i in 0..3 {
             sums.compression.add(area / 3.0 * normal[i]);
             for k in 0..3 {
-                // r is the pressure on the other side, the force on A is against it
+                // r acts on side B; the force on A is opposite
                 sums.force[k].add(-area / 3.0 * r[i][k]);
                 for j in 0..3 {
                     let weight = if i == j { 2.0 } else { 1.0 };

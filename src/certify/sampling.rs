@@ -1,10 +1,9 @@
-//! Random points inside elements and on faces: the fields must be admissible there too, with no
-//! exception.
+//! Admissibility of the fields at random points inside elements and on faces.
 
-use crate::certify::certificate::{contact_tractions, stress_at};
 use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::{VelocityField, pieces};
+use crate::certify::tractions::{contact_tractions, stress_at};
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::gradients;
 use crate::elements::tet10;
@@ -23,7 +22,7 @@ use crate::model::opening::bernstein_at;
 pub struct Sampled {
     /// Traction jump across faces of the mesh / largest stress of the field.
     pub traction_jump: f64,
-    /// Violation of a friction cone by the stress / largest traction of the field.
+    /// Violation of a friction cone by the stress / largest stress of the field.
     pub traction_cone: f64,
     /// Largest traction of a weld over its strength.
     pub weld: f64,
@@ -87,7 +86,7 @@ pub struct SampledUpper {
 
 const SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Tries `points` random points of each kind.
+/// Checks fields at `points` random points of each kind.
 pub fn sample(
     model: &AnalysisModel,
     displacement: Option<&DisplacementField>,
@@ -109,7 +108,7 @@ pub fn sample(
     out
 }
 
-/// Tries `points` random points of each kind on a stress field in equilibrium with
+/// Checks at `points` random points of each kind a stress field in equilibrium with
 /// `factor · live + dead`.
 pub fn sample_lower(
     model: &AnalysisModel,
@@ -159,7 +158,7 @@ fn inside(at: &[Mandel; 4], l: [f64; 4]) -> Mandel {
     std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum())
 }
 
-/// Tries `points` random points of each kind on velocities.
+/// Checks velocities at `points` random points of each kind.
 pub fn sample_upper(model: &AnalysisModel, field: &VelocityField, points: usize) -> SampledUpper {
     let mut random = Random(SEED);
     let scale = largest_length(&field.nodes);
@@ -222,8 +221,8 @@ fn welds(model: &AnalysisModel, s: &StressField, points: usize, random: &mut Ran
     worst
 }
 
-/// Largest violation of the contact law \[mm\]; `initial`: with initial gaps and shifts, else they
-/// count as closed.
+/// Largest violation of the contact law \[mm\]; with `initial` initial gaps and shifts count,
+/// without it gaps count as closed.
 fn gap_cones(
     model: &AnalysisModel,
     u: &DisplacementField,

@@ -1,4 +1,4 @@
-//! Slip of contact faces: how far a shift of the cones is from the one of Coulomb's law.
+//! Difference between a shift of the friction cones and the shift of Coulomb's law.
 
 use crate::certify::faces::contact_faces;
 use crate::certify::fields::DisplacementField;
@@ -7,10 +7,10 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;
 
-/// By how much a shift differs from `μ‖g_T‖` of a displacement, largest over the contact faces
-/// under Coulomb's law, part of the largest shift; 0 where nothing slips.
+/// Largest difference between a shift and `μ‖g_T‖` of a displacement over the contact faces under
+/// Coulomb's law, relative to the largest shift; 0 where nothing slips.
 ///
-/// Coefficients count where the faces touch, to a thousandth of the largest shift.
+/// Only coefficients count where the faces touch to a thousandth of the largest shift.
 pub fn distance_from_coulomb(
     model: &AnalysisModel,
     shift: &ConeShift,

@@ -1,5 +1,5 @@
-//! The half plane of two actions that a mechanism bounds: stronger than its load factor, which is
-//! one point of its edge.
+//! The half plane of two actions that a mechanism bounds. It is stronger than the load factor of
+//! the mechanism, which is one point of its edge.
 //!
 //! Let actions `x₁ A₁ + x₂ A₂` act. For every pair x that some admissible stress carries, virtual
 //! work with admissible velocities gives `x₁ P₁ + x₂ P₂ ≤ D`: P_k is the power of the unit action
@@ -17,15 +17,15 @@ use crate::model::AnalysisModel;
 /// model \[N, N mm\].
 pub type Axes = [Vec<[f64; 6]>; 2];
 
-/// Part of the powers by which they may differ from the power of the certificate.
+/// Relative difference allowed between the powers of the actions and the power of the certificate.
 const SAME: f64 = 1e-9;
 
-/// The half plane, in multiples of the two actions, that the certified velocities of the direction
-/// `direction` prove; `None` where the bound is not strict, or where other loads than these actions
-/// do work.
+/// The half plane, in multiples of the two actions, proved by the velocities certified for the
+/// direction `direction`; `None` where the bound is not strict, or where loads other than these
+/// actions do work.
 ///
-/// `model` is under `direction[0] · axes[0] + direction[1] · axes[1]` and nothing else. What the
-/// residuals may hide is in the offset, as it is in the load factor.
+/// `model` carries `direction[0] · axes[0] + direction[1] · axes[1]` and no other load. The offset
+/// includes the allowance for the residuals, as the load factor does.
 pub fn half_plane(
     model: &AnalysisModel,
     velocity: &VelocityField,
@@ -48,7 +48,7 @@ pub fn half_plane(
         return None;
     }
     let normal = power.map(|p| p / certificate.live_power);
-    // rounding of the powers turns the normal by less than this
+    // rounding of the powers rotates the normal by less than this
     let offset = bound.value() * (1.0 + 1e-12);
     Some(HalfPlane { normal, offset })
 }

@@ -1,16 +1,15 @@
-//! Welds of finite strength: what a stress asks of them, what a jump of the displacement dissipates
-//! in them.
+//! Welds of finite strength: utilisation by a stress field, dissipation of a displacement jump.
 
-use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::{WeldFace, weld_faces};
 use crate::certify::fields::StressField;
+use crate::certify::tractions::contact_tractions;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::math::Sum;
 use crate::math::quadrature::triangle_p2;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 
-/// Halvings of the faces on which the dissipation of the final displacements is evaluated.
+/// Number of times the faces are subdivided for the dissipation.
 const SUBDIVISIONS: u32 = 2;
 
 /// Jump of displacements (or velocities) u at the nodes of a face, from side A to side B.
@@ -23,8 +22,8 @@ pub fn jumps(space: &Tet10Space, face: &WeldFace<'_>, u: &[V3]) -> [V3; 6] {
 /// An upper bound of the mean of `‖g‖` over a triangle, g quadratic with the given values at
 /// vertices and mid-sides.
 ///
-/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6. A
-/// subdivision applies that to the four triangles that the mid-sides make.
+/// g is a convex combination of its six Bernstein coefficients, each with a mean weight of 1/6.
+/// Each subdivision applies this to the four triangles that the mid-sides make.
 pub fn mean_norm(g: &[V3; 6], subdivisions: u32) -> f64 {
     if subdivisions == 0 {
         let edges = FACE_EDGES.iter().enumerate().map(|(e, &[p, q])| {
@@ -76,22 +75,22 @@ pub fn dissipations(model: &AnalysisModel, u: &[V3]) -> Vec<f64> {
     out.iter().map(|d| d.value()).collect()
 }
 
-/// What a stress asks of a weld.
+/// Utilisation of a weld by a stress field.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Utilisation {
-    /// Largest traction over the strength; not a number if any traction is none.
+    /// Largest traction over the strength; NaN if any traction is NaN.
     pub largest: f64,
-    /// An upper bound of the mean of the traction's length over the strength: that of its values at
-    /// the vertices of the faces, between which it is linear.
+    /// Upper bound of the mean traction over the strength: the mean of the values at the vertices
+    /// of the faces, between which the traction is linear.
     pub mean: f64,
 }
 
-/// Largest traction of each weld over its strength; not a number if any traction is none.
+/// Largest traction of each weld over its strength; NaN if any traction is NaN.
 pub fn utilisations(model: &AnalysisModel, field: &StressField) -> Vec<f64> {
     demands(model, field).into_iter().map(|u| u.largest).collect()
 }
 
-/// What a stress asks of each weld.
+/// Utilisation of each weld by a stress field.
 pub fn demands(model: &AnalysisModel, field: &StressField) -> Vec<Utilisation> {
     let mut out = vec![0.0f64; model.welds.len()];
     let mut means = vec![[Sum::default(); 2]; model.welds.len()];

@@ -4,7 +4,7 @@ use crate::analysis::engine::{self, Pass, PassError, PassOptions, ProgramRun, Pr
 use crate::analysis::hencky;
 use crate::analysis::limit::{self, LimitPass};
 use crate::analysis::program_run::Program;
-use crate::certify::error::Contributions;
+use crate::certify::contributions::Contributions;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};

@@ -19,10 +19,9 @@ use crate::elements::split_tet10::{
 };
 use crate::elements::super_element::{gradients, jacobian};
 use crate::elements::tet10;
+use crate::math::dense::{Mat, least_squares};
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::{EDGES, FACES};
-use faer::Mat;
-use faer::prelude::SolveLstsq;
 use std::sync::OnceLock;
 
 /// Velocities of the outer nodes.
@@ -58,11 +57,8 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
         let rows = divergence_rows(&REFERENCE);
         let inner = Mat::from_fn(16, INNER_UNKNOWNS, |r, c| rows[r][OUTER_UNKNOWNS + c]);
         let outer = Mat::from_fn(16, OUTER_UNKNOWNS, |r, c| -rows[r][c]);
-        let factor = inner.qr();
-        let mut x = factor.solve_lstsq(&outer);
-        // one refinement: the entries are small fractions, and rounding is all the divergence there
-        // may be
-        x += factor.solve_lstsq(&outer - &inner * &x);
+        // refined: the entries are small fractions, and rounding is all the divergence there may be
+        let x = least_squares(&inner, &outer);
         let mut map = Box::new([[0.0; OUTER_UNKNOWNS]; INNER_UNKNOWNS]);
         for (r, row) in map.iter_mut().enumerate() {
             row.iter_mut().enumerate().for_each(|(c, m)| *m = x[(r, c)]);

@@ -5,11 +5,11 @@
 //! [`crate::elements::super_element`].
 
 use crate::elements::super_element::{PARAMETERS, TRACTIONS, centroid, gradients};
+use crate::math::dense::{Mat, orthogonal_factor};
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
-use faer::Mat;
 use std::sync::OnceLock;
 
 /// Constant data of the reference tetrahedron (0, e₁, e₂, e₃).
@@ -85,7 +85,7 @@ pub(crate) fn reference() -> &'static Reference {
         let rows = equilibrium_rows(&CORNERS);
         // the last 30 columns of Q in Rᵀ = Q [U; 0] span the null space of R
         let rt = Mat::from_fn(96, 66, |i, j| rows[j][i]);
-        let q = rt.qr().compute_Q();
+        let q = orthogonal_factor(&rt);
         let basis: [[[Mandel; PARAMETERS]; 4]; 4] = std::array::from_fn(|k| {
             std::array::from_fn(|p| {
                 std::array::from_fn(|a| std::array::from_fn(|c| q[(24 * k + 6 * p + c, 66 + a)]))

@@ -327,7 +327,7 @@ pub fn integrate(volume: f64, material: &Isotropic, a: &PointStress, b: &PointSt
 mod tests {
     use super::*;
     use crate::elements::stress_basis::equilibrium_rows;
-    use faer::Mat;
+    use crate::math::dense::Mat;
 
     fn random_tet(seed: &mut u64) -> [V3; 4] {
         let mut next = || {

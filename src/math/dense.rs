@@ -1,8 +1,19 @@
-//! Small dense kernels: Cholesky of a fixed-size matrix, symmetric eigenvectors, systems that may
-//! be singular.
+//! Small dense algebra: Cholesky of a fixed-size matrix, symmetric eigenvectors, least squares,
+//! systems that may be singular.
+//!
+//! This file and `solve/sparse/dense.rs` alone name faer.
 
-use faer::Mat;
-use faer::prelude::Solve;
+pub use faer::Mat;
+use faer::linalg::solvers::Qr;
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::prelude::{Solve, SolveLstsq};
+use faer::{Par, Side};
+
+/// Makes faer's dense kernels sequential in the whole process: with parallel ones the last digits
+/// would depend on the number of threads.
+pub fn sequential_kernels() {
+    faer::set_global_parallelism(Par::Seq);
+}
 
 /// Lower Cholesky factor of a symmetric positive definite matrix of order `N`.
 #[derive(Clone, Debug)]
@@ -77,9 +88,8 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
     if n == 0 {
         return Vec::new();
     }
-    let eig = gram
-        .self_adjoint_eigen(faer::Side::Lower)
-        .expect("a finite symmetric matrix has eigenvectors");
+    let eig =
+        gram.self_adjoint_eigen(Side::Lower).expect("a finite symmetric matrix has eigenvectors");
     let s = eig.S().column_vector();
     let largest = (0..n).map(|i| s[i].abs()).fold(0.0, f64::max);
     (0..n)
@@ -106,4 +116,65 @@ pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     let rhs = Mat::from_fn(n, 1, |i, _| d[i] * b[(i, 0)]);
     let y = regular.partial_piv_lu().solve(&rhs);
     Mat::from_fn(n, 1, |i, _| d[i] * y[(i, 0)])
+}
+
+/// Least-squares solution of `A X = B`, refined once.
+pub fn least_squares(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    let factor = a.qr();
+    let mut x = factor.solve_lstsq(b);
+    x += factor.solve_lstsq(b - a * &x);
+    x
+}
+
+/// Least-squares solution of `A x = b` by damped normal equations, refined twice. Directions that A
+/// does not determine stay zero.
+pub fn damped_least_squares(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    let normal = a.transpose() * a;
+    let rhs = a.transpose() * b;
+    let n = normal.nrows();
+    let scale = (0..n).map(|i| normal[(i, i)]).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let damped =
+        Mat::from_fn(n, n, |i, j| normal[(i, j)] + if i == j { 1e-14 * scale } else { 0.0 });
+    let mut x = damped.partial_piv_lu().solve(&rhs);
+    for _ in 0..2 {
+        let r = &rhs - &normal * &x;
+        x += damped.partial_piv_lu().solve(&r);
+    }
+    x
+}
+
+/// The square orthogonal factor Q of `A = Q R`; its last columns span the null space of `Aᵀ`.
+pub fn orthogonal_factor(a: &Mat<f64>) -> Mat<f64> {
+    a.qr().compute_Q()
+}
+
+/// Thin factors of `A = Q R`.
+pub struct ThinQr {
+    q: Mat<f64>,
+    factor: Qr<f64>,
+}
+
+impl ThinQr {
+    /// Factors a matrix with at least as many rows as columns.
+    pub fn new(a: &Mat<f64>) -> Self {
+        let factor = a.qr();
+        Self { q: factor.compute_thin_Q(), factor }
+    }
+
+    /// The least-norm solution x of `Aᵀ x = y`.
+    pub fn least_norm(&self, mut y: Mat<f64>) -> Mat<f64> {
+        let r = self.factor.thin_R();
+        solve_lower_triangular_in_place(r.transpose(), y.as_mut(), Par::Seq);
+        &self.q * &y
+    }
+}
+
+/// A decomposition did not converge.
+#[derive(Clone, Copy, Debug)]
+pub struct NoConvergence;
+
+/// Singular values, decreasing, and the matrix of right singular vectors, one a column.
+pub fn right_singular_vectors(a: &Mat<f64>) -> Result<(Vec<f64>, Mat<f64>), NoConvergence> {
+    let svd = a.svd().map_err(|_| NoConvergence)?;
+    Ok((svd.S().column_vector().iter().copied().collect(), svd.V().to_owned()))
 }

@@ -1,5 +1,6 @@
 //! Rigid motions that no support resists, only contact: there the stiffness is zero.
 
+use crate::math::dense::{Mat, null_space};
 use crate::math::rigid_motion::rigid_displacement;
 use crate::math::vec3::{self, V3};
 use crate::model::analysis::AnalysisModel;
@@ -34,7 +35,7 @@ pub fn contact_modes(
     });
     let rigid = map.rigid();
     let n = 6 * parts + rigid;
-    let mut gram = faer::Mat::<f64>::zeros(n, n);
+    let mut gram = Mat::<f64>::zeros(n, n);
     for (i, &(part, x)) in points.iter().enumerate() {
         for d in 0..3 {
             // across a frozen cut the same rigid motion goes on
@@ -54,7 +55,7 @@ pub fn contact_modes(
             }
         }
     }
-    crate::math::dense::null_space(&gram, 1e-11)
+    null_space(&gram, 1e-11)
         .into_iter()
         .map(|c| {
             let motions: Vec<[f64; 6]> = (0..parts)

@@ -4,7 +4,7 @@
 //! hold of them stays at rest: the motions that all of a group may make together are the null space
 //! of these conditions. One unknown of the program stands for each.
 
-use crate::math::dense::{null_space, pseudo_solve};
+use crate::math::dense::{Mat, null_space, pseudo_solve};
 use crate::math::rigid_motion::rigid_displacement;
 use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
@@ -14,7 +14,6 @@ use crate::model::loads::Loads;
 use crate::programs::constraints::FacePoints;
 use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
-use faer::Mat;
 use std::collections::BTreeMap;
 
 /// Displacements of unit motions below this are rounding of the null space: what they belong to

@@ -1,31 +1,28 @@
-//! From a solver's unknowns to fields that are admissible to rounding.
+//! Recovery of fields that are admissible to rounding from the unknowns of a solver.
 //!
-//! A conic solver satisfies its constraints to its tolerance. The displacement is opened by the
-//! last violation along a field that opens every contact; the stress is projected: contact
-//! tractions (strictly inside their cones) are first brought into balance with the loads part by
-//! part, then the bodies are solved for exact equilibrium with them.
+//! A conic solver satisfies its constraints to its tolerance only. The violation that remains in
+//! the displacement is removed along a field that opens every contact. The stress is projected:
+//! contact tractions, strictly inside their cones, are brought into balance with the loads part by
+//! part, and an elastic solution brings the bodies into equilibrium with them to rounding.
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
-use crate::math::dense::pseudo_solve;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 use crate::programs::constraints;
+use crate::programs::contact_modes::ContactMode;
 use crate::programs::dofs::DofMap;
 use crate::programs::kinematic::{Kinematic, hold};
 use crate::programs::static_form::{Static, SuperElements};
-use crate::recover::restore_equilibrium::settle;
+use crate::recover::force_sets::{Within, balance, cone_ranges};
+use crate::recover::restore_equilibrium::restore_equilibrium;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
-use faer::Mat;
 use rayon::prelude::*;
 
-/// How far inside its strength the traction of a weld is put, relative to it.
+/// Margin of the traction of a weld below its strength, relative to the strength.
 const INSIDE: f64 = 1e-9;
-/// What rounding may use up of that.
-const ROOM: f64 = 1e-11;
-
-/// Why a field could not be recovered.
+/// Reason why a field could not be recovered.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum RecoverError {
     /// The linear system failed.
@@ -40,15 +37,16 @@ pub enum RecoverError {
     /// The fixed point for Coulomb friction was not found.
     #[error(
         "the fixed point for Coulomb friction did not converge: after {solves} solves the slips \
-         still change by {change:.1e} of the largest; `friction: associated` needs none"
+         still change by {change:.1e} of the largest; `friction: associated` needs no fixed \
+         point"
     )]
     NotConverged {
-        /// Problems solved.
+        /// Number of solves.
         solves: usize,
-        /// Largest change of the last of them.
+        /// Largest relative change of the slips in the last solve.
         change: f64,
     },
-    /// A field that proves no load factor, in words.
+    /// A field proves no load factor; the reason in words.
     #[error("{0}")]
     Factor(String),
 }
@@ -56,8 +54,8 @@ pub enum RecoverError {
 /// The displacement field of a kinematic solution, contacts opened where the solver left them
 /// violated.
 ///
-/// `model` is the one the program was made from; `patterns` here and below: what is known of the
-/// mesh's matrices.
+/// `model` is the model of the program; `patterns`, here and below, holds the known orderings of
+/// the matrices of its mesh.
 pub fn displacement(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -67,7 +65,7 @@ pub fn displacement(
     displacement_at(model, kinematic, &kinematic.program.h, solution, patterns)
 }
 
-/// The same for a solution with other offsets of the rows than the program's own.
+/// The same for a solution whose row offsets differ from those of the program.
 pub fn displacement_at(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -78,8 +76,8 @@ pub fn displacement_at(
     opened(model, kinematic, offsets, solution.x.clone(), patterns)
 }
 
-/// The displacement field of an elastic program's unknowns `x`, at least those that elements share,
-/// contacts opened where they are violated.
+/// The displacement field of the unknowns `x` of an elastic program (at least those that elements
+/// share), contacts opened where they are violated.
 pub(crate) fn opened(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -107,7 +105,7 @@ pub(crate) fn opened(
     Ok(DisplacementField { u: kinematic.nodal(&x) })
 }
 
-/// Smallest margin of the contact cones in the rows `s` \[mm\].
+/// Smallest margin of the contact cones at the row values `s` \[mm\].
 pub(crate) fn smallest_margin(program: &ConicProgram, s: &[f64]) -> f64 {
     let cones = cone_ranges(program).into_iter();
     cones.map(|(at, dim)| cone_margin(&s[at..at + dim])).fold(f64::INFINITY, f64::min)
@@ -183,16 +181,16 @@ pub fn stress(
     balanced_stress(statics, interface_tractions(statics, solution), parameters, patterns)
 }
 
-/// Contact tractions of a solution (multipliers of the contact cones), then those of welds.
+/// Contact tractions of a solution (multipliers of the contact cones), followed by weld tractions.
 pub(crate) fn interface_tractions(statics: &Static, solution: &Solution) -> Vec<f64> {
     let mut found = solution.z[..statics.program.g.nrows()].to_vec();
     found.extend(statics.weld_tractions(&solution.x));
     found
 }
 
-/// The stress field in equilibrium to rounding nearest, in elastic energy, to the given parameters;
-/// `tractions`: those of contacts and welds as in [`interface_tractions`], `statics`: the elastic
-/// program.
+/// The stress field in equilibrium to rounding that is nearest, in elastic energy, to the given
+/// parameters. `tractions` are those of contacts and welds as in [`interface_tractions`]; `statics`
+/// is the elastic program.
 pub(crate) fn balanced_stress(
     statics: &Static,
     tractions: Vec<f64>,
@@ -202,8 +200,8 @@ pub(crate) fn balanced_stress(
     let modes = statics.contact_modes();
     let (z, t) = balanced_tractions(statics, tractions, &modes)?;
     let mut p = statics.program.p.clone();
-    // the free motions among them are held by the program already: one hold per motion, or the
-    // holds would carry force
+    // the program constrains the free motions among them already; a second constraint of the same
+    // motion would carry force
     hold(
         &mut p,
         &constraints::pins(modes.into_iter().map(|m| m.unknowns).collect(), &statics.pinned),
@@ -216,8 +214,8 @@ pub(crate) fn balanced_stress(
     Ok(stress_field(&statics.elements, &parameters)?)
 }
 
-/// Corrects the stress parameters by elastic solutions for the forces that `rhs` and the elements'
-/// tractions leave unbalanced, until these stop falling.
+/// Corrects the stress parameters by elastic solutions for the forces left unbalanced between `rhs`
+/// and the tractions of the elements, until these forces stop falling.
 pub(crate) fn balance_elements(
     elements: &SuperElements,
     map: &DofMap,
@@ -229,7 +227,7 @@ pub(crate) fn balance_elements(
     for _ in 0..8 {
         let t = tractions(elements, map, parameters)?;
         let mut residual: Vec<f64> = rhs.iter().zip(&t).map(|(a, b)| a - b).collect();
-        // the tension of a frozen cut balances nothing
+        // the tension of a frozen cut is given and is not balanced
         map.frozen.iter().for_each(|&(k, _)| residual[k] = 0.0);
         let size = residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         if size == 0.0 || size > 0.3 * last {
@@ -251,7 +249,7 @@ pub(crate) fn stress_field(
         .enumerate()
         .map(|(e, a)| Ok(elements.element(e)?.stress(a)))
         .collect::<Result<Vec<_>, ModelError>>()?;
-    settle(elements.model(), elements.body_forces(), &mut points);
+    restore_equilibrium(elements.model(), elements.body_forces(), &mut points);
     Ok(StressField { points })
 }
 
@@ -310,8 +308,8 @@ pub(crate) fn interface_work(statics: &Static, motion: &[f64]) -> Vec<f64> {
     row
 }
 
-/// Where interface tractions must stay: contact tractions in their cones, then those of welds
-/// within their strength.
+/// Sets that interface tractions must stay in: the cones of contact tractions, then the strengths
+/// of welds.
 pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
     let mut sets: Vec<Within> = cone_ranges(&statics.program)
         .into_iter()
@@ -325,15 +323,15 @@ pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
     sets
 }
 
-/// Contact and weld tractions, corrected so that they balance the loads on every rigid motion only
-/// they resist.
+/// Contact and weld tractions, corrected so that they balance the loads on every rigid motion that
+/// only they resist.
 ///
-/// A contact whose force is lost in the solver's noise may have to carry none at all (a loose part
-/// that nothing loads): such forces are dropped when the balance cannot be found with them.
+/// Where a contact force is below the error of the solver, the exact force may be zero (a loose
+/// part without load): such forces are dropped when no balance is found with them.
 fn balanced_tractions(
     statics: &Static,
     mut found: Vec<f64>,
-    modes: &[crate::programs::contact_modes::ContactMode],
+    modes: &[ContactMode],
 ) -> Result<(Vec<f64>, Vec<f64>), RecoverError> {
     let program = &statics.program;
     let contacts = program.g.nrows();
@@ -363,124 +361,4 @@ fn balanced_tractions(
         }
     }
     Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
-}
-
-/// First row and number of rows of each contact cone.
-pub(crate) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
-    let contacts = program.g.nrows();
-    let all = program.cone_starts().into_iter().zip(&program.cones);
-    all.take_while(|(start, _)| *start < contacts).map(|(s, c)| (s, c.dim())).collect()
-}
-
-/// Where a force must stay.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Within {
-    /// The second-order cone, or the half-line, of `dim` rows from `start` on.
-    Cone { start: usize, dim: usize },
-    /// No longer than `radius`: three rows.
-    Ball { start: usize, radius: f64 },
-}
-
-impl Within {
-    /// First row and number of rows.
-    pub fn range(self) -> (usize, usize) {
-        match self {
-            Within::Cone { start, dim } => (start, dim),
-            Within::Ball { start, .. } => (start, 3),
-        }
-    }
-
-    /// Shortens the force in a ball to `1 − margin` of its radius at most; leaves cones alone.
-    pub fn draw_in(self, z: &mut [f64], margin: f64) {
-        if let Within::Ball { start, radius } = self {
-            let force = &mut z[start..start + 3];
-            let (size, room) = (norm(force), (1.0 - margin) * radius);
-            if size > room {
-                force.iter_mut().for_each(|x| *x *= room / size);
-            }
-        }
-    }
-
-    /// Least distance that is left to the surface.
-    fn margin(self, z: &[f64]) -> f64 {
-        let (start, dim) = self.range();
-        let force = &z[start..start + dim];
-        match self {
-            Within::Cone { .. } => cone_margin(force),
-            Within::Ball { radius, .. } => (1.0 - ROOM) * radius - norm(force),
-        }
-    }
-
-    /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z²
-    /// of the half-line), `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
-    fn metric(self, z: &[f64], r: &[f64], out: &mut [f64]) {
-        let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
-        match self {
-            Within::Cone { dim, .. } => {
-                let half_det = if dim == 1 {
-                    0.0
-                } else {
-                    0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z))
-                };
-                for i in 0..dim {
-                    let j = if i == 0 { 1.0 } else { -1.0 };
-                    out[i] = z[i] * along - half_det * j * r[i];
-                }
-            }
-            Within::Ball { radius, .. } => {
-                let size = norm(z);
-                let d = ((radius - size) * (radius + size)).max(0.0);
-                let taken = 2.0 * along / (d + 2.0 * size * size).max(f64::MIN_POSITIVE);
-                (0..3).for_each(|i| out[i] = 0.5 * d * (r[i] - taken * z[i]));
-            }
-        }
-    }
-}
-
-fn norm(v: &[f64]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// Moves `s` to the nearest point of the cone `‖s₁…‖ ≤ slope s₀`.
-pub(crate) fn into_cone(s: &mut [f64], slope: f64) {
-    let (n, t) = (s[0], s[1..].iter().map(|x| x * x).sum::<f64>().sqrt());
-    if n <= -slope * t {
-        s.fill(0.0);
-    } else if t > slope * n {
-        s[0] = (n + slope * t) / (1.0 + slope * slope);
-        // a hair less than the slope: the root above is rounded
-        let shorter = slope * (1.0 - 1e-15) * s[0] / t;
-        s[1..].iter_mut().for_each(|x| *x *= shorter);
-    }
-}
-
-/// Corrects `z` by the smallest change, measured in each set's own (Dikin) metric, that makes
-/// `rows · z = needed`; true when every force is still in its set.
-///
-/// The inverse Hessian of a cone's barrier lets a force near the cone's surface grow or shrink
-/// freely along itself but hardly leave; a change of length below 1 stays inside.
-pub(crate) fn balance(sets: &[Within], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
-    let n = rows.len();
-    for _ in 0..3 {
-        let weighted: Vec<Vec<f64>> = rows
-            .iter()
-            .map(|row| {
-                let mut w = vec![0.0; z.len()];
-                for set in sets {
-                    let (s, d) = set.range();
-                    set.metric(&z[s..s + d], &row[s..s + d], &mut w[s..s + d]);
-                }
-                w
-            })
-            .collect();
-        let dot = |a: &[f64], b: &[f64]| crate::math::Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
-        let gram = Mat::from_fn(n, n, |i, j| dot(&rows[i], &weighted[j]));
-        let missing = Mat::from_fn(n, 1, |i, _| needed[i] - dot(&rows[i], z));
-        // modes that no contact touches have a zero row here; the pseudo-inverse leaves them alone
-        let multipliers = pseudo_solve(&gram, &missing);
-        for r in 0..z.len() {
-            z[r] += (0..n).map(|i| weighted[i][r] * multipliers[(i, 0)]).sum::<f64>();
-        }
-    }
-    sets.iter().all(|set| set.margin(z) >= 0.0)
 }

@@ -1,68 +1,25 @@
-//! Collapse at zero load: a mechanism that moves every part rigidly and costs nothing.
+//! Search for collapse at zero load: a mechanism that moves every part rigidly, see
+//! [`crate::certify::free_mechanism`].
 //!
-//! Parts that only contact holds can lift off, or slide and dilate with associated friction,
-//! without dissipation. Where the live loads work on such a motion and the dead ones do not work
-//! against it, `λ_up = (0 − dead power)/live power ≤ 0`. Rigid motions are the only ones without
-//! strain, so that the search has a handful of unknowns; the certificate is that of an upper bound
-//! with every body rigid, and asks nobody how the motion was found.
+//! Rigid motions are the only motions without strain, so that the search has few unknowns.
 
-use crate::certify::certificate::{largest, ratio};
-use crate::certify::faces::weld_faces;
-use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
 use crate::certify::flow::VelocityField;
-use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
-use crate::certify::welds::jumps;
+use crate::certify::free_mechanism::{FreeMechanism, certify_free, is_free};
 use crate::elements::hencky_kinematic::Flow;
-use crate::elements::space::Tet10Space;
-use crate::math::dense::null_space;
-use crate::math::vec3;
+use crate::math::dense::{Mat, null_space, pseudo_solve};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use crate::programs::Kinematic;
 use crate::programs::conic::{Cone, ConicProgram, Csr, cone_margin};
 use crate::recover::elastic::RecoverError;
+use crate::recover::force_sets::cone_ranges;
 use crate::solve::{SolveOptions, collapse};
-use faer::Mat;
 
 /// A cone whose slack is smaller than this, over the largest slack, is closed.
 const CLOSED: f64 = 1e-6;
-/// Attempts at opening cones that the small program left violated.
+/// Largest number of steps that open cones which the small program left violated.
 const OPENINGS: usize = 20;
-/// Power of the dead loads against the motion, over that of the live ones, that rounding explains.
-const ROUNDING: f64 = 1e-12;
-
-/// A mechanism at zero load.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FreeMechanism {
-    /// Its velocities.
-    pub field: VelocityField,
-    /// What they prove, every body rigid.
-    pub certificate: UpperCertificate,
-}
-
-/// Certifies velocities as a mechanism at zero load: an upper bound with every body and every weld
-/// rigid, nothing dissipates. A weld's jump over the largest velocity counts among the strains of
-/// rigid bodies.
-pub fn certify_free(model: &AnalysisModel, field: &VelocityField) -> UpperCertificate {
-    let mut rigid = model.clone();
-    rigid.materials.iter_mut().for_each(|m| m.fy = None);
-    rigid.welds.clear();
-    let mut certificate = certify_upper(&rigid, field, 0);
-    let u = &field.nodes.u;
-    let space = Tet10Space::new(&model.mesh);
-    let jumps = weld_faces(model).into_iter().flat_map(|f| jumps(&space, &f, u).map(vec3::norm));
-    let jump = ratio(largest(jumps), largest(u.iter().map(|x| vec3::norm(*x))));
-    certificate.rigid = certificate.rigid.max(jump);
-    certificate
-}
-
-/// True when the certificate proves that no positive load factor can be carried.
-pub fn is_free(certificate: &UpperCertificate) -> bool {
-    let strict = UpperFactor::new(certificate.clone()).is_strict();
-    strict && certificate.dead_power >= -ROUNDING * certificate.live_power
-}
-
 /// A mechanism at zero load; `None` where there is none, or none that can be certified.
 pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError> {
     if model.interfaces.is_empty() && model.ground.is_empty() {
@@ -79,13 +36,13 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     }
     let forces = |loads| kinematic.limit_forces(model, Flow::Split, loads);
     let mut program = ConicProgram { g: kinematic.program.g.clone(), ..ConicProgram::default() };
-    // behind the contacts stand the cones of welds, which the motions leave alone
+    // the cones of welds follow those of contacts; the motions do not strain welds
     let (starts, rows) = (kinematic.program.cone_starts(), program.g.nrows());
     program.cones = kinematic.program.cones[..starts.partition_point(|s| *s < rows)].to_vec();
     program.p.n = kinematic.map.n;
     program.q = forces(Loads::LIVE).iter().map(|f| -f).collect();
     if model.has_dead_loads() {
-        // the dead loads must not hold it: one more cone
+        // one more cone: the dead loads must do no work against the motion
         let dead = forces(Loads::DEAD);
         let size = dead.iter().fold(0.0f64, |m, f| m.max(f.abs())).max(f64::MIN_POSITIVE);
         let row: Vec<(u32, f64)> = dead
@@ -101,14 +58,14 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
     let Some(x) = collapse::direction(&program, &modes, &SolveOptions::default()) else {
         return Ok(None);
     };
-    let x = settled(&program, &modes, &x);
+    let x = cleaned(&program, &modes, &x);
     let u = kinematic.nodal(&x);
     let field = VelocityField { nodes: DisplacementField { u }, flow: Flow::Split };
     let certificate = certify_free(model, &field);
     Ok(is_free(&certificate).then_some(FreeMechanism { field, certificate }))
 }
 
-/// The combinations of motions that leave the given rows zero: those that strain no weld.
+/// The combinations of motions for which the given rows are zero: those that strain no weld.
 fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let jumps: Vec<Vec<f64>> = modes.iter().map(|m| rows.mul(m)).collect();
     let n = modes.len();
@@ -124,9 +81,9 @@ fn without_jumps(rows: &Csr, modes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     null_space(&gram, 1e-12).into_iter().map(combine).collect()
 }
 
-/// The motion with its closed cones closed to rounding and the others not violated: the small
+/// The motion with its closed cones closed to rounding and no other cone violated; the small
 /// program is solved to its tolerance only.
-fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
+fn cleaned(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let n = modes.len();
     let combine = |c: &[f64]| -> Vec<f64> {
         let mut x = vec![0.0; x.len()];
@@ -139,15 +96,15 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
     let slacks = |c: &[f64]| -> Vec<f64> {
         (0..program.g.nrows()).map(|r| (0..n).map(|k| columns[k][r] * c[k]).sum()).collect()
     };
-    // the motion in its modes
+    // coefficients of the motion in the modes
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let gram = Mat::from_fn(n, n, |i, j| dot(&modes[i], &modes[j]));
     let rhs = Mat::from_fn(n, 1, |i, _| dot(&modes[i], x));
-    let found = crate::math::dense::pseudo_solve(&gram, &rhs);
+    let found = pseudo_solve(&gram, &rhs);
     let mut c: Vec<f64> = (0..n).map(|i| found[(i, 0)]).collect();
     let s = slacks(&c);
     let size = s.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let ranges = crate::recover::elastic::cone_ranges(program);
+    let ranges = cone_ranges(program);
     let size_of =
         |(at, d): (usize, usize)| s[at..at + d].iter().fold(0.0f64, |m, v| m.max(v.abs()));
     let (closed, open): (Vec<_>, Vec<_>) =
@@ -176,7 +133,7 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
         if worst >= 0.0 {
             break;
         }
-        // the free motion that comes nearest to opening all that is about to close, alike
+        // the free motion nearest to an equal opening of all cones that are about to close
         let near: Vec<_> = open.iter().filter(|r| margin(&s, r) <= CLOSED * size).collect();
         let m = free.len();
         let rows: Vec<Vec<f64>> = free.iter().map(|v| slacks(v)).collect();
@@ -184,7 +141,7 @@ fn settled(program: &ConicProgram, modes: &[Vec<f64>], x: &[f64]) -> Vec<f64> {
             |f: &dyn Fn(usize) -> f64| near.iter().flat_map(|r| r.0..r.0 + r.1).map(f).sum::<f64>();
         let gram = Mat::from_fn(m, m, |i, j| over(&|r| rows[i][r] * rows[j][r]));
         let rhs = Mat::from_fn(m, 1, |i, _| near.iter().map(|r| rows[i][r.0]).sum::<f64>());
-        let y = crate::math::dense::pseudo_solve(&gram, &rhs);
+        let y = pseudo_solve(&gram, &rhs);
         let mut w = vec![0.0; n];
         for (i, v) in free.iter().enumerate() {
             w.iter_mut().zip(v).for_each(|(w, v)| *w += y[(i, 0)] * v);

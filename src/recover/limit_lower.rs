@@ -1,48 +1,45 @@
-//! From an approximate stress field to a strict lower bound of the load factor.
+//! Projection of an approximate stress field to a strict lower bound of the load factor.
 //!
-//! A solver's field misses equilibrium, yield surface and friction cones by its tolerance. Three
-//! steps repair it, none of which asks the solver:
+//! The field of a solver violates equilibrium, yield surface and friction cones by its tolerance.
+//! Three steps correct it, without the solver:
 //!
-//! 1. contact tractions are put inside their cones and brought into balance with
-//!    `factor · live + dead` part by part, the factor giving way with them: where every contact
-//!    slips, friction itself is the limit;
-//! 2. one elastic solution (refined) carries the forces that the stress leaves unbalanced; rigid
-//!    bodies, which a solver may leave without any stress, are so much stiffer that they carry what
-//!    acts on them;
-//! 3. the field is drawn towards a field of the dead loads alone, strictly inside, until every
-//!    point is inside: `c σ + (1 − c) σ_d` is in equilibrium with `c factor · live + dead`. Without
-//!    dead loads σ_d is zero.
+//! 1. contact tractions are moved inside their cones and brought into balance with
+//!    `factor · live + dead` part by part. The factor is an unknown of this balance: where every
+//!    contact slips, friction itself is the limit.
+//! 2. one refined elastic solution carries the forces that the stress leaves unbalanced. Rigid
+//!    bodies, which a solver may leave without stress, are so much stiffer that they carry the
+//!    loads acting on them.
+//! 3. the field is drawn inside the yield surface, see [`crate::recover::draw_inside`].
 
-use crate::certify::certificate::{TOLERANCE, contact_tractions, largest, largest_of_each};
-use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::{LowerCertificate, certify_lower, utilisation};
-use crate::certify::welds;
-use crate::elements::super_element::{PARAMETERS, PointStress};
-use crate::math::mandel::{Mandel, deviator};
-use crate::math::vec3::{self, V3};
+use crate::certify::limit_certificate::{LowerCertificate, certify_lower};
+use crate::certify::measures::largest;
+use crate::elements::super_element::PARAMETERS;
+use crate::math::Sum;
+use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::loads::{Loads, face_corners};
 use crate::programs::kinematic::hold;
 use crate::programs::static_form::SuperElements;
 use crate::programs::{Static, constraints};
+use crate::recover::draw_inside::check_dead;
+pub use crate::recover::draw_inside::{Lower, LowerError, draw_inside};
 use crate::recover::elastic::{
-    RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets,
-    interface_work, into_cone, stress_field,
+    RecoverError, add_interface_forces, balance_elements, interface_sets, interface_work,
+    stress_field,
 };
+use crate::recover::force_sets::{Within, balance, into_cone};
 use crate::solve::sparse::{Patterns, SparseCholesky};
 
-/// How much stiffer bodies are that never yield.
+/// Factor on the stiffness of bodies that never yield.
 const RIGID: f64 = 1e8;
-/// How far inside their cones contact tractions are put, relative to the pressure: the first that
-/// can be balanced.
+/// Margins of contact tractions inside their cones, relative to the pressure; the first with which
+/// a balance is found is used.
 const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
-/// Live tractions over the yield radius that count as none.
+/// Live tractions over the yield radius below which they count as zero.
 const NOTHING: f64 = 1e-6;
-/// Largest violation of a friction cone, over the largest traction, that rounding explains.
-const ROUNDING: f64 = 1e-12;
 
-/// What a solver of the static limit program leaves, admissible to its tolerance.
+/// Stress and tractions of a solver of the static limit program, admissible to its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub struct ApproximateStress<'a> {
     /// Parameters of every super-element, as
@@ -58,52 +55,11 @@ pub struct ApproximateStress<'a> {
     pub factor: f64,
 }
 
-/// A stress field and what it proves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Lower {
-    /// The field.
-    pub field: StressField,
-    /// Its certificate.
-    pub certificate: LowerCertificate,
-}
-
-/// Why a stress field proves no load factor.
-#[derive(Clone, Debug, thiserror::Error)]
-pub enum LowerError {
-    /// The projection failed.
-    #[error(transparent)]
-    Recover(#[from] RecoverError),
-    /// There are dead loads and no field of theirs alone.
-    #[error(
-        "with dead loads a lower bound needs a stress field of the dead loads alone, and none is \
-         given"
-    )]
-    NoDeadField,
-    /// The dead loads' field is not strictly admissible.
-    #[error(
-        "the stress field of the dead loads alone is not strictly admissible ({what}): without \
-         the live loads the structure may not stand"
-    )]
-    DeadField {
-        /// What is wrong with it.
-        what: String,
-    },
-    /// No equilibrium to rounding.
-    #[error(
-        "the stress field cannot be brought into equilibrium: a residual of {residual:.1e} is \
-         left, the limit is {TOLERANCE:.0e}"
-    )]
-    Unbalanced {
-        /// Largest relative residual.
-        residual: f64,
-    },
-}
-
 /// The strict lower bound near an approximate field.
 ///
 /// `dead`: a field in equilibrium with the dead loads alone, strictly admissible (see
-/// [`dead_field`]); needed with dead loads. `patterns`, here and below: what is known of the mesh's
-/// matrices.
+/// [`dead_field`]); needed with dead loads. `patterns`, here and below, holds the known orderings
+/// of the matrices of the mesh.
 pub fn project(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
@@ -115,23 +71,23 @@ pub fn project(
     let found = equilibrium(model, approximate, dead.is_some(), patterns)
         .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
     match found {
-        // no stress of this mesh carries the live loads: none at all carries nothing, and that is a
-        // bound
+        // no stress of this mesh carries the live loads: zero stress at zero load is a bound
         Ok(lower) if dead.is_none() && lower.certificate.factor <= 0.0 => Ok(at_rest(model)),
         Err(_) if dead.is_none() && is_nothing(model, approximate.factor) => Ok(at_rest(model)),
         found => found,
     }
 }
 
-/// No stress, no load.
+/// Zero stress at zero load.
 fn at_rest(model: &AnalysisModel) -> Lower {
     let field = StressField::none(model.mesh.tets.len());
     let certificate = LowerCertificate { scaled_by: 1.0, ..certify_lower(model, &field, 0.0) };
     Lower { field, certificate }
 }
 
-/// True when the live loads at the factor are nothing beside the strength: no structure of the
-/// slenderness that a mesh can show collapses under so little, unless it carries nothing at all.
+/// True when the live loads at the factor are negligible beside the strength. A structure of any
+/// slenderness that a mesh can represent collapses under so small a load only if it carries no load
+/// at all.
 fn is_nothing(model: &AnalysisModel, factor: f64) -> bool {
     let mut traction = 0.0f64;
     for load in model.surface_loads.iter().filter(|l| !l.dead) {
@@ -169,30 +125,8 @@ pub fn dead_field(
     Ok(field)
 }
 
-fn check_dead(model: &AnalysisModel, field: &StressField) -> Result<(), LowerError> {
-    let c = certify_lower(model, field, 0.0);
-    let residual = c.equilibrium.max(c.traction_jump);
-    let used = c.worst();
-    let (balanced, below_yield) = (residual <= TOLERANCE, used + c.cover < 1.0);
-    let what = match c.contact {
-        _ if !balanced => format!("equilibrium is missed by {residual:.1e}"),
-        _ if !below_yield && used > c.utilisation => {
-            format!("{used:.4} times the strength of a weld")
-        }
-        _ if !below_yield => {
-            let part = c.limiting_part.map_or("", |p| model.parts[p as usize].as_str());
-            format!("{:.4} times the yield strength in part {part}", c.utilisation)
-        }
-        Some(violation) if violation > ROUNDING => {
-            format!("a friction cone is violated by {violation:.1e}")
-        }
-        _ => return Ok(()),
-    };
-    Err(LowerError::DeadField { what })
-}
-
-/// The model with bodies that never yield made stiff: they carry, without help, whatever acts on
-/// them.
+/// The model with stiff bodies in place of those that never yield, so that they carry the loads
+/// acting on them.
 fn stiffened(model: &AnalysisModel) -> AnalysisModel {
     let mut stiff = model.clone();
     let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
@@ -210,8 +144,8 @@ fn stiffened(model: &AnalysisModel) -> AnalysisModel {
     stiff
 }
 
-/// The field in equilibrium to rounding nearest to the approximate one, and its factor; with
-/// `lenient` contact tractions may be left outside their cones.
+/// The field in equilibrium to rounding nearest to the approximate one, and its factor. With
+/// `lenient` contact tractions may stay outside their cones.
 fn equilibrium(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
@@ -240,7 +174,7 @@ fn equilibrium(
 }
 
 /// Tractions of contacts inside their cones and of welds within their strength, in balance with the
-/// loads on every rigid motion that only they resist, and the load factor that this leaves.
+/// loads on every rigid motion that only they resist; and the load factor of this balance.
 fn balanced(
     statics: &Static,
     approximate: &ApproximateStress,
@@ -254,13 +188,13 @@ fn balanced(
     if motions.is_empty() || sets.is_empty() {
         return Ok((inside(&sets, &tractions, INSIDE[0], 0.0), factor));
     }
-    let dot = |a: &[f64], b: &[f64]| crate::math::Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
+    let dot = |a: &[f64], b: &[f64]| Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
     let forces = |loads: Loads| -> Result<Vec<f64>, RecoverError> {
         let (f, p) = (statics.forces(loads), statics.particular_forces(loads)?);
         Ok(f.iter().zip(&p).map(|(a, b)| a - b).collect())
     };
     let (live, dead) = (forces(Loads::LIVE)?, forces(Loads::DEAD)?);
-    // the load factor is one more force on a half-line
+    // the load factor is one more force, on a half-line
     let rows: Vec<Vec<f64>> = motions
         .iter()
         .map(|m| {
@@ -294,8 +228,8 @@ fn balanced(
     }
 }
 
-/// The nearest forces at least `shrink` times their pressure inside the cones, and times their
-/// strength within the balls; those with less pressure than `least` are dropped.
+/// The nearest forces inside the sets, with a margin of `shrink` times the pressure in cones and
+/// `shrink` times the strength in balls. Forces with less pressure than `least` become zero.
 fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
     let mut z = z.to_vec();
     for set in sets {
@@ -312,181 +246,5 @@ fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
     z
 }
 
-/// `c a + (1 − c) b`.
-fn mixed(a: &StressField, b: Option<&StressField>, c: f64) -> StressField {
-    let mix = |e: usize, k: usize, p: usize| -> Mandel {
-        std::array::from_fn(|i| {
-            c * a.points[e][k][p][i] + b.map_or(0.0, |b| (1.0 - c) * b.points[e][k][p][i])
-        })
-    };
-    let tet = |e| -> PointStress { std::array::from_fn(|k| std::array::from_fn(|p| mix(e, k, p))) };
-    StressField { points: (0..a.points.len()).map(tet).collect() }
-}
-
-/// Draws a field in equilibrium with `factor · live + dead` towards that of the dead loads until it
-/// is admissible.
-pub fn draw_inside(
-    model: &AnalysisModel,
-    field: StressField,
-    factor: f64,
-    dead: Option<&StressField>,
-) -> Result<Lower, LowerError> {
-    if let Some(dead) = dead {
-        check_dead(model, dead)?;
-    }
-    let before = certify_lower(model, &field, factor);
-    let residual = before.equilibrium.max(before.traction_jump);
-    let balanced = residual <= TOLERANCE;
-    if !balanced {
-        return Err(LowerError::Unbalanced { residual });
-    }
-    let mut room = 1.0 - 2.0 * before.cover - 1e-12;
-    let mut result = None;
-    for _ in 0..3 {
-        let c = part_inside(model, &field, factor, dead, room);
-        // as it is, when nothing has to be drawn in
-        let drawn = if c < 1.0 { mixed(&field, dead, c) } else { field.clone() };
-        let certificate =
-            LowerCertificate { scaled_by: c, ..certify_lower(model, &drawn, c * factor) };
-        let over = certificate.worst() + certificate.cover - 1.0;
-        let done = over <= 0.0;
-        result = Some(Lower { field: drawn, certificate });
-        if done {
-            break;
-        }
-        room -= 2.0 * over;
-    }
-    result.ok_or(LowerError::Unbalanced { residual })
-}
-
-/// The largest c ≤ 1 at which `c field + (1 − c) dead` is within `room` times the yield surface
-/// and, with dead loads, inside the friction cones.
-fn part_inside(
-    model: &AnalysisModel,
-    field: &StressField,
-    factor: f64,
-    dead: Option<&StressField>,
-    room: f64,
-) -> f64 {
-    let radii = model.yield_radii();
-    let Some(dead) = dead else {
-        let welds = largest_of_each(&welds::utilisations(model, field)).unwrap_or(0.0);
-        let worst = utilisation(model, field).0.max(welds);
-        return if worst > room { room / worst } else { 1.0 };
-    };
-    let mut c = 1.0f64;
-    for (e, (s, d)) in field.points.iter().zip(&dead.points).enumerate() {
-        let Some(radius) = radii[model.mesh.tet_body[e] as usize] else { continue };
-        for (s, d) in s.iter().flatten().zip(d.iter().flatten()) {
-            let (s, d) = (deviator(s), deviator(d));
-            let slack = |c: f64| {
-                let norm =
-                    (0..5).map(|i| (c * s[i] + (1.0 - c) * d[i]).powi(2)).sum::<f64>().sqrt();
-                room * radius - norm
-            };
-            c = largest_part(c, slack);
-        }
-    }
-    for f in weld_faces(model) {
-        let (t, d) =
-            (contact_tractions(model, field, &f, None), contact_tractions(model, dead, &f, None));
-        for (t, d) in t.iter().zip(&d) {
-            let slack = |c: f64| {
-                let mixed = vec3::add(vec3::scale(c, *t), vec3::scale(1.0 - c, *d));
-                room * f.law.strength - vec3::norm(mixed)
-            };
-            c = largest_part(c, slack);
-        }
-    }
-    let (here, there) = (roles(model, Loads::at(factor)), roles(model, Loads::DEAD));
-    let contacts = contact_faces(model);
-    let pairs: Vec<([V3; 3], [V3; 3])> = contacts
-        .iter()
-        .map(|f| {
-            let key = (f.a.tet, f.a.local);
-            (
-                contact_tractions(model, field, f, here.get(&key)),
-                contact_tractions(model, dead, f, there.get(&key)),
-            )
-        })
-        .collect();
-    let rounding = ROUNDING
-        * largest(pairs.iter().flat_map(|(r, d)| r.iter().chain(d)).map(|r| vec3::norm(*r)));
-    for (f, (r, d)) in contacts.iter().zip(&pairs) {
-        let (n, _) = f.normal(model);
-        for (r, d) in r.iter().zip(d) {
-            let slack = |c: f64| {
-                let x = vec3::add(vec3::scale(c, *r), vec3::scale(1.0 - c, *d));
-                let pressure = vec3::dot(x, n);
-                let shear = vec3::norm(vec3::sub(x, vec3::scale(pressure, n)));
-                // a frictionless contact carries no shear at all
-                let cone =
-                    if f.law.mu > 0.0 { f.law.mu * pressure - shear } else { pressure.min(-shear) };
-                cone + rounding
-            };
-            c = largest_part(c, slack);
-        }
-    }
-    c
-}
-
-/// The largest part up to `c` with slack ≥ 0, for a concave slack that is ≥ 0 at 0.
-fn largest_part(c: f64, slack: impl Fn(f64) -> f64) -> f64 {
-    if slack(c) >= 0.0 {
-        return c;
-    }
-    let (mut low, mut high) = (0.0, c);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if !(middle > low && middle < high) {
-            break;
-        }
-        if slack(middle) >= 0.0 { low = middle } else { high = middle }
-    }
-    low
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    /// Every force lands inside its cone or ball, forces inside stay as they are, and no nearer
-    /// force inside exists (compared with random ones).
-    #[test]
-    fn nearest_forces_inside() {
-        let sets = [
-            Within::Cone { start: 0, dim: 3 },
-            Within::Cone { start: 3, dim: 1 },
-            Within::Ball { start: 4, radius: 0.5 },
-        ];
-        let mut seed = 1u64;
-        let mut random = || {
-            seed ^= seed << 13;
-            seed ^= seed >> 7;
-            seed ^= seed << 17;
-            2.0 * ((seed >> 11) as f64 / (1u64 << 53) as f64) - 1.0
-        };
-        let shear = |z: &[f64]| z[1].hypot(z[2]);
-        for _ in 0..100 {
-            let z: Vec<f64> = (0..7).map(|_| random()).collect();
-            let got = inside(&sets, &z, 1e-3, 0.0);
-            let length = |z: &[f64]| z[4].hypot(z[5]).hypot(z[6]);
-            let (before, after) = (length(&z), length(&got));
-            assert!((after - before.min(0.999 * 0.5)).abs() < 1e-15, "{before} {after}");
-            (4..7).for_each(|i| assert!((got[i] * before - z[i] * after).abs() < 1e-15));
-            assert!(
-                got[0] >= 0.0 && shear(&got) <= 0.999 * got[0] && got[3] == z[3].max(0.0),
-                "{z:?} {got:?}"
-            );
-            if shear(&z) <= 0.999 * z[0] {
-                assert_eq!(got[..3], z[..3]);
-            }
-            let distance = |x: &[f64]| (0..3).map(|i| (x[i] - z[i]).powi(2)).sum::<f64>();
-            for _ in 0..100 {
-                let mut other = [random(), random(), random()];
-                other[0] = other[0].abs() + other[1].hypot(other[2]) / 0.999;
-                assert!(distance(&got) <= distance(&other) + 1e-12, "{z:?} {got:?} {other:?}");
-            }
-            assert_eq!(inside(&sets, &z, 1e-3, 2.0)[..4], [0.0; 4]);
-        }
-    }
-}
+mod tests;

@@ -1,13 +1,13 @@
-//! From approximate velocities to a strict upper bound of the load factor.
+//! Projection of approximate velocities to a strict upper bound of the load factor.
 //!
-//! Wanted is the least change d, in elastic energy, that makes velocities keep their volume
-//! wherever bodies flow and leaves rigid bodies without strain: `min ½ dᵀK̃ d` with
-//! `C (u + d) = 0`. K̃ is the elastic stiffness with the jumps across contacts held by springs; C
-//! are the equations, weighted: one volume row per split element, four per plain one, the strain of
-//! rigid bodies. With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve
-//! `C S⁻¹Cᵀ y = C u`, nearly a multiple of the identity, so that conjugate gradients need few
-//! steps, and `d = −S⁻¹Cᵀ y`. The same system opens contacts that are left violated, by flows that
-//! keep their volume as well.
+//! The projection adds the change d of least elastic energy after which velocities keep the volume
+//! of all bodies that yield and leave rigid bodies without strain: `min ½ dᵀK̃ d` with
+//! `C (u + d) = 0`. K̃ is the elastic stiffness, with springs across contacts; C holds the weighted
+//! equations: one volume row per split element, four per plain one, the strain of rigid bodies.
+//! With `S = K̃ + γ CᵀC` (augmented Lagrangian) the multipliers y solve `C S⁻¹Cᵀ y = C u`. That
+//! matrix is nearly a multiple of the identity, so that conjugate gradients need few steps;
+//! `d = −S⁻¹Cᵀ y`. The same system opens contacts that remain violated, by flows that keep the
+//! volume.
 
 use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
@@ -23,7 +23,8 @@ use crate::programs::Kinematic;
 use crate::programs::assemble::assemble;
 use crate::programs::conic::cone_margin;
 use crate::programs::rigid_motions::nearest_unknowns;
-use crate::recover::elastic::{RecoverError, cone_ranges, into_cone, plus_rows};
+use crate::recover::elastic::{RecoverError, plus_rows};
+use crate::recover::force_sets::{cone_ranges, into_cone};
 use crate::solve::sparse::{Patterns, SparseCholesky};
 use rayon::prelude::*;
 
@@ -31,32 +32,34 @@ use rayon::prelude::*;
 const AUGMENTED: f64 = 1e6;
 /// Weight of the springs across contacts, in mean diagonal entries of the stiffness.
 const SPRING: f64 = 1e4;
-/// What moving a rigid body costs, in the stiffness it would have: little, but more than nothing.
+/// Stiffness against the motion of a rigid body, relative to its own elastic stiffness: small but
+/// not zero.
 const RIGID_MOTION: f64 = 1e-6;
-/// Margin wanted in contact cones, over the largest velocity: what rounding of the nodal velocities
-/// cannot use up.
+/// Margin in contact cones, relative to the largest velocity; larger than the rounding of nodal
+/// velocities.
 const MARGIN: f64 = 1e-13;
-/// Power of the live loads, over that of the velocities given, below which the velocities were no
-/// mechanism at all.
+/// Power of the live loads, relative to that of the given velocities, below which these velocities
+/// were no mechanism.
 const LEAST_POWER: f64 = 1e-6;
-/// Runs of conjugate gradients, steps in each, and what each run reduces the equations' residual
-/// by.
+/// Largest number of runs of conjugate gradients.
 const STAGES: usize = 6;
+/// Largest number of steps in a run.
 const STEPS: usize = 200;
+/// Reduction of the residual of the equations in a run.
 const REDUCTION: f64 = 1e-10;
-/// Attempts at opening violated contacts one by one.
+/// Largest number of steps that open violated contacts one by one.
 const OPENINGS: usize = 20;
 
-/// Velocities and what they prove.
+/// Velocities and their certificate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Upper {
-    /// The field.
+    /// The velocities.
     pub field: VelocityField,
     /// Its certificate.
     pub certificate: UpperCertificate,
 }
 
-/// Why velocities prove no load factor.
+/// Reason why velocities prove no load factor.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum UpperError {
     /// The projection failed.
@@ -70,13 +73,13 @@ pub enum UpperError {
     NoPower {
         /// Power on the projected velocities.
         power: f64,
-        /// Power on the velocities given.
+        /// Power on the given velocities.
         before: f64,
     },
 }
 
 /// The strict upper bound near approximate velocities; see [`certify_upper`] for `subdivisions`;
-/// `patterns`: what is known of the mesh's matrices.
+/// `patterns` holds the known orderings of the matrices of the mesh.
 pub fn project(
     model: &AnalysisModel,
     field: &VelocityField,
@@ -109,7 +112,7 @@ pub fn project(
     best.ok_or(UpperError::NoPower { power, before })
 }
 
-/// What changes velocities least.
+/// The projection of least change.
 struct Projector<'a> {
     model: &'a AnalysisModel,
     kinematic: &'a Kinematic,
@@ -150,11 +153,11 @@ impl<'a> Projector<'a> {
             },
         )?;
         let p = &kinematic.program.p;
-        // both are assembled over all tets: one pattern
+        // both are assembled over all tets, so that their patterns are equal
         debug_assert_eq!(p.row_idx, system.row_idx);
         system.values.iter_mut().zip(&p.values).for_each(|(a, b)| *a += b);
         let mean = |d: &[f64]| d.iter().sum::<f64>() / d.len().max(1) as f64;
-        // where all bodies are rigid nothing is elastic: their own stiffness measures the springs
+        // where all bodies are rigid the elastic stiffness is zero; that of their motions is used
         let stiffness = &kinematic.program.stiffness;
         let elastic = mean(&p.diagonal());
         let spring = SPRING * if elastic > 0.0 { elastic } else { mean(stiffness) };
@@ -170,7 +173,7 @@ impl<'a> Projector<'a> {
         Ok(Self { model, kinematic, split, yields, weight, factor, spring })
     }
 
-    /// `C x`, and the rounding in it, `2ε |C| |x|`.
+    /// `C x` and its rounding, `2ε |C| |x|`.
     fn values(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let u = self.kinematic.map.expand(x);
         let both: Vec<(f64, f64)> = (0..self.model.mesh.tets.len())
@@ -210,8 +213,7 @@ impl<'a> Projector<'a> {
         let (mut r, mut rounding) = self.values(x);
         let mut rr = square(&r);
         for _ in 0..STAGES {
-            // rounding is no change of volume that a flow could undo: the system for it has no
-            // solution
+            // no flow removes rounding: the system for it has no solution
             if rr.sqrt() <= rounding {
                 return;
             }
@@ -247,10 +249,10 @@ impl<'a> Projector<'a> {
         }
     }
 
-    /// The velocities with a margin in every contact, by adding flows that keep the volume:
-    /// contacts that are violated asked for the nearest jump inside and the others for none, or all
-    /// of them opened alike. Which costs less depends on the field; one field alone when nothing is
-    /// violated.
+    /// The velocities with a margin in every contact, reached by flows that keep the volume. Either
+    /// violated contacts move to the nearest admissible jump and the others stay, or all contacts
+    /// open alike. Which of the two dissipates less depends on the field, so both are returned; the
+    /// field alone when no contact is violated.
     fn opened(&self, x: Vec<f64>) -> Vec<Vec<f64>> {
         let g = &self.kinematic.program.g;
         let cones = cone_ranges(&self.kinematic.program);
@@ -263,8 +265,7 @@ impl<'a> Projector<'a> {
         if first >= wanted {
             return vec![x];
         }
-        // springs give way, so that a jump comes near what is asked for: ask for more than is
-        // needed, always the same
+        // springs yield, so that jumps fall short of the target: a constant surplus is added to it
         let aim = wanted + 0.1 * (wanted - first);
         let mut one_by_one = x.clone();
         for _ in 0..OPENINGS {
@@ -312,9 +313,9 @@ fn dofs(model: &AnalysisModel, kinematic: &Kinematic, e: usize) -> [usize; 30] {
     std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
 }
 
-/// The equations of tet `e` on its 30 velocities, so weighted that the sum of their squares
-/// compares with strain energy: its change of volume if it is split, `tr ε` at its vertices if it
-/// is not, the whole strain there if it is rigid.
+/// The equations of tet `e` on its 30 velocities, weighted so that the sum of their squares
+/// compares with strain energy: change of volume of a split tet, `tr ε` at the vertices of a plain
+/// one, the whole strain at the vertices of a rigid one.
 fn equations(
     model: &AnalysisModel,
     yields: &[bool],

@@ -1,6 +1,8 @@
 //! From the unknowns of a solved program to admissible fields.
 
+pub mod draw_inside;
 pub mod elastic;
+pub mod force_sets;
 pub mod free_mechanism;
 pub mod limit_lower;
 pub mod limit_upper;

@@ -1,11 +1,11 @@
-//! From the unknowns of the elastic, perfectly plastic programs to fields that are admissible to
-//! rounding.
+//! Recovery of fields that are admissible to rounding from the unknowns of the elastic, perfectly
+//! plastic programs.
 //!
-//! Displacements: contacts are opened as in the elastic recovery; the plastic strain is not the
-//! solver's but the best one of these displacements, tet by tet. Stresses: contact tractions are
-//! balanced and the elements brought into equilibrium by an elastic solution for what the solver
-//! left, as in the elastic recovery. That changes the stress by the solver's tolerance, for which
-//! the program kept room under the yield surface.
+//! Displacements: contacts are opened as in the elastic recovery. The plastic strain is not that of
+//! the solver but the best one for these displacements, tet by tet. Stresses: contact tractions are
+//! balanced, and an elastic solution brings the elements into equilibrium, as in the elastic
+//! recovery. That changes the stress by the solver's tolerance, for which the program keeps room
+//! below the yield surface.
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::plastic_field::{InnerNodes, PlasticField, mean, with_plastic_strain};
@@ -21,8 +21,8 @@ use crate::solve::{Patterns, Solution};
 /// The displacement of a solution of the kinematic program, with plastic strain wherever it lowers
 /// the energy.
 ///
-/// `model` is the one whose cones are shifted as the program's rows are by `offsets`; `patterns`
-/// here and below: what is known of the mesh's matrices.
+/// The cones of `model` are shifted as the rows of the program are by `offsets`; `patterns`, here
+/// and below, holds the known orderings of the matrices of the mesh.
 pub fn plastic_motion(
     model: &AnalysisModel,
     kinematic: &Kinematic,
@@ -45,10 +45,10 @@ pub fn plastic_motion(
     };
     let inner = |e: usize| -> Option<InnerNodes> {
         let own = kinematic.own.get(e).copied()?..kinematic.own.get(e + 1).copied()?;
-        // parameters of the stress come first; a plain element has nothing behind them
+        // parameters of the stress come first; only split elements have inner nodes after them
         let values =
             solution.x[own].last_chunk::<INNER_UNKNOWNS>().filter(|_| kinematic.split[e])?;
-        // they follow what the opening did to their corners
+        // inner nodes follow the opening of their corners
         let shift =
             mean(model.mesh.tets[e].map(|n| vec3::sub(nodes.u[n as usize], given[n as usize])));
         Some(std::array::from_fn(|i| {
@@ -75,7 +75,7 @@ pub fn yielding_stress(
     )
 }
 
-/// The stress of a solution of the static program as the solver left it: no bound follows.
+/// The stress of a solution of the static program as the solver left it; it proves no bound.
 pub fn approximate_stress(
     statics: &Static,
     solution: &Solution,

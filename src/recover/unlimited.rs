@@ -1,126 +1,34 @@
-//! Load factors without limit: a stress field that carries the live loads alone and nowhere comes
-//! nearer to yield.
+//! Search for a load factor without limit: pressures that carry the live loads alone, see
+//! [`crate::certify::unlimited`].
 //!
-//! Let a field be in equilibrium with the live loads alone, its contact tractions inside their
-//! cones and its deviator zero in every body that yields, and no traction in any weld of finite
-//! strength. Any multiple of it may then be added to an admissible field of the dead loads: the
-//! yield surface sees no difference and cones are convex. So every load factor can be carried,
-//! under Coulomb's law as well, for such a field presses contacts without any shear.
-//!
-//! Without a deviator `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live body force.
-//! Tractions are continuous, so that c is one number in each body and its connected pieces: all
-//! that is to be found, by least squares on the faces.
+//! Without a deviator the stress is `σ = −p I`, and equilibrium makes `p = c + b·x` with b the live
+//! body force. Limit analysis refuses live body forces, so that b = 0 in every run; the terms in b
+//! keep the field in equilibrium with any model. Tractions are continuous, so that c is one
+//! constant in each connected piece of a body. Least squares on the faces find these constants.
 
-use crate::certify::certificate::{TOLERANCE, certify_stress, contact_tractions, largest, ratio};
-use crate::certify::faces::{FaceRole, contact_faces, roles, weld_faces};
+use crate::certify::faces::{FaceKey, FaceRole, contact_faces, roles, weld_faces};
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::{LowerCertificate, certify_lower};
+use crate::certify::measures::largest;
+use crate::certify::unlimited::{Unlimited, UnlimitedCertificate, certify_unlimited};
 use crate::elements::super_element::SuperElement;
-use crate::math::dense::pseudo_solve;
-use crate::math::mandel::{self, deviator};
+use crate::math::dense::{Mat, pseudo_solve};
 use crate::math::quadrature::TRIANGLE_4;
 use crate::math::vec3::{self, V3};
 use crate::mesh::numbering::FaceNumbering;
 use crate::mesh::tet::FACES;
 use crate::model::AnalysisModel;
+use crate::model::analysis::RigidFace;
 use crate::model::loads::{Loads, face_corners};
-use faer::Mat;
+use std::collections::BTreeMap;
 
-/// What a field that carries the live loads alone proves: with strict residuals the load factor has
-/// no limit.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct UnlimitedCertificate {
-    /// max |div σ + b| h / max |σ|, b the live body force.
-    pub equilibrium: f64,
-    /// max |Δt| / max |t|, see [`crate::certify::certificate::StaticCertificate::traction_jump`].
-    pub traction_jump: f64,
-    /// Largest violation of a friction cone / max(|r|, |t|); `None` without contact.
-    pub contact: Option<f64>,
-    /// max ‖dev σ‖ / max |σ| in bodies that yield.
-    pub deviator: f64,
-    /// max |t| / max |σ| over welds of finite strength, which must carry nothing; `None` without
-    /// welds.
-    pub weld: Option<f64>,
-    /// What the field of the dead loads alone proves; `None` where there are none, or no field of
-    /// theirs is given.
-    pub dead: Option<LowerCertificate>,
-    /// Dead loads without a field of theirs: nothing is proved.
-    pub unproved: bool,
-}
-
-impl UnlimitedCertificate {
-    /// True when every residual is within [`TOLERANCE`] and the dead loads are carried.
-    pub fn is_strict(&self) -> bool {
-        let residuals = [
-            Some(self.equilibrium),
-            Some(self.traction_jump),
-            self.contact,
-            Some(self.deviator),
-            self.weld,
-        ];
-        let dead = self
-            .dead
-            .as_ref()
-            .is_none_or(|d| crate::certify::LowerFactor::new(d.clone()).is_strict());
-        residuals.into_iter().flatten().all(|r| r <= TOLERANCE) && dead && !self.unproved
-    }
-}
-
-/// A load factor without limit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unlimited {
-    /// A field in equilibrium with the live loads alone.
-    pub field: StressField,
-    /// A field of the dead loads alone, where there are any.
-    pub dead: Option<StressField>,
-    /// What they prove.
-    pub certificate: UnlimitedCertificate,
-}
-
-/// Certifies a field that carries the live loads alone, and one of the dead loads where there are
-/// any.
-pub fn certify_unlimited(
-    model: &AnalysisModel,
-    field: &StressField,
-    dead: Option<&StressField>,
-) -> UnlimitedCertificate {
-    let base = certify_stress(model, field, Loads::LIVE);
-    let size = largest(field.points.iter().flatten().flatten().map(mandel::norm));
-    let yields: Vec<bool> = model.yield_radii().iter().map(Option::is_some).collect();
-    let of_tets =
-        field.points.iter().zip(&model.mesh.tet_body).filter(|(_, body)| yields[**body as usize]);
-    let shear = largest(
-        of_tets
-            .flat_map(|(s, _)| s.iter().flatten())
-            .map(|s| deviator(s).iter().map(|x| x * x).sum()),
-    );
-    let finite = field.points.iter().flatten().flatten().flatten().all(|x| x.is_finite());
-    let loaded = model.has_dead_loads();
-    let roles = roles(model, Loads::LIVE);
-    UnlimitedCertificate {
-        equilibrium: if finite { base.equilibrium } else { f64::NAN },
-        traction_jump: base.traction_jump,
-        contact: base.contact,
-        deviator: ratio(shear.sqrt(), size),
-        weld: (!model.welds.is_empty()).then(|| {
-            let tractions = weld_faces(model).into_iter().flat_map(|f| {
-                let role = roles.get(&(f.a.tet, f.a.local));
-                contact_tractions(model, field, &f, role).map(vec3::norm)
-            });
-            ratio(largest(tractions), size)
-        }),
-        dead: dead.filter(|_| loaded).map(|d| certify_lower(model, d, 0.0)),
-        unproved: loaded && dead.is_none(),
-    }
-}
-
-/// The pressures that carry the live loads alone; `None` where there are none. `dead` is asked for
-/// a strictly admissible field of the dead loads only where there are pressures and dead loads.
+/// The pressures that carry the live loads alone; `None` where there are none. `dead` gives a
+/// strictly admissible field of the dead loads; it is called only when pressures are found and dead
+/// loads act.
 pub fn find<E>(
     model: &AnalysisModel,
     dead: impl FnOnce() -> Result<Option<StressField>, E>,
 ) -> Result<Option<Unlimited>, E> {
-    // what a rigid body carries is no pressure
+    // a rigid body carries more than pressures
     if model.yield_radii().iter().any(Option::is_none) {
         return Ok(None);
     }
@@ -134,7 +42,8 @@ pub fn find<E>(
     Ok(certificate.is_strict().then_some(Unlimited { field, dead, certificate }))
 }
 
-/// Tets of one body joined by their faces: the piece of each tet, and how many there are.
+/// Connected pieces of the bodies, tets joined by their faces: the piece of each tet, and the
+/// number of pieces.
 fn pieces(model: &AnalysisModel, faces: &FaceNumbering) -> (Vec<usize>, usize) {
     let mesh = &model.mesh;
     let mut piece = vec![usize::MAX; mesh.tets.len()];
@@ -183,7 +92,7 @@ fn pressures(model: &AnalysisModel) -> StressField {
     let faces = FaceNumbering::new(mesh);
     let (piece, count) = pieces(model, &faces);
     let bodies = model.body_forces(Loads::LIVE);
-    // the part of the pressure that body forces give
+    // the pressure due to body forces
     let own = |e: usize, x: V3| vec3::dot(bodies[mesh.tet_body[e] as usize], x);
     let roles = roles(model, Loads::LIVE);
     let mut normal = Normal { gram: Mat::zeros(count, count), rhs: Mat::zeros(count, 1) };
@@ -230,8 +139,8 @@ fn pressures(model: &AnalysisModel) -> StressField {
             normal.add(area, &[(piece[a], 1.0), (piece[b], -1.0)], own(b, x) - own(a, x) - load);
         }
     }
-    // a weld may carry no multiple of anything: no pressure on either side, but for loads on the
-    // face itself
+    // a weld may carry no multiple of any traction: no pressure on either side, except for loads on
+    // the face itself
     for f in weld_faces(model) {
         let (n, area) = f.normal(model);
         for (side, sign) in [Some((f.a, 1.0)), f.b.map(|b| (b.0, -1.0))].into_iter().flatten() {
@@ -262,18 +171,18 @@ fn pressures(model: &AnalysisModel) -> StressField {
     StressField { points }
 }
 
-/// The equations that the resultants on a rigid face are its live action, as tractions.
+/// Adds the equations that the resultants on a rigid face equal its live action, as tractions.
 fn add_resultants(
     model: &AnalysisModel,
-    rigid: &crate::model::analysis::RigidFace,
-    roles: &std::collections::BTreeMap<crate::certify::faces::FaceKey, FaceRole>,
+    rigid: &RigidFace,
+    roles: &BTreeMap<FaceKey, FaceRole>,
     piece: &[usize],
     own: &impl Fn(usize, V3) -> f64,
     normal: &mut Normal,
 ) {
     let action = Loads::LIVE.action(rigid);
-    // resultants of a unit pressure in each piece, and of what is known
-    let mut rows = vec![std::collections::BTreeMap::<usize, f64>::new(); 6];
+    // resultants of a unit pressure in each piece, and of the known terms
+    let mut rows = vec![BTreeMap::<usize, f64>::new(); 6];
     let mut known = [0.0; 6];
     let (mut total, mut reach) = (0.0, 0.0f64);
     for f in &rigid.faces {

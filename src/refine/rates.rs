@@ -6,7 +6,7 @@
 //! size of the tets (`η / V h⁴`, for smooth solutions the square of a second derivative of the
 //! strain), is there a multiple of what it is one ring of tets farther on.
 
-use crate::certify::error::Contributions;
+use crate::certify::contributions::Contributions;
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;

@@ -2,7 +2,7 @@
 
 use crate::analysis::engine::{Pass, ProgramRun};
 use crate::analysis::memory::peak_memory_mib;
-use crate::certify::certificate::TOLERANCE;
+use crate::certify::TOLERANCE;
 use crate::certify::faces::contact_faces;
 use crate::certify::plastic_certificate::body_states;
 use crate::certify::welds::{Utilisation, demands};

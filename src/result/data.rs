@@ -22,8 +22,8 @@ pub const SCHEMA: u32 = 1;
 /// Name of the file inside a result folder.
 pub const RESULT_FILE: &str = "result.json";
 
-/// Largest certificate residual of a strict bound, dimensionless (CONTRACT.md, `result.json`).
-pub const RESIDUAL_TOLERANCE: f64 = 1e-9;
+/// Largest certificate residual of a strict bound, dimensionless (docs/contract.md, `result.json`).
+pub use crate::certify::TOLERANCE as RESIDUAL_TOLERANCE;
 
 /// A whole `result.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

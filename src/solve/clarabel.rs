@@ -1,10 +1,11 @@
-//! Clarabel (homogeneous embedding, Nesterov–Todd) as the conic solver, with faer's sparse kernels.
+//! Clarabel (homogeneous embedding, Nesterov–Todd scaling) as the conic solver, with its faer
+//! kernels.
 //!
-//! Clarabel minimises. A saddle, `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy` with y maximised over,
-//! becomes `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these
-//! equations, stationarity reads `P x + q + Eᵀw = Gᵀz` and `F y = F w`: w is the y of the saddle,
-//! whether F is regular or not; the y of the minimum is so only where F is regular. Rows
-//! `E x − F y` are the rows of y in the saddle's own matrix, b is minus its q.
+//! Clarabel minimises. A saddle `½ xᵀPx + qᵀx + yᵀ(E x − b) − ½ yᵀFy`, with y maximised, becomes
+//! `min ½ xᵀPx + qᵀx + ½ yᵀFy` subject to `E x − F y = b`. With w the multiplier of these
+//! equations, stationarity reads `P x + q + Eᵀw = Gᵀz` and `F y = F w`. So w is the y of the
+//! saddle, for regular and singular F; the y of the minimum equals it only where F is regular. The
+//! rows `E x − F y` are the rows of y in the matrix of the saddle, and b is minus its q.
 
 use super::scales::Scales;
 use super::status::{Iteration, Solution, SolveOptions, SolveStatus};
@@ -21,14 +22,14 @@ pub fn solve(program: &ConicProgram, options: &SolveOptions) -> Solution {
     let scales = Scales::new(program);
     let explicit = Explicit::new(&scales.apply(program));
     let Solution { mut x, mut z, status, iterations, seconds } = solve_explicit(&explicit, options);
-    // behind the program's own unknowns stand the multipliers of its yield points
+    // the multipliers of the yield points follow the unknowns of the program
     let points = x.split_off(explicit.unknowns);
     z.truncate(explicit.rows);
     z.extend(points);
     Solution { status, x: scales.unscale_x(&x), z: scales.unscale_z(&z), iterations, seconds }
 }
 
-/// Solves a program that is written out.
+/// Solves a program written out.
 fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
     let start = Instant::now();
     let Minimum { p, q, a, b, equations } = Minimum::new(program);
@@ -40,7 +41,7 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
             Cone::SecondOrder(n) => SupportedConeT::SecondOrderConeT(*n),
         }))
         .collect();
-    // below 1e-8 Clarabel mostly runs into its own noise
+    // below 1e-8 Clarabel usually stops at its rounding errors
     let (gap, residual) = (options.gap.max(1e-8), options.residual.max(1e-8));
     let settings = DefaultSettings {
         verbose: false,
@@ -65,10 +66,10 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
     let Ok(mut solver) = DefaultSolver::new(&p, &q, &a, &b, &cones, settings) else {
         return failed(SolveStatus::NumericalError);
     };
-    let told = options.clone();
+    let callback = options.clone();
     solver.set_termination_callback(move |info: &DefaultInfo<f64>| {
-        if let Some(tell) = &told.progress {
-            tell(&Iteration {
+        if let Some(report) = &callback.progress {
+            report(&Iteration {
                 number: info.iterations,
                 gap: info.gap_rel,
                 residual: info.res_primal.max(info.res_dual),
@@ -76,7 +77,7 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
                 seconds: start.elapsed().as_secs_f64(),
             });
         }
-        told.interrupted()
+        callback.interrupted()
     });
     solver.solve();
     let sol = &solver.solution;
@@ -94,7 +95,7 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
         SolverStatus::NumericalError | SolverStatus::Unsolved => SolveStatus::NumericalError,
     };
     let mut x = sol.x.clone();
-    // along an unbounded direction there are no multipliers
+    // an unbounded direction has no multipliers
     if status != SolveStatus::Unbounded {
         let maximised = (0..x.len()).filter(|&i| program.is_maximised(i));
         maximised.zip(&sol.z[..equations]).for_each(|(i, w)| x[i] = *w);
@@ -103,7 +104,7 @@ fn solve_explicit(program: &Explicit, options: &SolveOptions) -> Solution {
     Solution { status, x, z: sol.z[equations..].to_vec(), iterations: sol.iterations, seconds }
 }
 
-/// `min ½ uᵀPu + qᵀu`, `b − A u ∈ {0}ᵐ × K`: what Clarabel solves.
+/// The form that Clarabel solves: `min ½ uᵀPu + qᵀu`, `b − A u ∈ {0}ᵐ × K`.
 struct Minimum {
     p: CscMatrix<f64>,
     q: Vec<f64>,
@@ -114,7 +115,7 @@ struct Minimum {
 }
 
 impl Minimum {
-    /// The minimum that has the saddle point of a program.
+    /// The minimum whose solution is the saddle point of a program.
     fn new(program: &Explicit) -> Self {
         let n = program.p.n;
         let mut row_of = vec![usize::MAX; n];
@@ -202,9 +203,9 @@ mod tests {
 
     /// `½ x₀² + ½ x₁² − x₀ + y₀(x₀ + x₁ − 1) + y₁(x₀ − x₁ − 4) − ½ f y₀²`, x₁ ≥ −1, with the
     /// unknowns in the order y₀, x₀, x₁, y₁. The second equation has no F: x₀ = x₁ + 4. By hand:
-    /// the cone holds x₁ at −1, x₀ = 3, and then f y₀ = 1. Stationarity: x₀ − 1 + y₀ + y₁ = 0 and
-    /// x₁ + y₀ − y₁ = z. With f = 0 the first equation is a hard one as well, x = (2.5, −1.5), so
-    /// the cone must let go to −2 there.
+    /// the cone keeps x₁ at −1, so x₀ = 3 and f y₀ = 1. Stationarity: x₀ − 1 + y₀ + y₁ = 0 and
+    /// x₁ + y₀ − y₁ = z. With f = 0 the first equation is exact as well, x = (2.5, −1.5), so the
+    /// cone is moved to x₁ ≥ −2 there.
     #[test]
     fn multipliers_of_a_saddle() {
         for (f, floor, x0) in [(0.5, -1.0, 3.0), (0.0, -2.0, 2.5)] {

@@ -1,29 +1,29 @@
-//! Is there equilibrium at all? A small conic program over the rigid motions that only contact
+//! Search for a lack of equilibrium: a small conic program over the rigid motions that only contact
 //! resists.
 //!
-//! Along such a motion m the stiffness is zero, so the program falls without limit when the loads
-//! work on it, `q·m < 0`, and no contact resists it, `G m ∈ K`. The nearest such motion to the
-//! loads is the projection of −q on that cone: it is zero when the contacts can balance the loads.
-//! Interior-point iterations on the full program lose that answer in their noise when the loads
-//! exceed the limit by little; the projection has as many unknowns as there are modes.
+//! The stiffness is zero along such a motion m. The program is unbounded when the loads work on the
+//! motion, `q·m < 0`, and no contact resists it, `G m ∈ K`. The nearest such motion to the loads is
+//! the projection of −q on that cone; it is zero when the contacts can balance the loads. When the
+//! loads exceed the limit only slightly, interior-point iterations on the full program lose this
+//! answer in their rounding errors; the projection has only one unknown per mode.
 
 use super::clarabel;
 use super::status::{SolveOptions, SolveStatus};
 use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 
-/// Smallest projection, as a part of the loads, that counts as a lack of equilibrium.
+/// Smallest projection, relative to the loads, that counts as a lack of equilibrium.
 const EXCESS: f64 = 1e-6;
-/// Largest violation of a cone by the motion, as a part of its largest opening.
+/// Largest violation of a cone by the motion, relative to its largest opening.
 const VIOLATION: f64 = 1e-7;
 
-/// A direction along which the program falls without limit, among the given motions (`P m = 0`);
-/// `None` when none is found.
+/// A direction among the given motions (`P m = 0`) along which the program is unbounded; `None`
+/// when none is found.
 pub fn direction(
     program: &ConicProgram,
     modes: &[Vec<f64>],
     options: &SolveOptions,
 ) -> Option<Vec<f64>> {
-    // interfaces of finite strength resist as well, and are not among the cones
+    // interfaces of finite strength resist as well, but are not among the cones
     if !program.elements.batches.is_empty() {
         return None;
     }
@@ -36,7 +36,7 @@ pub fn direction(
     }
     let columns: Vec<Vec<f64>> = modes.iter().map(|m| program.g.mul(m)).collect();
     let mut g = Csr { ncols: n, ..Csr::default() };
-    // yield points resist no rigid motion
+    // the cones of yield points do not resist rigid motions
     let rows = program.g.nrows();
     let contacts = program.cone_starts().iter().take_while(|s| **s < rows).count();
     for r in 0..rows {
@@ -62,7 +62,7 @@ pub fn direction(
     if solution.status != SolveStatus::Optimal {
         return None;
     }
-    // the projection's squared length is the work of the loads on it
+    // the work of the loads on the projection equals its squared length
     let work: f64 = -solution.x.iter().zip(&small.q).map(|(a, b)| a * b).sum::<f64>();
     let length = solution.x.iter().map(|x| x * x).sum::<f64>().sqrt();
     let slack = small.g.mul(&solution.x);

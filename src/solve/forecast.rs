@@ -1,18 +1,19 @@
-//! What a solve will cost, told before it starts.
+//! Forecast of the cost of a solve.
 
 use super::sparse::SparseCholesky;
-use std::time::Instant;
+use super::sparse::dense::dense_rate;
 
-/// Iterations a forecast reckons with.
+/// Number of iterations that a forecast assumes.
 const TYPICAL_ITERATIONS: f64 = 20.0;
-/// Solves of an iteration, and of one of limit analysis.
+/// Number of solves in an iteration.
 const SOLVES: f64 = 4.0;
+/// Number of solves in an iteration of limit analysis.
 const LIMIT_SOLVES: f64 = 10.0;
-/// What all passes over a row of a yield condition take in an iteration, as operations at the dense
+/// Cost of all passes over one row of a yield condition in an iteration, as operations at the dense
 /// rate: 1.3 µs at 40 GFLOP/s, measured on both programs of two joints.
 const ROW_WORK: f64 = 5e4;
 
-/// Cost of one solve by the condensed method.
+/// Forecast of one solve by the condensed method.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Forecast {
     /// Unknowns that reach the sparse factor.
@@ -45,8 +46,8 @@ impl Forecast {
         }
     }
 
-    /// Seconds of all iterations, for `flops` per factorisation, `entries` of the factor and `rows`
-    /// of yield conditions; in limit analysis directions are corrected and refined more often.
+    /// Time of all iterations \[s\], for `flops` per factorisation, `entries` of the factor and
+    /// `rows` of yield conditions; limit analysis corrects and refines directions more often.
     pub(crate) fn all_iterations(flops: f64, entries: usize, rows: usize, limit: bool) -> f64 {
         let solves = if limit { LIMIT_SOLVES } else { SOLVES };
         TYPICAL_ITERATIONS
@@ -55,33 +56,25 @@ impl Forecast {
 
     /// One factor and some solves at this machine's measured rate.
     fn iteration(flops: f64, entries: usize, solves: f64) -> f64 {
-        // part of the dense rate that sparse factorisations reach, and bytes per second at which
-        // solves read the factor twice each: both measured, see benches/README.md
+        // fraction of the dense rate that sparse factorisations reach, and bytes per second at
+        // which each solve reads the factor twice: both measured, see benches/README.md
         let (efficiency, reading) = (0.75, 1e10);
         flops / (efficiency * dense_rate()) + solves * 2.0 * 8.0 * entries as f64 / reading
     }
 }
 
-/// Floating-point operations per second of a dense Cholesky factorisation on one thread of this
-/// machine.
-pub fn dense_rate() -> f64 {
-    static RATE: std::sync::OnceLock<f64> = std::sync::OnceLock::new();
-    *RATE.get_or_init(|| {
-        let n = 512;
-        let mut best = f64::INFINITY;
-        for _ in 0..4 {
-            let mut a = faer::Mat::<f64>::from_fn(n, n, |i, j| if i == j { n as f64 } else { 1.0 });
-            let start = Instant::now();
-            super::sparse::dense::cholesky(a.as_mut());
-            best = best.min(start.elapsed().as_secs_f64());
-        }
-        (n as f64).powi(3) / 3.0 / best
-    })
+/// Measured times of the steps of a solve.
+#[derive(Clone, Copy, Debug)]
+pub struct Yardstick {
+    /// One factorisation \[s\].
+    pub factor: f64,
+    /// One solve \[s\].
+    pub solve: f64,
 }
 
-/// Memory the machine can still give \[bytes\]; `None` where the system does not tell.
+/// Available memory of the machine \[bytes\]; `None` where the system does not report it.
 ///
-/// The smaller of what the kernel calls available and what is left of a control group's limit.
+/// This is the smaller of the kernel's available memory and the rest of a control group's limit.
 pub fn available_memory() -> Option<u64> {
     let info = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = info.lines().find(|l| l.starts_with("MemAvailable:"))?;

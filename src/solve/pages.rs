@@ -1,14 +1,15 @@
-//! What the allocator does with the vectors of an iteration, which are made anew in each.
+//! Allocation of the vectors of an iteration, which each iteration creates anew.
 //!
-//! glibc hands every large vector back to the system and asks for it again: the system clears each
-//! page, a sixth of the processor time of a limit analysis. Vectors up to the size below stay with
-//! the process; the factor, which is larger and lives long, still comes in pages of its own.
+//! glibc returns every large vector to the system and requests it again. The system then clears
+//! each page, which took a sixth of the processor time of a limit analysis. So vectors up to the
+//! size below stay with the process; the factor, which is larger and lives long, still has its own
+//! pages.
 
-/// Vectors below this size are kept \[bytes\].
+/// Size below which the memory of vectors is kept \[bytes\].
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 const KEPT: libc::c_int = 128 << 20;
 
-/// Keeps the memory of vectors that are done with, for the next ones.
+/// Makes the allocator keep the memory of released vectors for the next ones.
 pub fn keep() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     {
@@ -21,10 +22,10 @@ pub fn keep() {
     }
 }
 
-/// Hands what is kept back to the system: the next program asks how much memory there is.
+/// Returns the kept memory to the system, before the next program measures the available memory.
 pub fn give_back() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
-    // SAFETY: releases memory that nobody holds
+    // SAFETY: releases only memory that is not allocated
     unsafe {
         libc::malloc_trim(0);
     }

@@ -1,11 +1,11 @@
-//! Scales that make a program's numbers dimensionless before a solver sees them.
+//! Scales that make the numbers of a program dimensionless before a solve.
 
 use crate::programs::conic::{ConicProgram, Elements};
 
 /// Scales of a program: `x_i = size·columns_i·x̂_i`, `z = size·rows·ẑ`.
 ///
-/// Displacements, gaps and multipliers of yield points have one size, forces, stresses and
-/// multipliers of contacts another: where nothing is elastic the two do not know of each other.
+/// Displacements, gaps and multipliers of yield points have one size; forces, stresses and
+/// multipliers of contacts have another. Without elasticity the two sizes are independent.
 pub struct Scales {
     /// Scale of each unknown.
     columns: Vec<f64>,
@@ -23,8 +23,8 @@ pub struct Scales {
 impl Scales {
     /// Chooses the scales.
     pub fn new(program: &ConicProgram) -> Self {
-        // every unknown is measured in the give of its own stiffness: soft parts on hard ones are
-        // no trouble
+        // every unknown is scaled by its own stiffness, so that soft parts on stiff ones cause no
+        // difficulty
         let stiffness = if program.stiffness.is_empty() {
             program.p.diagonal()
         } else {
@@ -58,7 +58,7 @@ impl Scales {
             .zip(&rows)
             .map(|(h, s)| (h * s).abs())
             .fold(0.0f64, f64::max);
-        // the scaled loads are 1, or the largest gap is when nothing is loaded
+        // the largest scaled load is 1, or the largest gap in a program without loads
         let size = match (load > 0.0, offset > 0.0) {
             (true, _) => load,
             (false, true) => offset,
@@ -66,9 +66,9 @@ impl Scales {
         };
         let (mut motion, mut force) = (size, size);
         if live > 0.0 {
-            // rigid-plastic: stresses are measured by the yield strength already, and the
-            // dissipation of a point is then of the order of the load factor; a factor of ten
-            // either way changes an iteration or two
+            // rigid-plastic: stresses are relative to the yield strength already, so that the
+            // dissipation of a point is of the order of the load factor; a factor of ten either way
+            // changes the count by one or two iterations
             columns.push(live.recip());
             let points = program.cones.len() as f64;
             (motion, force) = (live.recip() / points, 1.0);
@@ -147,7 +147,7 @@ mod tests {
         }
     }
 
-    /// Nothing yields: the diagonal alone, as small as 1e-14 of its mean.
+    /// Programs without yield points are scaled by their diagonal, at least 1e-14 of its mean.
     #[test]
     fn plain_programs_are_measured_by_their_diagonal() {
         let values = [4.0, 1e6, 0.0, 25.0];

@@ -1,4 +1,4 @@
-//! What a solve returns: status, unknowns, multipliers. Outcomes are data, not errors.
+//! Result of a solve: status, unknowns, multipliers. Outcomes are data, not errors.
 
 use super::sparse::patterns::Patterns;
 use serde::{Deserialize, Serialize};
@@ -9,9 +9,9 @@ use std::sync::atomic::AtomicBool;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SolveStatus {
-    /// Solved to the asked tolerance.
+    /// Solved to the requested tolerance.
     Optimal,
-    /// The objective falls without limit along a direction: no equilibrium.
+    /// The objective is unbounded along a direction: there is no equilibrium.
     Unbounded,
     /// No point satisfies the cones.
     Infeasible,
@@ -25,12 +25,12 @@ pub enum SolveStatus {
     NumericalError,
     /// Stopped by the user.
     Interrupted,
-    /// Not started: the forecast exceeds the memory there is.
+    /// Not started: the forecast exceeds the available memory.
     TooLarge,
 }
 
 impl SolveStatus {
-    /// In the words of a report.
+    /// Wording in reports.
     pub fn words(self) -> &'static str {
         match self {
             SolveStatus::Optimal => "optimal",
@@ -63,42 +63,45 @@ pub struct Solution {
     pub seconds: f64,
 }
 
-/// What a solver tells at every iteration.
+/// Report of a solver at an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iteration {
-    /// Its number; 0 is the starting point.
+    /// Number; 0 is the starting point.
     pub number: u32,
     /// Relative duality gap.
     pub gap: f64,
     /// Largest relative residual.
     pub residual: f64,
-    /// Length of the step that led here, 0 to 1; 0 at the start and where the solver does not tell.
+    /// Length of the step that led to this iterate, 0 to 1; 0 at the start and where the solver
+    /// does not report it.
     pub step: f64,
     /// Wall time since the solve began \[s\].
     pub seconds: f64,
 }
 
-/// Told at every iteration.
+/// Receiver of the reports, called at every iteration.
 pub type Iterations = Arc<dyn Fn(&Iteration) + Send + Sync>;
 
 /// Which method solves the conic programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Solver {
-    /// The condensed interior-point method, with Clarabel behind it when it ends without an answer.
+    /// The condensed interior-point method; Clarabel solves the program when it ends without an
+    /// answer.
     #[default]
     Condensed,
     /// Clarabel, a general interior-point solver.
     Clarabel,
 }
 
-/// Relative gap at which limit analysis stops: its bounds are certified whatever the solver leaves.
+/// Relative gap at which limit analysis stops; its bounds are certified at any accuracy of the
+/// solver.
 pub const LIMIT_GAP: f64 = 1e-4;
 
-/// Residual at which solves of limit analysis end, in gaps: what stresses leave unbalanced is paid
-/// for in the lower bound. Measured on a bolted joint at a gap of 1e-4: 7e-5 of it.
+/// Residual at which solves of limit analysis end, relative to the gap: unbalanced stresses reduce
+/// the lower bound. Measured on a bolted joint at a gap of 1e-4: 7e-5 of the bound.
 const LIMIT_RESIDUAL: f64 = 1e-2;
-/// The same of the balance of forces beside velocities. The upper bound comes from the velocities
-/// alone, whose cones hold long before the stresses beside them balance. Measured on the joint:
+/// The same for the balance of forces in a solve for velocities. The upper bound is computed from
+/// the velocities alone, whose cones hold long before the stresses balance. Measured on the joint:
 /// 8e-5 of the upper bound, after a third of the iterations.
 const MECHANISM_UNBALANCED: f64 = 10.0;
 
@@ -109,36 +112,35 @@ pub struct SolveOptions {
     pub solver: Solver,
     /// Relative duality gap at which to stop.
     pub gap: f64,
-    /// The same for passes of limit analysis, whose bounds are certified whatever the solver
-    /// leaves.
+    /// The same for limit analysis, whose bounds are certified at any accuracy of the solver.
     pub limit_gap: f64,
     /// Relative residuals at which to stop.
     ///
-    /// An iterate that stalls within a hundred times (in limit analysis ten times) the gap and the
-    /// residual asked for is taken.
+    /// An iterate that stalls within a hundred times (in limit analysis ten times) the requested
+    /// gap and residual is accepted.
     pub residual: f64,
-    /// Forces may be so far out of balance (and strains from flow), relative to the largest, where
-    /// that is more than the residual.
+    /// Relative imbalance of forces, and error of strains, at which to stop, where it exceeds
+    /// `residual`.
     pub unbalanced: f64,
-    /// Iterations at most.
+    /// Largest number of iterations.
     pub max_iterations: u32,
-    /// Wall time at most \[s\].
+    /// Largest wall time \[s\].
     pub time_limit: f64,
-    /// Told every iteration.
+    /// Receives a report of every iteration.
     pub progress: Option<Iterations>,
-    /// Set from outside to end the solve at the next iteration.
+    /// Set by the caller to end the solve at the next iteration.
     pub interrupt: Option<Arc<AtomicBool>>,
-    /// Orderings and symbolic factors that are known; clones of these options share them.
+    /// Known orderings and symbolic factors; clones of these options share them.
     pub patterns: Patterns,
 }
 
 impl SolveOptions {
-    /// The same limits for a solve for the velocities of limit analysis.
+    /// Options for a solve for the velocities of limit analysis.
     pub fn for_mechanism(&self) -> Self {
         Self { unbalanced: MECHANISM_UNBALANCED * self.limit_gap, ..self.for_resistance() }
     }
 
-    /// The same limits for a solve for its stresses.
+    /// Options for a solve for the stresses of limit analysis.
     pub fn for_resistance(&self) -> Self {
         Self {
             gap: self.limit_gap,
@@ -147,7 +149,7 @@ impl SolveOptions {
         }
     }
 
-    /// True once the user has asked to stop.
+    /// True once the user has requested a stop.
     pub fn interrupted(&self) -> bool {
         self.interrupt.as_ref().is_some_and(|i| i.load(std::sync::atomic::Ordering::Relaxed))
     }

@@ -6,13 +6,13 @@
 use crate::certified::{run, sharp_factors};
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
+use bracket::certify::free_mechanism::{certify_free, is_free};
 use bracket::certify::limit_certificate::certify_upper;
+use bracket::certify::unlimited::certify_unlimited;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
-use bracket::recover::free_mechanism::{certify_free, is_free};
-use bracket::recover::unlimited::certify_unlimited;
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
 const SEEDS: [u64; 3] = [1, 5, 9];

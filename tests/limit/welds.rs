@@ -6,9 +6,9 @@ use crate::common::yielding::{FY, model};
 use crate::common::{Block, triangles_where};
 use bracket::certify::StressField;
 use bracket::certify::limit_certificate::certify_upper;
+use bracket::certify::unlimited::certify_unlimited;
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
-use bracket::recover::unlimited::certify_unlimited;
 
 const SEEDS: [u64; 3] = [1, 5, 9];
 

@@ -7,6 +7,7 @@
 //! unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::dense::{Mat, right_singular_vectors};
 use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
@@ -192,18 +193,15 @@ fn rows(model: &AnalysisModel, frame: &Frame) -> Vec<Vec<f64>> {
 /// Orthonormal basis of the motions that no row resists.
 fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, Diagnostics> {
     // padded to at least n rows: the decomposition then gives all n right vectors
-    let a =
-        faer::Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
-    let svd = a.svd().map_err(|e| {
+    let a = Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
+    let (s, v) = right_singular_vectors(&a).map_err(|e| {
         Diagnostic::undecided(
             "model/rank-test",
             format!("the search for loose parts did not converge: {e:?}"),
         )
         .help("scale the model to mm and check its coordinates")
     })?;
-    let s: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = s.iter().copied().fold(0.0, f64::max);
-    let v = svd.V();
     let null = (0..n).filter(|j| s[*j] <= HOLDS * largest);
     Ok(null.map(|j| (0..n).map(|i| v[(i, j)]).collect()).collect())
 }

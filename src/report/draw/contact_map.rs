@@ -1,9 +1,9 @@
 //! Where two parts press on each other: the contact faces on a plane, coloured by the pressure of
 //! the static field.
 
-use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::contact_faces;
 use crate::certify::fields::StressField;
+use crate::certify::tractions::contact_tractions;
 use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};

@@ -7,7 +7,7 @@ use crate::programs::conic::Cone;
 pub struct Cones {
     /// First row and dimension of each cone.
     pub blocks: Vec<(usize, usize)>,
-    /// Rows altogether.
+    /// Total number of rows.
     pub rows: usize,
 }
 
@@ -26,7 +26,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Cones {
-    /// From the cones of a program.
+    /// The product of the cones of a program.
     pub fn new(cones: &[Cone]) -> Self {
         let mut rows = 0;
         let blocks = cones
@@ -84,8 +84,8 @@ impl Cones {
         c
     }
 
-    /// By how much the eigenvalues of `v` lie outside `span` times the target of their cone (at its
-    /// first row); above it by at most the upper end.
+    /// Excess of the eigenvalues of `v` outside `span` times the target of their cone (at its first
+    /// row); above the span the excess is limited to its upper end.
     pub fn outside(&self, v: &[f64], targets: &[f64], span: (f64, f64)) -> Vec<f64> {
         let mut out = vec![0.0; self.rows];
         for &(s, d) in &self.blocks {
@@ -112,7 +112,7 @@ impl Cones {
             .fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
     }
 
-    /// Largest step of each cone for itself.
+    /// Largest step of each cone alone.
     pub fn own_steps<'a>(&'a self, x: &'a [f64], dx: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         self.blocks.iter().map(|&(s, d)| step_in(&x[s..s + d], &dx[s..s + d]))
     }
@@ -152,7 +152,7 @@ pub struct Scaling {
 }
 
 impl Scaling {
-    /// The scaling of a pair strictly inside; `None` when one of them has reached the surface.
+    /// The scaling of a pair strictly inside the cones; `None` when one of them is on the surface.
     pub fn new(cones: &Cones, s: &[f64], z: &[f64]) -> Option<Self> {
         let mut eta = Vec::with_capacity(cones.blocks.len());
         let mut w = vec![0.0; cones.rows];
@@ -184,7 +184,7 @@ impl Scaling {
         Some(scaling)
     }
 
-    /// W or its inverse, so many times over, cone by cone; `x` may end after any of the cones.
+    /// W or its inverse applied `times` times, cone by cone; `x` may end after any of the cones.
     fn map(&self, cones: &Cones, x: &[f64], inverse: bool, times: usize) -> Vec<f64> {
         let mut y = x.to_vec();
         let sign = if inverse { -1.0 } else { 1.0 };
@@ -192,7 +192,7 @@ impl Scaling {
             let e = if inverse { 1.0 / self.eta[k] } else { self.eta[k] };
             let (w, y) = (&self.w[s..s + d], &mut y[s..s + d]);
             for _ in 0..times {
-                // of known length the loops are unrolled
+                // with a known length the loops are unrolled
                 match (w.first_chunk::<6>(), y.first_chunk_mut::<6>()) {
                     (Some(w), Some(y)) if d == 6 => hyperbolic(e, sign, w, y),
                     _ if d == 1 => y[0] *= e,
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_taken_off_leaves_the_range() {
+    fn subtracting_the_excess_moves_eigenvalues_into_the_span() {
         let cones = Cones::new(&[Cone::NonNegative, Cone::SecondOrder(3), Cone::SecondOrder(3)]);
         // eigenvalues 0.05; −4 and 6; 0.5 and 1.5
         let v = [0.05, 1.0, 3.0, -4.0, 1.0, 0.3, 0.4];
@@ -315,7 +315,7 @@ mod tests {
         let n = norm(&kept[2..4]);
         assert!((kept[1] - n - 0.1).abs() < 1e-14 && (kept[1] + n - 6.0).abs() < 1e-14, "{kept:?}");
         assert_eq!(out[4..], [0.0; 3]);
-        // far above the range only as much as the range is high
+        // far above the span the excess is limited to the upper end
         assert_eq!(
             cones.outside(&[35.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], &cones.identity(), (0.1, 10.0))[0],
             10.0

@@ -1,18 +1,18 @@
-//! A correction of a refined solution. Corrections with orthogonal effects, each taken as far as it
-//! lowers the residual, are the generalised conjugate residual method: it converges where plain
-//! refinement stands because a few directions of a stiff matrix are lost in its rounding.
+//! Corrections of a refined solution. Corrections with orthogonal effects, each scaled to lower the
+//! residual most, make the generalised conjugate residual method. It converges where plain
+//! refinement stalls because a few directions of a stiff matrix are lost in rounding.
 //!
 //! # Source
 //! Eisenstat, Elman and Schultz, Variational iterative methods for nonsymmetric systems of linear
 //! equations (1983).
 
-/// A correction of a solution, and what it takes off the stationarity rows.
+/// A correction of a solution, and its effect on the stationarity rows.
 pub struct Correction {
     /// Unknowns.
     pub x: Vec<f64>,
     /// Multipliers.
     pub z: Vec<f64>,
-    /// What it takes off the residual.
+    /// Reduction of the residual.
     pub effect: Vec<f64>,
 }
 
@@ -41,8 +41,8 @@ mod tests {
     use super::*;
     use crate::solve::condensed::cones::dot;
 
-    /// A solver that is wrong by a factor in one direction of two never converges by plain
-    /// refinement; two corrections do.
+    /// Plain refinement never converges with a solver that is wrong by a factor in one direction of
+    /// two; two corrections do.
     #[test]
     fn a_lost_direction_takes_one_correction_more() {
         let (matrix, solver) = ([4.0, 1e-3], [0.25, 3e3]);

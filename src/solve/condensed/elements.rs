@@ -1,12 +1,13 @@
-//! Elements that yield, eliminated from the matrix of an iteration: their yield points, their
-//! parameters, their inner displacements.
+//! Elimination of elements that yield from the matrix of an iteration: their yield points,
+//! parameters and inner displacements.
 //!
-//! With V_j the vector block of `W_j⁻²`, the parameters' own matrix is
-//! `H = F + Σ B_jᵀ V_j B_j + ρ`, and what an element leaves on its displacements is `T H⁻¹ Tᵀ`.
-//! Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V goes to zero,
-//! and a pressure is held by no point at all.
+//! With V_j the vector block of `W_j⁻²`, the matrix of the parameters is
+//! `H = F + Σ B_jᵀ V_j B_j + ρ`, and the stiffness of an element on its displacements is
+//! `T H⁻¹ Tᵀ`. Rigid-plastic elements have F = 0 and need the proximal term ρ: in rigid zones V
+//! approaches zero, and no yield point constrains a pressure.
 
-use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
+use super::elimination::{Scratch, eliminate, kept, own_trace};
+use super::yield_points::{SCALING, Weights};
 use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::programs::conic::{ConicProgram, SymmetricCsc};
@@ -14,7 +15,7 @@ use crate::solve::sparse::{LinearError, Locator};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Batches eliminated in parallel before what they leave is added one after the other.
+/// Number of batches eliminated in parallel before their products are added one after the other.
 pub(super) const ROUND: usize = 32;
 
 /// A point with W = I.
@@ -24,15 +25,15 @@ pub const UNSCALED: [f64; SCALING] = [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 #[derive(Default)]
 pub struct ElementSystem {
     pub(super) batches: Arc<Vec<Batch>>,
-    /// What multiplies displacements of the program.
+    /// Scale of the displacements of the program.
     pub(super) scale: Vec<f64>,
-    /// Place of each product (a ≥ b, packed by columns b) of each lane.
+    /// Place of each product (a ≥ b, packed by columns b) in each lane.
     places: Vec<Vec<u32>>,
-    /// What is kept of each batch's elimination.
+    /// Stored elimination of each batch.
     pub(super) factors: Vec<Vec<Lane>>,
-    /// The scaling at its yield points.
+    /// The scaling at the yield points of each batch.
     pub(super) weights: Vec<Weights>,
-    /// Term added to the parameters' own matrix.
+    /// Term ρ added to the matrix of the parameters.
     pub proximal: f64,
 }
 
@@ -49,11 +50,6 @@ impl ElementSystem {
         }
     }
 
-    /// True when nothing yields.
-    pub fn is_empty(&self) -> bool {
-        self.batches.is_empty()
-    }
-
     /// Adds the couplings of each element's shared unknowns to the columns of a pattern.
     pub fn couple(&self, columns: &mut [Vec<u32>]) {
         for batch in self.batches.iter() {
@@ -65,7 +61,7 @@ impl ElementSystem {
                     .enumerate()
                     .for_each(|(j, &c)| columns[c as usize].extend_from_slice(&met[..=j]));
             }
-            // elements of one batch are neighbours: drop what repeats before it grows
+            // elements of one batch are neighbours: repeated entries are removed early
             batch.columns.iter().flatten().filter(|c| **c != NONE).for_each(|&c| {
                 let column = &mut columns[c as usize];
                 if column.len() > 512 {
@@ -76,7 +72,7 @@ impl ElementSystem {
         }
     }
 
-    /// Looks up where every product goes.
+    /// Finds the place of every product.
     pub fn locate(&mut self, locator: &mut Locator<'_>) {
         for batch in self.batches.iter() {
             let k = batch.shared();
@@ -97,7 +93,7 @@ impl ElementSystem {
         }
     }
 
-    /// Memory beside the program's own \[bytes\].
+    /// Memory in addition to that of the program \[bytes\].
     pub fn bytes(&self) -> usize {
         let places: usize = self.places.iter().map(|p| 4 * p.len()).sum();
         let kept: usize =
@@ -149,8 +145,8 @@ impl ElementSystem {
         Ok(())
     }
 
-    /// Mean of the diagonal of the parameters' own matrix at the given weights, median over
-    /// elements and mean.
+    /// Mean of the diagonal of the parameters' matrix at the given weights: its median and its mean
+    /// over the elements.
     pub fn own_stiffness(&self, weight: impl Fn(usize) -> [f64; SCALING] + Sync) -> (f64, f64) {
         let mut traces: Vec<f64> = self
             .batches
@@ -173,7 +169,7 @@ impl ElementSystem {
     }
 }
 
-/// Adds what the elements of a batch leave to the sparse factor's storage.
+/// Adds the products of a batch to the storage of the sparse factor.
 fn add_products(
     batch: &Batch,
     scale: &[f64],

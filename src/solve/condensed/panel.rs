@@ -1,10 +1,10 @@
-//! Dense operations on panels of eight elements at once: entry by entry, the eight side by side.
+//! Dense operations on panels of eight elements at once; the eight values of an entry are adjacent.
 
 use crate::math::lanes::{Place, kernel};
 use crate::math::wide::{Lane, dispatch, parts, registers, registers_mut};
 use pulp::{Simd, WithSimd};
 
-/// Part of a diagonal entry that its pivot is raised by: what rounding may have taken from it.
+/// Fraction of a diagonal entry added to its pivot, an allowance for rounding.
 const ROUNDING: f64 = 1e-14;
 /// Rows and columns of a tile, whose sums stay in registers.
 const TILE: usize = 4;
@@ -152,7 +152,7 @@ fn product_tile<S: Simd, const R: usize, const C: usize>(
 /// Cholesky of the leading m columns, rows below solved. False where a pivot is not positive.
 pub fn factor(panel: &mut [Lane], m: usize, height: usize) -> bool {
     dispatch(Factor { panel, m, height });
-    // a pivot that is not positive leaves a diagonal that is not a number, or zero
+    // a pivot that is not positive leaves NaN or zero on the diagonal
     (0..m).all(|c| panel[c * height + c].iter().all(|d| *d > 0.0 && d.is_finite()))
 }
 
@@ -242,7 +242,7 @@ fn factor_columns<S: Simd, const W: usize>(
     }
 }
 
-/// The rows from `r` on of the columns at hand, solved by their triangle.
+/// The rows from `r` on of the current columns, solved by their triangle.
 #[inline(always)]
 fn solve_rows<S: Simd, const R: usize, const W: usize>(
     simd: S,
@@ -277,7 +277,8 @@ kernel! {
                 let y = simd.div_f64s(x[at.of(c)], panel[at.of(c * height + c)]);
                 x[at.of(c)] = y;
                 for r in c + 1..height {
-                    x[at.of(r)] = simd.negate_mul_add_e_f64s(panel[at.of(c * height + r)], y, x[at.of(r)]);
+                    let entry = panel[at.of(c * height + r)];
+                    x[at.of(r)] = simd.negate_mul_add_e_f64s(entry, y, x[at.of(r)]);
                 }
             }
         }

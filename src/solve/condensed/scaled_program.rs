@@ -9,20 +9,25 @@ pub struct ScaledProgram {
     pub program: ConicProgram,
     /// Its cones.
     pub cones: Cones,
-    /// True for unknowns maximised over.
+    /// True for maximised unknowns.
     pub maximised: Vec<bool>,
-    /// Some are.
+    /// True if any unknown is maximised.
     pub(super) saddle: bool,
-    /// First row of the yield points, whose cones hold maximised unknowns.
+    /// First row of the yield points, whose cones contain maximised unknowns.
     pub(super) points: usize,
 }
 
 impl ScaledProgram {
-    /// From a scaled program.
+    /// The cones and measures of a scaled program.
     pub fn new(program: ConicProgram) -> Self {
         let (cones, maximised) = (Cones::new(&program.cones), program.maximised());
         let (saddle, points) = (maximised.contains(&true), program.g.nrows());
         Self { program, cones, maximised, saddle, points }
+    }
+
+    /// True for programs of limit analysis, whose last unknown is the load factor.
+    pub(super) fn is_limit(&self) -> bool {
+        !self.program.live.is_empty()
     }
 
     /// Scalar product in which maximised unknowns count negative.
@@ -49,9 +54,9 @@ impl ScaledProgram {
         a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
     }
 
-    /// Largest entry among the minimised unknowns, and of all. Rows of minimised unknowns are
-    /// forces: what is lost of them must be small beside forces, not beside strains or the power of
-    /// the live loads.
+    /// Largest entry among the minimised unknowns, and among all. Rows of minimised unknowns are
+    /// forces: their errors must be small relative to forces, not to strains or to the power of the
+    /// live loads.
     pub(super) fn largest_of_kinds(&self, a: &[f64]) -> [f64; 2] {
         let all = largest(a);
         if !self.saddle {
@@ -65,8 +70,8 @@ impl ScaledProgram {
         [forces, all]
     }
 
-    /// Largest live load at the load factor; its balance with the stress leaves nothing of it in
-    /// `P x`.
+    /// Largest live load at the load factor. It balances the stress, so that `P x` does not show
+    /// it.
     pub(super) fn live_force(&self, x: &[f64]) -> f64 {
         if self.program.live.is_empty() {
             0.0

@@ -1,27 +1,28 @@
-//! Right-hand sides of Newton's system carried from elements that yield to the shared unknowns,
-//! solutions carried back.
+//! Static condensation of right-hand sides of Newton's system from elements that yield to the
+//! shared unknowns, and expansion of solutions back to the elements.
 //!
 //! An element takes its part of the right-hand side `(r₁, r₂)`, stationarity and slack rows, and
-//! does all there is to do while its data are at hand: scaling of the yield points, elimination of
-//! the parameters and the inner displacements; on the way back the multipliers and what is left of
-//! its rows.
+//! completes all steps while its data are in the cache: scaling of the yield points, elimination of
+//! the parameters and the inner displacements. The expansion gives its multipliers and the errors
+//! of its rows.
 
 use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::solve::condensed::elements::{ElementSystem, ROUND};
-use crate::solve::condensed::elimination::{inner_panel, inverse_square, solve_own};
+use crate::solve::condensed::elimination::{inner_panel, solve_own};
 use crate::solve::condensed::panel;
+use crate::solve::condensed::yield_points::inverse_square;
 use rayon::prelude::*;
 use std::ops::Range;
 
 /// Stationarity and slack rows of one right-hand side.
 pub type Side<'a> = (&'a [f64], &'a [f64]);
 
-/// What an element hands on.
+/// Condensed right-hand side of an element.
 struct Carried {
-    /// Forces on its displacements, the inner ones eliminated.
+    /// Forces on its displacements, inner ones eliminated.
     force: Vec<Lane>,
-    /// Its parameters if the displacements were zero.
+    /// Its parameters at zero displacements.
     own: Vec<Lane>,
 }
 
@@ -31,21 +32,21 @@ struct Part {
     own: Vec<Lane>,
     /// Multipliers of its yield points.
     multipliers: Vec<Lane>,
-    /// Minus its forces, and what is left of its parameters' rows; empty when not asked for.
+    /// Minus its forces, and the errors of its parameters' rows; empty unless requested.
     force: Vec<Lane>,
     left: Vec<Lane>,
 }
 
 impl ElementSystem {
-    /// Batches worked on side by side before what they give is taken in one after the other, while
-    /// it is near.
+    /// Rounds of batches: a round is computed in parallel, then its results are added one after the
+    /// other while they are in the cache.
     fn rounds(&self) -> impl Iterator<Item = Range<usize>> {
         let count = self.batches.len();
         (0..count).step_by(ROUND).map(move |from| from..(from + ROUND).min(count))
     }
 
-    /// Carries right-hand sides to the shared unknowns. `full` holds r₁; what stands in the places
-    /// of the elements' own unknowns afterwards is needed to come back.
+    /// Condenses right-hand sides to the shared unknowns. `full` holds r₁; afterwards the places of
+    /// the elements' own unknowns hold data that [`Self::expand`] needs.
     pub fn condense<const SIDES: usize>(
         &self,
         rhs: [Side<'_>; SIDES],
@@ -98,9 +99,9 @@ impl ElementSystem {
         })
     }
 
-    /// The elements' own unknowns and multipliers, from the shared unknowns in `full`. With CHECK
-    /// what their rows and forces leave of r₁ is taken into `errors`, which holds r₁ in the places
-    /// of their own unknowns.
+    /// Computes the elements' own unknowns and multipliers from the shared unknowns in `full`. With
+    /// CHECK the errors of their rows and their forces go into `errors`, which holds r₁ in the
+    /// places of their own unknowns.
     pub fn expand<const SIDES: usize, const CHECK: bool>(
         &self,
         rhs: [Side<'_>; SIDES],
@@ -184,7 +185,7 @@ fn deviators(rows: &[Lane]) -> Vec<Lane> {
     rows.chunks_exact(YIELD_ROWS).flat_map(|c| &c[1..]).copied().collect()
 }
 
-/// Writes values from each lane's `first` on.
+/// Writes the values of each lane from its place `first` on.
 fn set(first: &[u32; LANES], values: &[Lane], full: &mut [f64]) {
     for l in (0..LANES).filter(|&l| first[l] != NONE) {
         let at = first[l] as usize;

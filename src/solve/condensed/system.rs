@@ -2,25 +2,25 @@
 //! symbolic factor.
 //!
 //! Elements that yield are eliminated one by one ([`super::elements`]); only shared unknowns reach
-//! the sparse factor. Every entry has its place in the factor's own storage, so no matrix is
-//! assembled beside it.
+//! the sparse factor. Every entry has its place in the storage of the factor, so that no second
+//! matrix is assembled.
 
 use super::cones::{Cones, Scaling, dot};
 use super::elements::{ElementSystem, UNSCALED, union};
-use super::elimination::SCALING;
 use super::scaled_program::ScaledProgram;
+use super::yield_points::SCALING;
 use crate::elements::batch::YIELD_ROWS;
 use crate::programs::conic::ConicProgram;
 use crate::solve::condensed::static_condensation::Side;
 use crate::solve::forecast::Forecast;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 
-/// Proximal term of rigid-plastic elements, in the median and in the mean of their own stiffness.
-/// With 1e-8 (of the median) forces of joints with contact are lost in rounding and iterations do
-/// not end; 1e-6 to 1e-4 need the same number of iterations.
+/// Proximal term of rigid-plastic elements, relative to the median and to the mean of their own
+/// stiffness. With 1e-8 of the median, forces of joints with contact are lost in rounding and the
+/// iteration does not end; 1e-6 to 1e-4 need the same number of iterations.
 const PROXIMAL: (f64, f64) = (1e-6, 1e-12);
 
-/// Columns of one cone's rows and where its products go.
+/// Columns of the rows of one cone and the places of its products.
 struct ConeMap {
     /// Distinct columns of the cone's rows.
     columns: Vec<u32>,
@@ -47,7 +47,7 @@ pub struct Solved {
     pub x: Vec<f64>,
     /// Multipliers.
     pub z: Vec<f64>,
-    /// What is left of the stationarity rows; empty when not asked for.
+    /// Errors of the stationarity rows; empty unless requested.
     pub error: Vec<f64>,
 }
 
@@ -115,7 +115,7 @@ impl CondensedSystem {
         Ok(system)
     }
 
-    /// What a solve of the program with this system costs.
+    /// Forecast of a solve of the program with this system.
     pub fn forecast(&self, program: &ConicProgram) -> Forecast {
         let (entries, flops) =
             (self.factor.nonzeros(), self.factor.flops() + self.elements.flops());
@@ -147,8 +147,8 @@ impl CondensedSystem {
         self.factor.flops() / self.factor.nonzeros().max(1) as f64
     }
 
-    /// What a solution leaves of the stationarity rows: `r₁ − P x + Gᵀ z`, with the proximal terms
-    /// that the factor holds.
+    /// Errors of the stationarity rows of a solution: `r₁ − P x + Gᵀ z`, with the proximal terms of
+    /// the factor.
     pub fn stationarity_error(
         &self,
         problem: &ScaledProgram,
@@ -193,7 +193,7 @@ impl CondensedSystem {
         self.refactor(problem, |k, w| scaling.inverse_square(cones, k, w), points, raise)
     }
 
-    /// Rigid-plastic elements: the proximal term is chosen once.
+    /// Chooses the proximal term of rigid-plastic elements, once.
     fn choose_proximal(
         &mut self,
         problem: &ScaledProgram,
@@ -248,8 +248,8 @@ impl CondensedSystem {
         Ok(())
     }
 
-    /// `P dx − Gᵀ dz = r₁`, `−G dx − W² dz = r₂` for a few right-hand sides, without refinement;
-    /// with CHECK what is left of r₁. W must be that of the factor.
+    /// Solves `P dx − Gᵀ dz = r₁`, `−G dx − W² dz = r₂` for a few right-hand sides, without
+    /// refinement; with CHECK the errors of r₁ are returned. W must be that of the factor.
     pub fn solve<const SIDES: usize, const CHECK: bool>(
         &self,
         problem: &ScaledProgram,

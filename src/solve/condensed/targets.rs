@@ -1,39 +1,39 @@
-//! What a step aims at: the complementarity product of each cone and the residuals.
+//! Targets of a step: the complementarity product of each cone, and the residuals.
 //!
-//! Mehrotra's rule takes one fraction σ of the mean product, from the length of the affine step:
-//! `σ = (1 − α)³`. In limit analysis that step is a tenth or less because of a handful of cones in
-//! a hundred thousand (contacts that open or begin to slip), and one σ for all makes every other
-//! cone wait for them. There each cone has a σ of its own, from the way it could go for itself; σ
-//! of the residuals is their mean. The same way is the part of the cone's second-order term that is
-//! trusted.
+//! Mehrotra's rule uses one fraction σ of the mean product, from the length α of the affine step:
+//! `σ = (1 − α)³`. In limit analysis a few cones in a hundred thousand (contacts that open or begin
+//! to slip) limit that step to a tenth or less, and one σ for all delays every other cone. There
+//! each cone has its own σ, from the affine step that the cone alone allows; σ of the residuals is
+//! their mean. The same step is the fraction of the second-order term that is used in the cone.
 
 use super::cones::Cones;
 
-/// Least part of the mean product that a cone with a target of its own aims at: smaller ones fall
-/// out of the neighbourhood of the central path before the others arrive (0.1 and 0.01 took as many
-/// iterations, with fewer correctors 0.2 took a quarter more).
+/// Smallest target of a single cone, as a fraction of the mean product: a cone with a smaller one
+/// leaves the neighbourhood of the central path before the others arrive (0.1 and 0.01 took as many
+/// iterations; with fewer correctors 0.2 took a quarter more).
 const LEAST: f64 = 0.03;
 
 /// Targets of a step.
 pub struct Targets {
-    /// Part of the residuals that is left, and of the mean product that the pair (τ, κ) aims at.
+    /// Fraction of the residuals that remains, and of the mean product that is the target of the
+    /// pair (τ, κ).
     pub sigma: f64,
-    /// That product.
+    /// Target product of the pair (τ, κ).
     pub centre: f64,
-    /// Product of each cone, at its first row; 0 at the others.
+    /// Target product of each cone, at its first row; 0 at the others.
     pub products: Vec<f64>,
-    /// Part of its second-order term that each cone is corrected for; empty: all of it.
+    /// Fraction of the second-order term that is used in each cone; empty: 1 in all cones.
     pub trusted: Vec<f64>,
 }
 
-/// Mehrotra's fraction for a step that may go `step` of the way.
+/// Mehrotra's fraction for an affine step of length `step`.
 fn fraction(step: f64) -> f64 {
     (1.0 - step).powi(3)
 }
 
 impl Targets {
-    /// The same for all cones; `step`: part of the affine direction that stays inside, `mu`: mean
-    /// product.
+    /// One target for all cones; `step`: fraction of the affine direction that stays inside, `mu`:
+    /// mean product.
     pub fn common(cones: &Cones, step: f64, mu: f64) -> Self {
         let sigma = fraction(step);
         let mut products = cones.identity();
@@ -41,8 +41,8 @@ impl Targets {
         Self { sigma, centre: sigma * mu, products, trusted: Vec::new() }
     }
 
-    /// Each cone's own; `steps`: part of the affine direction that stays inside the cone, one value
-    /// a cone, at most 1.
+    /// A target for each cone; `steps`: fraction of the affine direction that stays inside the
+    /// cone, one value per cone, at most 1.
     pub fn own(cones: &Cones, steps: Vec<f64>, mu: f64) -> Self {
         let mut products = vec![0.0; cones.rows];
         let mut sum = 0.0;
@@ -61,8 +61,8 @@ mod tests {
     use super::*;
     use crate::programs::conic::Cone;
 
-    /// One cone in a hundred that cannot go far keeps its product; the others and the residuals do
-    /// not wait for it.
+    /// One cone in a hundred that allows only a short step keeps its product; it does not delay the
+    /// others and the residuals.
     #[test]
     fn a_cone_that_ends_the_step_holds_back_only_itself() {
         let cones = Cones::new(&[Cone::SecondOrder(3); 100]);

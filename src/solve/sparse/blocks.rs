@@ -1,9 +1,10 @@
-//! Products and triangular solves of the blocks of small supernodes, on column-major storage, in
-//! registers.
+//! Products and triangular solves of the blocks of small supernodes, in registers, on column-major
+//! storage.
 //!
 //! Most supernodes are a few dozen columns wide: too small for kernels that pack their operands
-//! first. Here a strip of rows, three registers high, stays in registers while the columns pass.
-//! (What is not inlined into a kernel is compiled for the baseline: loops, no closures.)
+//! first. Here a strip of rows, three registers high, stays in registers while the loop runs over
+//! the columns. The kernels use loops and no closures: code that is not inlined into a kernel is
+//! compiled for the baseline instruction set.
 
 use crate::math::wide::dispatch;
 use pulp::{Simd, WithSimd};
@@ -99,7 +100,7 @@ fn factor_columns<S: Simd, const W: usize>(
                 v -= own[j * height + c + p] * own[j * height + c + q];
             }
             if p == q {
-                // not a number is not positive either
+                // NaN is not positive either
                 if v.is_nan() || v <= 0.0 {
                     return false;
                 }
@@ -192,7 +193,7 @@ fn solve_tile<S: Simd, const V: usize, const W: usize>(
     }
 }
 
-/// Column `c` of rows that are fewer than a register holds.
+/// Column `c` of the last rows, fewer than a register holds.
 #[inline(always)]
 fn solve_last_rows<S: Simd>(
     simd: S,
@@ -211,8 +212,8 @@ fn solve_last_rows<S: Simd>(
     simd.partial_store_f64s(&mut own[rows], simd.mul_f64s(x, simd.splat_f64s(inverse[c])));
 }
 
-/// What one supernode's rows take from the columns of another: rows from `first` on of its block
-/// times the first of them.
+/// Update of one supernode by another: the rows from `first` on of the updating block times the
+/// first of these rows.
 pub struct Update<'a> {
     /// The updating block.
     pub block: &'a [f64],
@@ -222,7 +223,7 @@ pub struct Update<'a> {
     pub depth: usize,
     /// First of the rows.
     pub first: usize,
-    /// How many of them are columns of the target.
+    /// Number of them that are columns of the target.
     pub wide: usize,
 }
 
@@ -344,7 +345,7 @@ impl Subtract<'_> {
 mod tests {
     use super::*;
 
-    /// Numbers without pattern, reproducible.
+    /// Reproducible pseudo-random numbers.
     fn noise(count: usize) -> Vec<f64> {
         (0..count).map(|i| ((i * 7919 + 13) % 1009) as f64 / 1009.0 - 0.5).collect()
     }

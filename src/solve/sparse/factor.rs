@@ -1,117 +1,31 @@
-//! Numeric supernodal Cholesky: subtrees of the dissection side by side, then the separators in
+//! Numeric supernodal Cholesky: subtrees of the dissection in parallel, then the separators in
 //! blocks.
 //!
-//! Left-looking: a supernode gathers the updates of its descendants, then factors its own dense
-//! block, so the factor and one block of work space per thread are all the memory. Where the work
-//! is cut depends on sizes alone: the factor is the same, byte for byte, on any number of threads.
+//! The method is left-looking: a supernode gathers the updates of its descendants, then factors its
+//! own dense block. It needs only the factor and one block of work space per thread. The cuts of
+//! the work depend on sizes alone, so that the factor is the same, byte for byte, on any number of
+//! threads.
 
+use super::blocks;
+use super::dense::{self, MatMut, MatRef};
+use super::plan::Plan;
 use super::symbolic::{Symbolic, Update};
-use super::{blocks, dense};
-use faer::{MatMut, MatRef};
 use rayon::prelude::*;
 use std::sync::Mutex;
 
-/// Columns of a supernode updated together; wider supernodes are cut into such strips, one task
-/// each.
+/// Number of columns of a supernode updated together; wider supernodes are cut into such strips,
+/// one task each.
 const STRIP: usize = 96;
 /// Columns of a panel of a wide diagonal block.
 const PANEL: usize = 128;
 /// Rows of a panel solved together.
 const ROWS: usize = 512;
-/// Columns of a supernode whose products packing does not pay for.
+/// Number of columns of a supernode up to which packing the operands of its products does not pay.
 const NARROW: usize = 128;
-/// Subtrees with less than this part of all operations are factored by one thread.
-const SUBTREE: f64 = 1.0 / 24.0;
-
-/// How the tree is cut for threads.
-pub struct Plan {
-    /// Subtrees (first and last supernode) that are independent of each other, in order.
-    pub subtrees: Vec<(usize, usize)>,
-    /// Supernodes above them, in order.
-    pub top: Vec<usize>,
-    /// Where their unknowns stand among themselves.
-    pub above: Above,
-}
-
-/// The unknowns above the subtrees, numbered among themselves.
-#[derive(Default)]
-pub struct Above {
-    /// First number of each supernode above.
-    pub first: Vec<usize>,
-    /// Number of each unknown; of those in subtrees none.
-    pub number: Vec<u32>,
-    /// Their number.
-    pub count: usize,
-}
-
-impl Above {
-    fn new(symbolic: &Symbolic, top: &[usize]) -> Self {
-        let mut out = Self { number: vec![u32::MAX; symbolic.n], ..Self::default() };
-        for &s in top {
-            out.first.push(out.count);
-            for row in symbolic.begin[s]..symbolic.begin[s + 1] {
-                out.number[row as usize] = out.count as u32;
-                out.count += 1;
-            }
-        }
-        out
-    }
-}
-
-impl Plan {
-    /// Cuts the tree: subtrees as large as allowed, and what is above them.
-    pub fn new(symbolic: &Symbolic) -> Self {
-        let count = symbolic.supernodes();
-        let mut below = symbolic.flops.clone();
-        for s in 0..count {
-            if symbolic.parent[s] != u32::MAX {
-                below[symbolic.parent[s] as usize] += below[s];
-            }
-        }
-        let limit = SUBTREE * symbolic.flops.iter().sum::<f64>();
-        let mut plan = Self { subtrees: Vec::new(), top: Vec::new(), above: Above::default() };
-        let mut s = count;
-        // from the root down; a subtree is left behind whole
-        while s > 0 {
-            s -= 1;
-            if below[s] <= limit {
-                let first = symbolic.first_descendant[s] as usize;
-                plan.subtrees.push((first, s));
-                s = first;
-            } else {
-                plan.top.push(s);
-            }
-        }
-        plan.subtrees.reverse();
-        plan.top.reverse();
-        plan.above = Above::new(symbolic, &plan.top);
-        plan
-    }
-
-    /// Data of the subtrees, laid out supernode by supernode (s begins at `start(s)`): first and
-    /// last supernode, data.
-    pub fn cut<'a>(
-        &self,
-        data: &'a mut [f64],
-        start: impl Fn(usize) -> usize,
-    ) -> Vec<(usize, usize, &'a mut [f64])> {
-        let mut pieces = Vec::with_capacity(self.subtrees.len());
-        let (mut rest, mut at) = (data, 0);
-        for &(first, last) in &self.subtrees {
-            let (from, to) = (start(first), start(last + 1));
-            let (_, after) = rest.split_at_mut(from - at);
-            let (piece, after) = after.split_at_mut(to - from);
-            pieces.push((first, last, piece));
-            (rest, at) = (after, to);
-        }
-        pieces
-    }
-}
-
 /// Work space of one thread.
 #[derive(Default)]
 struct Work {
-    /// Place of a row in the supernode at hand.
+    /// Place of a row in the current supernode.
     place: Vec<u32>,
     /// One update before it is scattered.
     product: Vec<f64>,
@@ -122,7 +36,7 @@ struct Work {
     runs: Vec<(u32, u32, u32)>,
 }
 
-/// Work spaces, taken and given back.
+/// Work spaces, taken by tasks and returned.
 #[derive(Default)]
 pub struct Pool(Mutex<Vec<Work>>);
 
@@ -142,7 +56,7 @@ impl Pool {
 /// A pivot was not positive.
 pub struct NotPositive;
 
-/// One supernode's dense block being made.
+/// The dense block of one supernode while it is computed.
 struct Target<'a> {
     symbolic: &'a Symbolic,
     s: usize,
@@ -159,7 +73,7 @@ pub fn factor(
     pool: &Pool,
 ) -> Result<(), NotPositive> {
     let mut pieces = plan.cut(values, |s| symbolic.value_start[s]);
-    // the costliest first: less waiting at the end
+    // the most expensive first, for less idle time at the end
     pieces.sort_by_key(|(first, last, _)| {
         std::cmp::Reverse(symbolic.value_start[*last + 1] - symbolic.value_start[*first])
     });
@@ -260,7 +174,7 @@ impl Target<'_> {
             let contiguous = targets[tall - 1] - targets[0] + 1 == tall as u32
                 && rows[wide - 1] - rows[0] + 1 == wide as u32;
             if contiguous {
-                // rows above the diagonal are written as well, and never read
+                // rows above the diagonal are written too, but never read
                 let whole =
                     MatMut::from_column_major_slice_mut(strip, height, (to - from) as usize);
                 let part = whole.submatrix_mut(targets[0] as usize, column, tall, wide);
@@ -277,7 +191,7 @@ impl Target<'_> {
                     _ => runs.push((t, i as u32, 1)),
                 }
             }
-            // rows above the diagonal are written as well, and never read
+            // rows above the diagonal are written too, but never read
             for (j, values) in product.chunks_exact(tall).enumerate() {
                 let column = (rows[j] - from) as usize * height;
                 let column = &mut strip[column..column + height];

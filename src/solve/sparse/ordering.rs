@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 /// A block with more neighbours than this many times the mean is kept out of the dissection and
 /// eliminated last.
 ///
-/// The unknowns of a rigid face are joined to every node of the face; as a border they cost a few
+/// The unknowns of a rigid face are coupled to every node of the face; as a border they cost a few
 /// dense rows.
 const DENSE: usize = 30;
 
@@ -29,7 +29,7 @@ impl BlockGraph {
             let bc = block[c];
             for &r in &a.row_idx[a.col_ptr[c]..a.col_ptr[c + 1]] {
                 let br = block[r as usize];
-                // rows of one block follow one another: most repetitions are caught here
+                // rows of one block are consecutive: this removes most repetitions
                 if br != bc && last[bc as usize] != br {
                     last[bc as usize] = br;
                     lists[bc as usize].push(br);
@@ -79,13 +79,8 @@ impl BlockGraph {
     }
 
     /// Number of blocks.
-    pub fn len(&self) -> usize {
+    pub fn blocks(&self) -> usize {
         self.starts.len() - 1
-    }
-
-    /// True without blocks.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Neighbours of a block.
@@ -95,7 +90,7 @@ impl BlockGraph {
 
     /// New position → block. Falls back to the given order when METIS refuses (tiny graphs).
     pub fn nested_dissection(&self) -> Vec<usize> {
-        let n = self.len();
+        let n = self.blocks();
         let mean = self.neighbours.len() / n.max(1);
         let is_dense = |b: usize| self.of(b).len() > DENSE * mean.max(10);
         let inner: Vec<usize> = (0..n).filter(|&b| !is_dense(b)).collect();
@@ -119,8 +114,8 @@ fn metis(n: usize, xadj: &mut [i32], adjncy: &mut [i32]) -> Option<Vec<usize>> {
     if n < 8 || adjncy.is_empty() {
         return None;
     }
-    // METIS draws from the C library's one random sequence and swaps signal handlers: one ordering
-    // at a time, or two disturb each other's order from run to run
+    // METIS uses the single random sequence of the C library and replaces signal handlers: two
+    // orderings at once would change each other's result from run to run
     static ONE: Mutex<()> = Mutex::new(());
     let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let mut nvtxs = n as i32;

@@ -1,10 +1,10 @@
 //! Forward and back substitution with a supernodal factor, for one or a few right-hand sides at
 //! once.
 //!
-//! Reading the factor takes the time, so right-hand sides go through together, interleaved: entry
-//! `i` of side `k` of `SIDES` stands at `SIDES·i + k`.
+//! Reading the factor takes most of the time, so that right-hand sides are solved together,
+//! interleaved: entry `i` of side `k` of `SIDES` is at `SIDES·i + k`.
 
-use super::factor::Plan;
+use super::plan::Plan;
 use super::symbolic::Symbolic;
 use crate::math::wide::dispatch;
 use pulp::{Simd, WithSimd};
@@ -16,7 +16,7 @@ pub fn solve<const SIDES: usize>(symbolic: &Symbolic, plan: &Plan, values: &[f64
     backward::<SIDES>(symbolic, plan, values, x);
 }
 
-/// Where a subtree's rows go: its own columns, or the share it hands to the top.
+/// Results of a subtree: values in its own columns, and its contribution to the unknowns above.
 struct Share<'a> {
     /// First column of the subtree.
     begin: u32,
@@ -160,7 +160,7 @@ fn sides<const SIDES: usize>(x: &mut [f64], height: usize) -> [&mut [f64]; SIDES
     std::array::from_fn(|_| each.next().unwrap_or_default())
 }
 
-/// Rows `first..` of W columns from column `j` on: whole registers, and what is left of each.
+/// Rows `first..` of W columns from column `j` on: whole registers, and the remainder of each column.
 #[inline(always)]
 fn rows_of<S: Simd, const W: usize>(
     block: &[f64],

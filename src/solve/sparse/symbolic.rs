@@ -1,14 +1,13 @@
-//! Symbolic factor: permutation, supernodes, their rows, and who updates whom; made once per
-//! pattern.
+//! Symbolic factor: permutation, supernodes, their rows and their updates; made once per pattern.
 //!
-//! Everything is found on the graph of blocks (nodes or faces), some ten times smaller than the
-//! matrix, then expanded.
+//! It is found on the graph of blocks (nodes or faces), about ten times smaller than the matrix,
+//! and then expanded.
 
 use super::ordering::BlockGraph;
-use super::patterns::Pattern;
+use super::pattern::Pattern;
 
-/// Supernodes up to so many columns may be merged when at most this part of the merged block is
-/// zeros.
+/// Pairs (columns, fraction): supernodes are merged up to this number of columns when at most this
+/// fraction of the merged block is zeros.
 const RELAX: [(usize, f64); 4] = [(12, 0.9), (32, 0.3), (96, 0.12), (usize::MAX, 0.04)];
 
 /// Layout of the factor of a matrix pattern.
@@ -34,9 +33,9 @@ pub struct Symbolic {
     pub first_descendant: Vec<u32>,
     /// Start of each supernode's updates.
     pub update_start: Vec<usize>,
-    /// The supernodes that update it, in increasing order.
+    /// The supernodes that update each, in increasing order.
     pub updates: Vec<Update>,
-    /// Floating-point operations of its own factor and of its updates to others.
+    /// Floating-point operations of each supernode: its own factor and its updates of others.
     pub flops: Vec<f64>,
 }
 
@@ -63,7 +62,7 @@ impl Symbolic {
     /// Orders a pattern and lays out the factor of its matrices.
     pub fn new(pattern: &Pattern) -> Self {
         let Pattern { block, graph } = pattern;
-        let blocks = graph.len();
+        let blocks = graph.blocks();
         let mut weight = vec![0usize; blocks];
         block.iter().for_each(|&b| weight[b as usize] += 1);
         let order = postordered(graph, graph.nested_dissection());
@@ -97,14 +96,9 @@ impl Symbolic {
         &self.updates[self.update_start[s]..self.update_start[s + 1]]
     }
 
-    /// Values of the factor, the unused upper triangles of the diagonal blocks included.
-    pub fn len(&self) -> usize {
+    /// Number of stored values, unused upper triangles of the diagonal blocks included.
+    pub fn storage(&self) -> usize {
         self.value_start[self.supernodes()]
-    }
-
-    /// True for an empty matrix.
-    pub fn is_empty(&self) -> bool {
-        self.n == 0
     }
 
     /// Nonzeros of the factor.
@@ -309,7 +303,7 @@ fn supernodes(graph: &BlockGraph, order: &[usize], weight: &[usize]) -> (Vec<Nod
             nodes[c as usize].below.iter().for_each(|&k| add(k));
         }
         below.sort_unstable();
-        // a child whose structure is this block and what is below it takes the block in
+        // a child whose structure equals this block and the blocks below it absorbs the block
         let same = children[j].iter().copied().find(|&c| {
             let node = &nodes[c as usize];
             node.columns.last().is_some_and(|&l| l as usize + 1 == j)
@@ -328,7 +322,7 @@ fn supernodes(graph: &BlockGraph, order: &[usize], weight: &[usize]) -> (Vec<Nod
             }
         };
         node_of[j] = s;
-        // told to the parent; when the parent joins this supernode its own parent is told anew
+        // registered with the parent; when the parent joins this supernode, with its parent again
         if parent[j] != u32::MAX {
             children[parent[j] as usize].push(s);
         }
@@ -358,7 +352,7 @@ fn merge(
     let degree: Vec<usize> = nodes.iter().map(|n| size(&n.below)).collect();
     let mut children: Vec<Vec<u32>> = vec![Vec::new(); n];
     let mut gone = vec![false; n];
-    // a parent comes after its children; merged children hand their own children on
+    // a parent comes after its children; merged children pass their own children on
     let mut by_last: Vec<usize> = (0..n).collect();
     by_last.sort_by_key(|&s| nodes[s].columns.last().copied());
     for &p in &by_last {

@@ -1,24 +1,25 @@
 //! Contributions to the gap: Fenchel's inequality element by element and interface face by
 //! interface face.
 //!
-//! Elastic: `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T + Σ_weld (D − ∫ t·g)`, every term
-//! ≥ 0; D is the dissipation of a weld face, an upper bound of `∫ strength ‖g‖`.
+//! Elastic: `Π_p + Π_c = Σ_K ½ ∫ (σ − Cε):C⁻¹:(σ − Cε) + Σ_contact ∫ r_N (g_N + g₀) + r_T·g_T +
+//! Σ_weld (D − ∫ t·g)`. Every term is ≥ 0; D is the dissipation of a weld face, an upper bound of
+//! `∫ strength ‖g‖`.
 //!
 //! Limit analysis, at unit power of the live loads:
-//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, the
-//! dissipation by the rule of the upper bound: every term is ≥ 0 as far as the stress is inside the
+//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, with
+//! dissipations by the rule of the upper bound. Every term is ≥ 0 where the stress is inside the
 //! yield surface.
 //!
 //! # Source
 //! Ladevèze and Pelle; section 4.1 of the paper, equations (11) and (12).
 
-use crate::certify::certificate::contact_tractions;
 use crate::certify::faces::{ContactFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::{VelocityField, pieces};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::plastic_certificate::{dissipated, stress_at_points};
 use crate::certify::plastic_field::{PlasticField, at_points, tensor};
+use crate::certify::tractions::contact_tractions;
 use crate::certify::welds;
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::{PointStress, integrate};
@@ -32,15 +33,15 @@ use crate::model::loads::Loads;
 use crate::model::opening::bernstein_at;
 use rayon::prelude::*;
 
-/// The gap of a pair of fields on the meshed part, split over elements and contact faces \[N mm; of
-/// load factors 1\].
+/// The gap of a pair of fields on the meshed part, split over elements and interface faces: energy
+/// \[N mm\], or load factor \[1\].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contributions {
-    /// Of each macro tet.
+    /// Contribution of each macro tet.
     pub elements: Vec<f64>,
-    /// Of each contact face, in the order of [`contact_faces`].
+    /// Contribution of each contact face, in the order of [`contact_faces`].
     pub contacts: Vec<f64>,
-    /// Of each weld face, in the order of [`weld_faces`].
+    /// Contribution of each weld face, in the order of [`weld_faces`].
     pub welds: Vec<f64>,
 }
 
@@ -50,7 +51,8 @@ impl Contributions {
         Sum::of(self.elements.iter().chain(&self.contacts).chain(&self.welds).copied())
     }
 
-    /// Of each macro tet, an interface face's part halved between the tets at its two sides.
+    /// Contribution of each macro tet, with those of an interface face halved between the tets at
+    /// its two sides.
     pub fn by_tet(&self, model: &AnalysisModel) -> Vec<f64> {
         let mut tets = self.elements.clone();
         let contacts = contact_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.contacts);
@@ -68,7 +70,7 @@ impl Contributions {
     }
 }
 
-/// Contributions of a pair of fields.
+/// Contributions of a displacement and a stress field of elastic analysis.
 pub fn contributions(
     model: &AnalysisModel,
     u: &DisplacementField,
@@ -91,14 +93,14 @@ pub fn contributions(
     Contributions { elements, contacts, welds }
 }
 
-/// Velocities and a stress field of one mesh, each with what it was certified with.
+/// Velocities and a stress field of one mesh, each with the data of its certificate.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitPair<'a> {
     /// The velocities.
     pub velocity: &'a VelocityField,
     /// Power of the live loads on them \[N mm per unit of time\].
     pub live_power: f64,
-    /// Subdivisions of the rule of the upper bound's dissipation.
+    /// Subdivisions of the dissipation rule of the upper bound.
     pub subdivisions: u32,
     /// The stresses.
     pub stress: &'a StressField,
@@ -106,8 +108,8 @@ pub struct LimitPair<'a> {
     pub factor: f64,
 }
 
-/// Contributions of a pair of limit analysis, per power of the live loads; they sum to the upper
-/// factor less the lower one, residuals apart.
+/// Contributions of a pair of limit analysis, per power of the live loads. Up to the residuals they
+/// sum to the upper load factor minus the lower one.
 pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contributions {
     let LimitPair { velocity: v, live_power, stress: s, factor, subdivisions } = *pair;
     let space = Tet10Space::new(&model.mesh);
