@@ -130,8 +130,8 @@ impl ConeShiftIteration {
         h
     }
 
-    /// Offsets of the rows at the present shift: that of the last problem, or of the first one before
-    /// any is solved.
+    /// Offsets of the rows at the present shift: that of the last problem, or of the first one
+    /// before any is solved.
     pub(crate) fn offsets(&self) -> Vec<f64> {
         self.offsets_at(self.state().fixed_point.point())
     }

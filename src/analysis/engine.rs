@@ -253,7 +253,8 @@ impl Context<'_> {
             Admission::Start => None,
             Admission::Refused(refusal) => Some(refusal),
             // Other processes may have taken memory meanwhile. A limit of the user was checked by
-            // the plan; the memory that this process still holds of the first program is used again.
+            // the plan; the memory that this process still holds of the first program is used
+            // again.
             Admission::StartIf(needed) => {
                 let now = (self.options.room)().filter(|r| r.limit == Limit::Machine);
                 let refusal = now
@@ -334,8 +335,8 @@ impl Context<'_> {
         solution
     }
 
-    /// Field and bound of an optimal solution; the diagnosis of an unbounded or infeasible one. Only
-    /// optimal solutions give a bound.
+    /// Field and bound of an optimal solution; the diagnosis of an unbounded or infeasible one.
+    /// Only optimal solutions give a bound.
     fn recover<P: DiscreteProgram>(
         &self,
         problem: &P,

@@ -1,11 +1,11 @@
 //! Elastic, perfectly plastic analysis (Hencky): both programs on one mesh, with yield conditions
 //! only where they are needed.
 //!
-//! An elastic solution shows where the stress can reach yield. The tets there, with some margin, get
-//! yield conditions (flow, in the kinematic program); the others stay elastic and cost nothing. The
-//! tets that the solution still shows beyond yield join them, and the program is solved again until
-//! there are none (`yield_set`). The static field is then admissible at every point and optimal
-//! among all fields of the mesh; the kinematic field is admissible in any case.
+//! An elastic solution shows where the stress can reach yield. The tets there, with some margin,
+//! get yield conditions (flow, in the kinematic program); the others stay elastic and cost nothing.
+//! The tets that the solution still shows beyond yield join them, and the program is solved again
+//! until there are none (`yield_set`). The static field is then admissible at every point and
+//! optimal among all fields of the mesh; the kinematic field is admissible in any case.
 //!
 //! Under Coulomb's law each kinematic solve is a fixed point as in elastic analysis, started from
 //! the shift of the one before; the static program then solves the last of these problems.

@@ -30,8 +30,8 @@ const RESIDUAL: f64 = 1e-7;
 /// Residual of a stress in equilibrium up to rounding.
 const ROUNDING: f64 = 2e-13;
 /// Margin below the yield surface over the utilisation that a residual of [`ROUNDING`] may hide.
-/// Measured on a joint of 7 000 tets: bringing a solution into equilibrium adds about ten times that
-/// utilisation to the largest one.
+/// Measured on a joint of 7 000 tets: bringing a solution into equilibrium adds about ten times
+/// that utilisation to the largest one.
 const CORRECTION: f64 = 30.0;
 
 /// The kinematic program.

@@ -34,9 +34,9 @@ use crate::solve::{Patterns, Solution, SolveOptions, SolveStatus};
 /// The estimate with the convergence of its fixed point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoulombEstimate {
-    /// The load factor at the fixed point, its dissipation evaluated as in the upper bound. Where it
-    /// lies a little beyond a bound under Coulomb's law, that bound. `None`: the fixed point was not
-    /// reached.
+    /// The load factor at the fixed point, its dissipation evaluated as in the upper bound. Where
+    /// it lies a little beyond a bound under Coulomb's law, that bound. `None`: the fixed point was
+    /// not reached.
     pub factor: Option<f64>,
     /// The load factor of the program itself, which integrates the dissipation on a coarser rule
     /// (measured on coarse stacks of blocks: up to a tenth above the upper bound).

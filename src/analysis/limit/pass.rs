@@ -13,8 +13,8 @@ use crate::model::AnalysisModel;
 use crate::recover::free_mechanism::FreeMechanism;
 use crate::recover::unlimited::Unlimited;
 
-/// How far an estimate may lie beyond a bound, over the bound: the open error of the fixed point and
-/// of the quadrature of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
+/// How far an estimate may lie beyond a bound, over the bound: the open error of the fixed point
+/// and of the quadrature of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).
 const OPEN: f64 = 1e-2;
 
 /// Fields and bounds of the load factor.
@@ -59,9 +59,9 @@ pub struct LimitPass {
     /// Contributions to the gap of the reported bracket; under Coulomb's law that with the bound
     /// without friction.
     pub contributions: Option<Contributions>,
-    /// Share of the load factor carried by each tet's yield multipliers, at the reported lower bound:
-    /// the dissipation of the static program's own multipliers. Its place is not the mechanism of
-    /// the kinematic program.
+    /// Share of the load factor carried by each tet's yield multipliers, at the reported lower
+    /// bound: the dissipation of the static program's own multipliers. Its place is not the
+    /// mechanism of the kinematic program.
     pub yield_multiplier_share: Option<Vec<f64>>,
 }
 
@@ -102,8 +102,8 @@ impl LimitPass {
         Ok(())
     }
 
-    /// The estimate moved into the certified bounds under Coulomb's law; without a load factor where
-    /// it lies far beyond them.
+    /// The estimate moved into the certified bounds under Coulomb's law; without a load factor
+    /// where it lies far beyond them.
     pub(super) fn within_bounds(&self, found: CoulombEstimate) -> CoulombEstimate {
         let Some(factor) = found.factor else { return found };
         // only a certified bound corrects an estimate
