@@ -15,7 +15,7 @@ pub struct InsufficientMemory {
 
 /// How one program of a pass ended.
 ///
-/// [`crate::result::data::ProgramRun`] is the form of it in `result.json`.
+/// Its form in `result.json` is `ProgramRun` of the result.
 #[derive(Clone, Debug)]
 pub struct ProgramOutcome {
     /// How the solve ended.
