@@ -1,9 +1,9 @@
 //! `bracket verify`: the certificate of a finished result, recomputed from its stored fields and
 //! mesh alone.
 
-use crate::analysis::engine::Pass;
+use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::limit::{self, LimitPass};
-use crate::analysis::preload::tightened;
+use crate::analysis::preloaded_bolt::preloaded_bolts;
 use crate::certify::bracket::{Bracket, LowerBound, UpperBound};
 use crate::certify::certificate::{certify_displacement, certify_stress};
 use crate::certify::fields::StressField;
@@ -229,12 +229,13 @@ impl Scene<'_> {
     fn energies(
         &self,
         refuted: &mut Vec<String>,
-    ) -> Result<(Vec<Finding>, CaseResult, Pass), Diagnostics> {
+    ) -> Result<(Vec<Finding>, CaseResult, EnergyPass), Diagnostics> {
         let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let yields = given.analysis == AnalysisKind::Elastoplastic;
         let mut findings = Vec::new();
-        let mut pass = Pass { fixed_point: case.fixed_point.clone(), ..Pass::default() };
+        let mut pass =
+            EnergyPass { fixed_point: case.fixed_point.clone(), ..EnergyPass::default() };
         let bounded = case.lower.is_some() || case.upper.is_some();
         if given.has_coulomb_friction() && bounded {
             pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
@@ -301,7 +302,8 @@ impl Scene<'_> {
             findings.push(finding(case, "upper", numbers, bound.is_strict(), claims_strict));
             pass.upper = Some(bound);
         }
-        pass.preload = tightened(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
+        pass.preload =
+            preloaded_bolts(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
             match Bracket::new(l.clone(), u.clone()) {
                 Ok(b) => pass.bracket = Some(b),

@@ -9,7 +9,7 @@ use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;
-use crate::refine::plan::{self, Left, Next, Prediction, Step, Stop};
+use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
 use crate::refine::rates;
 use crate::report::console::log::Log;
 use crate::report::console::pace::about;
@@ -133,7 +133,7 @@ pub fn analyse(
             break;
         }
         let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
-        let left = Left {
+        let left = Budget {
             seconds: share.until - log.seconds(),
             bytes: room(limits.memory).map(|r| r.bytes),
         };

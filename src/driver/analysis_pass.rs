@@ -1,10 +1,7 @@
 //! What a pass of either kind leaves, and what becomes of it in the result folder.
 
-use crate::analysis::engine::{self, Pass, PassError, PassOptions, ProgramRun, Progress};
-use crate::analysis::hencky;
-use crate::analysis::limit::{self, LimitPass};
-use crate::analysis::program_run::Program;
-use crate::certify::contributions::Contributions;
+pub use crate::analysis::dispatch::AnalysisPass;
+use crate::analysis::limit;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -22,7 +19,6 @@ use crate::result::fields::plastic_file::plastic_grid;
 use crate::result::fields::vtu::VtuGrid;
 use crate::result::folder::ResultFolder;
 use crate::result::limit_case::limit_case_result;
-use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
 
 /// Kind of the field file of a stress that carries the live loads alone, which the word `unbounded`
@@ -31,67 +27,7 @@ pub const LIVE_FIELD: &str = "static_live";
 /// Kind of the one of the dead loads alone beside it.
 pub const DEAD_FIELD: &str = "static_dead";
 
-/// A pass of one kind of analysis.
-pub enum AnalysisPass {
-    /// Bounds of the energy.
-    Energy(Box<Pass>),
-    /// Bounds of the load factor.
-    Factor(Box<LimitPass>),
-}
-
 impl AnalysisPass {
-    /// Runs the programs that the model's kind of analysis asks for.
-    pub fn run(
-        model: &AnalysisModel,
-        options: &PassOptions,
-        progress: &Progress,
-    ) -> Result<Self, PassError> {
-        Ok(match model.analysis {
-            AnalysisKind::Limit => {
-                AnalysisPass::Factor(Box::new(limit::run(model, options, progress)?))
-            }
-            AnalysisKind::Elastoplastic => {
-                AnalysisPass::Energy(Box::new(hencky::run(model, options, progress)?))
-            }
-            AnalysisKind::Elastic => {
-                AnalysisPass::Energy(Box::new(engine::run(model, options, progress)?))
-            }
-        })
-    }
-
-    /// The gap at which a solve ends.
-    pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
-        match model.analysis {
-            AnalysisKind::Limit => asked.limit_gap,
-            AnalysisKind::Elastoplastic => asked.gap.max(hencky::GAP),
-            AnalysisKind::Elastic => asked.gap,
-        }
-    }
-
-    /// The programs that ran or were to run.
-    pub fn runs(&self) -> Vec<(Program, &ProgramRun)> {
-        match self {
-            AnalysisPass::Energy(p) => p.runs().collect(),
-            AnalysisPass::Factor(p) => p.runs().collect(),
-        }
-    }
-
-    /// Contributions to the gap of the bracket that answers, where there is one.
-    pub fn contributions(&self) -> Option<&Contributions> {
-        match self {
-            AnalysisPass::Energy(p) => p.contributions.as_ref(),
-            AnalysisPass::Factor(p) => p.contributions.as_ref(),
-        }
-    }
-
-    /// What each tet holds the lower bound of a load factor down by.
-    pub fn yield_multiplier_share(&self) -> Option<&[f64]> {
-        match self {
-            AnalysisPass::Energy(_) => None,
-            AnalysisPass::Factor(p) => p.yield_multiplier_share.as_deref(),
-        }
-    }
-
     /// The stress behind the lower bound of the answer, and the load factor it carries.
     pub fn stress(&self, entry: &CaseResult) -> Option<(&StressField, f64)> {
         match self {

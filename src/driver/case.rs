@@ -1,8 +1,10 @@
 //! What `bracket run` and `bracket analyse` share: pass, result folder, report, last words.
 
-use crate::analysis::engine::{self, PassOptions, Refusal};
+use crate::analysis::event::Progress;
 use crate::analysis::memory::{Limit, room};
-use crate::analysis::program_run::Program;
+use crate::analysis::pass::PassOptions;
+use crate::analysis::program::Program;
+use crate::analysis::program_outcome::InsufficientMemory;
 use crate::assembly::BoltLine;
 use crate::certify::faces::contact_faces;
 use crate::checks::HandChecks;
@@ -402,7 +404,7 @@ fn write_model(
 
 /// No program of a case fits into the memory.
 pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagnostic {
-    let refused: Vec<(Program, Refusal)> =
+    let refused: Vec<(Program, InsufficientMemory)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
     let each =
         refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
@@ -453,7 +455,7 @@ pub fn run_pass(
     let solve =
         SolveOptions { solver, time_limit: left, interrupt, patterns, ..SolveOptions::default() };
     let (told, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
-    let progress: engine::Progress =
+    let progress: Progress =
         Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
