@@ -24,9 +24,9 @@ use crate::certify::plastic_certificate::{
     certify_plastic_motion, certify_yielding_stress, dissipation, trial_utilisations, utilisations,
 };
 use crate::certify::plastic_field::PlasticField;
-use crate::elements::batch::YIELD_ROWS;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::hencky_static::YIELD_POINTS;
+use crate::elements::yielding_element::YIELD_ROWS;
 use crate::math::vec3::V3;
 use crate::mesh::numbering::FaceNumbering;
 use crate::model::file::Bounds;

@@ -8,8 +8,9 @@
 use crate::certify::faces::{FaceRole, InterfaceFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::welds;
+use crate::elements::geometry::gradients;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
-use crate::elements::super_element::{SuperElement, gradients, integrate};
+use crate::elements::super_element::{SuperElement, integrate};
 use crate::elements::tet10;
 use crate::math::Sum;
 use crate::math::mandel::{self, Mandel};

@@ -19,9 +19,9 @@
 //! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`, the deviatoric part against
 //! the plastic strain.
 
-use crate::elements::batch::{Rule, Shape, YieldingElement};
 use crate::elements::columns::Columns;
 use crate::elements::tet10::{self, strain_columns};
+use crate::elements::yielding_element::{Rule, Shape, YieldingElement};
 use crate::elements::{split_flow, split_tet10};
 use crate::math::mandel::{Isotropic, deviator};
 use crate::math::vec3::V3;

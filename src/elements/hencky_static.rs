@@ -13,9 +13,9 @@
 //! σ_p: tractions on v, `dev σ_p` in the offsets of the points, and `−N_eᵀ∫C⁻¹σ_p` on the
 //! parameters.
 
-use crate::elements::batch::{Shape, YieldingElement};
 use crate::elements::columns::Columns;
 use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
+use crate::elements::yielding_element::{Shape, YieldingElement};
 use crate::math::mandel::deviator;
 
 /// Points of an element where its yield condition is imposed: 4 in each subtet.

@@ -14,10 +14,10 @@
 //! # Shape
 //! Nodes as in [`crate::elements::split_tet10`]; velocity `3 i + d` is component d at node i.
 
+use crate::elements::geometry::{gradients, jacobian};
 use crate::elements::split_tet10::{
     self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes,
 };
-use crate::elements::super_element::{gradients, jacobian};
 use crate::elements::tet10;
 use crate::math::vec3::{self, V3};
 use crate::mesh::tet::{EDGES, FACES};
@@ -247,7 +247,7 @@ mod tests {
         let mut seed = 3;
         for _ in 0..20 {
             let x = random_tet(&mut seed);
-            let c = crate::elements::super_element::centroid(&x);
+            let c = crate::elements::geometry::centroid(&x);
             let mid = |a: V3, b: V3| vec3::scale(0.5, vec3::add(a, b));
             let at = |n: usize| match n {
                 0..4 => x[n],

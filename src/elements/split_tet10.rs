@@ -6,7 +6,7 @@
 //! between the centroid and vertex 0–3. Subtet k holds the face opposite vertex k, its corners
 //! [`FACES`] then the centroid.
 
-use crate::elements::super_element::centroid;
+use crate::elements::geometry::centroid;
 use crate::elements::tet10;
 use crate::math::mandel::Isotropic;
 use crate::math::vec3::V3;

@@ -4,7 +4,7 @@
 //! rows of equilibrium leave 30 parameters. Points and tractions are numbered as in
 //! [`crate::elements::super_element`].
 
-use crate::elements::super_element::{PARAMETERS, TRACTIONS, centroid, gradients};
+use crate::elements::geometry::{centroid, gradients};
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
 use crate::math::vec3::{self, V3};
@@ -12,6 +12,10 @@ use crate::mesh::tet::FACES;
 use faer::Mat;
 use std::sync::OnceLock;
 
+/// Free stress parameters of an element.
+pub const PARAMETERS: usize = 30;
+/// Traction values of an element: 4 faces × 3 vertices × 3 components.
+pub const TRACTIONS: usize = 36;
 /// Constant data of the reference tetrahedron (0, e₁, e₂, e₃).
 pub(crate) struct Reference {
     /// Stress basis: `basis[k][p][parameter]`.

@@ -9,7 +9,8 @@
 //! maximised ones, never both. Rows keep their natural sign: the gradient is `P x + q − Gᵀz` for
 //! minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
 
-use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use rayon::prelude::*;
 use std::ops::Range;

@@ -1,8 +1,8 @@
 //! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid
 //! face.
 
-use crate::elements::batch::NONE;
 use crate::elements::columns::Columns;
+use crate::elements::yielding_element::NONE;
 
 /// Each full unknown as a linear combination of the program's unknowns; an empty combination is
 /// held at zero.

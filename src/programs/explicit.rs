@@ -5,7 +5,7 @@
 //! unknowns behind all others, coupled to the parameters by `B`, with `h` as their linear term; the
 //! multiplier of `λ ∈ K⁶` is then `h + B σ`.
 
-use crate::elements::batch::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
+use crate::elements::yielding_element::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
 use crate::math::wide::LANES;
 use crate::programs::conic::{Cone, ConicProgram, Csr, SymmetricCsc};
 

@@ -23,9 +23,9 @@ use crate::math::mandel::{Mandel, deviator};
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::loads::{Loads, face_corners};
-use crate::programs::kinematic::hold;
-use crate::programs::static_form::SuperElements;
-use crate::programs::{Static, constraints};
+use crate::programs::Static;
+use crate::programs::constraints::{self, hold};
+use crate::programs::super_elements::SuperElements;
 use crate::recover::elastic::{
     RecoverError, Within, add_interface_forces, balance, balance_elements, interface_sets,
     interface_work, into_cone, stress_field,

@@ -1,7 +1,8 @@
 //! Slivers: a stress that has lost its equilibrium to rounding gets it back.
 
+use crate::elements::geometry::{centroid, gradients};
 use crate::elements::stress_basis::equilibrium_rows;
-use crate::elements::super_element::{PointStress, SuperElement, centroid, gradients};
+use crate::elements::super_element::{PointStress, SuperElement};
 use crate::math::mandel;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;

@@ -7,7 +7,8 @@
 //! and a pressure is held by no point at all.
 
 use super::elimination::{SCALING, Scratch, Weights, eliminate, kept, own_trace};
-use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::{NONE, Shape, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::programs::conic::{ConicProgram, SymmetricCsc};
 use crate::solve::sparse::{LinearError, Locator};

@@ -5,7 +5,8 @@
 //! `H = F + Σ B_jᵀ V_j B_j + ρ`; what is left is `T H⁻¹ Tᵀ`.
 
 use super::panel;
-use crate::elements::batch::{Batch, Rule, Shape, VERTEX_VALUES, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::{Rule, Shape, VERTEX_VALUES, YIELD_ROWS};
 use crate::math::lanes::{Place, kernel, solve_packed};
 use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 use pulp::Simd;
@@ -442,7 +443,8 @@ kernel! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elements::batch::{Placed, YieldingElement};
+    use crate::elements::batch::Placed;
+    use crate::elements::yielding_element::YieldingElement;
 
     /// An element with any numbers, its flexibility and inner stiffness definite.
     fn element(shape: Shape, k: usize) -> YieldingElement {

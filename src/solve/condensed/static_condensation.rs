@@ -6,7 +6,8 @@
 //! the parameters and the inner displacements; on the way back the multipliers and what is left of
 //! its rows.
 
-use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::solve::condensed::elements::{ElementSystem, ROUND};
 use crate::solve::condensed::elimination::{inner_panel, inverse_square, solve_own};
