@@ -113,7 +113,7 @@ impl LimitPass {
     /// Contributions to the gap of the bracket that answers; their sum is asserted where both
     /// fields are admissible.
     fn add_contributions(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
-        let smooth = model.has_coulomb().then(|| model.without_friction());
+        let smooth = model.has_coulomb_friction().then(|| model.without_friction());
         let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
         let Some((stress, lower)) = self.carried(smooth.is_some()) else { return Ok(()) };
         let (low, up) = (lower.certificate().factor, upper.certificate());
@@ -277,7 +277,7 @@ pub fn run(
             Ok(smooth) => {
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
                 let yield_multiplier_share = pass.add_frictionless(&smooth, &rest(), progress)?;
-                if model.has_coulomb() && yield_multiplier_share.is_some() {
+                if model.has_coulomb_friction() && yield_multiplier_share.is_some() {
                     pass.yield_multiplier_share = yield_multiplier_share;
                 }
             }

@@ -1,7 +1,7 @@
 //! Loads on faces and bodies.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::model::analysis::{BodyLoad, SurfaceLoad, Traction};
 use crate::model::file::{LoadEntry, ModelFile};

@@ -1,8 +1,10 @@
 //! Supports, rigid ground, rigid faces.
 
-use super::Faults;
-use super::interfaces::{Claims, check_gap, contact_law};
+use super::claims::Claims;
+use super::faults::Faults;
+use super::interfaces::{check_gap, contact_law};
 use super::names::Scene;
+use crate::math::rigid_motion::rigid_displacement;
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{BoundaryFace, GroundContact, RigidFace, Support};
 use crate::model::file::{Axis, Law, ModelFile};
@@ -170,7 +172,7 @@ fn check_independent(
             .flat_map(|r| {
                 let mut motion = [0.0; 6];
                 motion[k] = if k < 3 { 1.0 } else { 1.0 / arm };
-                let u = super::motions::displacement(&motion, *r);
+                let u = rigid_displacement(&motion, [0.0; 3], *r);
                 (0..3).filter(|c| components[*c]).map(move |c| u[c])
             })
             .collect();

@@ -1,42 +1,13 @@
-//! Which shared faces are open, and under which law.
+//! Reads `interfaces`: the shared faces that open, and their laws.
 
-use super::Faults;
+use super::claims::{Claims, OpenInterface, OpenLaw};
+use super::faults::Faults;
 use super::names::Scene;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
 use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
 use crate::model::file::{Gap, InterfaceEntry, Law, ModelFile};
 use crate::spec::friction::FrictionLaw;
-use std::collections::BTreeMap;
-
-/// The law of an interface whose sides have nodes of their own.
-pub(super) enum OpenLaw {
-    Contact(ContactLaw),
-    /// A weld with its strength on the interface and, where it is given, on the throat \[MPa\].
-    Weld(f64, Option<f64>),
-}
-
-/// An interface before the nodes are split: side A, side B of each face.
-pub(super) struct OpenInterface {
-    pub name: String,
-    pub law: OpenLaw,
-    pub faces: Vec<[TetFace; 2]>,
-}
-
-/// Which faces the entries of `interfaces` speak for.
-#[derive(Default)]
-pub(super) struct Claims {
-    pub open: Vec<OpenInterface>,
-    /// Entry and whether it opens the face, by the first tet face.
-    by_face: BTreeMap<TetFace, (usize, bool)>,
-}
-
-impl Claims {
-    /// True when the face (its first side in the table) is in contact or welded.
-    pub fn is_open(&self, first: TetFace) -> bool {
-        self.by_face.get(&first).is_some_and(|(_, open)| *open)
-    }
-}
 
 /// Reads all entries.
 pub(super) fn claim(
@@ -58,9 +29,7 @@ pub(super) fn claim(
         let mut twice = None;
         for rows in &found {
             let first = TetFace::from(&rows[0]).min(TetFace::from(&rows[1]));
-            if let Some((other, _)) = claims.by_face.insert(first, (i, entry.law != Law::Tied)) {
-                twice = Some(other);
-            }
+            twice = claims.claim(first, i, entry.law != Law::Tied).or(twice);
         }
         if let Some(other) = twice {
             let m =

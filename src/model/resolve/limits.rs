@@ -1,7 +1,7 @@
 //! What limit analysis asks of a model beyond the rest: something that gives way, a load to
 //! increase, no live force per volume.
 
-use super::Faults;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
 use crate::model::file::{Law, LoadEntry, ModelFile};

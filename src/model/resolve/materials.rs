@@ -1,6 +1,6 @@
 //! Materials and which body is made of what.
 
-use super::Faults;
+use super::faults::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;

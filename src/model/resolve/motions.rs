@@ -7,6 +7,7 @@
 //! unknown motions are compressed to six by a running QR factorisation (no squared condition).
 
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::math::rigid_motion::rigid_displacement;
 use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
@@ -19,12 +20,6 @@ use std::collections::BTreeMap;
 const HOLDS: f64 = 1e-6;
 /// A load works on a motion when its work exceeds this times the sum of the loads' magnitudes.
 const WORKS: f64 = 1e-9;
-
-/// Displacement at `r` (from the reference point) of the motion `[U, θ]`.
-pub(super) fn displacement(motion: &[f64; 6], r: V3) -> V3 {
-    let t = cross([motion[3], motion[4], motion[5]], r);
-    [motion[0] + t[0], motion[1] + t[1], motion[2] + t[2]]
-}
 
 /// Six columns, any number of rows, reduced to an upper triangle as they come.
 #[derive(Clone, Default)]
@@ -329,7 +324,7 @@ pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnos
 /// `part COLUMN can move along z`.
 pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
     let frame = Frame::new(model);
-    let at = |p: usize| displacement(&mode.motions[p], frame.reference[p]);
+    let at = |p: usize| rigid_displacement(&mode.motions[p], [0.0; 3], frame.reference[p]);
     let spin = |p: usize| [3, 4, 5].map(|k| mode.motions[p][k]);
     let moves = |p: usize| norm(at(p)) + frame.size * norm(spin(p));
     let largest = (0..frame.parts).map(moves).fold(0.0, f64::max);
@@ -342,7 +337,7 @@ pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
         } else {
             // the point of the axis nearest the centre of the model, the same for parts that turn
             // together
-            let t = cross(theta, displacement(&mode.motions[p], frame.centre));
+            let t = cross(theta, rigid_displacement(&mode.motions[p], [0.0; 3], frame.centre));
             let axis = [0, 1, 2].map(|k| round(frame.centre[k] + t[k] / (turn * turn), frame.size));
             let line = format!(
                 "turn about {} through ({}, {}, {})",

@@ -1,7 +1,7 @@
 //! Names of bodies and faces, looked up in the mesh.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::split::TetFace;
 use crate::mesh::topology::{FaceRow, FaceTable};

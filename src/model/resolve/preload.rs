@@ -1,8 +1,8 @@
 //! Preloaded bolts: which mesh faces sever the shank, and what must hold for one side to be drawn
 //! towards the other.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};

@@ -7,6 +7,7 @@ use crate::spec::friction::FrictionLaw;
 
 mod loose;
 mod wrong;
+mod wrong_preload;
 
 /// Four cubes in a row along x, bodies A (two cubes), B, C, on a floor at z = 0.
 pub(super) fn row() -> TetMesh {
