@@ -1,6 +1,7 @@
 //! Assembly → mesh with named bodies and faces: script, mesher, names, checks.
 
-use super::gmsh::{Mesher, MesherError};
+use super::gmsh::Mesher;
+use super::mesher_error::MesherError;
 use super::naming::{self, Checks};
 use super::quality::{self, BodyQuality};
 use super::{MeshError, TetMesh, msh, msh_write};

@@ -1,7 +1,7 @@
 //! Writes a mesh as gmsh 2.2 ASCII; every coordinate reads back to the same bits.
 
 use super::TetMesh;
-use super::gmsh::MesherError;
+use super::mesher_error::MesherError;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;

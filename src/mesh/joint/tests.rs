@@ -151,9 +151,9 @@ fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     // a mantle in its own words
     let mantle =
         Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
-    let told = crate::mesh::naming::looked_for(&mantle);
+    let words = crate::mesh::naming::surface::looked_for(&mantle);
     assert_eq!(
-        told,
+        words,
         "on the cylinder of radius 9 mm from (1, 2, 3) mm along (0, 0, 1), 40 mm long"
     );
 }

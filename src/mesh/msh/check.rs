@@ -1,6 +1,6 @@
 //! From what stands in the file to a mesh that holds together.
 
-use super::{Raw, RawCell};
+use super::raw::{Raw, RawCell};
 use crate::mesh::error::{MeshError, MshPlace};
 use crate::mesh::tet::signed_volume;
 use crate::mesh::topology::{FaceTable, sorted};

@@ -1,6 +1,6 @@
 //! Lines, words and numbers of a gmsh file, with their places.
 
-use super::super::error::{MeshError, MshPlace};
+use crate::mesh::error::{MeshError, MshPlace};
 use std::path::Path;
 use std::str::FromStr;
 
