@@ -31,7 +31,8 @@ pub struct Batch {
 }
 
 kernel! {
-    /// `out += Tᵀ v` of (sub)tets: strains at the vertices, then their weighted means at the points.
+    /// `out += Tᵀ v` of (sub)tets: strains at the vertices, then their weighted means at the
+    /// points.
     fn strain_at_points(simd; rule: Rule, strain: &'a [Lane], v: &'a [Lane], out: &'a mut [Lane]) {
         let size = VERTEX_VALUES * v.len();
         let (strain, v, out) = (registers::<S>(strain), registers::<S>(v), registers_mut::<S>(out));
@@ -40,7 +41,8 @@ kernel! {
             let mut point = 0;
             for e in strain.chunks_exact(size * parts::<S>()) {
                 let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
-                add_times_part(simd, (e, v, at), (&mut vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+                let all = (&mut vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
+                add_times_part(simd, (e, v, at), all);
                 for weights in rule.points() {
                     for vertex in 0..4 {
                         if weights[vertex] == 0.0 {
@@ -63,7 +65,8 @@ kernel! {
     /// `v += T σ` of (sub)tets.
     fn force_of_points(simd; rule: Rule, strain: &'a [Lane], sigma: &'a [Lane], v: &'a mut [Lane]) {
         let size = VERTEX_VALUES * v.len();
-        let (strain, sigma, v) = (registers::<S>(strain), registers::<S>(sigma), registers_mut::<S>(v));
+        let (strain, sigma) = (registers::<S>(strain), registers::<S>(sigma));
+        let v = registers_mut::<S>(v);
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
             let mut point = 0;
@@ -82,7 +85,8 @@ kernel! {
                     }
                     point += DEVIATOR;
                 }
-                add_transposed_part(simd, (e, &mut *v, at), (&vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+                let all = (&vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
+                add_transposed_part(simd, (e, &mut *v, at), all);
             }
         }
     }
@@ -101,13 +105,15 @@ kernel! {
                 for a in 0..DEVIATOR {
                     let mut sum = simd.splat_f64s(0.0);
                     for v in 0..4 {
-                        sum = simd.add_f64s(sum, sigma[at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a)]);
+                        let i = at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a);
+                        sum = simd.add_f64s(sum, sigma[i]);
                     }
                     let sum = simd.mul_f64s(sum, others);
                     for v in 0..4 {
                         let i = at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a);
                         let strain = simd.sub_f64s(simd.mul_f64s(own, sigma[i]), sum);
-                        out[i] = simd.negate_mul_add_e_f64s(flexibility[at.of(subtet)], strain, out[i]);
+                        let f = flexibility[at.of(subtet)];
+                        out[i] = simd.negate_mul_add_e_f64s(f, strain, out[i]);
                     }
                 }
             }
@@ -118,15 +124,19 @@ kernel! {
 kernel! {
     /// `v += K x` of the inner displacements' stiffness, `inner` columns; the inner block is stored
     /// whole, its couplings once.
-    fn add_inner_stiffness(simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane]) {
+    fn add_inner_stiffness(
+        simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane],
+    ) {
         let all = x.len();
-        let (stiffness, x, v) = (registers::<S>(stiffness), registers::<S>(x), registers_mut::<S>(v));
+        let (stiffness, x) = (registers::<S>(stiffness), registers::<S>(x));
+        let v = registers_mut::<S>(v);
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
             for c in 0..inner {
                 let own = x[at.of(c)];
                 for r in 0..all {
-                    v[at.of(r)] = simd.mul_add_e_f64s(stiffness[at.of(c * all + r)], own, v[at.of(r)]);
+                    let entry = stiffness[at.of(c * all + r)];
+                    v[at.of(r)] = simd.mul_add_e_f64s(entry, own, v[at.of(r)]);
                 }
                 let mut sum = v[at.of(c)];
                 for r in inner..all {

@@ -1,12 +1,12 @@
-//! Flow that keeps its volume in the split 10-node tetrahedron: the inner velocities as a constant
-//! map of the outer ones.
+//! Isochoric flow in the split 10-node tetrahedron: the inner velocities as a constant linear map
+//! of the outer ones.
 //!
 //! `tr ε = 0` at the 4 vertices of the 4 subtets is 16 rows. Their block on the 15 inner velocities
-//! has rank 15; the one combination that no inner velocity touches is the sum of all, `∫ div u`. So
-//! the 15 inner velocities follow from the 30 outer ones and one row per element is left. The map
-//! used is the least squares solution of the 16 rows: its residual is the same at all 16 points, so
-//! `div u` is constant in the element whatever the outer velocities, and zero where the volume row
-//! is.
+//! has rank 15; the only combination without inner velocities is the sum of all rows, `∫ div u`.
+//! Therefore the 15 inner velocities follow from the 30 outer ones, and one row per element
+//! remains. The map is the least-squares solution of the 16 rows: its residual is the same at all
+//! 16 points, so `div u` is constant in the element for any outer velocities, and zero when the
+//! volume row is zero.
 //!
 //! The Piola map `u = J û` keeps divergences (`div u = div û`), so one map on the reference
 //! tetrahedron, for û, serves every element.
@@ -60,8 +60,7 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
         let outer = Mat::from_fn(16, OUTER_UNKNOWNS, |r, c| -rows[r][c]);
         let factor = inner.qr();
         let mut x = factor.solve_lstsq(&outer);
-        // one refinement: the entries are small fractions, and rounding is all the divergence there
-        // may be
+        // one step of iterative refinement: the divergence must vanish to rounding
         x += factor.solve_lstsq(&outer - &inner * &x);
         let mut map = Box::new([[0.0; OUTER_UNKNOWNS]; INNER_UNKNOWNS]);
         for (r, row) in map.iter_mut().enumerate() {
@@ -71,8 +70,7 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
     })
 }
 
-/// The 45 velocities of an element from those of its outer nodes: inside, the flow of constant
-/// divergence.
+/// The 45 velocities of an element from those of its outer nodes, with constant divergence inside.
 pub fn velocities(corners: &[V3; 4], outer: &[f64; OUTER_UNKNOWNS]) -> [f64; 3 * NODES] {
     let (j, inverse, _) = jacobian(corners);
     let mut hat = [0.0; OUTER_UNKNOWNS];
@@ -101,7 +99,7 @@ pub fn inner_rows(corners: &[V3; 4]) -> Box<[[f64; OUTER_UNKNOWNS]; INNER_UNKNOW
 }
 
 /// `∫ b·u` over the element of volume `volume` \[mm³\] as a linear form of the outer velocities,
-/// for a constant force b per volume \[N/mm³\]: the inner nodes bear their part too.
+/// for a constant force b per volume \[N/mm³\]: the inner nodes carry their part too.
 pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWNS] {
     let (j, inverse, _) = jacobian(corners);
     let weights = split_tet10::shape_integrals();
@@ -118,12 +116,12 @@ pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWN
     f
 }
 
-/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces,
-/// on which a quadratic integrates to a third of the sum of its mid-side values. It is the same in
-/// a plain element.
+/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces.
+/// A quadratic function integrates on a face to the area times the mean of its mid-side values. The
+/// form is the same in a plain element.
 ///
 /// # Units
-/// mm², for mm³ per unit of time from mm.
+/// mm²: velocities in mm per unit of time give mm³ per unit of time.
 pub fn volume_row(corners: &[V3; 4]) -> [f64; OUTER_UNKNOWNS] {
     let areas = FACES.map(|f| vec3::area_vector(&f.map(|i| corners[i])));
     let mut row = [0.0; OUTER_UNKNOWNS];

@@ -1,7 +1,7 @@
 //! The stress basis of the static super-element, on the reference tetrahedron.
 //!
-//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 values less 66
-//! rows of equilibrium leave 30 parameters. Points and tractions are numbered as in
+//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 stress values
+//! minus 66 equilibrium rows leave 30 parameters. Points and tractions are numbered as in
 //! [`crate::elements::super_element`].
 
 use crate::elements::geometry::{centroid, gradients};
@@ -82,7 +82,7 @@ fn point_of(k: usize, vertex: Option<usize>) -> usize {
     vertex.map_or(3, |v| FACES[k].iter().position(|&f| f == v).unwrap_or(3))
 }
 
-/// The data of the reference tetrahedron, made once.
+/// The data of the reference tetrahedron, computed once.
 pub(crate) fn reference() -> &'static Reference {
     static REFERENCE: OnceLock<Reference> = OnceLock::new();
     REFERENCE.get_or_init(|| {

@@ -46,7 +46,7 @@ fn flexibility(
     f
 }
 
-/// One super-element, ready to give its stiffness and its stresses.
+/// One super-element with its factored flexibility.
 pub struct SuperElement {
     corners: [V3; 4],
     jacobian: M3,
@@ -208,7 +208,7 @@ impl SuperElement {
         a
     }
 
-    /// Mass-weighted outer tractions of the parameters, the body force's own included.
+    /// Mass-weighted outer tractions of the parameters, those of the body force included.
     pub fn tractions(&self, parameters: &[f64; PARAMETERS]) -> [f64; TRACTIONS] {
         let r = reference();
         let mut t = self.particular_tractions();
@@ -227,7 +227,7 @@ impl SuperElement {
         &self.particular_flexibility
     }
 
-    /// What the body force's particular stress alone adds to the program: its mass-weighted outer
+    /// Terms of the body force's particular stress alone in the program: its mass-weighted outer
     /// tractions, linear in the face displacements, and the constant `−½ ∫ σ_p:C⁻¹:σ_p`.
     pub fn particular_terms(&self) -> ([f64; TRACTIONS], f64) {
         let s = self.particular();
@@ -252,8 +252,8 @@ impl SuperElement {
         t
     }
 
-    /// What the body force adds to the program: the linear term on the face displacements and the
-    /// constant.
+    /// Terms of the body force in the condensed program: the linear term on the face displacements
+    /// and the constant.
     pub fn body_terms(&self) -> ([f64; TRACTIONS], f64) {
         if self.body_force.is_none() {
             return ([0.0; TRACTIONS], 0.0);

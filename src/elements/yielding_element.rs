@@ -2,8 +2,8 @@
 //!
 //! A yielding element couples displacements v, shared with other elements or its own, with stress
 //! parameters σ: minimise over v and maximise over σ the form `vᵀ T σ − ½ σᵀ F σ`, the parameters
-//! restricted to the yield set at some points, `(1, b_j + B_j σ) ∈ K⁶`. Parameters are normalised so
-//! that the yield radius is 1. Rigid-plastic elements have F = 0.
+//! restricted to the yield set at some points, `(1, b_j + B_j σ) ∈ K⁶`. Parameters are normalised
+//! so that the yield radius is 1. Rigid-plastic elements have F = 0.
 //!
 //! # Shapes
 //! - [`Shape::Stress`]: the static super-element, 30 parameters, 16 points.

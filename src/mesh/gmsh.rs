@@ -86,7 +86,7 @@ impl Mesher {
             let said = match (errors.is_empty(), text.lines().rfind(|l| !l.trim().is_empty())) {
                 (false, _) => errors.into_iter().take(3).collect::<Vec<_>>().join("; "),
                 (true, Some(last)) => last.trim().to_string(),
-                (true, None) => "it said nothing".to_string(),
+                (true, None) => "it printed nothing".to_string(),
             };
             let code = status.code().filter(|c| *c != 0);
             return Err(MesherError::Failed { code, said });
@@ -214,7 +214,9 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
         .map(str::to_string)
         .ok_or_else(|| {
             fail(
-                text.lines().last().map_or("it said nothing".into(), |l| format!("`{}`", l.trim())),
+                text.lines()
+                    .last()
+                    .map_or("it printed nothing".into(), |l| format!("`{}`", l.trim())),
             )
         })
 }

@@ -48,7 +48,8 @@ fn parse_command(value: &str) -> Result<Vec<OsString>, MesherError> {
 }
 
 /// The command of a `gmsh` file. The `gmsh` of the Python wheel is a script that asks `env` for
-/// Python, which finds the wrong one without an activated venv; it is run with the Python beside it.
+/// Python, which finds the wrong one without an activated venv; it is run with the Python beside
+/// it.
 fn command_of_file(gmsh: &Path) -> Vec<OsString> {
     let mut head = [0u8; 64];
     let n = File::open(gmsh).and_then(|mut f| f.read(&mut head)).unwrap_or(0);

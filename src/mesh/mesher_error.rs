@@ -82,7 +82,8 @@ pub enum MesherError {
     Failed {
         /// Its exit code, when it is not 0.
         code: Option<i32>,
-        /// Its first error lines. They are quoted because the log is deleted with the working folder.
+        /// Its first error lines. They are quoted because the log is deleted with the working
+        /// folder.
         said: String,
     },
     /// It ended without error but left no usable file.
@@ -138,8 +139,9 @@ pub(super) fn final_path(path: &Path) -> PathBuf {
 impl From<MesherError> for Diagnostic {
     fn from(error: MesherError) -> Self {
         use MesherError as E;
-        let doctor = "run `bracket doctor`: it says what is found and how to get what is missing"
-            .to_string();
+        let doctor =
+            "run `bracket doctor`: it reports what is found and how to install what is missing"
+                .to_string();
         let (code, help) = match &error {
             E::Missing => ("mesher/missing", doctor),
             E::BadVariable { .. } => (
@@ -167,7 +169,7 @@ impl From<MesherError> for Diagnostic {
             E::Failed { .. } => (
                 "mesher/failed",
                 "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it \
-                 fails again, `bracket doctor` tells what is wrong with the mesher"
+                 fails again, `bracket doctor` reports what is wrong with the mesher"
                     .into(),
             ),
             E::NoOutput { .. } => (

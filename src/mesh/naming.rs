@@ -36,8 +36,8 @@ fn snap(mesh: &mut TetMesh, scene: &Scene) {
 /// Names all faces that the model needs, and compares every volume, contact and face with the exact
 /// one.
 ///
-/// The bodies of the mesh must be those of the scene, in any order; afterwards they are in the order
-/// of the scene.
+/// The bodies of the mesh must be those of the scene, in any order; afterwards they are in the
+/// order of the scene.
 pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagnostics> {
     order_bodies(mesh, scene)?;
     snap(mesh, scene);
@@ -170,23 +170,16 @@ impl<'a> Naming<'a> {
         }
         if triangles.is_empty() {
             let (pa, pb) = (scene.bodies[a].part, scene.bodies[b].part);
+            let place =
+                on.map_or_else(String::new, |(name, s)| format!(" {} ({name})", looked_for(s)));
+            let message = format!(
+                "the {} ({}) and the {} ({}) do not touch{place}, but the template defines an \
+                 interface between them",
+                pa.label, pa.name, pb.label, pb.name
+            );
             self.faults.push(
-                Diagnostic::input(
-                    "mesh/interface-empty",
-                    format!(
-                        "the {} ({}) and the {} ({}) do not touch{}, but an interface between \
-                         them is asked for",
-                        pa.label,
-                        pa.name,
-                        pb.label,
-                        pb.name,
-                        on.map_or_else(String::new, |(name, s)| format!(
-                            " {} ({name})",
-                            looked_for(s)
-                        ))
-                    ),
-                )
-                .help("move the parts together, or remove the contact from the template"),
+                Diagnostic::input("mesh/interface-empty", message)
+                    .help("move the parts together, or remove the contact from the template"),
             );
         }
     }
@@ -244,7 +237,8 @@ impl<'a> Naming<'a> {
             else {
                 continue;
             };
-            let inner = |rows: &[FaceRow]| matches!(rows, [p, q] if self.is_of(p, body) && self.is_of(q, body));
+            let of_body = |row: &FaceRow| self.is_of(row, body);
+            let inner = |rows: &[FaceRow]| matches!(rows, [p, q] if of_body(p) && of_body(q));
             let triangles = self.triangles_on(&preload.surface, inner);
             let exact = exact::section_area(&scene.bodies[body], axis, at);
             let what = format!("the cut {} of a preloaded bolt has", preload.cut);

@@ -1,9 +1,9 @@
-//! Nodes of their own for the two sides of every open interface.
+//! Separates the nodes of the two sides of every open interface.
 //!
 //! A node gets one copy per connected component of its tets, joined through shared faces that
-//! contain the node and are not open. So a bolt whose head is tied to a plate and whose shank is in
-//! contact with the same plate keeps common nodes on the circle where both meet, two bodies that
-//! touch in a line or a point only come apart, and no list of special junctions is needed.
+//! contain the node and are not open. No list of special junctions is needed: a bolt whose head is
+//! tied to a plate and whose shank is in contact with the same plate keeps common nodes on the
+//! circle where both meet, and two bodies that touch only in a line or a point are separated.
 
 use super::TetMesh;
 use super::tet::FACES;
@@ -26,9 +26,9 @@ impl From<&FaceRow> for TetFace {
 
 /// The two sides of an opened face.
 ///
-/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` runs around the
-/// normal out of side A. Where the two sides stay connected around an end of the opening, the two
-/// indices are equal.
+/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` is ordered
+/// around the normal out of side A. Where the two sides stay connected around an end of the
+/// opening, the two indices are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenPair {
     /// Side A.
@@ -44,7 +44,7 @@ pub struct OpenPair {
 /// A mesh after splitting. Tets keep their numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SplitMesh {
-    /// The mesh. Named triangles on an open face carry the nodes of the tet that comes first.
+    /// The mesh. Named triangles on an open face have the nodes of the first of its two tets.
     pub mesh: TetMesh,
     /// One pair for each open face, in the order given.
     pub pairs: Vec<OpenPair>,
@@ -140,7 +140,7 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
 
 /// Local vertex of `tet` at `node`.
 fn vertex(tet: &[u32; 4], node: u32) -> usize {
-    tet.iter().position(|n| *n == node).expect("both tets at a face hold its nodes")
+    tet.iter().position(|n| *n == node).expect("both tets at a face have its nodes")
 }
 
 /// Disjoint sets with the smallest member as root.

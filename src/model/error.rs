@@ -27,7 +27,8 @@ pub enum ModelError {
     /// Something fixes the closure of a cut, along which the preload should draw the halves of the
     /// bolt together.
     #[error(
-        "{holder} at the rim of the cut `{cut}` lets its halves move neither together nor apart"
+        "{holder} at the rim of the cut `{cut}` prevents its halves from moving relative to each \
+         other"
     )]
     CutHeld {
         /// Support, rigid face, weld or cut that fixes it.
@@ -43,8 +44,8 @@ pub enum ModelError {
     LiveBodyForce(String),
     /// The loads that carry the load factor can do no work.
     #[error(
-        "every load that carries the load factor acts on what supports hold: it can grow without \
-         limit"
+        "every load that carries the load factor acts on fixed displacements: the load factor has \
+         no limit"
     )]
     LiveLoadsHeld,
     /// No load carries the load factor.
@@ -64,7 +65,7 @@ impl From<ModelError> for crate::diag::Diagnostic {
             }
             ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
             ModelError::LiveLoadsHeld => {
-                "load a face that can move, or free what the load is to move"
+                "load a face that can move, or free the displacement on which the load acts"
             }
             ModelError::NoLiveLoad => "write the load to be increased under `loads`",
             ModelError::FlatTet { .. } => {

@@ -81,8 +81,9 @@ impl AnalysisModel {
             || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
     }
 
-    /// Checks the requirements of limit analysis: a body that yields or a contact or weld that gives
-    /// way, a live load, and no live force per volume. Bodies without a yield strength are rigid.
+    /// Checks the requirements of limit analysis: a body that yields or a contact or weld that
+    /// gives way, a live load, and no live force per volume. Bodies without a yield strength are
+    /// rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
         let slips =

@@ -53,8 +53,8 @@ pub fn kinematic_pins(
     constraints::pins(motions, &[])
 }
 
-/// The motion of every part as displacements of single face unknowns; the motions of rigid faces are
-/// left at zero.
+/// The motion of every part as displacements of single face unknowns; the motions of rigid faces
+/// are left at zero.
 fn part_motions(
     elements: &SuperElements,
     map: &DofMap,

@@ -89,7 +89,8 @@ pub struct Static<'a> {
     pub loads: Vec<f64>,
     /// Unknowns held against free rigid motions.
     pub pinned: Vec<usize>,
-    /// Yield radius of each tet in the program, `room` subtracted \[MPa\]; `None`: it stays elastic.
+    /// Yield radius of each tet in the program, reduced by `room` \[MPa\]; `None`: it stays
+    /// elastic.
     radii: Vec<Option<f64>>,
 }
 
@@ -237,7 +238,7 @@ fn radii_of_tets(model: &AnalysisModel) -> Vec<Option<f64>> {
     model.mesh.tet_body.iter().map(|b| radii[*b as usize]).collect()
 }
 
-/// Diagonal of the stiffness of all elements, elastic: yielding ones have none in P.
+/// Diagonal of the elastic stiffness of all elements; P has no entries of yielding ones.
 fn elastic_diagonal(elements: &SuperElements, map: &DofMap) -> Result<Vec<f64>, ModelError> {
     let diagonals: Vec<[f64; TRACTIONS]> = (0..elements.model().mesh.tets.len())
         .into_par_iter()
@@ -320,8 +321,8 @@ impl Static<'_> {
         Some(std::array::from_fn(|a| unit * own[a]))
     }
 
-    /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]. The tractions of
-    /// the elements, those of particular stresses included, must balance them.
+    /// Surface loads and actions of rigid faces on the unknowns of the faces \[N\]. The tractions
+    /// of the elements, those of particular stresses included, must balance them.
     pub fn forces(&self, loads: Loads) -> Vec<f64> {
         static_forces(&self.elements, &self.map, &self.rigid, loads)
     }

@@ -118,7 +118,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("4 4 2 2 1 1 2 3 5\n", "", "mesh/malformed", 24, "an element tag", "again"),
     ("3 0 1 0", "3 0 x 0", "mesh/malformed", 14, "a coordinate in `$Nodes`, found `x`", "again"),
     ("3 0 1 0", "3 0 nan 0", "mesh/not-finite", 14, "node 3", "again"),
-    ("3 0 1 0", "2 0 1 0", "mesh/repeated", 14, "node 2 stands twice", "again"),
+    ("3 0 1 0", "2 0 1 0", "mesh/repeated", 14, "node 2 is defined twice", "again"),
     ("3 1 \"LEFT\"", "3 2 \"LEFT\"", "mesh/repeated", 8, "RIGHT PART", "again"),
     ("1 2 3 5", "1 2 3 6", "mesh/unknown-node", 24, "element 4 uses node 6", "again"),
     (
@@ -231,7 +231,12 @@ fn reference_meshes_are_read() {
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig::with_cases(600))]
     #[test]
-    fn mutated_files_never_panic(v4: bool, at in 0usize..900, len in 0usize..12, put in "[0-9 .$\\n\"a-zE-]{0,8}") {
+    fn mutated_files_never_panic(
+        v4: bool,
+        at in 0usize..900,
+        len in 0usize..12,
+        put in "[0-9 .$\\n\"a-zE-]{0,8}",
+    ) {
         let text = if v4 { TWO_41 } else { TWO };
         let at = at.min(text.len());
         let end = (at + len).min(text.len());

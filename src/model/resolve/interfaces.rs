@@ -49,7 +49,7 @@ pub(super) fn claim(
     claims
 }
 
-/// The interior faces an entry means, side A first; `None` after a fault.
+/// The interior faces of an entry, side A first; `None` after a fault.
 fn faces(
     entry: &InterfaceEntry,
     path: &str,
@@ -99,7 +99,7 @@ fn faces(
     };
     let at = format!("{path}.face");
     let named = scene.face(name, &at, faults)?;
-    // a mesh that came split may mark both sides with one name
+    // a mesh that was split may give both sides the same name
     let mut found: Vec<[FaceRow; 2]> = Vec::new();
     let (mut outer, mut inside) = (0, None);
     for t in &named.triangles {
@@ -167,7 +167,7 @@ fn read_law(
     ];
     let useless = |keys: &mut dyn Iterator<Item = &str>, law: &str, faults: &mut Faults<'_>| {
         for key in keys {
-            let m = format!("`{key}` means nothing for `law: {law}`");
+            let m = format!("`{key}` has no meaning for `law: {law}`");
             faults.add(
                 "model/interface",
                 &format!("{path}.{key}"),
@@ -196,8 +196,8 @@ fn read_law(
     }
 }
 
-/// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along
-/// a plate, `2 · throat · strength / thickness`.
+/// Strength of a weld per area of its interface \[MPa\]: given directly, or computed from the two
+/// throats along a plate, `2 · throat · strength / thickness`.
 fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) -> Option<f64> {
     let throat =
         [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
@@ -234,16 +234,15 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         }
     };
     if sound && !(strength.is_finite() && strength > 0.0) {
-        let m = format!(
-            "2 throat strength / thickness of the weld is {strength} MPa, out of all range"
-        );
+        let m =
+            format!("2 throat strength / thickness of the weld is {strength} MPa, out of range");
         faults.add("model/value", path, m, "check the units: mm and MPa");
         return None;
     }
     sound.then_some(strength)
 }
 
-/// The law of a contact, of an interface or with the ground.
+/// The law of a contact between bodies or with the ground.
 pub(super) fn contact_law(
     mu: Option<f64>,
     gap: &Option<Gap>,
@@ -271,7 +270,7 @@ pub(super) fn contact_law(
         Some(f) => f,
         None => {
             if mu > 0.0 {
-                notes.push(format!("{path} names no friction law: associated is taken"));
+                notes.push(format!("{path} gives no friction law: associated friction is used"));
             }
             FrictionLaw::Associated
         }
@@ -303,7 +302,7 @@ pub(super) fn check_gap(
             }
         }
     }
-    // round-off of a polynomial that touches zero is no penetration
+    // a negative value at rounding level is not a penetration
     if !largest.is_finite() || least.0 < -1e-9 * largest || least.0.is_nan() {
         let [x, y, z] = least.1;
         let m = format!(

@@ -129,7 +129,7 @@ fn points_of_face(
     let area = vec3::area_vector(corners);
     let normal = vec3::scale(1.0 / vec3::norm(area), area);
     std::array::from_fn(|i| {
-        // a vertex stands for itself, an edge for its mid-side node and its two ends
+        // the coefficient of a vertex has one node, that of an edge its mid-side node and two ends
         let picked = if i < 3 { [i; 3] } else { [i, FACE_EDGES[i - 3][0], FACE_EDGES[i - 3][1]] };
         let pick = |n: [usize; 6]| picked.map(|k| n[k]);
         ControlPoint {

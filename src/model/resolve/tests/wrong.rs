@@ -1,8 +1,8 @@
-//! Wrong inputs: each ends in one message with code, line and cure.
+//! Wrong inputs: each is reported in one message with code, line and remedy.
 
 use super::*;
 
-/// Old text, new text, code, line, part of the message, part of the cure.
+/// Old text, new text, code, line, part of the message, part of the remedy.
 const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     (
         "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: \
@@ -148,7 +148,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "throat: 5",
         "model/interface",
         6,
-        "`throat` means nothing for `law: contact`",
+        "`throat` has no meaning for `law: contact`",
         "remove",
     ),
     (
@@ -164,7 +164,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "tied, mu: 0.3",
         "model/interface",
         6,
-        "`mu` means nothing for `law: tied`",
+        "`mu` has no meaning for `law: tied`",
         "remove",
     ),
     ("face: LEFT", "face: LEFD", "model/unknown-face", 8, "did you mean `LEFT`?", "RIGHT"),
@@ -185,7 +185,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "free outer faces",
     ),
     ("face: LEFT", "face: INSIDE", "model/not-outer", 8, "lie inside body `A`", "free outer faces"),
-    ("fix: [x, y, z]", "fix: [x, x]", "model/value", 8, "`x` stands twice", "once"),
+    ("fix: [x, y, z]", "fix: [x, x]", "model/value", 8, "`x` is listed twice", "once"),
     ("fix: [x, y, z]", "fix: [x, w]", "yaml/unknown-value", 8, "`w` is not a value", "x, y, z"),
     (
         "fix: [x, y, z]",
@@ -216,7 +216,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "fix: [x, y, z], mu: 0.3",
         "model/support",
         8,
-        "mean nothing for the fixed face",
+        "have no effect on the fixed face",
         "law: contact",
     ),
     (
@@ -256,7 +256,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "rigid:\n  - {face: RIGHT, components: [x], free: [uy]}\nloads:",
         "model/rigid",
         10,
-        "`uy` of the rigid face `RIGHT` moves it in no way of its own in [x]",
+        "`uy` of the rigid face `RIGHT` is not independent of its other free motions in [x]",
         "remove it",
     ),
     (
@@ -332,7 +332,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
 ];
 
 #[test]
-fn wrong_models_name_place_and_cure() {
+fn wrong_models_name_place_and_remedy() {
     for (old, new, code, line, message, help) in WRONG {
         assert!(GOOD.contains(old), "{old}");
         let text = GOOD.replacen(old, new, 1);
@@ -347,7 +347,7 @@ fn wrong_models_name_place_and_cure() {
 }
 
 #[test]
-fn several_faults_are_told_at_once() {
+fn several_faults_are_reported_together() {
     let text =
         GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
     let codes: Vec<_> = model(row(), &text).expect_err("three").0.iter().map(|d| d.code).collect();
@@ -356,11 +356,11 @@ fn several_faults_are_told_at_once() {
 
 #[test]
 fn bodies_apart_are_not_in_contact() {
-    // the mesher gave each body its own nodes, the file says they are shared
+    // each body has its own nodes in the mesh, but the file states that they are shared
     let d = model(explode(&row()), GOOD).expect_err("apart").0.remove(0);
     assert_eq!(d.code, "model/no-contact");
     assert!(d.help.expect("help").contains("nodes: split"));
-    // without an interface that asks for it, it is at least told
+    // without an interface between the bodies a note reports it
     let text =
         GOOD.replace("  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n", "");
     let text = text.replace("interfaces:\n", "").replace("face: RIGHT", "face: LEFT");

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Entries of `preload` that are wrong: code, what the message says, what helps.
+/// Wrong entry of `preload`, code, part of the message, part of the remedy.
 const PRELOAD: &[(&str, &str, &str, &str)] = &[
     (
         "{body: AA, cut: INSIDE, axis: [1, 0, 0], force: 5}",
@@ -81,7 +81,7 @@ const PRELOAD: &[(&str, &str, &str, &str)] = &[
 ];
 
 #[test]
-fn wrong_preloads_name_place_and_cure() {
+fn wrong_preloads_name_place_and_remedy() {
     let mut mesh = row();
     let whole = mesh.faces_named("INSIDE").expect("named").triangles.clone();
     mesh.faces
@@ -95,8 +95,8 @@ fn wrong_preloads_name_place_and_cure() {
         let text = format!("{} {:?}", d.message, d.place);
         assert_eq!(d.code, *code, "{entry}: {text}");
         assert!(text.contains(message) || d.message.contains(message), "{entry}: {text}");
-        let cures = d.help.clone().unwrap_or_default();
-        assert!(cures.contains(help), "{entry}: {cures}");
+        let remedy = d.help.clone().unwrap_or_default();
+        assert!(remedy.contains(help), "{entry}: {remedy}");
     }
     // the same cut twice
     let good = "  - {body: A, cut: INSIDE, axis: [1, 0, 0], force: 5}\n";
