@@ -48,8 +48,6 @@ pub struct SplitMesh {
     pub mesh: TetMesh,
     /// One pair for each open face, in the order given.
     pub pairs: Vec<OpenPair>,
-    /// Faces of one tet only and both sides of the open faces, in the order of their tets.
-    pub boundary: Vec<TetFace>,
     /// Component of each tet, joined through faces that are not open; numbered by their first tet.
     pub tet_part: Vec<u32>,
     /// Number of components.
@@ -66,13 +64,11 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
     for side in open.iter().flatten() {
         is_open[side.tet as usize][side.local as usize] = true;
     }
-    let mut boundary = Vec::new();
     let mut corners = UnionFind::new(4 * ne);
     let mut tets = UnionFind::new(ne);
     for owners in table.faces() {
         let inner = owners.len() == 2 && !is_open[owners[0].tet as usize][owners[0].local as usize];
         if !inner {
-            boundary.extend(owners.iter().map(TetFace::from));
             continue;
         }
         let [p, q] = [owners[0].tet as usize, owners[1].tet as usize];
@@ -81,7 +77,6 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
             corners.join(4 * p + vertex(&mesh.tets[p], node), 4 * q + vertex(&mesh.tets[q], node));
         }
     }
-    boundary.sort_unstable();
 
     // the first component of a node, in the order of the tets, keeps its number; the others are
     // appended
@@ -135,7 +130,7 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
             part_of_root[root]
         })
         .collect();
-    SplitMesh { mesh: out, pairs, boundary, tet_part, parts: parts as usize }
+    SplitMesh { mesh: out, pairs, tet_part, parts: parts as usize }
 }
 
 /// Local vertex of `tet` at `node`.

@@ -6,9 +6,9 @@
 //! Elements that yield and the load factor of limit analysis turn it into a saddle-point problem.
 //! Their parameters y are maximised over; they follow the shared unknowns of the elements in the
 //! same vector, and the matrix of the quadratic term is `[P E; Eᵀ −F]`. A cone contains minimised
-//! unknowns or maximised ones, never both. Rows keep their natural sign: the gradient is `P x + q −
-//! Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones; it is zero at the saddle
-//! point.
+//! unknowns or maximised ones, never both. Rows keep their natural sign: the gradient is
+//! `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones; it is zero at the
+//! saddle point.
 
 use crate::elements::batch::Batch;
 use crate::elements::yielding_element::{NONE, YIELD_ROWS};

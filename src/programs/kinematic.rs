@@ -185,8 +185,9 @@ impl Kinematic {
             _ => model.weld_faces().collect(),
         };
         if yields || !pieces.is_empty() || !weld_faces.is_empty() {
+            // the diagonal of P, plus the elastic stiffness of elements that is not in P
             stiffness = p.diagonal();
-            let mut beside = vec![0.0; map.full()];
+            let mut rest = vec![0.0; map.full()];
             for e in 0..model.mesh.tets.len() {
                 let missing: [f64; 30] = match yielding(e) {
                     Some(element) => {
@@ -204,9 +205,9 @@ impl Kinematic {
                     }
                     None => continue,
                 };
-                dofs(e).into_iter().zip(missing).for_each(|(d, k)| beside[d] += k);
+                dofs(e).into_iter().zip(missing).for_each(|(d, k)| rest[d] += k);
             }
-            map.reduce_diagonal(&beside).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
+            map.reduce_diagonal(&rest).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
         }
         hold(&mut p, &free_modes::kinematic_pins(model, &space, &map, &rigid, &pieces), &stiffness);
         let mut program = ConicProgram {

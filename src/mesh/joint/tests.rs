@@ -123,7 +123,7 @@ fn step_file_holds_every_part_as_a_solid() {
     assert!(text.contains(".MILLI."), "millimetres");
 }
 
-/// A face beside its part is told with where it was looked for and where the part is.
+/// The message of a face off its part states where it was searched for and where the part lies.
 #[test]
 fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     let mut joint = lap_joint();
@@ -168,7 +168,7 @@ fn clash_stops_before_the_mesher_runs() {
     assert_eq!((d.code, d.fault.exit_code()), ("geometry/clash", 2));
 }
 
-/// A shell script that answers `--version` and otherwise does as told.
+/// A shell script that answers `--version` and otherwise runs the given commands.
 #[cfg(unix)]
 fn fake(dir: &Path, body: &str) -> Mesher {
     let script = dir.join("fake_gmsh.sh");

@@ -83,7 +83,7 @@ fn both_formats_give_the_same_mesh() {
     let (mesh, notes) = read_text(TWO).expect("2.2");
     assert_eq!(mesh.bodies, ["LEFT", "RIGHT PART"]);
     assert_eq!(mesh.tet_body, [0, 1]);
-    // the node of no tet is gone, the inverted order of the second tet is turned and told
+    // the node without a tet is dropped; the inverted second tet is turned and reported
     assert_eq!(mesh.nodes.len(), 5);
     assert_eq!(mesh.tets, [[0, 1, 2, 3], [0, 1, 4, 2]]);
     assert!(notes[0].starts_with("1 of 2 tetrahedra"), "{notes:?}");
