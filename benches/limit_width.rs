@@ -31,8 +31,8 @@ use bracket::assembly::assembly::{
 };
 use bracket::certify::flow::pieces;
 use bracket::certify::limit_certificate::dissipation_densities;
+use bracket::elements::geometry::centroid;
 use bracket::elements::space::Tet10Space;
-use bracket::elements::super_element::centroid;
 use bracket::elements::tet10;
 use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;

@@ -63,7 +63,7 @@ pub fn run(
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
                 let share =
                     add_frictionless(&mut pass, &smooth, &options.remaining(start), progress)?;
-                if model.has_coulomb() && share.is_some() {
+                if model.has_coulomb_friction() && share.is_some() {
                     pass.yield_multiplier_share = share;
                 }
             }

@@ -5,7 +5,7 @@ use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::flow::{VelocityField, pieces};
 use crate::certify::tractions::{contact_tractions, stress_at};
 use crate::elements::space::Tet10Space;
-use crate::elements::super_element::gradients;
+use crate::elements::geometry::gradients;
 use crate::elements::tet10;
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::triangle_p2;

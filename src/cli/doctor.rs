@@ -2,7 +2,8 @@
 
 use crate::catalog::Catalog;
 use crate::cli::{CommandResult, Common, Format};
-use crate::mesh::gmsh::{Mesher, VARIABLE};
+use crate::mesh::gmsh::Mesher;
+use crate::mesh::mesher_error::VARIABLE;
 use crate::report::console::out;
 use serde::Serialize;
 use std::path::{Path, PathBuf};

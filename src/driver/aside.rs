@@ -2,7 +2,7 @@
 //! fails.
 
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::mesh::gmsh::MesherError;
+use crate::mesh::mesher_error::MesherError;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -250,7 +250,7 @@ pub fn finish(
         let contacts = contact_faces(&case.model);
         traits.contact |= !contacts.is_empty();
         traits.friction |= case.model.has_friction();
-        traits.coulomb |= case.model.has_coulomb();
+        traits.coulomb |= case.model.has_coulomb_friction();
         traits.preload |= case.model.has_preload();
         traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
         for note in &case.model.notes {

@@ -1,177 +1,16 @@
-//! Elements that yield as dense data, eight of one shape side by side.
+//! Elements that yield, eight of one shape side by side.
 //!
-//! Such an element joins displacements v, shared with other elements or of its own, to parameters σ
-//! of its stress: minimise over v, maximise over σ of `vᵀ T σ − ½ σᵀ F σ`, the parameters kept in
-//! the yield set at some points, `(1, b_j + B_j σ) ∈ K⁶`. Parameters are normalised so that the
-//! yield radius is 1. Rigid-plastic elements have F = 0.
-//!
-//! # Shapes
-//! - [`Shape::Stress`]: the static super-element, 30 parameters, 16 points.
-//! - [`Shape::Flow`]: the kinematic element, one or four (sub)tets with linear strain. The
-//!   parameters are deviatoric stresses at the points of a quadrature rule, times their weights;
-//!   `T` is the strain there. A rigid-plastic element has further parameters without a yield
-//!   condition, the pressures that hold its volume.
-//!
-//! # Layout
-//! Eight elements are interleaved, entry by entry, so that every operation runs on the eight at
-//! once.
+//! The data of eight elements are interleaved entry by entry, so that every operation runs on the
+//! eight at once.
 
+use crate::elements::yielding_element::{
+    DEVIATOR, NONE, Rule, Shape, VERTEX_VALUES, YieldingElement,
+};
 use crate::math::lanes::{
     Place, add_times, add_times_part, add_transposed, add_transposed_part, kernel,
     subtract_symmetric,
 };
 use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
-
-/// No unknown, no element.
-pub const NONE: u32 = u32::MAX;
-/// Rows of a von Mises cone: its axis and the five components of a deviator.
-pub const YIELD_ROWS: usize = 6;
-/// Components of a deviator.
-const DEVIATOR: usize = 5;
-/// Values of a linear deviator in a (sub)tet: 5 at each of its 4 vertices.
-pub const VERTEX_VALUES: usize = 4 * DEVIATOR;
-
-/// Where a (sub)tet with linear strain may yield, and whether it is elastic before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Rule {
-    /// Elastic, perfectly plastic (Hencky): exact elastic energy, dissipation by the vertex rule.
-    Hencky,
-    /// Rigid-plastic, dissipation by the rule of the 8 sub-subtets: 4 vertices, 6 mid-sides.
-    TenPoints,
-    /// Rigid-plastic at the vertices: faces of welds, see [`crate::programs::weld_face`].
-    Vertices,
-}
-
-/// The ten points as means of the vertices times their weights: `V/32` at vertices, `7 V/48` at
-/// mid-sides.
-const TEN_POINTS: [[f64; 4]; 10] = {
-    const V: f64 = 1.0 / 32.0;
-    const M: f64 = 7.0 / 96.0;
-    [
-        [V, 0.0, 0.0, 0.0],
-        [0.0, V, 0.0, 0.0],
-        [0.0, 0.0, V, 0.0],
-        [0.0, 0.0, 0.0, V],
-        [M, M, 0.0, 0.0],
-        [M, 0.0, M, 0.0],
-        [M, 0.0, 0.0, M],
-        [0.0, M, M, 0.0],
-        [0.0, M, 0.0, M],
-        [0.0, 0.0, M, M],
-    ]
-};
-/// The vertices, `V/4` each.
-const FOUR_POINTS: [[f64; 4]; 4] =
-    [[0.25, 0.0, 0.0, 0.0], [0.0, 0.25, 0.0, 0.0], [0.0, 0.0, 0.25, 0.0], [0.0, 0.0, 0.0, 0.25]];
-
-impl Rule {
-    /// Weight of each vertex value at each point.
-    pub fn points(self) -> &'static [[f64; 4]] {
-        match self {
-            Rule::Hencky | Rule::Vertices => &FOUR_POINTS,
-            Rule::TenPoints => &TEN_POINTS,
-        }
-    }
-}
-
-/// Kind and sizes of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Shape {
-    /// Linear stress in four subtets.
-    Stress,
-    /// Linear strain in `subtets` (1 or 4) tets.
-    Flow {
-        /// Number of tets.
-        subtets: usize,
-        /// Where they yield.
-        rule: Rule,
-        /// Displacements of the element's own.
-        inner: usize,
-        /// Pressures.
-        pressures: usize,
-    },
-}
-
-impl Shape {
-    /// Yield points.
-    pub fn points(self) -> usize {
-        match self {
-            Shape::Stress => 16,
-            Shape::Flow { subtets, rule, .. } => subtets * rule.points().len(),
-        }
-    }
-
-    /// Parameters.
-    pub fn parameters(self) -> usize {
-        match self {
-            Shape::Stress => 30,
-            Shape::Flow { pressures, .. } => DEVIATOR * self.points() + pressures,
-        }
-    }
-
-    /// Displacements of the element's own; they come before the shared ones.
-    pub fn inner(self) -> usize {
-        match self {
-            Shape::Stress => 0,
-            Shape::Flow { inner, .. } => inner,
-        }
-    }
-
-    /// Parts of the data of an element that meets `k` shared unknowns.
-    fn parts(self, k: usize) -> Parts {
-        let all = self.inner() + k;
-        match self {
-            Shape::Stress => {
-                Parts { strain: 30 * k, flexibility: 30 * 31 / 2, volume: 80 * 30, inner: 0 }
-            }
-            Shape::Flow { subtets, inner, pressures, .. } => Parts {
-                strain: subtets * VERTEX_VALUES * all,
-                flexibility: subtets,
-                volume: pressures * k,
-                inner: inner * all,
-            },
-        }
-    }
-
-    /// Length of the data of an element that meets `k` shared unknowns.
-    pub fn len(self, k: usize) -> usize {
-        let p = self.parts(k);
-        p.strain + p.flexibility + p.volume + p.inner
-    }
-}
-
-/// Lengths of the parts of an element's data.
-struct Parts {
-    strain: usize,
-    flexibility: usize,
-    volume: usize,
-    inner: usize,
-}
-
-/// One element before it is laid beside others.
-///
-/// # Shape
-/// `data` is, one part after the other:
-/// - `Stress`: `Tᵀ` (30 × k), F (lower triangle by columns), B (16 × 5 × 30);
-/// - `Flow`: strain (per subtet 20 × (inner + k): component a at vertex v is row `5 v + a`) times
-///   volume and yield radius; per subtet the scalar f of its flexibility `f (20 δ_vw − 4)`, 0 for
-///   rigid-plastic; rows of the pressures (k each); stiffness of the inner displacements beside the
-///   flow (column by column, inner + k rows).
-#[derive(Clone, Debug, PartialEq)]
-pub struct YieldingElement {
-    /// Kind and sizes.
-    pub shape: Shape,
-    /// The k shared unknowns it meets; `NONE`: held.
-    pub columns: Vec<u32>,
-    /// Its matrices.
-    pub data: Vec<f64>,
-    /// Linear terms of its own unknowns: parameters, then inner displacements.
-    pub q: Vec<f64>,
-    /// Offsets of its yield points, `(1, b_j)` each.
-    pub h: Vec<f64>,
-    /// Stiffness that measures its inner displacements \[N/mm\].
-    pub inner_stiffness: Vec<f64>,
-}
 
 /// An element, its first own unknown and its first yield row.
 pub type Placed = (YieldingElement, u32, u32);
@@ -181,7 +20,7 @@ pub type Placed = (YieldingElement, u32, u32);
 pub struct Batch {
     /// Kind and sizes.
     pub shape: Shape,
-    /// Shared unknowns met, `[position][lane]`.
+    /// Shared unknowns, `[position][lane]`.
     pub columns: Vec<[u32; LANES]>,
     /// First own unknown of each lane; `NONE`: empty lane.
     pub own: [u32; LANES],
@@ -192,7 +31,8 @@ pub struct Batch {
 }
 
 kernel! {
-    /// `out += Tᵀ v` of (sub)tets: strains at the vertices, then what the points take of them.
+    /// `out += Tᵀ v` of (sub)tets: strains at the vertices, then their weighted means at the
+    /// points.
     fn strain_at_points(simd; rule: Rule, strain: &'a [Lane], v: &'a [Lane], out: &'a mut [Lane]) {
         let size = VERTEX_VALUES * v.len();
         let (strain, v, out) = (registers::<S>(strain), registers::<S>(v), registers_mut::<S>(out));
@@ -201,7 +41,8 @@ kernel! {
             let mut point = 0;
             for e in strain.chunks_exact(size * parts::<S>()) {
                 let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
-                add_times_part(simd, (e, v, at), (&mut vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+                let all = (&mut vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
+                add_times_part(simd, (e, v, at), all);
                 for weights in rule.points() {
                     for vertex in 0..4 {
                         if weights[vertex] == 0.0 {
@@ -224,7 +65,8 @@ kernel! {
     /// `v += T σ` of (sub)tets.
     fn force_of_points(simd; rule: Rule, strain: &'a [Lane], sigma: &'a [Lane], v: &'a mut [Lane]) {
         let size = VERTEX_VALUES * v.len();
-        let (strain, sigma, v) = (registers::<S>(strain), registers::<S>(sigma), registers_mut::<S>(v));
+        let (strain, sigma) = (registers::<S>(strain), registers::<S>(sigma));
+        let v = registers_mut::<S>(v);
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
             let mut point = 0;
@@ -243,14 +85,15 @@ kernel! {
                     }
                     point += DEVIATOR;
                 }
-                add_transposed_part(simd, (e, &mut *v, at), (&vertices, Place { stride: 1, offset: 0 }, VERTEX_VALUES));
+                let all = (&vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
+                add_transposed_part(simd, (e, &mut *v, at), all);
             }
         }
     }
 }
 
 kernel! {
-    /// `out −= F σ` of (sub)tets that are elastic before they yield.
+    /// `out −= F σ` of (sub)tets that are elastic below yield.
     fn subtract_hencky(simd; flexibility: &'a [Lane], sigma: &'a [Lane], out: &'a mut [Lane]) {
         let subtets = flexibility.len();
         let (flexibility, sigma) = (registers::<S>(flexibility), registers::<S>(sigma));
@@ -262,13 +105,15 @@ kernel! {
                 for a in 0..DEVIATOR {
                     let mut sum = simd.splat_f64s(0.0);
                     for v in 0..4 {
-                        sum = simd.add_f64s(sum, sigma[at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a)]);
+                        let i = at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a);
+                        sum = simd.add_f64s(sum, sigma[i]);
                     }
                     let sum = simd.mul_f64s(sum, others);
                     for v in 0..4 {
                         let i = at.of(VERTEX_VALUES * subtet + DEVIATOR * v + a);
                         let strain = simd.sub_f64s(simd.mul_f64s(own, sigma[i]), sum);
-                        out[i] = simd.negate_mul_add_e_f64s(flexibility[at.of(subtet)], strain, out[i]);
+                        let f = flexibility[at.of(subtet)];
+                        out[i] = simd.negate_mul_add_e_f64s(f, strain, out[i]);
                     }
                 }
             }
@@ -279,15 +124,19 @@ kernel! {
 kernel! {
     /// `v += K x` of the inner displacements' stiffness, `inner` columns; the inner block is stored
     /// whole, its couplings once.
-    fn add_inner_stiffness(simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane]) {
+    fn add_inner_stiffness(
+        simd; inner: usize, stiffness: &'a [Lane], x: &'a [Lane], v: &'a mut [Lane],
+    ) {
         let all = x.len();
-        let (stiffness, x, v) = (registers::<S>(stiffness), registers::<S>(x), registers_mut::<S>(v));
+        let (stiffness, x) = (registers::<S>(stiffness), registers::<S>(x));
+        let v = registers_mut::<S>(v);
         for offset in 0..parts::<S>() {
             let at = Place { stride: parts::<S>(), offset };
             for c in 0..inner {
                 let own = x[at.of(c)];
                 for r in 0..all {
-                    v[at.of(r)] = simd.mul_add_e_f64s(stiffness[at.of(c * all + r)], own, v[at.of(r)]);
+                    let entry = stiffness[at.of(c * all + r)];
+                    v[at.of(r)] = simd.mul_add_e_f64s(entry, own, v[at.of(r)]);
                 }
                 let mut sum = v[at.of(c)];
                 for r in inner..all {
@@ -300,10 +149,10 @@ kernel! {
 }
 
 impl Batch {
-    /// Lays elements of one shape side by side; each has its first own unknown and its first row.
+    /// Interleaves elements of one shape, each given with its first own unknown and first row.
     pub fn new(elements: &[Placed]) -> Self {
         let first = &elements[0].0;
-        // empty lanes repeat the first element: whatever is regular there is regular here
+        // empty lanes repeat the first element, so that their matrices are regular too
         let lanes = |of: &dyn Fn(&YieldingElement) -> f64| -> Lane {
             std::array::from_fn(|l| of(&elements.get(l).unwrap_or(&elements[0]).0))
         };
@@ -319,7 +168,7 @@ impl Batch {
         }
     }
 
-    /// Shared unknowns an element meets.
+    /// Number of shared unknowns of an element.
     pub fn shared(&self) -> usize {
         self.columns.len()
     }
@@ -330,12 +179,12 @@ impl Batch {
         self.own.map(|own| if own == NONE { NONE } else { own + parameters })
     }
 
-    /// Displacements of an element: its own, then the shared ones.
+    /// Number of displacements of an element: its own, then the shared ones.
     pub fn displacements(&self) -> usize {
         self.shape.inner() + self.columns.len()
     }
 
-    /// Strain (or `Tᵀ`), flexibility, pressures (or B), inner stiffness.
+    /// The parts of the data: strain (or `Tᵀ`), flexibility, pressures (or B), inner stiffness.
     pub fn parts(&self) -> [&[Lane]; 4] {
         let p = self.shape.parts(self.shared());
         let (strain, rest) = self.data.split_at(p.strain);
@@ -407,7 +256,7 @@ impl Batch {
         }
     }
 
-    /// The element's displacements of the program's unknowns `x`; `scale` multiplies shared and
+    /// Displacements of the elements from the program's unknowns `x`; `scale` multiplies shared and
     /// inner ones (empty: 1).
     pub fn gather_displacements(&self, x: &[f64], scale: &[f64]) -> Vec<Lane> {
         let value = |i: u32| match i {
@@ -465,7 +314,7 @@ impl Batch {
         Self::gather(&self.own, self.shape.parameters(), x)
     }
 
-    /// The lower triangle of F by columns of one lane, normalised parameters.
+    /// Entry (r, c) of the flexibility F of one lane, for normalised parameters.
     pub fn flexibility_of(&self, lane: usize, r: usize, c: usize) -> f64 {
         let flexibility = self.parts()[1];
         let (r, c) = (r.max(c), r.min(c));

@@ -1,16 +1,16 @@
-//! The columns of an element that yields: which unknowns of a program it works on.
+//! The columns of a yielding element: the unknowns of the program that it couples.
 
-/// Full unknowns of an element in the program's unknowns.
+/// Full unknowns of an element as combinations of the program's unknowns.
 pub struct Columns {
     /// The program's unknowns; `NONE`: held.
     pub unknowns: Vec<u32>,
-    /// For each full unknown its terms: position in `unknowns`, factor. `None`: full unknowns and
-    /// columns are the same.
+    /// Terms of each full unknown: position in `unknowns`, and factor. `None`: the full unknowns
+    /// are the columns.
     pub terms: Option<Vec<Vec<(usize, f64)>>>,
 }
 
 impl Columns {
-    /// A row on the full unknowns, in the columns.
+    /// A row on the full unknowns, transformed to a row on the columns.
     pub fn row(&self, full: &[f64]) -> Vec<f64> {
         let Some(terms) = &self.terms else { return full.to_vec() };
         let mut out = vec![0.0; self.unknowns.len()];

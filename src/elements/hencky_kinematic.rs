@@ -1,41 +1,41 @@
-//! The 10-node tetrahedron that yields, plain or split: deviatoric stresses at its points beside
-//! its displacements.
+//! The 10-node tetrahedron that yields, plain or split: unknown deviatoric stresses at its yield
+//! points in addition to its displacements.
 //!
 //! # Elastic, perfectly plastic (Hencky)
 //! Energy with displacements u and traceless plastic strain p, linear in every (sub)tet:
 //! `½ ∫ (ε − p):C:(ε − p) + ∫ √(2/3) f_y ‖p‖`. The elastic part is exact. The dissipation is
 //! convex, so the vertex rule `V/4 Σ_i √(2/3) f_y ‖p_i‖` bounds it from above, and is exact where p
-//! is constant or zero. Over p the energy is the largest, over deviators q conjugate to the vertex
-//! strains with `‖q_i‖ ≤ V/4 √(2/3) f_y`, of `Σ q_i·dev ε_i − ½ Σ q_i (M⁻¹)_ij q_j / 2G`, M the
-//! mass matrix; the change of volume stays elastic.
+//! is constant or zero. The minimum over p equals the maximum, over deviators q conjugate to the
+//! vertex strains with `‖q_i‖ ≤ V/4 √(2/3) f_y`, of `Σ q_i·dev ε_i − ½ Σ q_i (M⁻¹)_ij q_j / 2G`,
+//! with M the mass matrix. The change of volume stays elastic.
 //!
 //! # Rigid-plastic (limit analysis)
-//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the largest, over deviators q at the
-//! points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures hold `tr ε = 0`: the split
-//! element needs one, `∫ div u = 0`, since its inner displacements follow from the outer ones; the
-//! plain element four, at its vertices.
+//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the maximum, over deviators q at the
+//! points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures enforce `tr ε = 0`. The split
+//! element needs one, for `∫ div u = 0`, since its inner velocities follow from the outer ones; the
+//! plain element needs four, at its vertices.
 //!
 //! # Sign
-//! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`, the deviatoric part against
-//! the plastic strain.
+//! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`: its deviatoric part points
+//! against the plastic strain.
 
-use crate::elements::batch::{Rule, Shape, YieldingElement};
 use crate::elements::columns::Columns;
 use crate::elements::tet10::{self, strain_columns};
+use crate::elements::yielding_element::{Rule, Shape, YieldingElement};
 use crate::elements::{split_flow, split_tet10};
 use crate::math::mandel::{Isotropic, deviator};
 use crate::math::vec3::V3;
 
-/// Which element a body that yields is made of.
+/// Element of a body that yields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
-    /// The plain 10-node tetrahedron: cheap, but flow that keeps its volume locks it.
+    /// The plain 10-node tetrahedron: cheap, but it locks in isochoric plastic flow.
     Plain,
-    /// Split at its centroid: the same outer unknowns, and it flows.
+    /// The tetrahedron split at its centroid: the same outer unknowns, no locking.
     Split,
 }
 
-/// What one yielding element consists of.
+/// Data of one yielding element.
 pub struct YieldingTet10 {
     /// Its corners \[mm\].
     pub corners: [V3; 4],
@@ -47,20 +47,20 @@ pub struct YieldingTet10 {
     pub radius: f64,
     /// Force per volume \[N/mm³\].
     pub body_force: V3,
-    /// Four subtets instead of one.
+    /// True: split into four subtets.
     pub split: bool,
-    /// Where it yields.
+    /// Its yield points, and whether it is elastic below yield.
     pub rule: Rule,
 }
 
-/// Only the part of the stiffness that resists a change of volume.
+/// The part of the stiffness that resists a change of volume.
 fn bulk(material: &Isotropic) -> Isotropic {
     Isotropic { lambda: material.lambda + material.two_mu / 3.0, two_mu: 0.0 }
 }
 
 impl YieldingTet10 {
-    /// Stiffness on the outer displacements that stays beside the yielding part: resistance to a
-    /// change of volume, the inner displacements of the split element held.
+    /// Stiffness on the outer displacements in P: the elastic resistance to a change of volume,
+    /// with the inner displacements of the split element held. Zero for rigid-plastic elements.
     pub fn outer_stiffness(&self) -> tet10::Matrix30 {
         let material = bulk(&self.material);
         if self.rule != Rule::Hencky {
@@ -153,8 +153,8 @@ impl YieldingTet10 {
         }
     }
 
-    /// Forms that must vanish for the volume to stay: `∫ div u` of the split element, `V/4 tr ε` at
-    /// the vertices of the plain.
+    /// Linear forms that vanish when the volume is constant: `∫ div u` of the split element,
+    /// `V/4 tr ε` at the vertices of the plain element.
     fn pressure_rows(&self, count: usize) -> Vec<[f64; 30]> {
         match count {
             0 => Vec::new(),
@@ -166,7 +166,8 @@ impl YieldingTet10 {
         }
     }
 
-    /// Stiffness of the inner displacements beside the flow, their loads and what measures them.
+    /// Appends the volumetric stiffness of the inner displacements, their loads and the elastic
+    /// stiffness that scales them.
     fn push_inner(
         &self,
         columns: &Columns,

@@ -1,28 +1,28 @@
 //! The static super-element that yields: von Mises at the 16 points where its linear stress has its
 //! extremes.
 //!
-//! Stress is linear in each of the 4 subtets and the yield set convex, so `‖dev σ‖ ≤ √(2/3) f_y` at
-//! their vertices holds everywhere. As a saddle: minimise over face displacements v, maximise over
-//! the stress parameters σ, of `vᵀ(T σ − f) − ½ σᵀ F σ`, with
+//! Stress is linear in each of the 4 subtets and the yield set is convex, so `‖dev σ‖ ≤ √(2/3) f_y`
+//! at their vertices implies it everywhere. Saddle form: minimise over face displacements v and
+//! maximise over the stress parameters σ the form `vᵀ(T σ − f) − ½ σᵀ F σ`, with
 //! `(√(2/3) f_y, dev σ at point i) ∈ K⁶`; F = 0 in limit analysis.
 //!
 //! # Sign
 //! Stationarity in σ is compatibility, `Tᵀv + Σ_i B_iᵀ z_i = F σ`: the deviatoric part of a
-//! multiplier z_i points against the plastic flow. Without flow the parameters are `F⁻¹Tᵀv` and the
-//! program is the elastic one, `T F⁻¹ Tᵀ` its stiffness. A body force adds its particular stress
-//! σ_p: tractions on v, `dev σ_p` in the offsets of the points, and `−N_eᵀ∫C⁻¹σ_p` on the
+//! multiplier z_i points against the plastic flow. Without plastic flow the parameters are `F⁻¹Tᵀv`
+//! and the program is the elastic one with stiffness `T F⁻¹ Tᵀ`. A body force adds its particular
+//! stress σ_p: tractions on v, `dev σ_p` in the offsets of the points, and `−N_eᵀ∫C⁻¹σ_p` on the
 //! parameters.
 
-use crate::elements::batch::{Shape, YieldingElement};
 use crate::elements::columns::Columns;
 use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
+use crate::elements::yielding_element::{Shape, YieldingElement};
 use crate::math::mandel::deviator;
 
 /// Points of an element where its yield condition is imposed: 4 in each subtet.
 pub const YIELD_POINTS: usize = 16;
 
-/// Stress parameters per unit of the program's normalised ones: the largest entry of `dev σ` over
-/// the yield radius is 1.
+/// Stress parameters per unit of the program's normalised parameters, chosen so that the largest
+/// entry of `dev σ` over the yield radius is 1.
 pub fn parameter_unit(element: &SuperElement, radius: f64) -> f64 {
     let columns = (0..YIELD_POINTS).flat_map(|point| element.stress_columns(point / 4, point % 4));
     radius / columns.flat_map(|s| deviator(&s)).fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))

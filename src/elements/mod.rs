@@ -1,10 +1,11 @@
-//! The finite elements: one a file, their geometry and quadrature beside them.
+//! The finite elements, one in each file, with their geometry and data layout beside them.
 //!
 //! The kinematic program uses 10-node tetrahedra, the static program super-elements of four subtets
-//! with linear stress. Each exists in an elastic form and in one with von Mises cones.
+//! with linear stress. Each has an elastic form and a form with von Mises cones.
 
 pub mod batch;
 pub mod columns;
+pub mod geometry;
 pub mod hencky_kinematic;
 pub mod hencky_static;
 pub mod space;
@@ -13,3 +14,4 @@ pub mod split_tet10;
 pub mod stress_basis;
 pub mod super_element;
 pub mod tet10;
+pub mod yielding_element;

@@ -30,7 +30,7 @@ impl Tet10Space {
         Self { nodes, vertices: mesh.nodes.len(), edges }
     }
 
-    /// The vertex itself, or one end of the edge that carries the node.
+    /// The node itself if it is a vertex, otherwise one end of its edge.
     pub fn a_vertex(&self, node: usize) -> usize {
         node.checked_sub(self.vertices).map_or(node, |edge| self.edges.nodes[edge][0] as usize)
     }

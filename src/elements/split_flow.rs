@@ -1,12 +1,12 @@
-//! Flow that keeps its volume in the split 10-node tetrahedron: the inner velocities as a constant
-//! map of the outer ones.
+//! Isochoric flow in the split 10-node tetrahedron: the inner velocities as a constant linear map
+//! of the outer ones.
 //!
 //! `tr ε = 0` at the 4 vertices of the 4 subtets is 16 rows. Their block on the 15 inner velocities
-//! has rank 15; the one combination that no inner velocity touches is the sum of all, `∫ div u`. So
-//! the 15 inner velocities follow from the 30 outer ones and one row per element is left. The map
-//! used is the least squares solution of the 16 rows: its residual is the same at all 16 points, so
-//! `div u` is constant in the element whatever the outer velocities, and zero where the volume row
-//! is.
+//! has rank 15; the only combination without inner velocities is the sum of all rows, `∫ div u`.
+//! Therefore the 15 inner velocities follow from the 30 outer ones, and one row per element
+//! remains. The map is the least-squares solution of the 16 rows: its residual is the same at all
+//! 16 points, so `div u` is constant in the element for any outer velocities, and zero when the
+//! volume row is zero.
 //!
 //! The Piola map `u = J û` keeps divergences (`div u = div û`), so one map on the reference
 //! tetrahedron, for û, serves every element.
@@ -14,10 +14,10 @@
 //! # Shape
 //! Nodes as in [`crate::elements::split_tet10`]; velocity `3 i + d` is component d at node i.
 
+use crate::elements::geometry::{gradients, jacobian};
 use crate::elements::split_tet10::{
     self, INNER_UNKNOWNS, NODES, OUTER, subtet_corners, subtet_nodes,
 };
-use crate::elements::super_element::{gradients, jacobian};
 use crate::elements::tet10;
 use crate::math::dense::{Mat, least_squares};
 use crate::math::vec3::{self, V3};
@@ -67,8 +67,7 @@ pub fn inner_map() -> &'static [[f64; OUTER_UNKNOWNS]; INNER_UNKNOWNS] {
     })
 }
 
-/// The 45 velocities of an element from those of its outer nodes: inside, the flow of constant
-/// divergence.
+/// The 45 velocities of an element from those of its outer nodes, with constant divergence inside.
 pub fn velocities(corners: &[V3; 4], outer: &[f64; OUTER_UNKNOWNS]) -> [f64; 3 * NODES] {
     let (j, inverse, _) = jacobian(corners);
     let mut hat = [0.0; OUTER_UNKNOWNS];
@@ -97,7 +96,7 @@ pub fn inner_rows(corners: &[V3; 4]) -> Box<[[f64; OUTER_UNKNOWNS]; INNER_UNKNOW
 }
 
 /// `∫ b·u` over the element of volume `volume` \[mm³\] as a linear form of the outer velocities,
-/// for a constant force b per volume \[N/mm³\]: the inner nodes bear their part too.
+/// for a constant force b per volume \[N/mm³\]: the inner nodes carry their part too.
 pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWNS] {
     let (j, inverse, _) = jacobian(corners);
     let weights = split_tet10::shape_integrals();
@@ -114,12 +113,12 @@ pub fn body_forces(corners: &[V3; 4], volume: f64, b: V3) -> [f64; OUTER_UNKNOWN
     f
 }
 
-/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces,
-/// on which a quadratic integrates to a third of the sum of its mid-side values. It is the same in
-/// a plain element.
+/// `∫ div u` over the element as a linear form of the outer velocities: the flux through its faces.
+/// A quadratic function integrates on a face to the area times the mean of its mid-side values. The
+/// form is the same in a plain element.
 ///
 /// # Units
-/// mm², for mm³ per unit of time from mm.
+/// mm²: velocities in mm per unit of time give mm³ per unit of time.
 pub fn volume_row(corners: &[V3; 4]) -> [f64; OUTER_UNKNOWNS] {
     let areas = FACES.map(|f| vec3::area_vector(&f.map(|i| corners[i])));
     let mut row = [0.0; OUTER_UNKNOWNS];
@@ -243,7 +242,7 @@ mod tests {
         let mut seed = 3;
         for _ in 0..20 {
             let x = random_tet(&mut seed);
-            let c = crate::elements::super_element::centroid(&x);
+            let c = crate::elements::geometry::centroid(&x);
             let mid = |a: V3, b: V3| vec3::scale(0.5, vec3::add(a, b));
             let at = |n: usize| match n {
                 0..4 => x[n],

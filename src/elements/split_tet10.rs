@@ -1,12 +1,12 @@
-//! The 10-node tetrahedron split at its centroid into four (Alfeld split): the trace on its faces
-//! is that of the plain element, the five nodes inside let it flow without locking.
+//! The 10-node tetrahedron split at its centroid into four (Alfeld split). The trace on its faces
+//! is that of the plain element; the five inner nodes avoid locking in isochoric flow.
 //!
 //! # Shape
 //! Nodes 0–3 are the vertices, 4–9 the mid-sides of [`EDGES`], 10 the centroid, 11–14 the middles
 //! between the centroid and vertex 0–3. Subtet k holds the face opposite vertex k, its corners
 //! [`FACES`] then the centroid.
 
-use crate::elements::super_element::centroid;
+use crate::elements::geometry::centroid;
 use crate::elements::tet10;
 use crate::math::mandel::Isotropic;
 use crate::math::vec3::V3;
@@ -16,7 +16,7 @@ use crate::mesh::tet::{EDGES, FACES};
 pub const OUTER: usize = 10;
 /// Nodes of the element.
 pub const NODES: usize = 15;
-/// Displacements inside.
+/// Number of displacements of the inner nodes.
 pub const INNER_UNKNOWNS: usize = 3 * (NODES - OUTER);
 const CENTROID: usize = 10;
 

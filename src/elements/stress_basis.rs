@@ -1,10 +1,10 @@
 //! The stress basis of the static super-element, on the reference tetrahedron.
 //!
-//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 values less 66
-//! rows of equilibrium leave 30 parameters. Points and tractions are numbered as in
+//! Self-equilibrated, traction-continuous stress fields of a split tetrahedron: 96 stress values
+//! minus 66 equilibrium rows leave 30 parameters. Points and tractions are numbered as in
 //! [`crate::elements::super_element`].
 
-use crate::elements::super_element::{PARAMETERS, TRACTIONS, centroid, gradients};
+use crate::elements::geometry::{centroid, gradients};
 use crate::math::dense::{Mat, orthogonal_factor};
 use crate::math::mandel::{self, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
@@ -12,6 +12,10 @@ use crate::math::vec3::{self, V3};
 use crate::mesh::tet::FACES;
 use std::sync::OnceLock;
 
+/// Free stress parameters of an element.
+pub const PARAMETERS: usize = 30;
+/// Traction values of an element: 4 faces × 3 vertices × 3 components.
+pub const TRACTIONS: usize = 36;
 /// Constant data of the reference tetrahedron (0, e₁, e₂, e₃).
 pub(crate) struct Reference {
     /// Stress basis: `basis[k][p][parameter]`.
@@ -78,7 +82,7 @@ fn point_of(k: usize, vertex: Option<usize>) -> usize {
     vertex.map_or(3, |v| FACES[k].iter().position(|&f| f == v).unwrap_or(3))
 }
 
-/// The data of the reference tetrahedron, made once.
+/// The data of the reference tetrahedron, computed once.
 pub(crate) fn reference() -> &'static Reference {
     static REFERENCE: OnceLock<Reference> = OnceLock::new();
     REFERENCE.get_or_init(|| {

@@ -11,40 +11,17 @@
 //! its vertices in [`FACES`] order, p = 3 the centroid. Tractions are `9 k + 3 p + d` (face, vertex
 //! in [`FACES`] order, component).
 
+use crate::elements::geometry::{centroid, jacobian};
 use crate::elements::stress_basis::reference;
+pub use crate::elements::stress_basis::{PARAMETERS, TRACTIONS};
 use crate::math::dense::Cholesky;
 use crate::math::mandel::{self, Isotropic, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
 use crate::math::vec3::{self, M3, V3};
 use crate::mesh::tet::FACES;
 
-/// Free stress parameters of an element.
-pub const PARAMETERS: usize = 30;
-/// Traction values of an element: 4 faces × 3 vertices × 3 components.
-pub const TRACTIONS: usize = 36;
 /// Stress at the 4 points of each of the 4 subtets.
 pub type PointStress = [[Mandel; 4]; 4];
-
-/// Centroid of a tetrahedron.
-pub fn centroid(x: &[V3; 4]) -> V3 {
-    std::array::from_fn(|d| 0.25 * (x[0][d] + x[1][d] + x[2][d] + x[3][d]))
-}
-
-/// Gradients of the four linear shape functions of a tetrahedron.
-pub fn gradients(x: &[V3; 4]) -> [V3; 4] {
-    let (_, inv, _) = jacobian(x);
-    // rows of the inverse are the gradients of the barycentric coordinates 1, 2, 3
-    let g0 = std::array::from_fn(|d| -(inv[0][d] + inv[1][d] + inv[2][d]));
-    [g0, inv[0], inv[1], inv[2]]
-}
-
-/// `J = [x₁−x₀, x₂−x₀, x₃−x₀]` (columns), its inverse and its determinant (6 × volume).
-pub fn jacobian(x: &[V3; 4]) -> (M3, M3, f64) {
-    let e: [V3; 3] = std::array::from_fn(|c| vec3::sub(x[c + 1], x[0]));
-    let j: M3 = std::array::from_fn(|r| std::array::from_fn(|c| e[c][r]));
-    let det = vec3::det(&j);
-    (j, vec3::inverse(&j, det), det)
-}
 
 /// `N_eᵀ (∫ C⁻¹) N_e`, from the columns of the Piola map.
 fn flexibility(
@@ -69,7 +46,7 @@ fn flexibility(
     f
 }
 
-/// One super-element, ready to give its stiffness and its stresses.
+/// One super-element with its factored flexibility.
 pub struct SuperElement {
     corners: [V3; 4],
     jacobian: M3,
@@ -231,7 +208,7 @@ impl SuperElement {
         a
     }
 
-    /// Mass-weighted outer tractions of the parameters, the body force's own included.
+    /// Mass-weighted outer tractions of the parameters, those of the body force included.
     pub fn tractions(&self, parameters: &[f64; PARAMETERS]) -> [f64; TRACTIONS] {
         let r = reference();
         let mut t = self.particular_tractions();
@@ -250,7 +227,7 @@ impl SuperElement {
         &self.particular_flexibility
     }
 
-    /// What the body force's particular stress alone adds to the program: its mass-weighted outer
+    /// Terms of the body force's particular stress alone in the program: its mass-weighted outer
     /// tractions, linear in the face displacements, and the constant `−½ ∫ σ_p:C⁻¹:σ_p`.
     pub fn particular_terms(&self) -> ([f64; TRACTIONS], f64) {
         let s = self.particular();
@@ -275,8 +252,8 @@ impl SuperElement {
         t
     }
 
-    /// What the body force adds to the program: the linear term on the face displacements and the
-    /// constant.
+    /// Terms of the body force in the condensed program: the linear term on the face displacements
+    /// and the constant.
     pub fn body_terms(&self) -> ([f64; TRACTIONS], f64) {
         if self.body_force.is_none() {
             return ([0.0; TRACTIONS], 0.0);

@@ -3,7 +3,7 @@
 //! Nodes: four vertices, then the mid-side nodes of [`EDGES`]. Unknown `3 i + d` is component d at
 //! node i.
 
-use crate::elements::super_element::gradients;
+use crate::elements::geometry::gradients;
 use crate::math::mandel::{self, Isotropic, Mandel};
 use crate::math::quadrature::tetrahedron_mass;
 use crate::math::vec3::V3;

@@ -5,26 +5,27 @@ use serde::{Deserialize, Serialize};
 /// A half plane `normal · x ≤ offset`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HalfPlane {
-    /// Normal, pointing out of it; of any length.
+    /// Outward normal, of any length.
     pub normal: [f64; 2],
-    /// Offset, in the length of the normal.
+    /// Offset, in units of the length of the normal.
     pub offset: f64,
 }
 
 impl HalfPlane {
-    /// How far outside a point lies, in the length of the normal; negative inside.
+    /// Distance of a point outside the half plane, in units of the length of the normal; negative
+    /// inside.
     pub fn outside(&self, x: [f64; 2]) -> f64 {
         self.normal[0] * x[0] + self.normal[1] * x[1] - self.offset
     }
 }
 
-/// Twice the area of the triangle a, b, c; positive when they turn left.
+/// Twice the area of the triangle a, b, c; positive when it turns left (anticlockwise).
 fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// The corners of the smallest convex polygon that holds the points, turning left, the leftmost (of
-/// those the lowest) first; points on its sides are left out.
+/// Corners of the convex hull of the points, anticlockwise, starting with the leftmost (of several
+/// the lowest). Points on its sides are left out.
 ///
 /// # Source
 /// Andrew's monotone chain.
@@ -51,8 +52,8 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     out
 }
 
-/// What is left of a convex polygon within all half planes, turning as it does; empty when nothing
-/// is.
+/// Intersection of a convex polygon with all half planes, in the same sense of rotation; may be
+/// empty.
 pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
     let mut left = polygon.to_vec();
     for plane in half_planes {
@@ -73,7 +74,8 @@ pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
     left
 }
 
-/// True when the half planes bound every direction: their normals leave no gap of half a turn.
+/// True when the intersection of the half planes is bounded: no gap between their normals reaches
+/// half a turn.
 pub fn bounded(half_planes: &[HalfPlane]) -> bool {
     let mut angles: Vec<f64> = half_planes
         .iter()
@@ -84,7 +86,7 @@ pub fn bounded(half_planes: &[HalfPlane]) -> bool {
     let Some((first, last)) = angles.first().zip(angles.last()) else { return false };
     let around = first + 2.0 * std::f64::consts::PI - last;
     let widest = angles.windows(2).map(|w| w[1] - w[0]).fold(around, f64::max);
-    // a gap of half a turn but for rounding leaves a strip without an end worth the name
+    // a gap of almost half a turn leaves a strip that is practically unbounded
     widest < std::f64::consts::PI - 1e-6
 }
 

@@ -1,19 +1,21 @@
-//! Small dense products and solves of eight matrices at once, entry by entry, the eight side by
-//! side.
+//! Small dense products and solves of eight interleaved matrices at once.
 //!
-//! Registers are named outright: left to itself, the compiler turns loops over the eight into
+//! The kernels use registers explicitly: without that, the compiler turns loops over the eight into
 //! gathered loads.
 
 use super::wide::{Lane, parts, registers, registers_mut};
 use pulp::Simd;
 
-/// Rows taken together.
+/// Rows processed together.
 const ROWS: usize = 4;
 
-/// Writes a kernel as a function: its arguments travel in a struct to the code of the instruction
-/// set at hand.
+/// Defines a kernel as a function: a struct passes its arguments to the code of the selected
+/// instruction set.
 macro_rules! kernel {
-    ($(#[$meta:meta])* $vis:vis fn $name:ident($simd:ident; $($argument:ident: $type:ty),* $(,)?) $body:block) => {
+    (
+        $(#[$meta:meta])*
+        $vis:vis fn $name:ident($simd:ident; $($argument:ident: $type:ty),* $(,)?) $body:block
+    ) => {
         $(#[$meta])*
         $vis fn $name<'a>($($argument: $type),*) {
             struct Kernel<'a> {
@@ -34,17 +36,17 @@ macro_rules! kernel {
 }
 pub(crate) use kernel;
 
-/// Where a vector of registers has its entries: entry i at `stride i + offset`.
+/// Position of the entries of a vector of registers: entry i is at `stride i + offset`.
 #[derive(Clone, Copy)]
 pub struct Place {
-    /// Distance of entries.
+    /// Distance between entries.
     pub stride: usize,
-    /// The first.
+    /// Position of the first entry.
     pub offset: usize,
 }
 
 impl Place {
-    /// Entry i.
+    /// Position of entry i.
     #[inline(always)]
     pub fn of(self, i: usize) -> usize {
         self.stride * i + self.offset
@@ -178,7 +180,8 @@ kernel! {
                 let x = simd.div_f64s(y[at.of(c)], factor[at.of(first)]);
                 y[at.of(c)] = x;
                 for r in c + 1..order {
-                    y[at.of(r)] = simd.negate_mul_add_e_f64s(factor[at.of(first + r - c)], x, y[at.of(r)]);
+                    let entry = factor[at.of(first + r - c)];
+                    y[at.of(r)] = simd.negate_mul_add_e_f64s(entry, x, y[at.of(r)]);
                 }
                 first += order - c;
             }

@@ -159,7 +159,7 @@ pub fn mul(m: &[Mandel; 6], s: &Mandel) -> Mandel {
 mod tests {
     use super::*;
 
-    /// The deviator's components keep inner products, forget the trace, and give f_y in uniaxial
+    /// The components of the deviator keep inner products, drop the trace, and give f_y in uniaxial
     /// stress.
     #[test]
     fn deviators() {

@@ -1,5 +1,5 @@
-//! Small mathematics: convex polygons, vectors, Mandel tensors, quadrature, dense factors,
-//! compensated sums.
+//! Small mathematical tools: convex polygons, vectors, Mandel tensors, quadrature, small dense
+//! matrices, compensated sums.
 
 pub mod convex;
 pub mod dense;

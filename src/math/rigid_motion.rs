@@ -2,7 +2,11 @@
 
 use super::vec3::{self, V3};
 
-/// The motion of a point of a rigid body: `U + θ × (x − at)`.
+/// Displacement `U + θ × (x − at)` of the point `x` of a rigid body in the motion `[U, θ]` about
+/// `at`.
+///
+/// # Units
+/// mm; θ in rad.
 pub fn rigid_displacement(motion: &[f64; 6], at: V3, x: V3) -> V3 {
     let theta = [motion[3], motion[4], motion[5]];
     vec3::add([motion[0], motion[1], motion[2]], vec3::cross(theta, vec3::sub(x, at)))

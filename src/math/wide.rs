@@ -1,19 +1,19 @@
-//! Eight numbers side by side, and code compiled for the widest registers of the machine it runs
-//! on.
+//! Eight numbers side by side, and kernels compiled for the widest registers of the machine they
+//! run on.
 //!
-//! The build's baseline is a plain processor; kernels written against [`Simd`] exist once for each
-//! instruction set and are chosen when they are called. What is not inlined into a kernel stays
-//! with the baseline: closures handed to pulp's dispatcher, which arrive through a shim of the
-//! compiler, and closures handed to most iterators.
+//! The build targets a baseline processor. Kernels written against [`Simd`] are compiled once for
+//! each instruction set; the call selects one at run time. Code that is not inlined into a kernel
+//! is compiled for the baseline only: closures passed to pulp's dispatcher (which arrive through a
+//! shim of the compiler), and closures passed to most iterators.
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Numbers side by side.
+/// Number of values in a lane.
 pub const LANES: usize = 8;
-/// One entry of eight things.
+/// The same entry of eight objects.
 pub type Lane = [f64; LANES];
 
-/// Registers that hold one lane.
+/// Number of registers that hold one lane.
 pub const fn parts<S: Simd>() -> usize {
     LANES / S::F64_LANES
 }
@@ -24,13 +24,13 @@ pub fn registers<S: Simd>(x: &[Lane]) -> &[S::f64s] {
     S::as_simd_f64s(x.as_flattened()).0
 }
 
-/// Lanes as registers, to be written.
+/// Lanes as mutable registers.
 #[inline(always)]
 pub fn registers_mut<S: Simd>(x: &mut [Lane]) -> &mut [S::f64s] {
     S::as_mut_simd_f64s(x.as_flattened_mut()).0
 }
 
-/// Runs a kernel in the widest registers there are.
+/// Runs a kernel in the widest registers available.
 #[inline(always)]
 pub fn dispatch<K: WithSimd>(kernel: K) -> K::Output {
     Arch::new().dispatch(kernel)

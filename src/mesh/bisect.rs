@@ -1,9 +1,8 @@
-//! Conformal refinement by bisection of longest edges: every tet around an edge is halved with it,
-//! so no node hangs, bodies keep sharing their faces, and flat faces stay the flat faces they are.
+//! Conforming refinement by bisection of longest edges: every tet around an edge is halved with it,
+//! so there are no hanging nodes, bodies keep their shared faces, and plane faces stay plane.
 //!
-//! A tet is refined by walking to ever longer edges until one is the longest of all the tets around
-//! it; that one is halved. Edges are ordered by length, then by their nodes, so the walk cannot
-//! turn in circles.
+//! A tet is refined by a walk to ever longer edges until an edge is the longest of all tets around
+//! it; that edge is halved. Edges are ordered by length, then by their nodes, so the walk ends.
 //!
 //! # Source
 //! Rivara, New longest-edge algorithms for the refinement and/or improvement of unstructured
@@ -13,17 +12,17 @@ use super::TetMesh;
 use super::tet::{EDGES, signed_volume};
 use std::collections::HashMap;
 
-/// A refined mesh and where its tets come from.
+/// A refined mesh and the origin of its tets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined {
     /// The mesh; bodies, names and sharing of nodes as before.
     pub mesh: TetMesh,
-    /// The tet of the old mesh that holds each tet of the new one.
+    /// The tet of the old mesh that contains each tet of the new mesh.
     pub parent: Vec<u32>,
 }
 
 impl Refined {
-    /// Into how many parts each of `old` tets was split.
+    /// Number of parts into which each of the `old` tets was split.
     pub fn parts(&self, old: usize) -> Vec<f64> {
         let mut parts = vec![0.0; old];
         self.parent.iter().for_each(|p| parts[*p as usize] += 1.0);
@@ -52,8 +51,8 @@ fn edge(a: u32, b: u32) -> Edge {
 }
 
 /// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts, to the nearest
-/// power of two, and more where the neighbours ask for it. Wants below 2 leave a tet alone: nothing
-/// is made coarser.
+/// power of two, and into more where conformity requires it. Values below √2 leave a tet unchanged:
+/// nothing is coarsened.
 pub fn refine(mesh: &TetMesh, wanted: &[f64]) -> Refined {
     let goals: Vec<f64> = wanted
         .iter()
@@ -62,7 +61,7 @@ pub fn refine(mesh: &TetMesh, wanted: &[f64]) -> Refined {
         .collect();
     let mut b = Bisection::new(mesh);
     let mut t = 0;
-    // new tets come last and are looked at in their turn
+    // new tets are appended and checked later in the same loop
     while t < b.mesh.tets.len() {
         while signed_volume(&b.mesh.corners(t)) > goals[b.parent[t] as usize] {
             b.halve_for(t as u32);
@@ -95,7 +94,7 @@ impl Bisection {
         Self { mesh: mesh.clone(), parent, triangles, tets_at, triangles_at }
     }
 
-    /// Place of an edge in their order: by length, then by nodes.
+    /// Sort key of an edge: squared length, then nodes.
     fn rank(&self, e: Edge) -> (f64, Edge) {
         let [a, b] = e.map(|n| self.mesh.nodes[n as usize]);
         ((0..3).map(|d| (a[d] - b[d]) * (a[d] - b[d])).sum(), e)
@@ -115,8 +114,8 @@ impl Bisection {
         a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).is_gt()
     }
 
-    /// Halves one edge on the way from tet `t` to ever longer edges; in the end, when called often
-    /// enough, that of `t` itself.
+    /// Halves the last edge of the walk from tet `t` to ever longer edges. Repeated calls end with
+    /// the longest edge of `t` itself.
     fn halve_for(&mut self, t: u32) {
         let mut e = self.longest(t);
         loop {
@@ -132,7 +131,7 @@ impl Bisection {
         let [a, b] = e;
         let m = self.mesh.nodes.len() as u32;
         let (x, y) = (self.mesh.nodes[a as usize], self.mesh.nodes[b as usize]);
-        // equal coordinates stay equal: what lies in a plane of the axes stays there exactly
+        // equal coordinates stay equal: nodes in a coordinate plane stay there exactly
         self.mesh.nodes.push(std::array::from_fn(|d| 0.5 * (x[d] + y[d])));
         for t in self.tets_at.remove(&e).unwrap_or_default() {
             let nodes = self.mesh.tets[t as usize];
@@ -182,7 +181,7 @@ fn sides([a, b, c]: [u32; 3]) -> [Edge; 3] {
     [edge(a, b), edge(b, c), edge(c, a)]
 }
 
-/// Where `old` stands in the list of an edge, `new` stands from now on.
+/// Replaces `old` by `new` in the list of an edge.
 fn rename(at: &mut HashMap<Edge, Vec<u32>>, e: Edge, old: u32, new: u32) {
     for t in at.get_mut(&e).into_iter().flatten().filter(|t| **t == old) {
         *t = new;
@@ -268,7 +267,7 @@ mod tests {
             worst(&refined.mesh),
             worst(&old)
         );
-        // nothing wanted, nothing done
+        // targets below √2 change nothing
         assert_eq!(refine(&old, &vec![1.4; old.tets.len()]).mesh, old);
     }
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh.
+//! Faults of meshes and mesh files.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use std::path::PathBuf;
@@ -59,20 +59,20 @@ pub enum MeshError {
         /// Its name.
         section: String,
     },
-    /// A line that does not hold what the format asks for.
+    /// A line that does not conform to the format.
     #[error("expected {expected} in `${section}`, found `{found}`")]
     Malformed {
         /// Where.
         at: MshPlace,
         /// The section.
         section: String,
-        /// What should stand there.
+        /// What the format requires there.
         expected: &'static str,
-        /// What stands there.
+        /// What the file contains there.
         found: String,
     },
     /// A tag used twice: node, element or name.
-    #[error("{what} stands twice")]
+    #[error("{what} is defined twice")]
     Repeated {
         /// Where.
         at: MshPlace,
@@ -90,7 +90,7 @@ pub enum MeshError {
         value: f64,
     },
     /// An element names a node that is absent.
-    #[error("element {element} uses node {node}, which the file does not hold")]
+    #[error("element {element} uses node {node}, which the file does not contain")]
     UnknownNode {
         /// Where.
         at: MshPlace,
@@ -100,7 +100,7 @@ pub enum MeshError {
         node: u64,
     },
     /// An element block names an entity that `$Entities` lacks (4.1).
-    #[error("an element block lies on {kind} {tag}, which `$Entities` does not hold")]
+    #[error("an element block lies on {kind} {tag}, which `$Entities` does not contain")]
     UnknownEntity {
         /// Where.
         at: MshPlace,
@@ -130,7 +130,7 @@ pub enum MeshError {
         kind: &'static str,
     },
     /// No tet at all.
-    #[error("the mesh holds no tetrahedron")]
+    #[error("the mesh contains no tetrahedron")]
     NoTets {
         /// Where.
         at: MshPlace,
@@ -193,8 +193,12 @@ pub enum MeshError {
         /// Tag of the other element.
         other: u64,
     },
-    /// Two nodes of one body closer than nodes of two bodies may lie apart.
-    #[error("two nodes of body `{body}` near ({}, {}, {}) mm lie within {distance:.1e} mm of each other", x[0], x[1], x[2])]
+    /// Two nodes of one body closer than the distance at which nodes of two bodies are merged.
+    #[error(
+        "two nodes of body `{body}` near ({}, {}, {}) mm lie within {distance:.1e} mm of each \
+         other",
+        x[0], x[1], x[2]
+    )]
     NearNodes {
         /// Name of the body.
         body: String,
@@ -204,7 +208,11 @@ pub enum MeshError {
         distance: f64,
     },
     /// Two bodies meet with different triangles.
-    #[error("the triangles of bodies `{a}` and `{b}` do not match where they meet, near ({}, {}, {}) mm", x[0], x[1], x[2])]
+    #[error(
+        "the triangles of bodies `{a}` and `{b}` do not match where they meet, near \
+         ({}, {}, {}) mm",
+        x[0], x[1], x[2]
+    )]
     NotMatching {
         /// Name of one body.
         a: String,
@@ -228,7 +236,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// Stable code, place, and what to do next.
+    /// Stable code, place, and remedy.
     fn parts(&self) -> (&'static str, Option<&MshPlace>, &'static str) {
         use MeshError as E;
         let again =
@@ -237,8 +245,8 @@ impl MeshError {
             E::Io { at, .. } => (
                 "mesh/read",
                 Some(at),
-                "check the path: it is relative to the file that names it; and the right to read \
-                 it",
+                "check the path, which is relative to the file that names it, and the permission \
+                 to read it",
             ),
             E::NotGmsh { at } => (
                 "mesh/not-gmsh",

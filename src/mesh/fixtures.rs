@@ -17,7 +17,7 @@ pub fn cubes(cells: &[([i32; 3], &str)]) -> TetMesh {
             mesh.bodies.push(body.to_string());
             mesh.bodies.len() - 1
         });
-        // the six ways from one corner to the opposite one, an axis at a time
+        // the six paths from one corner to the opposite one, along one axis after the other
         for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let mut p = *cell;
             let mut tet = [0; 4];

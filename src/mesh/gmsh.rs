@@ -1,200 +1,18 @@
-//! gmsh as a separate process: finding it, running it under a time limit, reading its log.
+//! gmsh as a separate process: asks its version, runs it under a time limit, reads its log.
 //!
-//! gmsh prints errors, goes on, and exits with success; nothing here trusts an exit code alone.
+//! gmsh may print errors, go on, and exit with success, so the exit code alone proves nothing.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use super::mesher_command::find_command;
+use super::mesher_error::{MesherError, OLDEST, final_path};
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Environment variable with the mesher's command: words separated by blanks, or a JSON list of
-/// words.
-pub const VARIABLE: &str = "BRACKET_GMSH";
-
-/// Oldest version the scripts are written for.
-pub const OLDEST: (u32, u32) = (4, 8);
-
-/// What can go wrong with the mesher's process.
-#[derive(Debug, thiserror::Error)]
-pub enum MesherError {
-    /// No command was found.
-    #[error(
-        "the mesher gmsh was not found: {VARIABLE} is not set, no .venv with gmsh lies above the \
-         current directory or the program, and there is no gmsh on PATH"
-    )]
-    Missing,
-    /// The environment variable cannot be read as a command.
-    #[error("{VARIABLE} is `{value}`, which is neither words nor a JSON list of words")]
-    BadVariable {
-        /// Its value.
-        value: String,
-    },
-    /// The command does not start.
-    #[error("the mesher `{command}` does not start: {source}")]
-    Start {
-        /// The command.
-        command: String,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-    /// It starts but does not tell its version.
-    #[error("the mesher `{command}` does not answer `--version`: {answer}")]
-    NoVersion {
-        /// The command.
-        command: String,
-        /// What it said.
-        answer: String,
-    },
-    /// Too old.
-    #[error("the mesher is gmsh {found}, at least {}.{} is needed", OLDEST.0, OLDEST.1)]
-    TooOld {
-        /// Its version.
-        found: String,
-    },
-    /// It ran longer than allowed and was stopped.
-    #[error("the mesher was stopped after {seconds:.0} s, the time limit")]
-    TimeLimit {
-        /// The limit \[s\].
-        seconds: f64,
-    },
-    /// The user asked to stop.
-    #[error(
-        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was \
-         written"
-    )]
-    Interrupted {
-        /// How long it ran \[s\].
-        seconds: f64,
-    },
-    /// Something killed it.
-    #[error("the mesher was killed by signal {signal} after {seconds:.0} s{}", if *signal == 9 { " (out of memory?)" } else { "" })]
-    Killed {
-        /// The signal.
-        signal: i32,
-        /// How long it ran \[s\].
-        seconds: f64,
-    },
-    /// It reported errors, or ended with an exit code other than 0.
-    #[error("the mesher failed{}: {said}", code.map_or(String::new(), |c| format!(" (exit code {c})")))]
-    Failed {
-        /// Its exit code, when it is not 0.
-        code: Option<i32>,
-        /// Its first error lines. The log itself goes with the working folder, so it is quoted, not
-        /// named.
-        said: String,
-    },
-    /// It ended well and left no usable file.
-    #[error("the mesher ended without error but left no usable {what}: {why}")]
-    NoOutput {
-        /// `mesh` or `STEP file`.
-        what: &'static str,
-        /// Absent, empty or cut off.
-        why: String,
-    },
-    /// The disk is full.
-    #[error("no space is left on the disk for `{}`", file.display())]
-    DiskFull {
-        /// The file being written.
-        file: PathBuf,
-    },
-    /// A file cannot be written.
-    #[error("`{}` cannot be written: {source}", file.display())]
-    Write {
-        /// The file.
-        file: PathBuf,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-}
-
-impl MesherError {
-    /// A failed write; a full disk is told apart.
-    pub fn write(file: impl Into<PathBuf>, source: std::io::Error) -> Self {
-        use std::io::ErrorKind as K;
-        let file = whole(&file.into());
-        match source.kind() {
-            K::StorageFull | K::QuotaExceeded | K::FileTooLarge => MesherError::DiskFull { file },
-            _ => MesherError::Write { file, source },
-        }
-    }
-}
-
-/// The path as the user knows it: `joint/mesh.msh` for `joint.part/mesh.msh`, which is written
-/// aside and renamed.
-fn whole(path: &Path) -> PathBuf {
-    let ours = |word: &str| {
-        word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()))
-    };
-    path.components()
-        .map(|c| match c.as_os_str().to_str().and_then(|w| Some((w, ours(w)?))) {
-            Some((word, end)) => OsString::from(&word[..end]),
-            None => c.as_os_str().to_os_string(),
-        })
-        .collect()
-}
-
-impl From<MesherError> for Diagnostic {
-    fn from(error: MesherError) -> Self {
-        use MesherError as E;
-        let doctor = "run `bracket doctor`: it says what is found and how to get what is missing"
-            .to_string();
-        let (code, help) = match &error {
-            E::Missing => ("mesher/missing", doctor),
-            E::BadVariable { .. } => (
-                "mesher/variable",
-                format!(
-                    "set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset \
-                     it"
-                ),
-            ),
-            E::Start { .. } => ("mesher/start", doctor),
-            E::NoVersion { .. } => ("mesher/version", doctor),
-            E::TooOld { .. } => ("mesher/old", doctor),
-            E::TimeLimit { .. } => (
-                "mesher/time",
-                "allow more time (`analysis.time_limit`), or a larger `analysis.mesh.size`".into(),
-            ),
-            E::Interrupted { .. } => {
-                let help = "run the same command again when there is time for it";
-                return Diagnostic::undecided("mesher/interrupted", error.to_string()).help(help);
-            }
-            E::Killed { .. } => (
-                "mesher/killed",
-                "free memory, or ask for a larger `analysis.mesh.size`; then run again".into(),
-            ),
-            E::Failed { .. } => (
-                "mesher/failed",
-                "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it \
-                 fails again, `bracket doctor` tells what is wrong with the mesher"
-                    .into(),
-            ),
-            E::NoOutput { .. } => (
-                "mesher/no-output",
-                "check that the disk is not full; then run `bracket doctor`".into(),
-            ),
-            E::DiskFull { .. } => {
-                ("mesher/disk", "free some space, or write elsewhere with `--out`".into())
-            }
-            E::Write { .. } => (
-                "mesher/write",
-                "check the folder and the right to write there, or use `--out`".into(),
-            ),
-        };
-        Diagnostic::environment(code, error.to_string()).help(help)
-    }
-}
-
-impl From<MesherError> for Diagnostics {
-    fn from(error: MesherError) -> Self {
-        Diagnostic::from(error).into()
-    }
-}
-
-/// The mesher: a command as a list of words, and the version it answered.
+/// The mesher: its command as a list of words, and its version.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mesher {
     /// Program and first arguments.
@@ -219,10 +37,10 @@ impl Mesher {
         Ok(Self { command, version })
     }
 
-    /// Runs it in `dir` with `arguments`, its talk going to `dir/log_name`; returns the log's text.
+    /// Runs it in `dir` with `arguments` and returns its log, written to `dir/log_name`.
     ///
-    /// The process is killed, with all it has started, when `limit` has passed or `interrupt` is
-    /// set. Every error line of the log is a failure, whatever the exit code.
+    /// The process and its children are killed when `limit` has passed or `interrupt` is set. Any
+    /// error line in the log is a failure, whatever the exit code.
     pub fn run(
         &self,
         arguments: &[&str],
@@ -258,7 +76,7 @@ impl Mesher {
             .map_err(|e| MesherError::write(&log_path, e))?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         if text.contains("No space left on device") {
-            return Err(MesherError::DiskFull { file: whole(dir) });
+            return Err(MesherError::DiskFull { file: final_path(dir) });
         }
         if let Some(signal) = killed_by(&status) {
             return Err(MesherError::Killed { signal, seconds: started.elapsed().as_secs_f64() });
@@ -268,7 +86,7 @@ impl Mesher {
             let said = match (errors.is_empty(), text.lines().rfind(|l| !l.trim().is_empty())) {
                 (false, _) => errors.into_iter().take(3).collect::<Vec<_>>().join("; "),
                 (true, Some(last)) => last.trim().to_string(),
-                (true, None) => "it said nothing".to_string(),
+                (true, None) => "it printed nothing".to_string(),
             };
             let code = status.code().filter(|c| *c != 0);
             return Err(MesherError::Failed { code, said });
@@ -277,7 +95,7 @@ impl Mesher {
     }
 }
 
-/// The error lines of a log, and the warning that bodies got lost.
+/// The error lines of a log, and the warnings of lost bodies.
 fn error_lines(log: &str) -> Vec<String> {
     log.split(['\n', '\r'])
         .map(str::trim)
@@ -296,8 +114,8 @@ fn shown(command: &[OsString]) -> String {
     command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// In a process group of its own: a Ctrl-C in the terminal reaches us alone, and we end the mesher
-/// with all it has started (a wrapper's gmsh too).
+/// Starts the command in a process group of its own: Ctrl-C in the terminal then reaches only this
+/// process, which ends the mesher and all its children (also the gmsh behind a wrapper).
 #[cfg(unix)]
 fn alone(command: &mut Command) -> &mut Command {
     std::os::unix::process::CommandExt::process_group(command, 0)
@@ -315,7 +133,7 @@ fn kill(child: &mut Child) -> std::io::Result<()> {
         use nix::sys::signal::{Signal, killpg};
         use nix::unistd::{Pid, getpgid};
         let pid = Pid::from_raw(child.id().cast_signed());
-        // only the child of `alone` leads a group: another's is our own
+        // only a child started by `alone` leads a group; any other child is in our group
         if getpgid(Some(pid)) == Ok(pid) {
             let _ = killpg(pid, Signal::SIGKILL);
         }
@@ -333,7 +151,7 @@ enum End {
     Interrupted,
 }
 
-/// Waits at most `limit`, and no longer than the user wants.
+/// Waits until the child ends, `limit` has passed, or the user interrupts.
 fn wait(
     child: &mut Child,
     limit: Duration,
@@ -381,8 +199,8 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
     if !matches!(end, End::Exit(_)) {
         return Err(fail("no answer within 60 s".into()));
     }
-    // 4.8 answers on standard error, later versions on standard output. The answer is short: the
-    // pipes cannot fill.
+    // version 4.8 answers on standard error, later ones on standard output; the answer is too short
+    // to fill the pipes
     let mut text = String::new();
     if let Some(mut out) = child.stdout.take() {
         let _ = out.read_to_string(&mut text);
@@ -396,65 +214,9 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
         .map(str::to_string)
         .ok_or_else(|| {
             fail(
-                text.lines().last().map_or("it said nothing".into(), |l| format!("`{}`", l.trim())),
+                text.lines()
+                    .last()
+                    .map_or("it printed nothing".into(), |l| format!("`{}`", l.trim())),
             )
         })
-}
-
-/// Environment variable, then a project-local venv, then PATH.
-fn find_command() -> Result<Vec<OsString>, MesherError> {
-    if let Some(value) = std::env::var_os(VARIABLE).filter(|v| !v.is_empty()) {
-        return parse_command(&value.to_string_lossy());
-    }
-    let exe = std::env::current_exe().ok();
-    let starts = [
-        std::env::current_dir().ok(),
-        exe.as_deref().and_then(Path::parent).map(Path::to_path_buf),
-    ];
-    for start in starts.into_iter().flatten() {
-        for dir in start.ancestors() {
-            let bin = dir.join(".venv").join("bin");
-            let (python, gmsh) = (bin.join("python"), bin.join("gmsh"));
-            if python.exists() && gmsh.exists() {
-                return Ok(vec![python.into(), gmsh.into()]);
-            }
-        }
-    }
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    std::env::split_paths(&path)
-        .map(|dir| dir.join("gmsh"))
-        .find(|p| p.is_file())
-        .map(|p| command_of_file(&p))
-        .ok_or(MesherError::Missing)
-}
-
-/// The words of the environment variable.
-fn parse_command(value: &str) -> Result<Vec<OsString>, MesherError> {
-    let bad = || MesherError::BadVariable { value: value.to_string() };
-    let words: Vec<String> = if value.trim_start().starts_with('[') {
-        serde_json::from_str(value).map_err(|_| bad())?
-    } else {
-        value.split_whitespace().map(str::to_string).collect()
-    };
-    if words.first().is_none_or(|w| w.is_empty()) {
-        return Err(bad());
-    }
-    Ok(words.into_iter().map(OsString::from).collect())
-}
-
-/// The wheel's `gmsh` is a Python script that asks `env` for a Python: without an activated venv it
-/// gets the wrong one. The Python beside it is the right one.
-fn command_of_file(gmsh: &Path) -> Vec<OsString> {
-    let mut head = [0u8; 64];
-    let n = File::open(gmsh).and_then(|mut f| f.read(&mut head)).unwrap_or(0);
-    let first = String::from_utf8_lossy(&head[..n]);
-    let python = gmsh.with_file_name("python3");
-    if first.starts_with("#!")
-        && first.lines().next().is_some_and(|l| l.contains("python"))
-        && python.exists()
-    {
-        vec![python.into(), gmsh.into()]
-    } else {
-        vec![gmsh.into()]
-    }
 }

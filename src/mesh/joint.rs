@@ -1,6 +1,7 @@
-//! Assembly → mesh with named bodies and faces: script, mesher, names, checks.
+//! Meshes a joint: writes the script, runs the mesher, names bodies and faces, checks the mesh.
 
-use super::gmsh::{Mesher, MesherError};
+use super::gmsh::Mesher;
+use super::mesher_error::MesherError;
 use super::naming::{self, Checks};
 use super::quality::{self, BodyQuality};
 use super::{MeshError, TetMesh, msh, msh_write};
@@ -15,29 +16,29 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-/// What is meshed, how finely, and where files go.
+/// Extent, element sizes and files of meshing a joint.
 #[derive(Clone, Debug)]
 pub struct MeshOptions {
-    /// The whole joint, even if it is symmetric.
+    /// Mesh the whole joint, even if it is symmetric.
     pub full: bool,
     /// Cut plates, flanges, webs and stiffeners at mid-thickness.
     pub layers: bool,
-    /// Element sizes; `sizes.factor` scales them all.
+    /// Element sizes; `sizes.factor` scales all of them.
     pub sizes: SizeRule,
-    /// A view of gmsh with wanted sizes, which then rule instead.
+    /// Target sizes as a view of gmsh; they replace `sizes`.
     pub size_view: Option<String>,
     /// Time the mesher may take.
     pub time_limit: Duration,
     /// Folder for the script, the mesher's file and its log; created if absent.
     pub work_dir: PathBuf,
-    /// The mesher; `None`: looked for.
+    /// The mesher; `None`: searched for.
     pub mesher: Option<Mesher>,
     /// Set from outside to stop the mesher.
     pub interrupt: Option<Arc<AtomicBool>>,
 }
 
 impl MeshOptions {
-    /// Quarter or half if symmetric, layers, the parts' own sizes, ten minutes.
+    /// Defaults: quarter or half if symmetric, layers, the sizes of the parts, ten minutes.
     pub fn new(work_dir: impl Into<PathBuf>) -> Self {
         MeshOptions {
             full: false,
@@ -55,28 +56,28 @@ impl MeshOptions {
 /// A meshed joint.
 #[derive(Clone, Debug)]
 pub struct JointMesh {
-    /// The mesh: bodies in the assembly's order share their nodes; faces: named interfaces, loads,
-    /// supports, symmetry.
+    /// The mesh. Bodies are in the order of the assembly and share nodes; the named faces are
+    /// interfaces, loads, supports and symmetry planes.
     pub mesh: TetMesh,
     /// Quality of each body's tets.
     pub quality: Vec<BodyQuality>,
-    /// Meshed against exact volumes and areas.
+    /// Comparison of meshed and exact volumes and areas.
     pub checks: Checks,
     /// Symmetry planes in use.
     pub symmetry_used: Vec<SymmetryPlane>,
-    /// Copies of the mesh that make the whole joint.
+    /// Number of copies of the mesh that make the whole joint.
     pub copies: u32,
     /// The mesher's script.
     pub geo: String,
     /// Version of the mesher.
     pub mesher: String,
-    /// Seconds in the mesher.
+    /// Time in the mesher \[s\].
     pub mesher_seconds: f64,
-    /// Seconds altogether.
+    /// Total time \[s\].
     pub seconds: f64,
 }
 
-/// Meshes a joint. `progress` hears what is being done.
+/// Meshes a joint; `progress` receives the name of each step.
 pub fn mesh_joint(
     assembly: &Assembly,
     options: &MeshOptions,
@@ -105,7 +106,7 @@ pub fn mesh_joint(
         };
         progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
         let found = match mesh_once(&geo, &scene, &mesher, options, progress) {
-            // a tet without any volume is a sliver that rounding has finished off
+            // a tet without volume is a sliver that rounding has flattened
             Err(faults)
                 if !(last && best.is_none())
                     && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
@@ -127,13 +128,12 @@ pub fn mesh_joint(
     })
 }
 
-/// Smallest dihedral angle that is left as it is \[degrees\]; flatter tets spoil the static
-/// program.
+/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the static program.
 const FLAT: f64 = 0.5;
-/// Sizes of the attempts, of those asked for: gmsh leaves now and then a sliver where a fillet
-/// ends, and none with slightly other sizes.
+/// Factors on the element sizes, one for each attempt. gmsh occasionally leaves a sliver where a
+/// fillet ends, but not with slightly different sizes.
 const SCALES: [f64; 4] = [1.0, 0.97, 0.94, 1.03];
-/// What the reader says of a mesh with tets without volume.
+/// Codes of the reader for meshes with tets without volume.
 const FLAT_CODES: [&str; 2] = ["mesh/flat", "mesh/folded"];
 
 impl JointMesh {
@@ -227,7 +227,7 @@ fn remove(path: &Path) -> Result<(), MesherError> {
     }
 }
 
-/// Reads the mesher's file; a damaged file is the machine's fault here, not the user's.
+/// Reads the mesher's file. A damaged file is a fault of the environment here, not of the input.
 fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
     let damaged = |why: String| MesherError::NoOutput { what: "mesh", why }.into();
     match std::fs::metadata(raw) {
@@ -236,7 +236,7 @@ fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
         Ok(_) => {}
     }
     msh::read(raw).map_err(|error| match error {
-        // the mesher's file is not the user's: its lines mean nothing to him
+        // the user did not write this file: its line numbers would not help
         MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => {
             let mut d = Diagnostic::from(error)
                 .help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");

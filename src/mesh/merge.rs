@@ -1,5 +1,5 @@
-//! Meshes that come already split: coincident nodes of different bodies become one, so that every
-//! mesh is treated alike.
+//! Merges coincident nodes of different bodies in meshes that are already split, so that all meshes
+//! are treated in the same way afterwards.
 
 use super::TetMesh;
 use super::error::MeshError;
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, HashMap};
 /// one.
 pub const COINCIDENT: f64 = 1e-6;
 
-/// Merges coincident nodes of different bodies; returns how many nodes went away.
+/// Merges coincident nodes of different bodies; returns the number of removed nodes.
 pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     let tolerance = COINCIDENT * diagonal(&mesh.nodes);
     let mut body = vec![u32::MAX; mesh.nodes.len()];
@@ -35,7 +35,7 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     let cell = |x: &[f64; 3]| x.map(|c| (c / (2.0 * tolerance)).floor() as i64);
     let mut grid: HashMap<[i64; 3], Vec<u32>> = HashMap::with_capacity(outer.len());
     let mut target: Vec<u32> = (0..mesh.nodes.len() as u32).collect();
-    // bodies already gathered at a node that others were merged into
+    // bodies of the nodes merged into each node so far
     let mut gathered: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for n in outer {
         let x = mesh.nodes[n as usize];

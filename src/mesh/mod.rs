@@ -1,4 +1,5 @@
-//! From a mesher's file to a mesh whose interfaces match triangle to triangle.
+//! Tetrahedral meshes: the mesher gmsh, its files, and meshes whose interfaces match triangle by
+//! triangle.
 
 pub mod bisect;
 pub mod error;
@@ -7,6 +8,8 @@ pub(crate) mod fixtures;
 pub mod gmsh;
 pub mod joint;
 pub mod merge;
+pub mod mesher_command;
+pub mod mesher_error;
 pub mod msh;
 pub mod msh_write;
 pub mod naming;

@@ -1,7 +1,7 @@
-//! Writes a mesh as gmsh 2.2 ASCII; every coordinate reads back to the same bits.
+//! Writes a mesh as gmsh 2.2 ASCII. Every coordinate is read back to the same bits.
 
 use super::TetMesh;
-use super::gmsh::MesherError;
+use super::mesher_error::MesherError;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -51,12 +51,12 @@ pub fn text(mesh: &TetMesh) -> String {
     out
 }
 
-/// Writes the file aside and renames it: a file of this name is always whole.
+/// Writes the file under a temporary name and renames it: a file of this name is always complete.
 pub fn write(mesh: &TetMesh, path: &Path) -> Result<(), MesherError> {
     write_whole(path, &text(mesh))
 }
 
-/// Writes a text file aside and renames it.
+/// Writes a text file under a temporary name and renames it.
 pub fn write_whole(path: &Path, text: &str) -> Result<(), MesherError> {
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     name.push(".part");
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn nothing_half_written_is_left() {
         let dir = tempfile::tempdir().expect("temporary folder");
-        // A folder stands where the file should go: the rename fails after the text is written.
+        // a folder has the name of the file: the rename fails after the text is written
         let path = dir.path().join("mesh.msh");
         std::fs::create_dir(&path).expect("folder");
         std::fs::write(path.join("keep"), "x").expect("file");

@@ -1,59 +1,29 @@
-//! Names for the faces of a freshly meshed joint, found by coordinates, and the checks that the
-//! mesh is the joint.
+//! Names the faces of a freshly meshed joint, found by their coordinates, and checks that the mesh
+//! agrees with the joint.
 
-use super::topology::{FaceRow, FaceTable, face_nodes};
+mod agreement;
+pub(super) mod surface;
+mod triangles;
+
+pub use agreement::{AreaCheck, Checks, VolumeCheck};
+
+use super::topology::{FaceRow, FaceTable};
 use super::{NamedFaces, TetMesh};
 use crate::assembly::assembly::Surface;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::geometry::exact::{self, MANTLE_TOLERANCE};
+use crate::geometry::exact;
 use crate::geometry::scene::Scene;
-use crate::math::vec3::{V3, cross, dot, sub};
-
-/// Nodes closer than this to a named plane are on it and are moved there exactly \[mm\].
-const SNAP: f64 = 1e-6;
-
-/// Allowed relative difference of meshed and exact volumes and areas. All facets are planes, so
-/// both agree to the CAD kernel's rounding; 0.01 % leaves room for the strips `exact` approximates.
-const AGREE: f64 = 1e-4;
-
-/// Area of a mesh face set and what it should be.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct AreaCheck {
-    /// What the area is of, for example `PLATE_R / COLUMN` or `SYM_X0`.
-    pub name: String,
-    /// Meshed area \[mm²\].
-    pub meshed: f64,
-    /// Exact area of the flat-faced solids \[mm²\].
-    pub exact: f64,
-}
-
-/// Volume of a body and what it should be.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct VolumeCheck {
-    /// The body.
-    pub body: String,
-    /// Meshed volume \[mm³\].
-    pub meshed: f64,
-    /// Exact volume of the flat-faced solid \[mm³\].
-    pub exact: f64,
-}
-
-/// What was compared; kept for the report.
-#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
-pub struct Checks {
-    /// One per body.
-    pub volumes: Vec<VolumeCheck>,
-    /// Touching pairs, then named faces.
-    pub areas: Vec<AreaCheck>,
-}
+use agreement::{area_fault, contacts, disagree, volumes};
+use surface::{SNAP, beyond, extent, looked_for, on_surface};
+use triangles::{between, corners, nodes_of, total};
 
 /// Name of the face on the symmetry plane `x[axis] = 0`.
 pub fn symmetry_face(axis: usize) -> &'static str {
     ["SYM_X0", "SYM_Y0", "SYM_Z0"][axis]
 }
 
-/// Puts nodes that lie on symmetry planes up to rounding exactly there.
-pub fn snap(mesh: &mut TetMesh, scene: &Scene) {
+/// Moves nodes that lie on symmetry planes up to rounding exactly onto them.
+fn snap(mesh: &mut TetMesh, scene: &Scene) {
     for plane in &scene.symmetry {
         for x in &mut mesh.nodes {
             if x[plane.axis].abs() < SNAP {
@@ -63,40 +33,20 @@ pub fn snap(mesh: &mut TetMesh, scene: &Scene) {
     }
 }
 
-/// Names all faces the model needs and compares every volume, contact and face with the exact one.
+/// Names all faces that the model needs, and compares every volume, contact and face with the exact
+/// one.
 ///
-/// The mesh's bodies must be the scene's, in any order; afterwards they are in the scene's order.
+/// The bodies of the mesh must be those of the scene, in any order; afterwards they are in the
+/// order of the scene.
 pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagnostics> {
     order_bodies(mesh, scene)?;
     snap(mesh, scene);
-    let mut faults = Vec::new();
-    let mut checks = Checks { volumes: volumes(mesh, scene, &mut faults), areas: Vec::new() };
-    let table = FaceTable::new(&mesh.tets);
-    let mut faces = Vec::new();
-    contacts(mesh, scene, &table, &mut checks, &mut faults);
-    for rule in &scene.assembly.interfaces {
-        let on = rule.surface.as_ref().map(|(name, surface)| (name, surface));
-        interface(mesh, scene, &table, (&rule.between, on), &mut faces, &mut checks, &mut faults);
-    }
-    for weld in &scene.assembly.welds {
-        // parts that a plane of symmetry halves may have welds wholly on the side that is not
-        // modelled
-        if matches!(weld.surface, Surface::Plane { min, max, .. } if beyond(scene, &min, &max)) {
-            continue;
-        }
-        let on = Some((&weld.name, &weld.surface));
-        interface(mesh, scene, &table, (&weld.between, on), &mut faces, &mut checks, &mut faults);
-    }
-    outer_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
-    symmetry_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
-    preload_cuts(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
-    if !faults.is_empty() {
-        return Err(Diagnostics(faults));
-    }
+    let (faces, checks) = Naming::new(mesh, scene).finish()?;
     mesh.faces = faces;
     Ok(checks)
 }
 
+/// Renumbers the bodies of the mesh in the order of the scene.
 fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
     let mut faults = Vec::new();
     let mut new_index = vec![u32::MAX; mesh.bodies.len()];
@@ -128,378 +78,201 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-fn disagree(meshed: f64, exact: f64) -> bool {
-    (meshed - exact).abs() > AGREE * exact.max(1e-3)
+/// Faces named so far, and the comparisons and faults found on the way.
+struct Naming<'a> {
+    mesh: &'a TetMesh,
+    scene: &'a Scene<'a>,
+    table: FaceTable,
+    faces: Vec<NamedFaces>,
+    checks: Checks,
+    faults: Vec<Diagnostic>,
 }
 
-fn volumes(mesh: &TetMesh, scene: &Scene, faults: &mut Vec<Diagnostic>) -> Vec<VolumeCheck> {
-    let mut meshed = vec![0.0; scene.bodies.len()];
-    for (e, b) in mesh.tet_body.iter().enumerate() {
-        meshed[*b as usize] += mesh.volume(e);
-    }
-    let mut out = Vec::new();
-    for (body, meshed) in scene.bodies.iter().zip(meshed) {
-        let exact = exact::volume(body);
-        if disagree(meshed, exact) {
-            faults.push(
-                Diagnostic::input(
-                    "mesh/volume",
-                    format!(
-                        "the {} ({}) has {meshed:.0} mm³ in the mesh and {exact:.0} mm³ by its \
-                         dimensions, at most {} % may differ",
-                        body.part.label,
-                        body.part.name,
-                        100.0 * AGREE
-                    ),
-                )
-                .help(
-                    "parts overlap or nearly touch: check the dimensions of this part and of its \
-                     neighbours",
-                ),
-            );
-        }
-        out.push(VolumeCheck { body: body.part.name.clone(), meshed, exact });
-    }
-    out
-}
-
-fn corners(mesh: &TetMesh, nodes: [u32; 3]) -> [V3; 3] {
-    nodes.map(|n| mesh.nodes[n as usize])
-}
-
-fn area(mesh: &TetMesh, nodes: [u32; 3]) -> f64 {
-    let [a, b, c] = corners(mesh, nodes);
-    let n = cross(sub(b, a), sub(c, a));
-    0.5 * dot(n, n).sqrt()
-}
-
-fn total(mesh: &TetMesh, triangles: &[[u32; 3]]) -> f64 {
-    triangles.iter().map(|t| area(mesh, *t)).sum()
-}
-
-fn nodes_of(mesh: &TetMesh, row: &FaceRow) -> [u32; 3] {
-    face_nodes(&mesh.tets[row.tet as usize], row.local)
-}
-
-/// Faces between two bodies, ordered outward from `a`.
-fn between(mesh: &TetMesh, table: &FaceTable, a: usize, b: usize) -> Vec<[u32; 3]> {
-    let mut out = Vec::new();
-    for rows in table.faces() {
-        if let [p, q] = rows {
-            let bodies =
-                [mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize];
-            if bodies == [a, b] {
-                out.push(nodes_of(mesh, p));
-            } else if bodies == [b, a] {
-                out.push(nodes_of(mesh, q));
-            }
+impl<'a> Naming<'a> {
+    fn new(mesh: &'a TetMesh, scene: &'a Scene<'a>) -> Self {
+        Self {
+            mesh,
+            scene,
+            table: FaceTable::new(&mesh.tets),
+            faces: Vec::new(),
+            checks: Checks::default(),
+            faults: Vec::new(),
         }
     }
-    out
-}
 
-fn pair_name(a: &str, b: &str) -> String {
-    format!("{a} / {b}")
-}
-
-/// Compares the area of every touching pair, tied or open, with the exact one.
-fn contacts(
-    mesh: &TetMesh,
-    scene: &Scene,
-    table: &FaceTable,
-    checks: &mut Checks,
-    faults: &mut Vec<Diagnostic>,
-) {
-    let n = scene.bodies.len();
-    let mut meshed = vec![0.0; n * n];
-    for rows in table.faces() {
-        if let [p, q] = rows {
-            let (a, b) =
-                (mesh.tet_body[p.tet as usize] as usize, mesh.tet_body[q.tet as usize] as usize);
-            if a != b {
-                meshed[a.min(b) * n + a.max(b)] += area(mesh, nodes_of(mesh, p));
-            }
+    fn finish(mut self) -> Result<(Vec<NamedFaces>, Checks), Diagnostics> {
+        let scene = self.scene;
+        self.checks.volumes = volumes(self.mesh, scene, &mut self.faults);
+        contacts(self.mesh, scene, &self.table, &mut self.checks, &mut self.faults);
+        for rule in &scene.assembly.interfaces {
+            let on = rule.surface.as_ref().map(|(name, surface)| (name, surface));
+            self.interface(&rule.between, on);
         }
-    }
-    for a in 0..n {
-        for b in a + 1..n {
-            let exact = exact::contact_area(&scene.bodies[a], &scene.bodies[b], None);
-            let meshed = meshed[a * n + b];
-            if meshed == 0.0 && exact < 1e-6 {
-                continue;
-            }
-            let (pa, pb) = (scene.bodies[a].part, scene.bodies[b].part);
-            if disagree(meshed, exact) {
-                faults.push(area_fault(
-                    format!(
-                        "the {} ({}) and the {} ({}) share",
-                        pa.label, pa.name, pb.label, pb.name
-                    ),
-                    meshed,
-                    exact,
-                ));
-            }
-            checks.areas.push(AreaCheck { name: pair_name(&pa.name, &pb.name), meshed, exact });
-        }
-    }
-}
-
-fn area_fault(what: String, meshed: f64, exact: f64) -> Diagnostic {
-    Diagnostic::input(
-        "mesh/area",
-        format!(
-            "{what} {meshed:.1} mm² in the mesh and {exact:.1} mm² by their dimensions, at most \
-             {} % may differ",
-            100.0 * AGREE
-        ),
-    )
-    .help("parts overlap or nearly touch, or a footprint crosses an edge: check these dimensions")
-}
-
-fn interface(
-    mesh: &TetMesh,
-    scene: &Scene,
-    table: &FaceTable,
-    (parts, on): (&[String; 2], Option<(&String, &Surface)>),
-    faces: &mut Vec<NamedFaces>,
-    checks: &mut Checks,
-    faults: &mut Vec<Diagnostic>,
-) {
-    let (Some(a), Some(b)) = (scene.body(&parts[0]), scene.body(&parts[1])) else { return };
-    let mut triangles = between(mesh, table, a, b);
-    if let Some((name, surface)) = on {
-        triangles.retain(|t| on_surface(surface, &corners(mesh, *t)));
-        let exact = exact::contact_area(&scene.bodies[a], &scene.bodies[b], Some(surface));
-        let meshed = total(mesh, &triangles);
-        if disagree(meshed, exact) {
-            faults.push(area_fault(format!("the surface {name} has"), meshed, exact));
-        }
-        checks.areas.push(AreaCheck { name: name.clone(), meshed, exact });
-        if !triangles.is_empty() {
-            faces.push(NamedFaces { name: name.clone(), triangles: triangles.clone() });
-        }
-    }
-    if triangles.is_empty() {
-        let (pa, pb) = (scene.bodies[a].part, scene.bodies[b].part);
-        faults.push(
-            Diagnostic::input(
-                "mesh/interface-empty",
-                format!(
-                    "the {} ({}) and the {} ({}) do not touch{}, but an interface between them is \
-                     asked for",
-                    pa.label,
-                    pa.name,
-                    pb.label,
-                    pb.name,
-                    on.map_or_else(String::new, |(name, s)| format!(" {} ({name})", looked_for(s)))
-                ),
-            )
-            .help("move the parts together, or remove the contact from the template"),
-        );
-    }
-}
-
-/// The faces on a surface whose tets are as asked; ordered outward from the first of them.
-fn triangles_on(
-    mesh: &TetMesh,
-    table: &FaceTable,
-    surface: &Surface,
-    asked: impl Fn(&[FaceRow]) -> bool,
-) -> Vec<[u32; 3]> {
-    let faces = table.faces().filter(|rows| asked(rows)).filter_map(|rows| rows.first());
-    faces
-        .map(|row| nodes_of(mesh, row))
-        .filter(|t| on_surface(surface, &corners(mesh, *t)))
-        .collect()
-}
-
-/// A length to a micrometre, as messages tell it.
-fn mm(x: f64) -> f64 {
-    (1e3 * x).round() / 1e3
-}
-
-/// Where a surface was looked for, in words.
-pub(super) fn looked_for(surface: &Surface) -> String {
-    match surface {
-        Surface::Plane { axis, at, min, max } => {
-            format!(
-                "on the plane {} = {} mm, {}",
-                ["x", "y", "z"][*axis],
-                mm(*at),
-                extent(min, max, Some(*axis))
-            )
-        }
-        Surface::Mantle { base, axis, radius, length } => {
-            let [x, y, z] = base.map(mm);
-            let [u, v, w] = axis.map(mm);
-            let (r, l) = (mm(*radius), mm(*length));
-            format!(
-                "on the cylinder of radius {r} mm from ({x}, {y}, {z}) mm along ({u}, {v}, {w}), \
-                 {l} mm long"
-            )
-        }
-    }
-}
-
-/// `x from 0 to 200 mm, z from -9 to 9 mm`: the sides of a box, one left out.
-fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
-    let sides = (0..3).filter(|k| Some(*k) != without);
-    let words =
-        sides.map(|k| format!("{} from {} to {} mm", ["x", "y", "z"][k], mm(min[k]), mm(max[k])));
-    words.collect::<Vec<_>>().join(", ")
-}
-
-/// True when a triangle lies on the surface.
-fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
-    match surface {
-        Surface::Plane { axis, at, min, max } => t.iter().all(|x| {
-            (x[*axis] - at).abs() < SNAP
-                && (0..3).all(|k| k == *axis || (x[k] > min[k] - SNAP && x[k] < max[k] + SNAP))
-        }),
-        Surface::Mantle { base, axis, radius, length } => {
-            let normal = cross(sub(t[1], t[0]), sub(t[2], t[0]));
-            // The ring around the mantle's end has corners at the right radius too: its normal is
-            // the axis.
-            dot(normal, *axis).abs() < 1e-3 * dot(normal, normal).sqrt()
-                && t.iter().all(|x| {
-                    let r = sub(*x, *base);
-                    let h = dot(r, *axis);
-                    let distance = (dot(r, r) - h * h).max(0.0).sqrt();
-                    h > -SNAP
-                        && h < length + SNAP
-                        && (distance / radius - 1.0).abs() < MANTLE_TOLERANCE
-                })
-        }
-    }
-}
-
-fn outer_faces(
-    mesh: &TetMesh,
-    scene: &Scene,
-    table: &FaceTable,
-    faces: &mut Vec<NamedFaces>,
-    checks: &mut Checks,
-    faults: &mut Vec<Diagnostic>,
-) {
-    for rule in &scene.assembly.faces {
-        let Some(body) = scene.body(&rule.part) else { continue };
-        let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
-        let triangles =
-            triangles_on(mesh, table, &rule.surface, |rows| matches!(rows, [row] if inside(row)));
-        if let Surface::Plane { axis, at, min, max } = rule.surface {
-            let exact = exact::outer_area(&scene.bodies, body, axis, at, min, max);
-            let meshed = total(mesh, &triangles);
-            if triangles.is_empty()
-                && exact < 1e-6
-                && !scene.symmetry.is_empty()
-                && beyond(scene, &min, &max)
+        for weld in &scene.assembly.welds {
+            // parts that a symmetry plane halves may have welds wholly on the removed side
+            if matches!(weld.surface, Surface::Plane { min, max, .. } if beyond(scene, &min, &max))
             {
-                // Wholly on the side that is not modelled.
                 continue;
             }
-            if disagree(meshed, exact) {
-                faults.push(area_fault(format!("the face {} has", rule.name), meshed, exact));
+            self.interface(&weld.between, Some((&weld.name, &weld.surface)));
+        }
+        self.outer_faces();
+        self.symmetry_faces();
+        self.preload_cuts();
+        if self.faults.is_empty() {
+            Ok((self.faces, self.checks))
+        } else {
+            Err(Diagnostics(self.faults))
+        }
+    }
+
+    /// Records meshed against exact area; `what` starts the message of a fault.
+    fn compare(&mut self, what: String, name: &str, meshed: f64, exact: f64) {
+        if disagree(meshed, exact) {
+            self.faults.push(area_fault(what, meshed, exact));
+        }
+        self.checks.areas.push(AreaCheck { name: name.to_string(), meshed, exact });
+    }
+
+    fn add(&mut self, name: &str, triangles: Vec<[u32; 3]>) {
+        self.faces.push(NamedFaces { name: name.to_string(), triangles });
+    }
+
+    /// The triangles on a surface whose tets satisfy `owners`, ordered outward from the first tet.
+    fn triangles_on(
+        &self,
+        surface: &Surface,
+        owners: impl Fn(&[FaceRow]) -> bool,
+    ) -> Vec<[u32; 3]> {
+        let faces = self.table.faces().filter(|rows| owners(rows)).filter_map(|rows| rows.first());
+        faces
+            .map(|row| nodes_of(self.mesh, row))
+            .filter(|t| on_surface(surface, &corners(self.mesh, *t)))
+            .collect()
+    }
+
+    /// True when the face belongs to a tet of the body.
+    fn is_of(&self, row: &FaceRow, body: usize) -> bool {
+        self.mesh.tet_body[row.tet as usize] as usize == body
+    }
+
+    fn interface(&mut self, parts: &[String; 2], on: Option<(&String, &Surface)>) {
+        let (mesh, scene) = (self.mesh, self.scene);
+        let (Some(a), Some(b)) = (scene.body(&parts[0]), scene.body(&parts[1])) else { return };
+        let mut triangles = between(mesh, &self.table, a, b);
+        if let Some((name, surface)) = on {
+            triangles.retain(|t| on_surface(surface, &corners(mesh, *t)));
+            let exact = exact::contact_area(&scene.bodies[a], &scene.bodies[b], Some(surface));
+            self.compare(format!("the surface {name} has"), name, total(mesh, &triangles), exact);
+            if !triangles.is_empty() {
+                self.add(name, triangles.clone());
             }
-            checks.areas.push(AreaCheck { name: rule.name.clone(), meshed, exact });
         }
         if triangles.is_empty() {
-            let (part, bounds) = (scene.bodies[body].part, scene.bodies[body].bounds);
-            faults.push(
-                Diagnostic::input(
-                    "mesh/face-empty",
-                    format!(
-                        "the face {} was not found on the {} ({}): looked for {}",
-                        rule.name,
-                        part.label,
-                        part.name,
-                        looked_for(&rule.surface)
-                    ),
-                )
-                .help(format!(
-                    "the part reaches {}; move the face of this load or support, or its plane, to \
-                     where the part ends",
-                    extent(&bounds.min, &bounds.max, None)
-                )),
+            let (pa, pb) = (scene.bodies[a].part, scene.bodies[b].part);
+            let place =
+                on.map_or_else(String::new, |(name, s)| format!(" {} ({name})", looked_for(s)));
+            let message = format!(
+                "the {} ({}) and the {} ({}) do not touch{place}, but the template defines an \
+                 interface between them",
+                pa.label, pa.name, pb.label, pb.name
             );
-            continue;
+            self.faults.push(
+                Diagnostic::input("mesh/interface-empty", message)
+                    .help("move the parts together, or remove the contact from the template"),
+            );
         }
-        faces.push(NamedFaces { name: rule.name.clone(), triangles });
     }
-}
 
-/// True when a box lies on the removed side of a symmetry plane.
-fn beyond(scene: &Scene, min: &V3, max: &V3) -> bool {
-    scene.symmetry.iter().any(|s| max[s.axis] <= SNAP && min[s.axis] < -SNAP)
-}
-
-/// The faces inside preloaded shanks; each covers the whole section.
-fn preload_cuts(
-    mesh: &TetMesh,
-    scene: &Scene,
-    table: &FaceTable,
-    faces: &mut Vec<NamedFaces>,
-    checks: &mut Checks,
-    faults: &mut Vec<Diagnostic>,
-) {
-    for preload in &scene.assembly.preloads {
-        let (Some(body), Surface::Plane { axis, at, .. }) =
-            (scene.body(&preload.part), preload.surface)
-        else {
-            continue;
-        };
-        let inside = |row: &FaceRow| mesh.tet_body[row.tet as usize] as usize == body;
-        let both = |rows: &[FaceRow]| matches!(rows, [p, q] if inside(p) && inside(q));
-        let triangles = triangles_on(mesh, table, &preload.surface, both);
-        let (meshed, exact) =
-            (total(mesh, &triangles), exact::section_area(&scene.bodies[body], axis, at));
-        if disagree(meshed, exact) {
-            faults.push(area_fault(
-                format!("the cut {} of a preloaded bolt has", preload.cut),
-                meshed,
-                exact,
-            ));
+    fn outer_faces(&mut self) {
+        let (mesh, scene) = (self.mesh, self.scene);
+        for rule in &scene.assembly.faces {
+            let Some(body) = scene.body(&rule.part) else { continue };
+            let outer = |rows: &[FaceRow]| matches!(rows, [row] if self.is_of(row, body));
+            let triangles = self.triangles_on(&rule.surface, outer);
+            if let Surface::Plane { axis, at, min, max } = rule.surface {
+                let exact = exact::outer_area(&scene.bodies, body, axis, at, min, max);
+                let meshed = total(mesh, &triangles);
+                if triangles.is_empty()
+                    && exact < 1e-6
+                    && !scene.symmetry.is_empty()
+                    && beyond(scene, &min, &max)
+                {
+                    // wholly on the removed side
+                    continue;
+                }
+                self.compare(format!("the face {} has", rule.name), &rule.name, meshed, exact);
+            }
+            if triangles.is_empty() {
+                let (part, bounds) = (scene.bodies[body].part, scene.bodies[body].bounds);
+                self.faults.push(
+                    Diagnostic::input(
+                        "mesh/face-empty",
+                        format!(
+                            "the face {} was not found on the {} ({}): looked for {}",
+                            rule.name,
+                            part.label,
+                            part.name,
+                            looked_for(&rule.surface)
+                        ),
+                    )
+                    .help(format!(
+                        "the part reaches {}; move the face of this load or support, or its \
+                         plane, to where the part ends",
+                        extent(&bounds.min, &bounds.max, None)
+                    )),
+                );
+                continue;
+            }
+            self.add(&rule.name, triangles);
         }
-        checks.areas.push(AreaCheck { name: preload.cut.clone(), meshed, exact });
-        faces.push(NamedFaces { name: preload.cut.clone(), triangles });
     }
-}
 
-fn symmetry_faces(
-    mesh: &TetMesh,
-    scene: &Scene,
-    table: &FaceTable,
-    faces: &mut Vec<NamedFaces>,
-    checks: &mut Checks,
-    faults: &mut Vec<Diagnostic>,
-) {
-    for plane in &scene.symmetry {
-        let axis = plane.axis;
-        let triangles: Vec<[u32; 3]> = table
-            .faces()
-            .filter_map(|rows| match rows {
-                [row] => Some(nodes_of(mesh, row)),
-                _ => None,
-            })
-            .filter(|t| corners(mesh, *t).iter().all(|x| x[axis] == 0.0))
-            .collect();
-        let meshed = total(mesh, &triangles);
-        let exact: f64 = (0..scene.bodies.len())
-            .filter(|&b| scene.bodies[b].bounds.min[axis] <= 0.0)
-            .map(|b| {
-                let bounds = scene.bodies[b].bounds;
-                exact::outer_area(&scene.bodies, b, axis, 0.0, bounds.min, bounds.max)
-            })
-            .sum();
-        if disagree(meshed, exact) {
-            faults.push(area_fault(
-                format!("the symmetry plane {} has", symmetry_face(axis)),
-                meshed,
-                exact,
-            ));
+    /// The faces inside preloaded shanks; each covers the whole section.
+    fn preload_cuts(&mut self) {
+        let (mesh, scene) = (self.mesh, self.scene);
+        for preload in &scene.assembly.preloads {
+            let (Some(body), Surface::Plane { axis, at, .. }) =
+                (scene.body(&preload.part), preload.surface)
+            else {
+                continue;
+            };
+            let of_body = |row: &FaceRow| self.is_of(row, body);
+            let inner = |rows: &[FaceRow]| matches!(rows, [p, q] if of_body(p) && of_body(q));
+            let triangles = self.triangles_on(&preload.surface, inner);
+            let exact = exact::section_area(&scene.bodies[body], axis, at);
+            let what = format!("the cut {} of a preloaded bolt has", preload.cut);
+            self.compare(what, &preload.cut, total(mesh, &triangles), exact);
+            self.add(&preload.cut, triangles);
         }
-        checks.areas.push(AreaCheck { name: symmetry_face(axis).to_string(), meshed, exact });
-        if !triangles.is_empty() {
-            faces.push(NamedFaces { name: symmetry_face(axis).to_string(), triangles });
+    }
+
+    fn symmetry_faces(&mut self) {
+        let (mesh, scene) = (self.mesh, self.scene);
+        for plane in &scene.symmetry {
+            let axis = plane.axis;
+            let triangles: Vec<[u32; 3]> = self
+                .table
+                .faces()
+                .filter_map(|rows| match rows {
+                    [row] => Some(nodes_of(mesh, row)),
+                    _ => None,
+                })
+                .filter(|t| corners(mesh, *t).iter().all(|x| x[axis] == 0.0))
+                .collect();
+            let exact: f64 = (0..scene.bodies.len())
+                .filter(|&b| scene.bodies[b].bounds.min[axis] <= 0.0)
+                .map(|b| {
+                    let bounds = scene.bodies[b].bounds;
+                    exact::outer_area(&scene.bodies, b, axis, 0.0, bounds.min, bounds.max)
+                })
+                .sum();
+            let name = symmetry_face(axis);
+            let what = format!("the symmetry plane {name} has");
+            self.compare(what, name, total(mesh, &triangles), exact);
+            if !triangles.is_empty() {
+                self.add(name, triangles);
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! How good the tets of each body are.
+//! Quality of the tets of each body.
 
 use super::TetMesh;
 use super::tet::FACES;
@@ -21,8 +21,8 @@ pub struct BodyQuality {
     /// Largest aspect ratio: longest edge over smallest height, over that of the regular tet (1 =
     /// regular).
     pub worst_aspect: f64,
-    /// Tets all of whose corners lie on the body's surface, as a fraction: such a tet alone spans a
-    /// thickness.
+    /// Fraction of the tets with all four corners on the surface of the body; such a tet spans the
+    /// thickness alone.
     pub surface_only: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Wanted element sizes at the nodes of a mesh: from wanted subdivisions of its tets, graded, and
-//! as a view for gmsh.
+//! Target element sizes at the nodes of a mesh: computed from target subdivisions of its tets,
+//! graded, and written as a view for gmsh.
 
 use super::TetMesh;
 use super::tet::EDGES;
@@ -7,11 +7,11 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::fmt::Write;
 
-/// Largest change of the wanted size along an edge, per length of the edge.
+/// Largest change of the target size along an edge, per length of the edge.
 pub const GRADING: f64 = 0.4;
 
-/// Tetrahedra in a mesh of gmsh (HXT) per regular tetrahedra of the wanted size in its volume: 0.66
-/// to 0.77 were measured.
+/// Number of tetrahedra in a mesh of gmsh (HXT) over the number of regular tetrahedra of the target
+/// size that fill its volume; measured: 0.66 to 0.77.
 pub const FILLING: f64 = 0.71;
 
 /// Edge of the regular tetrahedron of volume `v` \[mm from mm³\].
@@ -19,15 +19,15 @@ pub fn regular_edge(v: f64) -> f64 {
     (6.0 * std::f64::consts::SQRT_2 * v).cbrt()
 }
 
-/// Wanted sizes at the nodes of a mesh whose bodies share nodes, as edges of regular tetrahedra
+/// Target sizes at the nodes of a mesh whose bodies share nodes, as edges of regular tetrahedra
 /// \[mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeField {
-    /// One a node.
+    /// Size at each node \[mm\].
     pub sizes: Vec<f64>,
 }
 
-/// A node to be visited, smallest size first.
+/// A node in the queue, smallest size first.
 #[derive(PartialEq)]
 struct Visit(f64, u32);
 
@@ -45,7 +45,7 @@ impl Ord for Visit {
     }
 }
 
-/// The edges of a mesh, for walking along them.
+/// The edges of a mesh by node.
 pub struct Edges {
     /// Neighbours of node `n`: `neighbours[start[n]..start[n + 1]]`.
     start: Vec<u32>,
@@ -53,7 +53,7 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// Of a mesh, each with its length \[mm\].
+    /// The edges of a mesh with their lengths \[mm\].
     pub fn new(mesh: &TetMesh) -> Self {
         let mut pairs: Vec<[u32; 2]> = mesh
             .tets
@@ -79,8 +79,8 @@ impl Edges {
 }
 
 impl SizeField {
-    /// Sizes that split each tet into `wanted` parts of its size, fractions allowed; averaged at
-    /// the nodes so that the count is kept, then graded.
+    /// Sizes that split each tet into `wanted` parts (fractions allowed). Densities are averaged at
+    /// the nodes, which keeps the total count, and the sizes are then graded.
     pub fn new(mesh: &TetMesh, edges: &Edges, wanted: &[f64]) -> Self {
         let mut density = vec![(0.0, 0.0); mesh.nodes.len()];
         for (e, (t, n)) in mesh.tets.iter().zip(wanted).enumerate() {
@@ -90,7 +90,7 @@ impl SizeField {
                 *d = (d.0 + n, d.1 + v);
             });
         }
-        // parts per volume → volume of one → edge
+        // parts per volume → volume of one part → edge
         let sizes = density
             .iter()
             .map(|(n, v)| if *n > 0.0 { regular_edge(v / n) } else { f64::INFINITY })
@@ -100,7 +100,7 @@ impl SizeField {
         field
     }
 
-    /// Makes sizes smaller where they grow faster than [`GRADING`] along edges.
+    /// Reduces sizes that grow faster than [`GRADING`] along edges.
     fn grade(&mut self, edges: &Edges) {
         let sizes = &mut self.sizes;
         let mut queue: BinaryHeap<Visit> =
@@ -119,7 +119,7 @@ impl SizeField {
         }
     }
 
-    /// Into how many parts the sizes split each tet.
+    /// Number of parts into which the sizes split each tet.
     pub fn parts(&self, mesh: &TetMesh) -> Vec<f64> {
         let one = |e: usize, t: &[u32; 4]| {
             let mean: f64 = t.iter().map(|n| 0.25 * self.sizes[*n as usize].powi(-3)).sum();
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use crate::mesh::fixtures::cubes;
 
-    /// The regular tetrahedron's own edge; parts asked for everywhere alike come back.
+    /// Edge of the regular tetrahedron; a uniform number of parts is reproduced.
     #[test]
     fn counts_are_kept() {
         let v = 1.0 / (6.0 * std::f64::consts::SQRT_2);
@@ -172,8 +172,8 @@ mod tests {
         assert_eq!(field.view(&mesh, 1.0).matches("SS(").count(), mesh.tets.len());
     }
 
-    /// One tet to be split in very many: sizes grow from it no faster than allowed, and nowhere
-    /// larger than asked for.
+    /// One tet is to be split into very many: sizes grow from it no faster than allowed, and nowhere
+    /// exceed the target.
     #[test]
     fn sizes_are_graded() {
         let cells: Vec<_> = (0..216).map(|i| ([i % 6, i / 6 % 6, i / 36], "B")).collect();

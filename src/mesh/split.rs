@@ -1,9 +1,9 @@
-//! Nodes of their own for the two sides of every open interface.
+//! Separates the nodes of the two sides of every open interface.
 //!
 //! A node gets one copy per connected component of its tets, joined through shared faces that
-//! contain the node and are not open. So a bolt whose head is tied to a plate and whose shank is in
-//! contact with the same plate keeps common nodes on the circle where both meet, two bodies that
-//! touch in a line or a point only come apart, and no list of special junctions is needed.
+//! contain the node and are not open. No list of special junctions is needed: a bolt whose head is
+//! tied to a plate and whose shank is in contact with the same plate keeps common nodes on the
+//! circle where both meet, and two bodies that touch only in a line or a point are separated.
 
 use super::TetMesh;
 use super::tet::FACES;
@@ -26,9 +26,9 @@ impl From<&FaceRow> for TetFace {
 
 /// The two sides of an opened face.
 ///
-/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` runs around the
-/// normal out of side A. Where the two sides stay connected around an end of the opening, the two
-/// indices are equal.
+/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` is ordered
+/// around the normal out of side A. Where the two sides stay connected around an end of the
+/// opening, the two indices are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OpenPair {
     /// Side A.
@@ -44,12 +44,10 @@ pub struct OpenPair {
 /// A mesh after splitting. Tets keep their numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SplitMesh {
-    /// The mesh. Named triangles on an open face carry the nodes of the tet that comes first.
+    /// The mesh. Named triangles on an open face have the nodes of the first of its two tets.
     pub mesh: TetMesh,
     /// One pair for each open face, in the order given.
     pub pairs: Vec<OpenPair>,
-    /// Faces of one tet only and both sides of the open faces, in the order of their tets.
-    pub boundary: Vec<TetFace>,
     /// Component of each tet, joined through faces that are not open; numbered by their first tet.
     pub tet_part: Vec<u32>,
     /// Number of components.
@@ -66,13 +64,11 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
     for side in open.iter().flatten() {
         is_open[side.tet as usize][side.local as usize] = true;
     }
-    let mut boundary = Vec::new();
     let mut corners = UnionFind::new(4 * ne);
     let mut tets = UnionFind::new(ne);
     for owners in table.faces() {
         let inner = owners.len() == 2 && !is_open[owners[0].tet as usize][owners[0].local as usize];
         if !inner {
-            boundary.extend(owners.iter().map(TetFace::from));
             continue;
         }
         let [p, q] = [owners[0].tet as usize, owners[1].tet as usize];
@@ -81,7 +77,6 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
             corners.join(4 * p + vertex(&mesh.tets[p], node), 4 * q + vertex(&mesh.tets[q], node));
         }
     }
-    boundary.sort_unstable();
 
     // the first component of a node, in the order of the tets, keeps its number; the others are
     // appended
@@ -135,12 +130,12 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
             part_of_root[root]
         })
         .collect();
-    SplitMesh { mesh: out, pairs, boundary, tet_part, parts: parts as usize }
+    SplitMesh { mesh: out, pairs, tet_part, parts: parts as usize }
 }
 
 /// Local vertex of `tet` at `node`.
 fn vertex(tet: &[u32; 4], node: u32) -> usize {
-    tet.iter().position(|n| *n == node).expect("both tets at a face hold its nodes")
+    tet.iter().position(|n| *n == node).expect("both tets at a face have its nodes")
 }
 
 /// Disjoint sets with the smallest member as root.

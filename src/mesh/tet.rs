@@ -5,7 +5,7 @@
 pub struct NamedFaces {
     /// Name of the physical surface.
     pub name: String,
-    /// Node indices of each triangle, in file order (orientation means nothing).
+    /// Node indices of each triangle, in file order (the orientation has no meaning).
     pub triangles: Vec<[u32; 3]>,
 }
 

@@ -1,4 +1,4 @@
-//! Which tets meet at which face.
+//! The faces of a mesh and the tets at each of them.
 
 use super::tet::FACES;
 

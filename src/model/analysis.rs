@@ -1,10 +1,12 @@
 //! The analysis model: a split mesh with materials, interfaces, supports and loads attached to its
 //! faces.
 //!
-//! This is where the two ways in meet: a connection spec becomes one, a user's `MODEL.yaml` is one.
+//! The two inputs meet here: a connection spec is translated into a model, a `MODEL.yaml` of the
+//! user describes one.
 
 use super::file::{Bounds, Gap};
 use super::opening::ConeShift;
+use crate::math::mandel::{Isotropic, yield_radius};
 use crate::mesh::TetMesh;
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::friction::FrictionLaw;
@@ -55,18 +57,18 @@ pub struct FacePair {
 /// traction `r = −σ n` on A is positive in pressure, `‖r_T‖ ≤ μ r_N`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactLaw {
-    /// FrictionLaw coefficient, ≥ 0.
+    /// Friction coefficient, ≥ 0.
     pub mu: f64,
     /// Initial gap \[mm\].
     pub gap: Gap,
-    /// Associated or Coulomb.
+    /// Friction law: associated or Coulomb.
     pub friction: FrictionLaw,
 }
 
 /// An open interface between two sides of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interface {
-    /// For messages: `BOLT-PLATE` or the face's name.
+    /// Name in messages: `BOLT-PLATE`, or the name of the face.
     pub name: String,
     /// Its law.
     pub law: ContactLaw,
@@ -78,11 +80,11 @@ pub struct Interface {
 /// the strength.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weld {
-    /// For messages: `WEB-PLATE` or the face's name.
+    /// Name in messages: `WEB-PLATE`, or the name of the face.
     pub name: String,
-    /// Largest length of the traction, in any direction \[MPa on the interface\].
+    /// Largest magnitude of the traction in any direction \[MPa\], per area of the interface.
     pub strength: f64,
-    /// Strength on the throat \[MPa\], where the model says the throat.
+    /// Strength on the throat \[MPa\]; `None`: the model gives the strength on the interface only.
     pub throat_strength: Option<f64>,
     /// Its face pairs.
     pub faces: Vec<FacePair>,
@@ -148,7 +150,7 @@ pub enum Traction {
 pub struct SurfaceLoad {
     /// Name of the face.
     pub name: String,
-    /// Not multiplied by the load factor.
+    /// True: not multiplied by the load factor.
     pub dead: bool,
     /// The traction.
     pub traction: Traction,
@@ -161,7 +163,7 @@ pub struct SurfaceLoad {
 pub struct BodyLoad {
     /// The body.
     pub body: u32,
-    /// Not multiplied by the load factor.
+    /// True: not multiplied by the load factor.
     pub dead: bool,
     /// Force \[N/mm³\].
     pub force: [f64; 3],
@@ -176,8 +178,8 @@ pub struct FreeMode {
     pub motions: Vec<[f64; 6]>,
 }
 
-/// A preloaded bolt: a cut severs its shank, and one side is drawn towards the other along the
-/// axis, `u_B − u_A = −δ a`.
+/// A preloaded bolt: a cut severs its shank, and the preload draws one side towards the other along
+/// the axis, `u_B − u_A = −δ a`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preload {
     /// Body of the bolt.
@@ -186,25 +188,25 @@ pub struct Preload {
     pub cut: String,
     /// Unit direction a of the shank; the normals out of side A point along it.
     pub axis: [f64; 3],
-    /// Preload, the tension in the cut where nothing but dead loads acts beside it \[N\], > 0.
+    /// Preload: the tension in the cut under preload and dead loads alone \[N\], > 0.
     pub force: f64,
-    /// Relative closure δ of the cut, frozen \[mm\]; `None`: it closes as the preload drives it.
+    /// Prescribed relative closure δ of the cut \[mm\]; `None`: an unknown, driven by the preload.
     pub closure: Option<f64>,
-    /// The faces of the cut; none in limit analysis, where preload drops out.
+    /// The faces of the cut; none in limit analysis, where preload has no effect.
     pub faces: Vec<FacePair>,
 }
 
 /// Everything the two programs need.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnalysisModel {
-    /// Which programs.
+    /// Kind of analysis.
     pub analysis: AnalysisKind,
-    /// Which bounds.
+    /// Bounds to compute.
     pub bounds: Bounds,
     /// Limit analysis: estimate the load factor under Coulomb's law as well.
     pub coulomb_estimate: bool,
-    /// The mesh, split along open interfaces; load cases of one joint and what is derived from a
-    /// model share it.
+    /// The mesh, split along open interfaces; shared by the load cases of one joint and by models
+    /// derived from this one.
     pub mesh: Arc<TetMesh>,
     /// Materials.
     pub materials: Vec<Material>,
@@ -220,7 +222,8 @@ pub struct AnalysisModel {
     pub welds: Vec<Weld>,
     /// Contacts with rigid ground.
     pub ground: Vec<GroundContact>,
-    /// Shift of the contact cones, frozen: a step of the fixed point for Coulomb friction.
+    /// Shift of the contact cones, fixed during a step of the fixed-point iteration for Coulomb
+    /// friction.
     pub shift: ConeShift,
     /// Supports.
     pub supports: Vec<Support>,
@@ -232,16 +235,16 @@ pub struct AnalysisModel {
     pub surface_loads: Vec<SurfaceLoad>,
     /// Body loads.
     pub body_loads: Vec<BodyLoad>,
-    /// Rigid motions that nothing resists and nothing drives.
+    /// Rigid motions that nothing resists and on which no load works.
     pub free_modes: Vec<FreeMode>,
-    /// How many copies of the meshed part make the structure.
+    /// Number of copies of the meshed part that make the structure.
     pub symmetry: u32,
-    /// What the reader decided or noticed, for the report.
+    /// Assumptions and warnings of the reader, for the report.
     pub notes: Vec<String>,
 }
 
 impl AnalysisModel {
-    /// Holds the mesh of another model in place of its own, where they are equal.
+    /// Shares the mesh of another model if both meshes are equal.
     pub fn share_mesh(&mut self, other: &Self) {
         if self.mesh == other.mesh {
             self.mesh = other.mesh.clone();
@@ -251,5 +254,32 @@ impl AnalysisModel {
     /// The faces of all welds, weld by weld, each with the strength of its weld \[MPa\].
     pub fn weld_faces(&self) -> impl Iterator<Item = (f64, &FacePair)> {
         self.welds.iter().flat_map(|w| w.faces.iter().map(|f| (w.strength, f)))
+    }
+
+    /// Elastic stiffness of each body.
+    pub fn stiffnesses(&self) -> Vec<Isotropic> {
+        self.body_material
+            .iter()
+            .map(|&m| {
+                let m = &self.materials[m as usize];
+                Isotropic::new(m.e, m.nu)
+            })
+            .collect()
+    }
+
+    /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never
+    /// yields.
+    pub fn yield_radii(&self) -> Vec<Option<f64>> {
+        let radius = |m: &u32| self.materials[*m as usize].fy.map(yield_radius);
+        self.body_material.iter().map(radius).collect()
+    }
+
+    /// Part of each node.
+    pub fn node_parts(&self) -> Vec<u32> {
+        let mut part = vec![0; self.mesh.nodes.len()];
+        for (t, &p) in self.mesh.tets.iter().zip(&self.tet_part) {
+            t.iter().for_each(|&n| part[n as usize] = p);
+        }
+        part
     }
 }

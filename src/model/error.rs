@@ -1,12 +1,12 @@
-//! Why no program can be made of a model.
+//! Errors of a model: the reasons why no program can be built from it.
 
-/// Why a program cannot be set up.
+/// Reason why no program can be built from a model.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ModelError {
     /// Two rigid faces share nodes in a component both of them move.
     #[error("rigid faces `{0}` and `{1}` share an edge and both move it in {2}")]
     RigidFacesTouch(String, String, &'static str),
-    /// An element too flat for its stress parameters.
+    /// A tet too flat for its stress parameters.
     #[error("tet {tet} (near {x:.1}, {y:.1}, {z:.1} mm) is too flat for the static program")]
     FlatTet {
         /// Index of the tet, from 0.
@@ -18,18 +18,20 @@ pub enum ModelError {
         /// Centroid \[mm\].
         z: f64,
     },
-    /// Nothing that could give way.
+    /// Nothing can give way.
     #[error(
         "no body has a yield strength and no contact can slip or open: there is nothing that \
          could collapse"
     )]
     NothingYields,
-    /// Something holds the halves of a bolt apart where its preload draws them together.
+    /// Something fixes the closure of a cut, along which the preload should draw the halves of the
+    /// bolt together.
     #[error(
-        "{holder} at the rim of the cut `{cut}` lets its halves move neither together nor apart"
+        "{holder} at the rim of the cut `{cut}` prevents its halves from moving relative to each \
+         other"
     )]
     CutHeld {
-        /// What holds it.
+        /// Support, rigid face, weld or cut that fixes it.
         holder: &'static str,
         /// Name of the cut.
         cut: String,
@@ -40,13 +42,13 @@ pub enum ModelError {
          loads only"
     )]
     LiveBodyForce(String),
-    /// What the load factor multiplies can do no work.
+    /// The loads that carry the load factor can do no work.
     #[error(
-        "every load that carries the load factor acts on what supports hold: it can grow without \
-         limit"
+        "every load that carries the load factor acts on fixed displacements: the load factor has \
+         no limit"
     )]
     LiveLoadsHeld,
-    /// Nothing is multiplied by the load factor.
+    /// No load carries the load factor.
     #[error("no load carries the load factor: there is nothing for limit analysis to increase")]
     NoLiveLoad,
 }
@@ -63,7 +65,7 @@ impl From<ModelError> for crate::diag::Diagnostic {
             }
             ModelError::LiveBodyForce(_) => "write it under `dead`, or load a face instead",
             ModelError::LiveLoadsHeld => {
-                "load a face that can move, or free what the load is to move"
+                "load a face that can move, or free the displacement on which the load acts"
             }
             ModelError::NoLiveLoad => "write the load to be increased under `loads`",
             ModelError::FlatTet { .. } => {

@@ -1,5 +1,5 @@
-//! `MODEL.yaml` (CONTRACT.md): what a user writes for `bracket analyse`, and what `bracket run`
-//! writes for itself.
+//! `MODEL.yaml` (docs/contract.md): the input of `bracket analyse`, which `bracket run` also writes
+//! for its own analyses.
 
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::friction::FrictionLaw;

@@ -1,5 +1,5 @@
-//! A meshed joint's `MODEL.yaml`: bodies, materials, interfaces, supports, symmetry and loads by
-//! the mesh's names.
+//! The `MODEL.yaml` of a meshed joint: bodies, materials, interfaces, supports, symmetry and loads,
+//! by the names in the mesh.
 
 use super::file::{
     Axis, Bounds, Gap, InterfaceEntry, Law, LoadEntry, MaterialEntry, ModelFile, Motion, Nodes,
@@ -28,10 +28,11 @@ pub fn cases(assembly: &Assembly) -> Vec<String> {
 
 /// The model of one load case on a joint's mesh.
 ///
-/// `mesh` decides what is there: rules about parts or faces beyond a symmetry plane are left out.
-/// `mesh_name` is the mesh file's path relative to the model file. Forces and moments become rigid
-/// faces that may move in every way the symmetry planes through them leave. A preloaded bolt that a
-/// symmetry plane halves has half its preload. There is no entry for adaptation.
+/// Rules about parts and faces that `mesh` does not contain (beyond a symmetry plane) are left out.
+/// `mesh_name` is the path of the mesh file relative to the model file. Forces and moments become
+/// actions on rigid faces, free in all motions that the symmetry planes through them permit. A
+/// preloaded bolt that a symmetry plane halves has half its preload. There is no entry for
+/// adaptation.
 pub fn model_file(
     assembly: &Assembly,
     mesh: &TetMesh,
@@ -117,8 +118,8 @@ pub fn model_file(
     }
 }
 
-/// The fillet welds of the meshed part: of finite strength where bodies yield. In elastic analysis
-/// they are tied like all else that would yield.
+/// The fillet welds of the meshed part. They have a finite strength unless the analysis is elastic;
+/// then they are tied.
 fn weld_entries(
     assembly: &Assembly,
     mesh: &TetMesh,
@@ -168,8 +169,8 @@ fn halves(surface: &Surface, plane: &SymmetryPlane) -> bool {
     }
 }
 
-/// The sections that forces and moments of a load case act on. A symmetry plane that halves a
-/// section halves what acts on it, and leaves it the motions in the plane.
+/// The sections on which forces and moments of a load case act. A symmetry plane that halves a
+/// section halves its actions and leaves only the motions in the plane free.
 fn rigid_entries(
     assembly: &Assembly,
     loads: &[&FaceLoad],
@@ -220,7 +221,7 @@ mod tests {
     use crate::geometry::fixtures::{lap_joint, paper_joint};
     use crate::mesh::NamedFaces;
 
-    /// A mesh with names only: that is all `model_file` looks at.
+    /// A mesh with names only; `model_file` uses nothing else of it.
     fn names(bodies: &[&str], faces: &[&str]) -> TetMesh {
         TetMesh {
             bodies: bodies.iter().map(|s| s.to_string()).collect(),

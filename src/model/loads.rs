@@ -1,29 +1,28 @@
-//! Loads: which of them count and how much, tractions on faces, forces in bodies.
+//! Loads: factors of live and dead loads, tractions on faces, forces in bodies.
 
-use super::analysis::{AnalysisModel, BoundaryFace, ContactLaw, RigidFace, SurfaceLoad, Traction};
+use super::analysis::{AnalysisModel, BoundaryFace, RigidFace, SurfaceLoad, Traction};
+use super::error::ModelError;
 use crate::math::vec3::{self, V3};
 use crate::mesh::TetMesh;
 use crate::mesh::tet::FACES;
-use crate::model::ModelError;
-use crate::spec::friction::FrictionLaw;
 
-/// How much of the live and of the dead loads counts.
+/// Factors of the live and of the dead loads.
 ///
-/// In limit analysis the load factor multiplies the live loads alone: `factor · live + dead`.
+/// In limit analysis the load factor multiplies the live loads only: `factor · live + dead`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loads {
-    /// Multiplies the loads that carry the load factor.
+    /// Factor of the loads that carry the load factor.
     pub live: f64,
-    /// Multiplies the loads that do not.
+    /// Factor of the loads that do not.
     pub dead: f64,
 }
 
 impl Loads {
-    /// Every load as it stands: the elastic analyses.
+    /// Every load with factor 1: the elastic analyses.
     pub const ALL: Self = Self { live: 1.0, dead: 1.0 };
-    /// What the load factor multiplies, alone.
+    /// The loads that carry the load factor, alone.
     pub const LIVE: Self = Self { live: 1.0, dead: 0.0 };
-    /// What it does not, alone.
+    /// The loads that do not, alone.
     pub const DEAD: Self = Self { live: 0.0, dead: 1.0 };
 
     /// `factor · live + dead`.
@@ -31,12 +30,12 @@ impl Loads {
         Self { live: factor, dead: 1.0 }
     }
 
-    /// How much a load counts.
+    /// Factor of a load.
     pub fn share(self, dead: bool) -> f64 {
         if dead { self.dead } else { self.live }
     }
 
-    /// What acts on a rigid face: force and moment \[N, N mm\].
+    /// Force and moment on a rigid face \[N, N mm\].
     pub fn action(self, rigid: &RigidFace) -> [f64; 6] {
         std::array::from_fn(|i| self.live * rigid.action[i] + self.dead * rigid.dead_action[i])
     }
@@ -82,8 +81,9 @@ impl AnalysisModel {
             || self.rigid.iter().any(|r| r.dead_action.iter().any(|a| *a != 0.0))
     }
 
-    /// What limit analysis asks of a model: something that can give way, a live load, and no live
-    /// force per volume. Bodies without a yield strength are rigid.
+    /// Checks the requirements of limit analysis: a body that yields or a contact or weld that
+    /// gives way, a live load, and no live force per volume. Bodies without a yield strength are
+    /// rigid.
     pub fn check_limit_analysis(&self) -> Result<(), ModelError> {
         let name = |body: usize| self.mesh.bodies[body].clone();
         let slips =
@@ -101,29 +101,9 @@ impl AnalysisModel {
         Ok(())
     }
 
-    /// True when some bolt is preloaded; in limit analysis preload drops out.
+    /// True when some bolt is preloaded; in limit analysis preload has no effect.
     pub fn has_preload(&self) -> bool {
         !self.preload.is_empty()
-    }
-
-    /// True when some contact has friction.
-    pub fn has_friction(&self) -> bool {
-        self.interfaces.iter().any(|i| i.law.mu > 0.0) || self.ground.iter().any(|g| g.law.mu > 0.0)
-    }
-
-    /// Whether some contact with friction follows Coulomb's law.
-    pub fn has_coulomb(&self) -> bool {
-        let coulomb = |l: &ContactLaw| l.mu > 0.0 && l.friction == FrictionLaw::Coulomb;
-        self.interfaces.iter().any(|i| coulomb(&i.law))
-            || self.ground.iter().any(|g| coulomb(&g.law))
-    }
-
-    /// The model with every contact smooth.
-    pub fn without_friction(&self) -> Self {
-        let mut smooth = self.clone();
-        smooth.interfaces.iter_mut().for_each(|i| i.law.mu = 0.0);
-        smooth.ground.iter_mut().for_each(|g| g.law.mu = 0.0);
-        smooth
     }
 
     /// The model under its dead loads alone.
@@ -133,33 +113,5 @@ impl AnalysisModel {
         dead.body_loads.retain(|l| l.dead);
         dead.rigid.iter_mut().for_each(|r| r.action = [0.0; 6]);
         dead
-    }
-
-    /// Stiffness of the material of each body.
-    pub fn stiffnesses(&self) -> Vec<crate::math::mandel::Isotropic> {
-        self.body_material
-            .iter()
-            .map(|&m| {
-                let m = &self.materials[m as usize];
-                crate::math::mandel::Isotropic::new(m.e, m.nu)
-            })
-            .collect()
-    }
-
-    /// Radius of the yield surface `‖dev σ‖ ≤ √(2/3) f_y` of each body \[MPa\]; `None`: never
-    /// yields.
-    pub fn yield_radii(&self) -> Vec<Option<f64>> {
-        let radius =
-            |m: &u32| self.materials[*m as usize].fy.map(crate::math::mandel::yield_radius);
-        self.body_material.iter().map(radius).collect()
-    }
-
-    /// Part of each node.
-    pub fn node_parts(&self) -> Vec<u32> {
-        let mut part = vec![0; self.mesh.nodes.len()];
-        for (t, &p) in self.mesh.tets.iter().zip(&self.tet_part) {
-            t.iter().for_each(|&n| part[n as usize] = p);
-        }
-        part
     }
 }

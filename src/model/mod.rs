@@ -1,6 +1,7 @@
-//! The analysis model: where a connection spec and a MODEL.yaml meet.
+//! The analysis model: the common form of a connection spec and a MODEL.yaml.
 
 pub mod analysis;
+pub mod contact;
 pub mod error;
 pub mod file;
 pub mod from_joint;

@@ -1,17 +1,15 @@
-//! How far contact faces are open before anything moves: initial gap, and the shift of the cones
-//! under Coulomb's law.
+//! Opening of contact faces at rest: the initial gap, and the shift of the contact cones under
+//! Coulomb's law.
 //!
 //! Both are quadratic on a face and given by their six Bernstein coefficients, so that the two
-//! programs and their certificates read one and the same field: the kinematic program takes the
-//! coefficients as they are, the static one integrates the polynomial.
+//! programs and their certificates use the same field: the kinematic program takes the coefficients
+//! themselves, the static program integrates the polynomial.
 
-use super::analysis::{AnalysisModel, ContactLaw};
 use super::file::Gap;
 use crate::elements::space::FACE_EDGES;
 use crate::math::vec3::{self, V3};
-use crate::spec::friction::FrictionLaw;
 
-/// Bernstein coefficients of a quadratic polynomial on a triangle: of the vertices, then of the
+/// Bernstein coefficients of a quadratic polynomial on a triangle: at the vertices, then at the
 /// edges [`FACE_EDGES`].
 pub type Bernstein = [f64; 6];
 
@@ -23,9 +21,9 @@ pub fn bernstein_at(c: &Bernstein, l: [f64; 3]) -> f64 {
     vertices + edges
 }
 
-/// By how much the cones of contact faces are opened \[mm\]: `g_N + g₀ + s ≥ μ‖g_T‖`.
+/// Shift s of the contact cones \[mm\]: `g_N + g₀ + s ≥ μ‖g_T‖`.
 ///
-/// With `s = μ‖g_T‖` of the solution itself slip does not dilate: Coulomb's law.
+/// With `s = μ‖g_T‖` of the solution itself, slip causes no dilation: Coulomb's law.
 ///
 /// # Source
 /// V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, A formulation of the linear discrete Coulomb
@@ -38,7 +36,7 @@ pub struct ConeShift {
 }
 
 impl Gap {
-    /// Its coefficients on a face \[mm\]; exact, since it is quadratic.
+    /// Bernstein coefficients of the gap on a face \[mm\]; exact, since the gap is quadratic.
     pub fn bernstein(&self, corners: &[V3; 3]) -> Bernstein {
         let at = corners.map(|x| self.at(x));
         std::array::from_fn(|i| {
@@ -52,42 +50,11 @@ impl Gap {
     }
 }
 
-impl AnalysisModel {
-    /// Coefficients of initial gap and shift of contact face `face` (interfaces first) \[mm\].
-    pub fn opening(&self, face: usize, law: &ContactLaw, corners: &[V3; 3]) -> Bernstein {
-        let gap = law.gap.bernstein(corners);
-        let shift = self.shift.faces.get(face).copied().unwrap_or_default();
-        std::array::from_fn(|i| gap[i] + shift[i])
-    }
-
-    /// The law of a contact, interfaces first, then contacts with the ground.
-    pub fn contact_law(&self, contact: usize) -> &ContactLaw {
-        match self.interfaces.get(contact) {
-            Some(i) => &i.law,
-            None => &self.ground[contact - self.interfaces.len()].law,
-        }
-    }
-
-    /// True when some contact has Coulomb's friction.
-    pub fn has_coulomb_friction(&self) -> bool {
-        let mut laws =
-            self.interfaces.iter().map(|i| &i.law).chain(self.ground.iter().map(|g| &g.law));
-        laws.any(ContactLaw::is_coulomb)
-    }
-}
-
-impl ContactLaw {
-    /// FrictionLaw without dilation.
-    pub fn is_coulomb(&self) -> bool {
-        self.mu > 0.0 && self.friction == FrictionLaw::Coulomb
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The coefficients of a gap give the gap at every point, not only at nodes.
+    /// The coefficients reproduce the gap at every point, not only at nodes.
     #[test]
     fn a_quadratic_gap_is_its_coefficients() {
         let gap =

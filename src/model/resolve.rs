@@ -1,6 +1,9 @@
-//! From `MODEL.yaml` and a mesh to an [`AnalysisModel`]: every rule of CONTRACT.md is checked here.
+//! Builds an [`AnalysisModel`] from a `MODEL.yaml` and a mesh, and checks every rule of
+//! docs/contract.md.
 
 mod actions;
+mod claims;
+mod faults;
 mod held;
 mod interfaces;
 mod limits;
@@ -19,6 +22,7 @@ use crate::mesh::topology::FaceTable;
 use crate::mesh::{TetMesh, merge, msh};
 use crate::spec::yaml;
 use crate::text_file;
+use faults::Faults;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -51,11 +55,11 @@ pub fn load_model(path: &Path) -> Result<AnalysisModel, Diagnostics> {
     Ok(model)
 }
 
-/// Checks `file` against `mesh` and makes the model; `place` tells where a path such as
-/// `supports[1].face` stands.
+/// Checks `file` against `mesh` and builds the model; `place` returns the place of a path such as
+/// `supports[1].face` in the file.
 ///
-/// All faults of the file's values are told at once; faults of the geometry, which need sound
-/// values, follow alone.
+/// All faults of the file's values are reported together. Faults of the geometry are reported only
+/// once the values are valid.
 pub fn resolve(
     file: &ModelFile,
     mesh: TetMesh,
@@ -63,7 +67,7 @@ pub fn resolve(
 ) -> Result<AnalysisModel, Diagnostics> {
     let mut mesh = mesh;
     let mut notes = Vec::new();
-    let mut faults = Faults { place, all: Vec::new() };
+    let mut faults = Faults::new(place);
 
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
     materials::check_units(file, &mesh, &mut notes);
@@ -122,9 +126,7 @@ pub fn resolve(
     held::check_twice(file, &supports, &ground, &rigid, &mut faults);
     let cuts = preload::read(file, &scene, &claims, &mut faults, &mut notes);
     let (surface_loads, body_loads) = actions::loads(file, &scene, &claims, &mut faults);
-    if !faults.all.is_empty() {
-        return Err(Diagnostics(faults.all));
-    }
+    faults.into_result()?;
 
     let open = claims.open.iter().flat_map(|o| o.faces.iter().copied());
     let open: Vec<[TetFace; 2]> =
@@ -175,8 +177,8 @@ pub fn resolve(
     Ok(model)
 }
 
-/// The model with every contact smooth and held where no friction holds it any more; an error
-/// naming the parts where a load drives what friction held.
+/// The model with every contact frictionless, and with pins against the rigid motions that friction
+/// resisted. An error names the parts that a load drives along such a motion.
 pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, Diagnostics> {
     let mut smooth = model.without_friction();
     smooth.free_modes = motions::free_modes(&smooth)?;
@@ -185,26 +187,6 @@ pub fn without_friction(model: &AnalysisModel) -> Result<AnalysisModel, Diagnost
 
 fn no_action(r: &super::analysis::RigidFace) -> bool {
     r.action.iter().chain(&r.dead_action).all(|a| *a == 0.0)
-}
-
-/// The faults found so far, each with its place.
-pub(crate) struct Faults<'a> {
-    place: &'a dyn Fn(&str) -> Place,
-    all: Vec<Diagnostic>,
-}
-
-impl Faults<'_> {
-    fn add(
-        &mut self,
-        code: &'static str,
-        path: &str,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) {
-        let mut d = Diagnostic::input(code, message).help(help);
-        d.place = (self.place)(path);
-        self.all.push(d);
-    }
 }
 
 #[cfg(test)]

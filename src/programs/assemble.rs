@@ -4,7 +4,7 @@ use crate::programs::conic::SymmetricCsc;
 use crate::programs::dofs::DofMap;
 use rayon::prelude::*;
 
-/// Elements whose matrices exist at the same time.
+/// Number of element matrices in memory at a time.
 const BATCH: usize = 2048;
 
 /// Assembles `Σ_e S_eᵀ K_e S_e`.
@@ -93,7 +93,7 @@ fn scatter<const M: usize>(
                     }
                     let at = a.row_idx[range.clone()]
                         .binary_search(&r)
-                        .expect("the pattern holds every pair");
+                        .expect("the pattern contains every pair");
                     a.values[range.start + at] += wr * wc * ke[i][j];
                 }
             }

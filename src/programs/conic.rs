@@ -1,15 +1,17 @@
-//! A conic program as plain data, with no solver in sight.
+//! A conic program as plain data, independent of any solver.
 //!
 //! `min ½ xᵀPx + qᵀx + c` subject to `s = G x + h`, `s ∈ K`, with K a product of small cones. The
 //! multipliers `z ∈ K*` satisfy `P x + q = Gᵀ z`.
 //!
-//! Elements that yield and the load factor of limit analysis make it a saddle. Their parameters y
-//! are maximised over; they stand in the same vector behind the unknowns that elements share, and
-//! the matrix of the quadratic term is then `[P E; Eᵀ −F]`. Cones may hold minimised unknowns or
-//! maximised ones, never both. Rows keep their natural sign: the gradient is `P x + q − Gᵀz` for
-//! minimised unknowns and `P x + q + Gᵀz` for maximised ones, zero at the saddle point.
+//! Elements that yield and the load factor of limit analysis turn it into a saddle-point problem.
+//! Their parameters y are maximised over; they follow the shared unknowns of the elements in the
+//! same vector, and the matrix of the quadratic term is `[P E; Eᵀ −F]`. A cone contains minimised
+//! unknowns or maximised ones, never both. Rows keep their natural sign: the gradient is
+//! `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones; it is zero at the
+//! saddle point.
 
-use crate::elements::batch::{Batch, NONE, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -75,22 +77,22 @@ pub struct ConicProgram {
     pub h: Vec<f64>,
     /// The cones.
     pub cones: Vec<Cone>,
-    /// Elements that yield. Their own unknowns stand behind the shared ones, the rows of their
-    /// yield points behind those of `g`; `h` and `cones` hold both.
+    /// Elements that yield. Their own unknowns follow the shared ones, and the rows of their yield
+    /// points follow those of `g`; `h` and `cones` contain both.
     pub elements: Elements,
-    /// Loads multiplied by the load factor, on the shared unknowns \[N\]; empty: there is no load
-    /// factor. It is the last unknown, maximised over.
+    /// Loads multiplied by the load factor, on the shared unknowns \[N\]; empty: no load factor.
+    /// The load factor is the last unknown and maximised over.
     pub live: Vec<f64>,
-    /// Stiffness that measures each unknown; empty: the diagonal of P.
+    /// Stiffness that scales each unknown; empty: the diagonal of P.
     pub stiffness: Vec<f64>,
 }
 
 /// All elements that yield.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Elements {
-    /// Eight of one shape each.
+    /// Batches of up to eight elements of one shape.
     pub batches: Arc<Vec<Batch>>,
-    /// What multiplies the shared and inner displacements that the elements see; empty: 1.
+    /// Factors on the shared and inner displacements of the elements; empty: 1.
     pub scale: Vec<f64>,
 }
 
@@ -101,9 +103,10 @@ impl SymmetricCsc {
         y
     }
 
-    /// `A X` for a few vectors, the matrix read once.
+    /// `A X` for a few vectors; the matrix is read once.
     ///
-    /// Two halves side by side, whatever the number of threads: the digits do not depend on it.
+    /// The columns are always split into two halves, so that the result does not depend on the
+    /// number of threads.
     pub fn mul_all<const SIDES: usize>(&self, x: [&[f64]; SIDES]) -> [Vec<f64>; SIDES] {
         let half = self.col_ptr.partition_point(|&k| 2 * k < self.values.len()).min(self.n);
         let (mut y, rest) =
@@ -115,8 +118,8 @@ impl SymmetricCsc {
         y
     }
 
-    /// What the given columns and their mirror images add to `A X`; as long as the last of them
-    /// needs.
+    /// Contribution of the given columns and their mirror images to `A X`; the vectors end at the
+    /// last of the columns.
     fn mul_columns<const SIDES: usize>(
         &self,
         columns: Range<usize>,
@@ -206,28 +209,28 @@ impl Csr {
 }
 
 impl ConicProgram {
-    /// Unknowns that elements share, those of P.
+    /// Number of unknowns that elements share, those of P.
     pub fn shared(&self) -> usize {
         self.p.n
     }
 
-    /// All unknowns.
+    /// Number of all unknowns.
     pub fn unknowns(&self) -> usize {
         self.q.len()
     }
 
     /// Appends the load factor of limit analysis, which multiplies the given loads on the shared
-    /// unknowns \[N\] and is to be as large as can be.
+    /// unknowns \[N\] and is maximised.
     pub fn add_load_factor(&mut self, live: Vec<f64>) {
         self.live = live;
         self.q.push(1.0);
     }
 
-    /// Gives shared unknown `k` a value: what it does to the others goes into their linear terms
-    /// and into the offsets, and it keeps a term of its own that is least at that value, so that
-    /// the pattern stays. The objective is the same there.
+    /// Prescribes the value of shared unknown `k`. Its couplings move to the linear terms of the
+    /// other unknowns and to the offsets. The unknown keeps a quadratic term of its own, minimal at
+    /// the value, so that the sparsity pattern stays. The objective is unchanged at that value.
     ///
-    /// Only of programs whose elements are all elastic.
+    /// For programs in which all elements are elastic.
     pub fn freeze(&mut self, k: usize, value: f64) {
         let mut own = 0.0;
         for c in 0..self.p.n {
@@ -241,7 +244,7 @@ impl ConicProgram {
                 }
             }
         }
-        // ½ own v² + q v is its share of the objective, ½ own (x − v)² what stands for it now
+        // its share of the objective was ½ own v² + q v; its new term is ½ own (x − v)²
         self.c += value * (own * value + self.q[k]);
         self.q[k] = -own * value;
         for r in 0..self.g.nrows() {
@@ -253,8 +256,8 @@ impl ConicProgram {
         }
     }
 
-    /// The same program in unknowns that are measured from the given point: its solutions are those
-    /// of this one less the point. Unknowns behind the end of `from` are measured from zero.
+    /// The same program in unknowns relative to the given point: its solutions are those of this
+    /// program minus the point. Unknowns beyond the end of `from` stay absolute.
     pub fn measured_from(&self, from: &[f64]) -> Self {
         let mut out = self.clone();
         let mut x = from.to_vec();
@@ -281,8 +284,8 @@ impl ConicProgram {
         out
     }
 
-    /// Value of the minimiser's objective, `½ xᵀPx + ½ yᵀFy + qᵀx + hᵀz + c`: z the multipliers of
-    /// the yield points alone.
+    /// Value of the primal objective, `½ xᵀPx + ½ yᵀFy + qᵀx + hᵀz + c`, with z the multipliers of
+    /// the yield points only.
     pub fn objective(&self, x: &[f64], z: &[f64]) -> f64 {
         let [px] = self.quadratic([x]);
         let maximised = self.maximised();
@@ -307,8 +310,8 @@ impl ConicProgram {
         y
     }
 
-    /// The blocks of that matrix on its diagonal, minimised with minimised and maximised with
-    /// maximised unknowns, times a vector.
+    /// The diagonal blocks of that matrix (minimised with minimised, maximised with maximised
+    /// unknowns) times a vector.
     pub fn quadratic_diagonal(&self, x: &[f64]) -> Vec<f64> {
         let mut y = self.p.mul_all([&x[..self.shared()]]);
         y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
@@ -320,7 +323,7 @@ impl ConicProgram {
         y
     }
 
-    /// Adds the blocks beside the diagonal times a vector.
+    /// Adds the off-diagonal blocks of that matrix times a vector.
     pub fn add_coupling(&self, x: &[f64], y: &mut Vec<f64>) {
         let mut sides = [std::mem::take(y)];
         self.add_of_elements([x], &mut sides, |batch, v, sigma, force, strain| {

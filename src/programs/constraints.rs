@@ -1,34 +1,37 @@
-//! What holds the unknowns of either program: the points on its faces, and pins against free rigid
-//! motions.
+//! Constraints on the unknowns of either program: the points of faces that supports and rigid faces
+//! constrain, and pins against free rigid motions.
 
 use crate::math::vec3::V3;
 use crate::model::ModelError;
 use crate::model::analysis::{BoundaryFace, FacePair};
+use crate::programs::conic::SymmetricCsc;
 
-/// Points that carry unknowns: what a support or rigid face finds on its mesh faces.
+/// Points of a program that carry unknowns, found by the mesh faces they lie on.
 pub trait FacePoints {
     /// Indices of the points of a boundary face.
     fn points(&self, face: &BoundaryFace) -> Vec<usize>;
     /// Indices of the points of a tet.
     fn tet_points(&self, tet: usize) -> Vec<usize>;
-    /// Points of the two sides of an opened face that lie on each other, side A first.
+    /// Coincident points of the two sides of an opened face, side A first.
     fn pairs(&self, face: &FacePair) -> Vec<[usize; 2]>;
     /// Coordinates of a point \[mm\].
     fn position(&self, point: usize) -> V3;
     /// Number of points.
     fn count(&self) -> usize;
-    /// Block of a point for orderings.
+    /// Block of a point (node or face) for fill-reducing orderings.
     fn block(&self, point: usize) -> u32;
 }
 
-/// The live loads on the unknowns of a program, if any of them can do work.
-pub fn that_work(live: Vec<f64>) -> Result<Vec<f64>, ModelError> {
+/// Returns the live loads on the unknowns of a program; an error when none of them can do work.
+pub fn working_live_loads(live: Vec<f64>) -> Result<Vec<f64>, ModelError> {
     if live.iter().all(|f| *f == 0.0) { Err(ModelError::LiveLoadsHeld) } else { Ok(live) }
 }
 
 /// Unknowns to hold so that none of the given motions remains: one per motion, by complete
-/// pivoting. Unknowns in `held` are held already and use up the motions they stop. Holding them
-/// changes no stress, since no load works on the motions and there is one hold per motion, no more.
+/// pivoting. Unknowns in `held` are held already; each removes a motion that it stops.
+///
+/// The pins change no stress: no load works on the motions, and there is exactly one pin per
+/// motion.
 pub fn pins(mut motions: Vec<Vec<f64>>, held: &[usize]) -> Vec<usize> {
     let mut first = 0;
     for &pivot in held {
@@ -68,4 +71,12 @@ fn eliminate(motions: &mut [Vec<f64>], step: usize, m: usize, pivot: usize) {
         other.iter_mut().zip(&row).for_each(|(a, b)| *a -= k * b);
         other[pivot] = 0.0;
     }
+}
+
+/// Holds unknowns at zero: adds the mean of `stiffness` (empty: the diagonal of P) to their
+/// diagonal entries. No force acts on them, so their value becomes zero.
+pub fn hold(p: &mut SymmetricCsc, unknowns: &[usize], stiffness: &[f64]) {
+    let diagonal = if stiffness.is_empty() { p.diagonal() } else { stiffness.to_vec() };
+    let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
+    unknowns.iter().for_each(|&k| p.add_diagonal(k, mean));
 }

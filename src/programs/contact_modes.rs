@@ -15,14 +15,14 @@ pub struct ContactMode {
 }
 
 /// All such motions of a program whose full unknowns `3 i + d` are displacements of `points[i]`,
-/// each with its part.
+/// each given with its part.
 pub fn contact_modes(
     model: &AnalysisModel,
     map: &DofMap,
     points: &[(usize, V3)],
 ) -> Vec<ContactMode> {
     let parts = model.parts.len();
-    // motions about the middle of the model, rotations scaled to its size
+    // motions about the centre of the model, rotations scaled to its size
     let (lo, hi) = model.mesh.nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
         (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
     });
@@ -38,7 +38,7 @@ pub fn contact_modes(
     let mut gram = Mat::<f64>::zeros(n, n);
     for (i, &(part, x)) in points.iter().enumerate() {
         for d in 0..3 {
-            // across a frozen cut the same rigid motion goes on
+            // the motion is the same on both sides of a frozen cut
             if map.own(3 * i + d).is_some() || map.follows(3 * i + d) {
                 continue;
             }

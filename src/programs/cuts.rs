@@ -1,9 +1,8 @@
-//! Preloaded cuts: the points on their far sides follow those on the near ones, moved on by the
-//! closures.
+//! Preloaded cuts: the points on side B follow those on side A, displaced by the closures.
 //!
-//! A given closure strains the elements at the cut alone as long as nothing else moves: their
-//! energy is that of the whole joint times the length of the shank over that of an element, and a
-//! solver that starts there stalls. So solvers measure the unknowns from a displacement that
+//! While nothing else moves, a prescribed closure strains only the elements at the cut. Their
+//! energy is then that of the whole joint times the ratio of shank length to element length, and a
+//! solver that starts there stalls. Therefore solvers measure the unknowns from a displacement that
 //! spreads the closure along the body of the bolt.
 
 use crate::math::vec3::{self, V3};
@@ -16,11 +15,12 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Components of an axis below this are zero.
 const ACROSS: f64 = 1e-9;
 
-/// Points on side B of the cuts: which cut, and the point on side A that each follows.
+/// Points on side B of the cuts, each with its cut and the point on side A that it follows.
 pub type Followers = BTreeMap<usize, (usize, usize)>;
 
-/// The points that follow others. What is held on one side is held on the other; an error where
-/// that would hold the closure, or where the points belong to something else too.
+/// The points on side B that follow points on side A. Components held on one side are held on the
+/// other. An error where this would fix the closure, or where the points also belong to a rigid
+/// face, a weld or another cut.
 pub fn followers(
     model: &AnalysisModel,
     points: &impl FacePoints,
@@ -65,8 +65,8 @@ pub fn followers(
     }
 }
 
-/// The combinations of what follows: `u_B = u_A − δ a`, the closures δ from unknown `first` on, one
-/// a bolt.
+/// Sets the combinations of the followers, `u_B = u_A − δ a`. The closures δ are the unknowns from
+/// `first` on, one for each bolt.
 pub fn follow(
     model: &AnalysisModel,
     followers: &Followers,
@@ -85,7 +85,7 @@ pub fn follow(
     }
 }
 
-/// Forces of the preloads on the closures they drive \[N\]; frozen ones are driven by nothing.
+/// Adds the forces of the preloads on their closures \[N\]; prescribed closures have none.
 pub fn add_preload(model: &AnalysisModel, map: &DofMap, f: &mut [f64]) {
     let closures = map.n - map.closures..map.n;
     for (k, bolt) in closures.zip(&model.preload).filter(|(_, bolt)| bolt.closure.is_none()) {
@@ -95,7 +95,7 @@ pub fn add_preload(model: &AnalysisModel, map: &DofMap, f: &mut [f64]) {
 
 /// Unknowns of a displacement that closes the frozen cuts: each closure is spread linearly over the
 /// body of its bolt, half of it on either side of the cut. Full unknowns `3 i + d` are
-/// displacements of `points[i]`, each with a tet it belongs to. Empty: nothing is frozen.
+/// displacements of `points[i]`, each given with one of its tets. Empty without frozen cuts.
 pub fn spread(
     model: &AnalysisModel,
     map: &DofMap,
@@ -107,8 +107,7 @@ pub fn spread(
     let mesh = &model.mesh;
     let mut x = vec![0.0; map.n];
     map.keep_frozen(&mut x);
-    // of each bolt: its body, axis and closure, and where along the axis it begins, is cut, and
-    // ends
+    // of each bolt: body, axis, closure, and the positions of its start, cut and end along the axis
     let bolts: Vec<(u32, V3, f64, [f64; 3])> = model
         .preload
         .iter()

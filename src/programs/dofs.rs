@@ -1,8 +1,8 @@
-//! From the unknowns of elements to the unknowns of the program: held, free, or moving with a rigid
-//! face.
+//! Map between the full unknowns of the elements and the unknowns of the program: held, free, or
+//! moving with a rigid face.
 
-use crate::elements::batch::NONE;
 use crate::elements::columns::Columns;
+use crate::elements::yielding_element::NONE;
 
 /// Each full unknown as a linear combination of the program's unknowns; an empty combination is
 /// held at zero.
@@ -14,11 +14,11 @@ pub struct DofMap {
     pub n: usize,
     /// The first `plain` unknowns are single full unknowns; then come motions of rigid faces.
     pub plain: usize,
-    /// So many unknowns at the end are closures of preloaded cuts.
+    /// Number of closures of preloaded cuts; they are the last unknowns.
     pub closures: usize,
-    /// Closures that are given \[mm\].
+    /// Prescribed closures: unknown and value \[mm\].
     pub frozen: Vec<(usize, f64)>,
-    /// Block (node, face or rigid motion) of each of the program's unknowns, for orderings.
+    /// Block (node, face or rigid motion) of each unknown, for fill-reducing orderings.
     pub block: Vec<u32>,
 }
 
@@ -40,7 +40,7 @@ impl DofMap {
         &self.terms[self.start[i]..self.start[i + 1]]
     }
 
-    /// The unknown that full unknown `i` is, if it is one of its own.
+    /// The program's unknown equal to full unknown `i`, if there is one.
     pub fn own(&self, i: usize) -> Option<usize> {
         match self.terms(i) {
             [(k, _)] if (*k as usize) < self.plain => Some(*k as usize),
@@ -58,7 +58,7 @@ impl DofMap {
         self.own(i).is_none() && self.terms(i).iter().any(|(k, _)| (*k as usize) < self.plain)
     }
 
-    /// Puts the given closures in the place of what a solver has left of them.
+    /// Overwrites the prescribed closures in a solution with their exact values.
     pub fn keep_frozen(&self, x: &mut [f64]) {
         self.frozen.iter().for_each(|&(k, value)| x[k] = value);
     }
@@ -87,8 +87,8 @@ impl DofMap {
         r
     }
 
-    /// Diagonal of the stiffness on the program's unknowns from one that is diagonal on the full
-    /// ones.
+    /// Diagonal of the stiffness on the program's unknowns from a diagonal stiffness on the full
+    /// unknowns.
     pub fn reduce_diagonal(&self, d: &[f64]) -> Vec<f64> {
         let mut r = vec![0.0; self.n];
         for (i, &di) in d.iter().enumerate() {

@@ -1,15 +1,15 @@
-//! A program with every element written out: one sparse matrix, one matrix of rows, for solvers
-//! that know nothing of elements.
+//! A program with all elements assembled into one sparse matrix and one matrix of rows, for solvers
+//! that do not support elements.
 //!
-//! The cones of yield points hold maximised unknowns. Written out, their multipliers λ ∈ K⁶ become
-//! unknowns behind all others, coupled to the parameters by `B`, with `h` as their linear term; the
-//! multiplier of `λ ∈ K⁶` is then `h + B σ`.
+//! The cones of yield points contain maximised unknowns. In the explicit form their multipliers
+//! λ ∈ K⁶ become unknowns after all others, coupled to the parameters by `B`, with `h` as their
+//! linear term; the multiplier of `λ ∈ K⁶` is then `h + B σ`.
 
-use crate::elements::batch::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
+use crate::elements::yielding_element::{NONE, Shape, VERTEX_VALUES, YIELD_ROWS};
 use crate::math::wide::LANES;
 use crate::programs::conic::{Cone, ConicProgram, Csr, SymmetricCsc};
 
-/// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones hold
+/// `½ xᵀPx + qᵀx`, minimised over some unknowns and maximised over the others; the cones contain
 /// minimised unknowns only.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Explicit {
@@ -25,15 +25,15 @@ pub struct Explicit {
     pub cones: Vec<Cone>,
     /// True for unknowns maximised over.
     pub maximised: Vec<bool>,
-    /// Unknowns of the program this was made from; behind them stand the multipliers of its yield
-    /// points.
+    /// Number of unknowns of the original program; the multipliers of its yield points follow.
     pub unknowns: usize,
-    /// Rows of the program's own cones; the rows behind them are those multipliers.
+    /// Number of rows of the contact cones of the original program; the rows of those multipliers
+    /// follow.
     pub rows: usize,
 }
 
 impl Explicit {
-    /// Writes a program out.
+    /// The explicit form of a program.
     pub fn new(program: &ConicProgram) -> Self {
         let (unknowns, rows) = (program.unknowns(), program.g.nrows());
         let n = unknowns + program.h.len() - rows;
@@ -88,7 +88,7 @@ impl Explicit {
     }
 }
 
-/// Entries of P of the elements.
+/// Adds the entries of the elements to P.
 fn elements(program: &ConicProgram, add: &mut impl FnMut(usize, usize, f64)) {
     let scale = &program.elements.scale;
     let (unknowns, first_row) = (program.unknowns(), program.g.nrows());
@@ -97,7 +97,7 @@ fn elements(program: &ConicProgram, add: &mut impl FnMut(usize, usize, f64)) {
         let (parameters, inner) = (batch.shape.parameters(), batch.shape.inner());
         for lane in (0..LANES).filter(|&l| batch.own[l] != NONE) {
             let own = batch.own[lane] as usize;
-            // the element's displacements: unknown and scale, none where held
+            // unknown and scale of a displacement of the element; `None` where it is held
             let moved = |i: usize| {
                 let at = match i.checked_sub(inner) {
                     None => (own + parameters + i) as u32,

@@ -1,30 +1,30 @@
 //! The kinematic program: 10-node tetrahedra, contact cones at the Bernstein coefficients of gap
 //! and slip.
 //!
-//! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. Gap and slip
-//! are quadratic on a face; a quadratic polynomial lies in a convex cone wherever its six Bernstein
-//! coefficients do, so the contact law holds at every point of the interface, not only at nodes.
+//! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. The cones at
+//! the control points ([`crate::programs::contact::control_points`]) enforce the contact law at
+//! every point of the interface, not only at nodes.
 
-use crate::elements::batch::Rule;
 use crate::elements::hencky_kinematic::{Flow, YieldingTet10};
-use crate::elements::space::{FACE_EDGES, Tet10Space};
-use crate::elements::{split_flow, split_tet10, tet10};
-use crate::math::quadrature::{TRIANGLE_4, triangle_p2};
-use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3::{self, V3};
+use crate::elements::space::Tet10Space;
+use crate::elements::tet10;
+use crate::elements::yielding_element::Rule;
+use crate::math::vec3::V3;
 use crate::model::ModelError;
 use crate::model::analysis::{AnalysisModel, BoundaryFace, FacePair};
-use crate::model::loads::{Loads, face_corners, face_nodes};
-use crate::model::opening::{Bernstein, ConeShift};
+use crate::model::loads::{Loads, face_nodes};
+use crate::model::opening::ConeShift;
 use crate::programs::assemble::assemble;
-use crate::programs::conic::{Cone, ConicProgram, Csr};
-use crate::programs::constraints::{self, FacePoints};
+use crate::programs::conic::{ConicProgram, Csr};
+use crate::programs::constraints::{FacePoints, hold, working_live_loads};
+use crate::programs::contact::control_points::{ControlPoint, control_points, points_of_faces};
 use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::dofs::DofMap;
+use crate::programs::loads::{BodyForceNodes, kinematic_forces};
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
 use crate::programs::yielding_elements::append;
-use crate::programs::{cuts, weld_face};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::programs::{cuts, free_modes, weld_face};
+use std::collections::BTreeMap;
 
 struct Points<'a> {
     model: &'a AnalysisModel,
@@ -53,58 +53,6 @@ impl FacePoints for Points<'_> {
     }
 }
 
-/// A Bernstein coefficient of the gap on an interface: a vertex, or an edge with its two ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ControlPoint {
-    /// Which contact it belongs to: interfaces first, then contacts with the ground.
-    pub contact: usize,
-    /// Unit normal out of side A.
-    pub normal: V3,
-    /// Friction coefficient.
-    pub mu: f64,
-    /// Coefficient of the initial gap, and of the shift where there is one \[mm\].
-    pub gap: f64,
-    /// Nodes on side A: vertex, or mid-side and ends.
-    pub a: [usize; 3],
-    /// Nodes on side B; `None`: rigid ground.
-    pub b: Option<[usize; 3]>,
-    /// An edge: the coefficient is `2 u_mid − ½ (u_i + u_j)`.
-    pub edge: bool,
-}
-
-impl ControlPoint {
-    /// Node weights of the coefficient.
-    pub fn weights(&self) -> &'static [f64] {
-        if self.edge { &[2.0, -0.5, -0.5] } else { &[1.0] }
-    }
-
-    /// Its identity: contact, nodes on both sides and the normal, rounded so that faces of one
-    /// plane share it.
-    fn key(&self) -> (usize, usize, usize, [i64; 3]) {
-        // faces of one plane agree to rounding; faces that bend by more keep a cone each, or a
-        // bound would not be one
-        let rounded = self.normal.map(|x| (x * 1e12).round() as i64);
-        (self.contact, self.a[0], self.b.map_or(usize::MAX, |b| b[0]), rounded)
-    }
-
-    /// The coefficient of the slip of nodal displacements, its size \[mm\].
-    pub fn slip(&self, u: &[V3]) -> f64 {
-        let jump = self.jump(u);
-        vec3::norm(vec3::sub(jump, vec3::scale(vec3::dot(jump, self.normal), self.normal)))
-    }
-
-    /// The coefficient of the jump `u_B − u_A` of nodal displacements.
-    pub fn jump(&self, u: &[V3]) -> V3 {
-        let side = |n: &[usize; 3]| {
-            self.weights()
-                .iter()
-                .zip(n)
-                .fold([0.0; 3], |s, (&w, &i)| vec3::add(s, vec3::scale(w, u[i])))
-        };
-        vec3::sub(self.b.as_ref().map_or([0.0; 3], &side), side(&self.a))
-    }
-}
-
 /// The kinematic program of a model.
 #[derive(Clone, Debug)]
 pub struct Kinematic {
@@ -118,151 +66,23 @@ pub struct Kinematic {
     pub rigid: Vec<RigidMotions>,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
-    /// Where the unknowns of each element's own start, after those that elements share, and of each
-    /// weld face behind them; empty without plasticity and welds.
+    /// First own unknown of each element, then of each weld face; own unknowns follow those that
+    /// elements share. Empty without plasticity and welds.
     pub own: Vec<usize>,
-    /// Tets whose element flows and is split; empty without plasticity.
+    /// True for tets whose element yields and is split; empty without plasticity.
     pub split: Vec<bool>,
 }
 
-/// Which program.
+/// Kind of kinematic program.
 #[derive(Clone, Copy)]
 enum Kind<'f> {
     Elastic,
     /// Elastic, except that bodies without a yield strength are rigid.
     AroundRigidBodies,
-    /// What each tet is made of, where it may flow.
+    /// Elastic, perfectly plastic; element of each tet, `None` where it stays elastic.
     Hencky(&'f [Option<Flow>]),
+    /// Rigid-plastic.
     Limit(Flow),
-}
-
-/// The six control points of every contact face, interfaces first; neighbours in one plane repeat
-/// each other's.
-fn points_of_faces(model: &AnalysisModel, space: &Tet10Space) -> Vec<[ControlPoint; 6]> {
-    let interfaces = model.interfaces.iter().enumerate().flat_map(|(contact, interface)| {
-        interface.faces.iter().map(move |f| {
-            let corners = f.nodes_a.map(|n| model.mesh.nodes[n as usize]);
-            (contact, corners, space.triangle(f.nodes_a), Some(space.triangle(f.nodes_b)))
-        })
-    });
-    let ground = (model.interfaces.len()..).zip(&model.ground).flat_map(|(contact, ground)| {
-        ground.faces.iter().map(move |f| {
-            let a = space.triangle(face_nodes(&model.mesh, f));
-            (contact, face_corners(&model.mesh, f), a, None)
-        })
-    });
-    interfaces
-        .chain(ground)
-        .enumerate()
-        .map(|(face, (contact, corners, a, b))| {
-            let law = model.contact_law(contact);
-            points_of_face(contact, law.mu, model.opening(face, law, &corners), &corners, a, b)
-        })
-        .collect()
-}
-
-/// Every distinct control point of the model's contacts.
-pub fn control_points(model: &AnalysisModel, space: &Tet10Space) -> Vec<ControlPoint> {
-    let mut seen = BTreeSet::new();
-    points_of_faces(model, space).into_iter().flatten().filter(|p| seen.insert(p.key())).collect()
-}
-
-fn points_of_face(
-    contact: usize,
-    mu: f64,
-    opening: Bernstein,
-    corners: &[V3; 3],
-    a: [usize; 6],
-    b: Option<[usize; 6]>,
-) -> [ControlPoint; 6] {
-    let area = vec3::area_vector(corners);
-    let normal = vec3::scale(1.0 / vec3::norm(area), area);
-    std::array::from_fn(|i| {
-        // a vertex stands for itself, an edge for its mid-side node and its two ends
-        let picked = if i < 3 { [i; 3] } else { [i, FACE_EDGES[i - 3][0], FACE_EDGES[i - 3][1]] };
-        let pick = |n: [usize; 6]| picked.map(|k| n[k]);
-        ControlPoint {
-            contact,
-            normal,
-            mu,
-            gap: opening[i],
-            a: pick(a),
-            b: b.map(pick),
-            edge: i >= 3,
-        }
-    })
-}
-
-/// What a body force does to the nodes of an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Inside {
-    /// A plain element.
-    Plain,
-    /// A split element whose inner nodes bear their own part.
-    Split,
-    /// A split element whose inner nodes follow the outer ones at constant divergence.
-    Flow,
-}
-
-/// What the element of each tet is.
-type InsideOf<'a> = &'a dyn Fn(usize) -> Inside;
-
-/// Nodal forces of the loads \[N\]; `inside` tells what each element is.
-fn nodal_forces(
-    model: &AnalysisModel,
-    space: &Tet10Space,
-    inside: InsideOf,
-    loads: Loads,
-) -> Vec<f64> {
-    let mut f = vec![0.0; 3 * space.nodes.len()];
-    let body = model.body_forces(loads);
-    if body.iter().any(|b| *b != [0.0; 3]) {
-        let (plain, split) = (tet10::shape_integrals(), split_tet10::shape_integrals());
-        for e in 0..model.mesh.tets.len() {
-            let of = model.mesh.tet_body[e] as usize;
-            let (b, v) = (body[of], model.mesh.volume(e));
-            let forces: [f64; 30] = match inside(e) {
-                Inside::Plain => std::array::from_fn(|i| plain[i / 3] * v * b[i % 3]),
-                Inside::Split => std::array::from_fn(|i| split[i / 3] * v * b[i % 3]),
-                Inside::Flow => split_flow::body_forces(&model.mesh.corners(e), v, b),
-            };
-            for (n, force) in space.tet(&model.mesh, e).into_iter().zip(forces.chunks_exact(3)) {
-                (0..3).for_each(|d| f[3 * n + d] += force[d]);
-            }
-        }
-    }
-    for load in model.surface_loads.iter().filter(|l| loads.share(l.dead) != 0.0) {
-        let share = loads.share(load.dead);
-        for face in &load.faces {
-            let corners = face_corners(&model.mesh, face);
-            let nodes = space.triangle(face_nodes(&model.mesh, face));
-            let area = vec3::area_vector(&corners);
-            let size = vec3::norm(area);
-            let normal = vec3::scale(1.0 / size, area);
-            for (l, w) in TRIANGLE_4 {
-                let x = std::array::from_fn(|d| (0..3).map(|i| l[i] * corners[i][d]).sum());
-                let t = vec3::scale(share, load.at(x, normal));
-                for (n, s) in nodes.iter().zip(triangle_p2(l)) {
-                    (0..3).for_each(|d| f[3 * n + d] += w * size * s * t[d]);
-                }
-            }
-        }
-    }
-    f
-}
-
-/// Loads and actions of rigid faces on the program's shared unknowns \[N\].
-fn shared_forces(
-    model: &AnalysisModel,
-    space: &Tet10Space,
-    map: &DofMap,
-    rigid: &[RigidMotions],
-    inside: InsideOf,
-    loads: Loads,
-) -> Vec<f64> {
-    let mut f = map.reduce(&nodal_forces(model, space, inside, loads));
-    rigid_motions::add_rigid_actions(model, rigid, loads, &mut f);
-    f
 }
 
 impl Kinematic {
@@ -271,15 +91,15 @@ impl Kinematic {
         Self::build(model, Kind::Elastic)
     }
 
-    /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength are
-    /// made of elements that yield, the others stay elastic.
+    /// Builds the elastic, perfectly plastic program (Hencky): bodies with a yield strength consist
+    /// of elements that yield, the others stay elastic.
     pub fn with_plasticity(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
         Self::build(model, Kind::Hencky(&vec![Some(flow); model.mesh.tets.len()]))
     }
 
-    /// The same with flow only where `flow` names an element for a tet; the other tets are plain
-    /// and stay elastic, whatever their strength. Still an upper bound: to flow less is to choose
-    /// among fewer fields.
+    /// Builds the same program with plastic strain only in tets for which `flow` names an element;
+    /// the other tets are plain and elastic, whatever their strength. The result is still an upper
+    /// bound: the minimum is taken over fewer fields.
     pub fn with_plasticity_in(
         model: &AnalysisModel,
         flow: &[Option<Flow>],
@@ -288,15 +108,15 @@ impl Kinematic {
     }
 
     /// Builds the program of limit analysis: the least dissipation at unit power of the live loads,
-    /// less the power of the dead ones. Bodies without a yield strength are rigid; initial gaps
+    /// less the power of the dead loads. Bodies without a yield strength are rigid. Initial gaps
     /// count as closed.
     pub fn limit(model: &AnalysisModel, flow: Flow) -> Result<Self, ModelError> {
         model.check_limit_analysis()?;
         Self::build(model, Kind::Limit(flow))
     }
 
-    /// Builds the elastic program in which bodies without a yield strength are rigid: a measure of
-    /// how far velocities of limit analysis are apart.
+    /// Builds the elastic program in which bodies without a yield strength are rigid. Its energy
+    /// norm measures the distance between velocity fields of limit analysis.
     pub fn around_rigid_bodies(model: &AnalysisModel) -> Result<Self, ModelError> {
         Self::build(model, Kind::AroundRigidBodies)
     }
@@ -311,7 +131,7 @@ impl Kinematic {
             rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
-        // radius of the yield surface and kind of the element of a tet that may flow
+        // yield radius and kind of element of each tet that may flow
         let flow_of = |e: usize| -> Option<(f64, Flow)> {
             let radius = radii[model.mesh.tet_body[e] as usize]?;
             match kind {
@@ -327,8 +147,7 @@ impl Kinematic {
             let nodes = space.tet(&model.mesh, e);
             std::array::from_fn(|i| 3 * nodes[i / 3] + i % 3)
         };
-        // the element of a body that yields
-        let flowing = |e: usize| {
+        let yielding = |e: usize| {
             let body = model.mesh.tet_body[e] as usize;
             flow_of(e).map(|(radius, flow)| YieldingTet10 {
                 corners: model.mesh.corners(e),
@@ -340,11 +159,11 @@ impl Kinematic {
                 rule: if limit { Rule::TenPoints } else { Rule::Hencky },
             })
         };
-        // rigid-plastic elements leave nothing in P
+        // rigid-plastic elements add nothing to P
         let assembled = if limit { 0 } else { model.mesh.tets.len() };
         let mut p = assemble::<30, ModelError>(assembled, &map, dofs, |e| {
             let body = model.mesh.tet_body[e] as usize;
-            Ok(match flowing(e) {
+            Ok(match yielding(e) {
                 Some(element) => element.outer_stiffness(),
                 None if pieces.contains(e) => Box::new([[0.0; 30]; 30]),
                 None => {
@@ -352,12 +171,12 @@ impl Kinematic {
                 }
             })
         })?;
-        let splits = if limit { Inside::Flow } else { Inside::Split };
-        let inside = |e: usize| match flow_of(e) {
-            Some((_, Flow::Split)) => splits,
-            _ => Inside::Plain,
+        let split_nodes = if limit { BodyForceNodes::Flow } else { BodyForceNodes::Split };
+        let force_nodes = |e: usize| match flow_of(e) {
+            Some((_, Flow::Split)) => split_nodes,
+            _ => BodyForceNodes::Plain,
         };
-        let forces_of = |loads| shared_forces(model, &space, &map, &rigid, &inside, loads);
+        let forces_of = |loads| kinematic_forces(model, &space, &map, &rigid, &force_nodes, loads);
         let mut f = forces_of(if limit { Loads::DEAD } else { Loads::ALL });
         cuts::add_preload(model, &map, &mut f);
         let mut stiffness = Vec::new();
@@ -366,10 +185,11 @@ impl Kinematic {
             _ => model.weld_faces().collect(),
         };
         if yields || !pieces.is_empty() || !weld_faces.is_empty() {
+            // the diagonal of P, plus the elastic stiffness of elements that is not in P
             stiffness = p.diagonal();
-            let mut beside = vec![0.0; map.full()];
+            let mut rest = vec![0.0; map.full()];
             for e in 0..model.mesh.tets.len() {
-                let missing: [f64; 30] = match flowing(e) {
+                let missing: [f64; 30] = match yielding(e) {
                     Some(element) => {
                         let (elastic, kept) =
                             (element.elastic_diagonal(), element.outer_stiffness());
@@ -385,11 +205,11 @@ impl Kinematic {
                     }
                     None => continue,
                 };
-                dofs(e).into_iter().zip(missing).for_each(|(d, k)| beside[d] += k);
+                dofs(e).into_iter().zip(missing).for_each(|(d, k)| rest[d] += k);
             }
-            map.reduce_diagonal(&beside).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
+            map.reduce_diagonal(&rest).iter().zip(&mut stiffness).for_each(|(d, s)| *s += d);
         }
-        hold(&mut p, &free_mode_pins(model, &space, &map, &rigid, &pieces), &stiffness);
+        hold(&mut p, &free_modes::kinematic_pins(model, &space, &map, &rigid, &pieces), &stiffness);
         let mut program = ConicProgram {
             p,
             q: f.iter().map(|x| -x).collect(),
@@ -402,7 +222,7 @@ impl Kinematic {
             if limit {
                 point.gap = 0.0;
             }
-            if push_cone(&mut program, &map, &point) {
+            if point.push_cone(&mut program, &map) {
                 points.push(point);
             }
         }
@@ -421,11 +241,11 @@ impl Kinematic {
                     ));
                 }
                 let columns = || map.columns(&dofs(e));
-                Ok::<_, ModelError>(flowing(e).map(|element| element.element(&columns())))
+                Ok::<_, ModelError>(yielding(e).map(|element| element.element(&columns())))
             })?;
         }
         if limit {
-            program.add_load_factor(constraints::that_work(forces_of(Loads::LIVE))?);
+            program.add_load_factor(working_live_loads(forces_of(Loads::LIVE))?);
         }
         Ok(Self { program, space, map, rigid, points, own, split })
     }
@@ -437,8 +257,8 @@ impl Kinematic {
         self.map.expand(x).chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()
     }
 
-    /// The Bernstein coefficients of the jump on every weld face, three rows each, on the unknowns
-    /// that elements share.
+    /// The Bernstein coefficients of the jump on every weld face as rows on the shared unknowns,
+    /// three rows each.
     pub fn weld_rows(&self, model: &AnalysisModel) -> Csr {
         let faces = model.weld_faces();
         weld_face::rows(
@@ -447,22 +267,22 @@ impl Kinematic {
         )
     }
 
-    /// Loads on the unknowns that elements share, in limit analysis: their product with velocities
-    /// is the power \[N\].
+    /// Loads on the shared unknowns in limit analysis \[N\]; their product with velocities is the
+    /// power.
     ///
-    /// Bodies with a yield strength are made of `flow` elements, the inner velocities of split ones
-    /// as in [`split_flow`].
+    /// Bodies with a yield strength consist of `flow` elements, the inner velocities of split ones
+    /// as in [`crate::elements::split_flow`].
     pub fn limit_forces(&self, model: &AnalysisModel, flow: Flow, loads: Loads) -> Vec<f64> {
         let radii = model.yield_radii();
-        let inside = |e: usize| match (radii[model.mesh.tet_body[e] as usize], flow) {
-            (Some(_), Flow::Split) => Inside::Flow,
-            _ => Inside::Plain,
+        let force_nodes = |e: usize| match (radii[model.mesh.tet_body[e] as usize], flow) {
+            (Some(_), Flow::Split) => BodyForceNodes::Flow,
+            _ => BodyForceNodes::Plain,
         };
-        shared_forces(model, &self.space, &self.map, &self.rigid, &inside, loads)
+        kinematic_forces(model, &self.space, &self.map, &self.rigid, &force_nodes, loads)
     }
 
-    /// The shift with the given values at the control points, face by face; points that cannot move
-    /// have none.
+    /// Shift of the contact cones from the values at the control points \[mm\]; zero at points that
+    /// cannot move.
     pub fn cone_shift(&self, model: &AnalysisModel, values: &[f64]) -> ConeShift {
         let of: BTreeMap<_, f64> =
             self.points.iter().zip(values).map(|(p, s)| (p.key(), *s)).collect();
@@ -472,8 +292,8 @@ impl Kinematic {
         }
     }
 
-    /// A displacement that closes the frozen cuts with little strain, from which a solver measures
-    /// the unknowns; empty: there are none.
+    /// Unknowns of a displacement that closes the frozen cuts with little strain. Solvers measure
+    /// the unknowns from it. Empty without frozen cuts.
     pub fn closed(&self, model: &AnalysisModel) -> Vec<f64> {
         let mut tet = vec![0; self.space.nodes.len()];
         for e in 0..model.mesh.tets.len() {
@@ -494,97 +314,4 @@ impl Kinematic {
             .collect();
         contact_modes(model, &self.map, &points)
     }
-}
-
-/// Adds the cone `(g_N + g₀, μ g_T) ∈ K³` (or `g_N + g₀ ≥ 0`) of a control point; false when
-/// nothing of it can move.
-fn push_cone(program: &mut ConicProgram, map: &DofMap, point: &ControlPoint) -> bool {
-    let (t1, t2) = vec3::tangents(point.normal);
-    let direction = |n: V3, factor: f64| {
-        let mut full = Vec::new();
-        for (i, &w) in point.weights().iter().enumerate() {
-            for d in 0..3 {
-                if let Some(b) = point.b {
-                    full.push((3 * b[i] + d, factor * w * n[d]));
-                }
-                full.push((3 * point.a[i] + d, -factor * w * n[d]));
-            }
-        }
-        map.row(&full)
-    };
-    let normal = direction(point.normal, 1.0);
-    let slip = [direction(t1, point.mu), direction(t2, point.mu)];
-    let rows = [&normal, &slip[0], &slip[1]];
-    push_rows(program, &rows, point.mu, point.gap)
-}
-
-/// Adds the rows of one contact cone; false (and nothing added) when all of them are empty.
-pub fn push_rows(
-    program: &mut ConicProgram,
-    rows: &[&Vec<(u32, f64)>; 3],
-    mu: f64,
-    offset: f64,
-) -> bool {
-    let used = if mu > 0.0 { 3 } else { 1 };
-    if rows[..used].iter().all(|r| r.is_empty()) {
-        return false;
-    }
-    for (i, row) in rows[..used].iter().enumerate() {
-        program.g.push_row(row);
-        program.h.push(if i == 0 { offset } else { 0.0 });
-    }
-    program.cones.push(if mu > 0.0 { Cone::SecondOrder(3) } else { Cone::NonNegative });
-    true
-}
-
-/// Holds one vertex displacement per free rigid motion.
-fn free_mode_pins(
-    model: &AnalysisModel,
-    space: &Tet10Space,
-    map: &DofMap,
-    rigid: &[RigidMotions],
-    pieces: &RigidPieces,
-) -> Vec<usize> {
-    if model.free_modes.is_empty() {
-        return Vec::new();
-    }
-    let part = model.node_parts();
-    let motions = model
-        .free_modes
-        .iter()
-        .map(|mode| {
-            let motion = |node: usize| {
-                let vertex = space.a_vertex(node);
-                rigid_displacement(
-                    &mode.motions[part[vertex] as usize],
-                    [0.0; 3],
-                    space.nodes[node],
-                )
-            };
-            let mut x = vec![0.0; map.n];
-            if !pieces.is_empty() {
-                // a part may be rigid as a whole, with no unknown but its motion
-                let nearest = rigid_motions::nearest_unknowns(map, rigid, |i| motion(i / 3)[i % 3]);
-                x[map.plain..].copy_from_slice(&nearest[map.plain..]);
-            }
-            for v in 0..space.vertices {
-                let u = motion(v);
-                for d in 0..3 {
-                    if let Some(k) = map.own(3 * v + d) {
-                        x[k] = u[d];
-                    }
-                }
-            }
-            x
-        })
-        .collect();
-    constraints::pins(motions, &[])
-}
-
-/// Stiffens the given unknowns by the mean of `stiffness` (empty: P's diagonal); their force is
-/// zero, so their value becomes zero.
-pub fn hold(p: &mut crate::programs::conic::SymmetricCsc, unknowns: &[usize], stiffness: &[f64]) {
-    let diagonal = if stiffness.is_empty() { p.diagonal() } else { stiffness.to_vec() };
-    let mean = diagonal.iter().sum::<f64>() / diagonal.len().max(1) as f64;
-    unknowns.iter().for_each(|&k| p.add_diagonal(k, mean));
 }

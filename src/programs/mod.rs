@@ -1,15 +1,23 @@
 //! The two conic programs of an analysis model, as plain data.
+//!
+//! [`kinematic`] and [`static_form`] build them. The other files are their parts: unknowns
+//! ([`dofs`], [`rigid_motions`], [`cuts`], [`free_modes`]), [`loads`], [`contact`] cones, welds
+//! ([`weld_face`]) and elements that yield ([`yielding_elements`]).
 
 pub mod assemble;
 pub mod conic;
 pub mod constraints;
+pub mod contact;
 pub mod contact_modes;
 pub mod cuts;
 pub mod dofs;
 pub mod explicit;
+pub mod free_modes;
 pub mod kinematic;
+pub mod loads;
 pub mod rigid_motions;
 pub mod static_form;
+pub mod super_elements;
 pub mod weld_face;
 pub mod yielding_elements;
 

@@ -1,8 +1,8 @@
-//! What moves as one: rigid faces and, in limit analysis, bodies without a yield strength.
+//! Rigid motions: of rigid faces and, in limit analysis, of bodies without a yield strength.
 //!
-//! Rigid faces and rigid bodies that share points of a program must agree there, and what supports
-//! hold of them stays at rest: the motions that all of a group may make together are the null space
-//! of these conditions. One unknown of the program stands for each.
+//! Rigid faces and rigid bodies that share points of a program must have equal displacements there,
+//! and their components held by supports are zero. The common motions of such a group are the null
+//! space of these conditions; each of them is one unknown of the program.
 
 use crate::math::dense::{Mat, null_space, pseudo_solve};
 use crate::math::rigid_motion::rigid_displacement;
@@ -16,8 +16,7 @@ use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
 use std::collections::BTreeMap;
 
-/// Displacements of unit motions below this are rounding of the null space: what they belong to
-/// stays at rest.
+/// Displacements of unit motions below this are rounding of the null space and count as zero.
 const AT_REST: f64 = 1e-14;
 
 /// Motions of a group of rigid faces and bodies.
@@ -33,7 +32,8 @@ pub struct RigidMotions {
     pub faces: Vec<(usize, Vec<[f64; 6]>)>,
 }
 
-/// Bodies that never yield, in pieces that hang together by faces: each moves as one.
+/// Connected pieces of the bodies that never yield (joined through faces); each moves as a rigid
+/// body.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RigidPieces {
     /// Piece of each tet; empty: no body is rigid.
@@ -75,19 +75,19 @@ impl RigidPieces {
         out
     }
 
-    /// True when the tet belongs to one.
+    /// True when the tet belongs to a rigid piece.
     pub fn contains(&self, tet: usize) -> bool {
         self.of_tet.get(tet).is_some_and(Option::is_some)
     }
 
-    /// True when there is none.
+    /// True when there is no rigid piece.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 }
 
-/// A rigid face or piece: a reference point and the motions it may make alone. Rotations are scaled
-/// to move it as much as a unit translation does.
+/// A rigid face or piece: a reference point, and its free motions without the others. Rotations are
+/// scaled so that the largest displacement equals that of a unit translation.
 struct Mover {
     at: V3,
     motions: Vec<[f64; 6]>,
@@ -104,15 +104,15 @@ impl Mover {
         Self { at, motions: (0..6).filter(|&m| free[m]).map(unit).collect() }
     }
 
-    /// Displacement `d` at `x` of each of its motions.
+    /// Displacement component `d` at `x` in each of its motions.
     fn row(&self, x: V3, d: usize) -> Vec<f64> {
         self.motions.iter().map(|m| rigid_displacement(m, self.at, x)[d]).collect()
     }
 }
 
-/// Which movers each component of a point belongs to: rigid faces by their position, then pieces.
+/// Movers of each component of a point: rigid faces by their position in the model, then pieces.
 type Claims = BTreeMap<(usize, usize), Vec<usize>>;
-/// One entry of them.
+/// One entry of [`Claims`].
 type Claim<'a> = ((usize, usize), &'a [usize]);
 
 fn claims(
@@ -231,7 +231,7 @@ pub fn number_unknowns(
     }
     let first = block.len();
     cuts::follow(model, &followers, first, &mut combinations);
-    // without faces (limit analysis) there is nothing to close
+    // the cuts have no faces in limit analysis, so there are no closures
     let closures = if followers.is_empty() { 0 } else { model.preload.len() };
     block.extend((0..closures).map(|i| rigid_block + (groups + i) as u32));
     let mut map = DofMap::new(combinations, plain, block);
@@ -265,8 +265,8 @@ fn groups(movers: usize, claims: &Claims) -> Vec<usize> {
         .collect()
 }
 
-/// The motions that the members of a group may make together, by member and unknown: those that
-/// move no held component and agree wherever two members share a point.
+/// The common motions of the members of a group, by member and unknown: those that move no held
+/// component and agree wherever two members share a point.
 fn common_motions(
     members: &[usize],
     movers: &[Mover],
@@ -312,7 +312,8 @@ fn common_motions(
     (0..members.len()).map(|m| coefficients.iter().map(|c| motion(m, c)).collect()).collect()
 }
 
-/// Forces of rigid faces on the program's unknowns: the work of their actions on unit motions.
+/// Adds the forces of rigid faces on the program's unknowns: the work of their actions on unit
+/// motions.
 pub fn add_rigid_actions(
     model: &AnalysisModel,
     motions: &[RigidMotions],
@@ -329,8 +330,8 @@ pub fn add_rigid_actions(
     }
 }
 
-/// The program's unknowns nearest to full values: held ones are dropped, groups get the motion that
-/// fits best.
+/// The program's unknowns nearest to given full values: values of held unknowns are dropped, groups
+/// get the least-squares motion.
 pub fn nearest_unknowns(
     map: &DofMap,
     motions: &[RigidMotions],

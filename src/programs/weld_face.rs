@@ -1,9 +1,10 @@
-//! A face of a weld of finite strength: tied until its traction reaches the strength, then it
-//! flows.
+//! A face of a weld of finite strength: rigid until its traction reaches the strength, then
+//! perfectly plastic.
 //!
-//! As a saddle: minimise over displacements v, maximise over tractions t with `‖t_p‖ ≤ strength` at
-//! some points, of `Σ_p t_p · J_p v`, J_p a weighted jump of the displacement from side A to side
-//! B. What is left after maximising, `strength Σ_p ‖J_p v‖`, is the work the weld dissipates.
+//! Saddle form: minimise over displacements v and maximise over tractions t, with
+//! `‖t_p‖ ≤ strength` at some points p, the sum `Σ_p t_p · J_p v`. J_p is a weighted jump of the
+//! displacement from side A to side B. The maximum, `strength Σ_p ‖J_p v‖`, is the work that the
+//! weld dissipates.
 //!
 //! - Static program: J_a is the mass-weighted jump `Σ_b M_ab (v_B − v_A)_b` at face vertex a, so
 //!   that t_a is the traction `σ n` of side A there. It is linear on the face: vertices suffice.
@@ -11,17 +12,17 @@
 //!   Bernstein coefficients weighted with the Bernstein polynomials, and each of these has the mean
 //!   1/6: J_p is a coefficient times a sixth of the area.
 //!
-//! Both are data of the same kind as an element that flows ([`Shape::Flow`]) with
-//! [`Rule::Vertices`]: four points to a group, three of the five components of each used.
+//! Both have the data layout of a yielding element ([`Shape::Flow`]) with [`Rule::Vertices`]: four
+//! points to a group, of which three of the five components are used.
 
-use crate::elements::batch::{NONE, Rule, Shape, YieldingElement};
 use crate::elements::space::{FACE_EDGES, Tet10Space};
+use crate::elements::yielding_element::{NONE, Rule, Shape, YieldingElement};
 use crate::math::quadrature::triangle_mass;
 use crate::math::vec3;
 use crate::model::analysis::FacePair;
 use crate::programs::conic::Csr;
 use crate::programs::dofs::DofMap;
-use crate::programs::static_form::SuperElements;
+use crate::programs::super_elements::SuperElements;
 
 /// A linear form of full unknowns: unknown and factor.
 pub type Form = Vec<(usize, f64)>;
@@ -72,7 +73,8 @@ pub fn kinematic_jumps(space: &Tet10Space, face: &FacePair, weighted: bool) -> V
     (0..6).map(|i| [0, 1, 2].map(|d| form(i, d))).collect()
 }
 
-/// The element of a face with the given weighted jumps; `None` when nothing of it can move.
+/// Weld face with the given weighted jumps as a yielding element; `None` when nothing of it can
+/// move.
 pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingElement> {
     let mut dofs: Vec<usize> = jumps.iter().flatten().flatten().map(|t| t.0).collect();
     dofs.sort_unstable();
@@ -108,15 +110,15 @@ pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingEl
     })
 }
 
-/// The tractions at the points of a face from its element's own unknowns \[MPa\]; zero where it has
-/// none.
+/// Tractions at the points of a face from the own unknowns of its element \[MPa\]; zero without own
+/// unknowns.
 pub fn tractions(strength: f64, points: usize, own: &[f64]) -> Vec<f64> {
     (0..3 * points)
         .map(|i| own.get(COMPONENTS * (i / 3) + i % 3).map_or(0.0, |y| strength * y))
         .collect()
 }
 
-/// The forms of many jumps on the program's unknowns, three rows each.
+/// Jumps as rows on the program's unknowns, three rows each.
 pub fn rows(map: &DofMap, jumps: impl Iterator<Item = Jump>) -> Csr {
     let mut out = Csr { ncols: map.n, row_ptr: vec![0], ..Csr::default() };
     jumps.flatten().for_each(|form| out.push_row(&map.row(&form)));

@@ -1,18 +1,19 @@
-//! Appends the elements that yield to a program.
+//! Appends elements that yield to a program.
 
-use crate::elements::batch::{Batch, Placed, Shape, YIELD_ROWS, YieldingElement};
+use crate::elements::batch::{Batch, Placed};
+use crate::elements::yielding_element::{Shape, YIELD_ROWS, YieldingElement};
 use crate::math::wide::LANES;
 use crate::programs::conic::{Cone, ConicProgram, Elements};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Elements that exist beside the program at the same time.
+/// Number of elements in memory at a time, besides the batches.
 const AT_A_TIME: usize = 512;
 
-/// Appends the elements' own unknowns and yield points to a program, `None` for an element that
-/// does not yield; returns where each element's unknowns start: those of element `e` are
-/// `first[e]..first[e + 1]`.
+/// Appends the own unknowns and yield points of elements to a program; `element` returns `None` for
+/// an element that does not yield. Returns the first own unknown of each element: those of element
+/// `e` are `first[e]..first[e + 1]`.
 pub fn append<E: Send>(
     program: &mut ConicProgram,
     elements: usize,

@@ -2,7 +2,7 @@
 
 use super::figures::{Rounding, fixed, percent_up};
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::mesh::gmsh::MesherError;
+use crate::mesh::mesher_error::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::report::draw::plot::{Plot, Series};
 use crate::result::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};

@@ -19,7 +19,7 @@ use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;
 use bracket::programs::Static;
-use bracket::programs::static_form::SuperElements;
+use bracket::programs::super_elements::SuperElements;
 
 pub const SEEDS: [u64; 3] = [1, 7, 42];
 /// Relative size of the noise put on exact fields.

@@ -3,8 +3,8 @@
 
 use crate::common::Block;
 use crate::common::yielding::{FORMS, Form, block, model};
-use bracket::elements::batch::NONE;
 use bracket::elements::hencky_kinematic::Flow;
+use bracket::elements::yielding_element::NONE;
 use bracket::programs::conic::SymmetricCsc;
 use bracket::programs::explicit::Explicit;
 use bracket::programs::{Kinematic, Static};

@@ -83,7 +83,7 @@ impl LimitPass {
     /// Adds the contributions to the gap of the reported bracket; where both fields are admissible,
     /// checks that they sum to the gap.
     pub(super) fn add_contributions(&mut self, model: &AnalysisModel) -> Result<(), PassError> {
-        let smooth = model.has_coulomb().then(|| model.without_friction());
+        let smooth = model.has_coulomb_friction().then(|| model.without_friction());
         let (Some(velocity), Some(upper)) = (&self.velocity, &self.upper) else { return Ok(()) };
         let Some((stress, lower)) = self.carried(smooth.is_some()) else { return Ok(()) };
         let (low, up) = (lower.certificate().factor, upper.certificate());

@@ -123,7 +123,7 @@ fn step_file_holds_every_part_as_a_solid() {
     assert!(text.contains(".MILLI."), "millimetres");
 }
 
-/// A face beside its part is told with where it was looked for and where the part is.
+/// The message of a face off its part states where it was searched for and where the part lies.
 #[test]
 fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     let mut joint = lap_joint();
@@ -151,9 +151,9 @@ fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     // a mantle in its own words
     let mantle =
         Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
-    let told = crate::mesh::naming::looked_for(&mantle);
+    let words = crate::mesh::naming::surface::looked_for(&mantle);
     assert_eq!(
-        told,
+        words,
         "on the cylinder of radius 9 mm from (1, 2, 3) mm along (0, 0, 1), 40 mm long"
     );
 }
@@ -168,7 +168,7 @@ fn clash_stops_before_the_mesher_runs() {
     assert_eq!((d.code, d.fault.exit_code()), ("geometry/clash", 2));
 }
 
-/// A shell script that answers `--version` and otherwise does as told.
+/// A shell script that answers `--version` and otherwise runs the given commands.
 #[cfg(unix)]
 fn fake(dir: &Path, body: &str) -> Mesher {
     let script = dir.join("fake_gmsh.sh");

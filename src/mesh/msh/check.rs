@@ -1,6 +1,6 @@
-//! From what stands in the file to a mesh that holds together.
+//! Checks the content of a file and builds a consistent mesh from it.
 
-use super::{Raw, RawCell};
+use super::raw::{Raw, RawCell};
 use crate::mesh::error::{MeshError, MshPlace};
 use crate::mesh::tet::signed_volume;
 use crate::mesh::topology::{FaceTable, sorted};
@@ -23,7 +23,7 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
     }
     let numbers = Numbers::new(&raw, file)?;
     let mut mesh = TetMesh::default();
-    // nodes keep their order in the file; those of no tet are left out
+    // nodes keep their order in the file; nodes without a tet are dropped
     let mut new_index = vec![u32::MAX; raw.nodes.len()];
     let mut tets: Vec<[u32; 4]> = Vec::with_capacity(raw.tets.len());
     for t in &raw.tets {
@@ -152,8 +152,8 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     }
 }
 
-/// The tets at a face are two at most and lie on opposite sides. As all volumes are positive, that
-/// is so exactly when their outward orders of the face are opposite.
+/// A face has at most two tets, on opposite sides. As all volumes are positive, they lie on
+/// opposite sides exactly when their outward orders of the face are opposite.
 fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     for owners in table.faces() {
         if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {

@@ -1,10 +1,10 @@
-//! Lines, words and numbers of a gmsh file, with their places.
+//! Lines, words and numbers of a gmsh file, with their line numbers.
 
-use super::super::error::{MeshError, MshPlace};
+use crate::mesh::error::{MeshError, MshPlace};
 use std::path::Path;
 use std::str::FromStr;
 
-/// A reader of lines that knows where it is.
+/// A reader of lines that counts them.
 pub(super) struct Lines<'a> {
     rest: &'a str,
     file: &'a Path,
@@ -26,7 +26,7 @@ impl<'a> Lines<'a> {
         Self { rest: text, file, section: "", line: 0 }
     }
 
-    /// Bytes left; no count in the file can be larger.
+    /// Remaining bytes, an upper limit of every count in the file.
     pub fn left(&self) -> usize {
         self.rest.len()
     }
@@ -86,8 +86,8 @@ impl<'a> Lines<'a> {
                         self.section = name;
                         return Ok(Some(name));
                     }
-                    // gmsh itself skips what stands between sections; a stray line there is a
-                    // damaged count
+                    // gmsh skips lines between sections; here a stray line is treated as a wrong
+                    // count in the section before it
                     _ => return Err(self.malformed("the start of a section", l)),
                 },
             }
@@ -163,7 +163,7 @@ impl<'a> Words<'a> {
         Ok(x)
     }
 
-    /// What is left of the line.
+    /// The rest of the line.
     pub fn rest(&self) -> &'a str {
         self.rest.trim()
     }

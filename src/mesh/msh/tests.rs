@@ -83,7 +83,7 @@ fn both_formats_give_the_same_mesh() {
     let (mesh, notes) = read_text(TWO).expect("2.2");
     assert_eq!(mesh.bodies, ["LEFT", "RIGHT PART"]);
     assert_eq!(mesh.tet_body, [0, 1]);
-    // the node of no tet is gone, the inverted order of the second tet is turned and told
+    // the node without a tet is dropped; the inverted second tet is turned and reported
     assert_eq!(mesh.nodes.len(), 5);
     assert_eq!(mesh.tets, [[0, 1, 2, 3], [0, 1, 4, 2]]);
     assert!(notes[0].starts_with("1 of 2 tetrahedra"), "{notes:?}");
@@ -118,7 +118,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("4 4 2 2 1 1 2 3 5\n", "", "mesh/malformed", 24, "an element tag", "again"),
     ("3 0 1 0", "3 0 x 0", "mesh/malformed", 14, "a coordinate in `$Nodes`, found `x`", "again"),
     ("3 0 1 0", "3 0 nan 0", "mesh/not-finite", 14, "node 3", "again"),
-    ("3 0 1 0", "2 0 1 0", "mesh/repeated", 14, "node 2 stands twice", "again"),
+    ("3 0 1 0", "2 0 1 0", "mesh/repeated", 14, "node 2 is defined twice", "again"),
     ("3 1 \"LEFT\"", "3 2 \"LEFT\"", "mesh/repeated", 8, "RIGHT PART", "again"),
     ("1 2 3 5", "1 2 3 6", "mesh/unknown-node", 24, "element 4 uses node 6", "again"),
     (
@@ -231,7 +231,12 @@ fn reference_meshes_are_read() {
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig::with_cases(600))]
     #[test]
-    fn mutated_files_never_panic(v4: bool, at in 0usize..900, len in 0usize..12, put in "[0-9 .$\\n\"a-zE-]{0,8}") {
+    fn mutated_files_never_panic(
+        v4: bool,
+        at in 0usize..900,
+        len in 0usize..12,
+        put in "[0-9 .$\\n\"a-zE-]{0,8}",
+    ) {
         let text = if v4 { TWO_41 } else { TWO };
         let at = at.min(text.len());
         let end = (at + len).min(text.len());

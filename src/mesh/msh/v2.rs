@@ -1,7 +1,7 @@
 //! Format 2.2: one list of nodes, one list of elements with their tags.
 
 use super::lines::Lines;
-use super::{Kind, Raw, RawCell, checked_kind, physical_names};
+use super::raw::{Kind, Raw, RawCell, checked_kind, physical_names};
 use crate::mesh::error::{MeshError, MshPlace};
 
 pub(super) fn read(lines: &mut Lines<'_>) -> Result<Raw, MeshError> {

@@ -1,7 +1,7 @@
 //! Format 4.1: nodes and elements in blocks, physical tags on the entities.
 
 use super::lines::Lines;
-use super::{Kind, Raw, RawCell, checked_kind, physical_names};
+use super::raw::{Kind, Raw, RawCell, checked_kind, physical_names};
 use crate::mesh::error::{MeshError, MshPlace};
 use std::collections::BTreeMap;
 

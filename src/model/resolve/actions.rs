@@ -1,7 +1,7 @@
-//! Loads on faces and bodies.
+//! Reads loads on faces and bodies.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::model::analysis::{BodyLoad, SurfaceLoad, Traction};
 use crate::model::file::{LoadEntry, ModelFile};
@@ -26,7 +26,7 @@ pub(super) fn loads(
                 }
                 (None, Some(name)) => {
                     let at = format!("{path}.body");
-                    // a body that is really called ALL is that body
+                    // if a body is named ALL, the load acts on that body only
                     let bodies = if name == "ALL" && !scene.mesh.bodies.contains(name) {
                         (0..scene.mesh.bodies.len() as u32).collect()
                     } else {

@@ -1,8 +1,10 @@
-//! Supports, rigid ground, rigid faces.
+//! Reads supports, contacts with rigid ground, and rigid faces.
 
-use super::Faults;
-use super::interfaces::{Claims, check_gap, contact_law};
+use super::claims::Claims;
+use super::faults::Faults;
+use super::interfaces::{check_gap, contact_law};
 use super::names::Scene;
+use crate::math::rigid_motion::rigid_displacement;
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{BoundaryFace, GroundContact, RigidFace, Support};
 use crate::model::file::{Axis, Law, ModelFile};
@@ -16,7 +18,7 @@ fn axes(list: &[Axis], path: &str, faults: &mut Faults<'_>) -> [bool; 3] {
     let mut marked = [false; 3];
     for a in list {
         if std::mem::replace(&mut marked[*a as usize], true) {
-            let m = format!("`{}` stands twice", AXES[*a as usize]);
+            let m = format!("`{}` is listed twice", AXES[*a as usize]);
             faults.add("model/value", path, m, "name each axis once");
         }
     }
@@ -40,7 +42,7 @@ pub(super) fn supports(
             (None, false) => {
                 if entry.mu.is_some() || entry.gap.is_some() || entry.friction.is_some() {
                     let m = format!(
-                        "`mu`, `gap` and `friction` mean nothing for the fixed face `{name}`"
+                        "`mu`, `gap` and `friction` have no effect on the fixed face `{name}`"
                     );
                     faults.add(
                         "model/support",
@@ -110,7 +112,7 @@ pub(super) fn rigid_faces(
         let mut free = [false; 6];
         for m in &entry.free {
             if std::mem::replace(&mut free[*m as usize], true) {
-                let m = format!("`{}` stands twice", MOTIONS[*m as usize]);
+                let m = format!("`{}` is listed twice", MOTIONS[*m as usize]);
                 faults.add("model/value", &format!("{path}.free"), m, "name each motion once");
             }
         }
@@ -170,7 +172,7 @@ fn check_independent(
             .flat_map(|r| {
                 let mut motion = [0.0; 6];
                 motion[k] = if k < 3 { 1.0 } else { 1.0 / arm };
-                let u = super::motions::displacement(&motion, *r);
+                let u = rigid_displacement(&motion, [0.0; 3], *r);
                 (0..3).filter(|c| components[*c]).map(move |c| u[c])
             })
             .collect();
@@ -186,8 +188,8 @@ fn check_independent(
         if left < 1e-8 * before {
             let parts: Vec<&str> = (0..3).filter(|c| components[*c]).map(|c| AXES[c]).collect();
             let m = format!(
-                "the free motion `{}` of the rigid face `{name}` moves it in no way of its own in \
-                 [{}]",
+                "the free motion `{}` of the rigid face `{name}` is not independent of its other \
+                 free motions in [{}]",
                 MOTIONS[k],
                 parts.join(", ")
             );
@@ -200,11 +202,11 @@ fn check_independent(
     }
 }
 
-/// What holds a component of a face: in which way, and its name.
+/// Constraint on a component of a face: its kind in words, and the name of the support or face.
 type Holder<'a> = Option<(&'a str, &'a str)>;
 
-/// No component of a face may be both fixed and rigid, none twice rigid, and ground contact
-/// excludes both.
+/// Checks that no component of a face is constrained twice: by a support, a rigid face or a contact
+/// with the ground.
 pub(super) fn check_twice(
     file: &ModelFile,
     supports: &[Support],
@@ -212,7 +214,7 @@ pub(super) fn check_twice(
     rigid: &[RigidFace],
     faults: &mut Faults<'_>,
 ) {
-    // by tet face: what holds each component first
+    // the first constraint on each component, by tet face
     let mut held: BTreeMap<(u32, u8), [Holder<'_>; 3]> = BTreeMap::new();
     for s in supports {
         for f in &s.faces {

@@ -1,42 +1,13 @@
-//! Which shared faces are open, and under which law.
+//! Reads `interfaces`: the shared faces that open, and their laws.
 
-use super::Faults;
+use super::claims::{Claims, OpenInterface, OpenLaw};
+use super::faults::Faults;
 use super::names::Scene;
 use crate::mesh::split::{OpenPair, TetFace};
 use crate::mesh::topology::FaceRow;
 use crate::model::analysis::{BoundaryFace, ContactLaw, FacePair, Interface, Weld};
 use crate::model::file::{Gap, InterfaceEntry, Law, ModelFile};
 use crate::spec::friction::FrictionLaw;
-use std::collections::BTreeMap;
-
-/// The law of an interface whose sides have nodes of their own.
-pub(super) enum OpenLaw {
-    Contact(ContactLaw),
-    /// A weld with its strength on the interface and, where it is given, on the throat \[MPa\].
-    Weld(f64, Option<f64>),
-}
-
-/// An interface before the nodes are split: side A, side B of each face.
-pub(super) struct OpenInterface {
-    pub name: String,
-    pub law: OpenLaw,
-    pub faces: Vec<[TetFace; 2]>,
-}
-
-/// Which faces the entries of `interfaces` speak for.
-#[derive(Default)]
-pub(super) struct Claims {
-    pub open: Vec<OpenInterface>,
-    /// Entry and whether it opens the face, by the first tet face.
-    by_face: BTreeMap<TetFace, (usize, bool)>,
-}
-
-impl Claims {
-    /// True when the face (its first side in the table) is in contact or welded.
-    pub fn is_open(&self, first: TetFace) -> bool {
-        self.by_face.get(&first).is_some_and(|(_, open)| *open)
-    }
-}
 
 /// Reads all entries.
 pub(super) fn claim(
@@ -58,9 +29,7 @@ pub(super) fn claim(
         let mut twice = None;
         for rows in &found {
             let first = TetFace::from(&rows[0]).min(TetFace::from(&rows[1]));
-            if let Some((other, _)) = claims.by_face.insert(first, (i, entry.law != Law::Tied)) {
-                twice = Some(other);
-            }
+            twice = claims.claim(first, i, entry.law != Law::Tied).or(twice);
         }
         if let Some(other) = twice {
             let m =
@@ -80,7 +49,7 @@ pub(super) fn claim(
     claims
 }
 
-/// The interior faces an entry means, side A first; `None` after a fault.
+/// The interior faces of an entry, side A first; `None` after a fault.
 fn faces(
     entry: &InterfaceEntry,
     path: &str,
@@ -130,7 +99,7 @@ fn faces(
     };
     let at = format!("{path}.face");
     let named = scene.face(name, &at, faults)?;
-    // a mesh that came split may mark both sides with one name
+    // a mesh that was split may give both sides the same name
     let mut found: Vec<[FaceRow; 2]> = Vec::new();
     let (mut outer, mut inside) = (0, None);
     for t in &named.triangles {
@@ -198,7 +167,7 @@ fn read_law(
     ];
     let useless = |keys: &mut dyn Iterator<Item = &str>, law: &str, faults: &mut Faults<'_>| {
         for key in keys {
-            let m = format!("`{key}` means nothing for `law: {law}`");
+            let m = format!("`{key}` has no meaning for `law: {law}`");
             faults.add(
                 "model/interface",
                 &format!("{path}.{key}"),
@@ -227,8 +196,8 @@ fn read_law(
     }
 }
 
-/// Strength of a weld per area of its interface \[MPa\]: given as it is, or from two throats along
-/// a plate, `2 · throat · strength / thickness`.
+/// Strength of a weld per area of its interface \[MPa\]: given directly, or computed from the two
+/// throats along a plate, `2 · throat · strength / thickness`.
 fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) -> Option<f64> {
     let throat =
         [("throat", entry.throat), ("thickness", entry.thickness), ("strength", entry.strength)];
@@ -265,16 +234,15 @@ fn weld_strength(entry: &InterfaceEntry, path: &str, faults: &mut Faults<'_>) ->
         }
     };
     if sound && !(strength.is_finite() && strength > 0.0) {
-        let m = format!(
-            "2 throat strength / thickness of the weld is {strength} MPa, out of all range"
-        );
+        let m =
+            format!("2 throat strength / thickness of the weld is {strength} MPa, out of range");
         faults.add("model/value", path, m, "check the units: mm and MPa");
         return None;
     }
     sound.then_some(strength)
 }
 
-/// The law of a contact, of an interface or with the ground.
+/// The law of a contact between bodies or with the ground.
 pub(super) fn contact_law(
     mu: Option<f64>,
     gap: &Option<Gap>,
@@ -302,7 +270,7 @@ pub(super) fn contact_law(
         Some(f) => f,
         None => {
             if mu > 0.0 {
-                notes.push(format!("{path} names no friction law: associated is taken"));
+                notes.push(format!("{path} gives no friction law: associated friction is used"));
             }
             FrictionLaw::Associated
         }
@@ -334,7 +302,7 @@ pub(super) fn check_gap(
             }
         }
     }
-    // round-off of a polynomial that touches zero is no penetration
+    // a negative value at rounding level is not a penetration
     if !largest.is_finite() || least.0 < -1e-9 * largest || least.0.is_nan() {
         let [x, y, z] = least.1;
         let m = format!(

@@ -1,7 +1,7 @@
-//! What limit analysis asks of a model beyond the rest: something that gives way, a load to
-//! increase, no live force per volume.
+//! Additional requirements of limit analysis: something that gives way, a load to increase, no live
+//! force per volume.
 
-use super::Faults;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::mesh::TetMesh;
 use crate::model::file::{Law, LoadEntry, ModelFile};
@@ -53,7 +53,7 @@ pub(super) fn check(
     if !rigid && !file.loads.iter().any(acts) {
         let m = "no load carries the load factor: there is nothing for limit analysis to increase";
         let help =
-            "write the load to be increased under `loads`; what stands under `dead` stays as it is";
+            "write the load to be increased under `loads`; loads under `dead` are not increased";
         faults.add("model/no-live-load", "loads", m, help);
     }
 }
@@ -75,7 +75,7 @@ fn check_estimate(file: &ModelFile, faults: &mut Faults<'_>) {
                  analysis",
                 file.analysis.word()
             ),
-            "leave it out: the other kinds reach Coulomb's law by themselves",
+            "leave it out: the other kinds of analysis apply Coulomb's law directly",
         ),
         AnalysisKind::Limit if !any => (
             "`coulomb_estimate`, but no contact has `friction: coulomb` and a `mu` above 0"
@@ -97,7 +97,7 @@ fn rigid_bodies<'a>(file: &ModelFile, mesh: &'a TetMesh) -> Vec<&'a str> {
         .collect()
 }
 
-/// Whether a load is more than zero.
+/// True when a load is not zero.
 fn acts(load: &LoadEntry) -> bool {
     let vector = |v: &Option<[f64; 3]>| v.iter().flatten().any(|x| *x != 0.0);
     let linear = load.linear.as_ref();

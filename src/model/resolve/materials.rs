@@ -1,13 +1,13 @@
-//! Materials and which body is made of what.
+//! Reads materials and the material of each body.
 
-use super::Faults;
+use super::faults::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::TetMesh;
 use crate::model::analysis::Material;
 use crate::model::file::ModelFile;
 use crate::spec::analysis::AnalysisKind;
 
-/// Materials in the order of their names, and the material of each body.
+/// The materials in the order of their names, and the material of each body.
 pub(super) fn read(
     file: &ModelFile,
     mesh: &TetMesh,
@@ -75,7 +75,7 @@ pub(super) fn read(
     (materials, body_material)
 }
 
-/// Notes where nothing can yield though it is asked for.
+/// Adds a note when the analysis is plastic but no material can yield.
 pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
     if file.analysis == AnalysisKind::Elastoplastic
         && file.materials.values().all(|m| m.fy.is_none())
@@ -88,7 +88,7 @@ pub(super) fn note_strengths(file: &ModelFile, notes: &mut Vec<String>) {
     }
 }
 
-/// Notes where the numbers look like another unit.
+/// Adds notes where numbers seem to be in another unit.
 pub(super) fn check_units(file: &ModelFile, mesh: &TetMesh, notes: &mut Vec<String>) {
     let largest = (0..3)
         .map(|k| {

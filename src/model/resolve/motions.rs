@@ -2,32 +2,28 @@
 //!
 //! Unknowns: for each part, and for each rigid face, the displacement of a reference point and the
 //! rotation times the size of the model, so that all columns have one unit. Rows: supports, held
-//! motions and followed components of rigid faces, contacts, welds. A contact counts as holding in
-//! its normal direction, with friction and welds in every one. The rows between the same two
-//! unknown motions are compressed to six by a running QR factorisation (no squared condition).
+//! motions and followed components of rigid faces, contacts, welds. A frictionless contact resists
+//! relative motion in its normal direction, contacts with friction and welds in every direction.
+//! The rows between the same two unknown motions are compressed to six by a running QR
+//! factorisation, which does not square the condition number.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::dense::{Mat, right_singular_vectors};
+use crate::math::rigid_motion::rigid_displacement;
 use crate::math::vec3::{V3, cross, dot, norm, sub, unit};
 use crate::mesh::merge::diagonal;
 use crate::mesh::topology::face_nodes;
 use crate::model::analysis::{AnalysisModel, BoundaryFace, FreeMode, Traction};
 use std::collections::BTreeMap;
 
-/// Singular values below this times the largest count as zero. Coordinates written with seven
-/// digits make planes that are plane to 1e-7; a support of a thousandth of the model's size still
-/// holds with 1e-3.
+/// Singular values below this times the largest count as zero. Faces with coordinates of seven
+/// digits are plane to 1e-7; a support of a thousandth of the size of the model still gives a
+/// singular value of 1e-3.
 const HOLDS: f64 = 1e-6;
-/// A load works on a motion when its work exceeds this times the sum of the loads' magnitudes.
+/// A load does work on a motion when the work exceeds this times the sum of the load magnitudes.
 const WORKS: f64 = 1e-9;
 
-/// Displacement at `r` (from the reference point) of the motion `[U, θ]`.
-pub(super) fn displacement(motion: &[f64; 6], r: V3) -> V3 {
-    let t = cross([motion[3], motion[4], motion[5]], r);
-    [motion[0] + t[0], motion[1] + t[1], motion[2] + t[2]]
-}
-
-/// Six columns, any number of rows, reduced to an upper triangle as they come.
+/// QR factor of any number of rows with six columns, updated row by row.
 #[derive(Clone, Default)]
 struct RunningQr {
     r: [[f64; 6]; 6],
@@ -108,14 +104,14 @@ fn vertices(model: &AnalysisModel, f: &BoundaryFace) -> [V3; 3] {
     face_nodes(&model.mesh.tets[f.tet as usize], f.local).map(|n| model.mesh.nodes[n as usize])
 }
 
-/// The normal times twice the area, outward.
+/// Outward normal times twice the area.
 fn area_normal(x: &[V3; 3]) -> V3 {
     cross(sub(x[1], x[0]), sub(x[2], x[0]))
 }
 
 const UNIT: [V3; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Directions in which a contact holds.
+/// Directions in which a contact resists relative motion.
 fn contact_directions(mu: f64, x: &[V3; 3]) -> Vec<V3> {
     if mu > 0.0 {
         return UNIT.to_vec();
@@ -147,7 +143,7 @@ fn constraint_groups(model: &AnalysisModel, frame: &Frame) -> Groups {
     let welds = model.welds.iter().flat_map(|w| w.faces.iter().map(|f| (f, None)));
     for (f, mu) in contacts.chain(welds) {
         let (a, b) = (part(&f.a), part(&f.b));
-        // a crack around which the part hangs together holds nothing
+        // an interface inside one part adds no constraint between parts
         if a != b {
             let x = vertices(model, &f.a);
             let held = mu.map_or(UNIT.to_vec(), |mu| contact_directions(mu, &x));
@@ -192,7 +188,7 @@ fn rows(model: &AnalysisModel, frame: &Frame) -> Vec<Vec<f64>> {
 
 /// Orthonormal basis of the motions that no row resists.
 fn null_space(rows: &[Vec<f64>], n: usize) -> Result<Vec<Vec<f64>>, Diagnostics> {
-    // padded to at least n rows: the decomposition then gives all n right vectors
+    // padded to at least n rows, so that the decomposition returns all n right singular vectors
     let a = Mat::<f64>::from_fn(rows.len().max(n), n, |i, j| rows.get(i).map_or(0.0, |r| r[j]));
     let (s, v) = right_singular_vectors(&a).map_err(|e| {
         Diagnostic::undecided(
@@ -213,7 +209,7 @@ fn reduce(basis: &mut [Vec<f64>], columns: usize) {
         let mut best = (k, 0, 0.0);
         for (i, row) in basis.iter().enumerate().skip(k) {
             for (j, v) in row[..columns].iter().enumerate() {
-                // the first of nearly equal entries, for the same result everywhere
+                // the first of nearly equal entries, so that the result is reproducible
                 if v.abs() > best.2 * (1.0 + 1e-6) {
                     best = (i, j, v.abs());
                 }
@@ -237,7 +233,7 @@ fn reduce(basis: &mut [Vec<f64>], columns: usize) {
     basis.iter_mut().flatten().filter(|v| v.abs() < 1e-9).for_each(|v| *v = 0.0);
 }
 
-/// Generalised loads on the blocks, and the sum of the magnitudes of all that adds to them.
+/// Generalised loads on the blocks, and the sum of the magnitudes of their contributions.
 fn loads(model: &AnalysisModel, frame: &Frame) -> (Vec<f64>, f64) {
     let mut f = vec![0.0; 6 * frame.reference.len()];
     let mut magnitude = 0.0;
@@ -287,8 +283,8 @@ fn loads(model: &AnalysisModel, frame: &Frame) -> (Vec<f64>, f64) {
     (f, magnitude)
 }
 
-/// The rigid motions that nothing resists and no load drives; an error naming the parts if a load
-/// drives one.
+/// The rigid motions that nothing resists; an error that names the parts if a load does work on
+/// one.
 pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnostics> {
     let frame = Frame::new(model);
     let n = 6 * frame.reference.len();
@@ -318,7 +314,8 @@ pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnos
     if driven.is_empty() {
         return Ok(modes);
     }
-    let m = format!("{}; nothing resists that and the loads do work on it", driven.join("; "));
+    let m =
+        format!("{}; nothing resists this motion and the loads do work on it", driven.join("; "));
     let help = "add a support, a tie or a contact that holds it; parts that only touch in a line \
                 or a point, or whose meshes do not share faces, are not connected";
     Err(Diagnostic::input("model/loose-part", m).help(help).into())
@@ -327,7 +324,7 @@ pub(super) fn free_modes(model: &AnalysisModel) -> Result<Vec<FreeMode>, Diagnos
 /// `part COLUMN can move along z`.
 pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
     let frame = Frame::new(model);
-    let at = |p: usize| displacement(&mode.motions[p], frame.reference[p]);
+    let at = |p: usize| rigid_displacement(&mode.motions[p], [0.0; 3], frame.reference[p]);
     let spin = |p: usize| [3, 4, 5].map(|k| mode.motions[p][k]);
     let moves = |p: usize| norm(at(p)) + frame.size * norm(spin(p));
     let largest = (0..frame.parts).map(moves).fold(0.0, f64::max);
@@ -340,7 +337,7 @@ pub(super) fn in_words(model: &AnalysisModel, mode: &FreeMode) -> String {
         } else {
             // the point of the axis nearest the centre of the model, the same for parts that turn
             // together
-            let t = cross(theta, displacement(&mode.motions[p], frame.centre));
+            let t = cross(theta, rigid_displacement(&mode.motions[p], [0.0; 3], frame.centre));
             let axis = [0, 1, 2].map(|k| round(frame.centre[k] + t[k] / (turn * turn), frame.size));
             let line = format!(
                 "turn about {} through ({}, {}, {})",

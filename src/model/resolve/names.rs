@@ -1,7 +1,7 @@
-//! Names of bodies and faces, looked up in the mesh.
+//! Looks up names of bodies and faces in the mesh.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use crate::diag::did_you_mean;
 use crate::mesh::split::TetFace;
 use crate::mesh::topology::{FaceRow, FaceTable};
@@ -10,7 +10,9 @@ use crate::model::analysis::BoundaryFace;
 
 /// The mesh before splitting, bodies sharing nodes, and its faces.
 pub(super) struct Scene<'a> {
+    /// The mesh.
     pub mesh: &'a TetMesh,
+    /// Its faces.
     pub table: &'a FaceTable,
 }
 
@@ -50,7 +52,7 @@ impl<'a> Scene<'a> {
         found
     }
 
-    /// Body of a side of a face.
+    /// Body of one side of a face.
     pub fn body_of(&self, row: &FaceRow) -> u32 {
         self.mesh.tet_body[row.tet as usize]
     }
@@ -102,7 +104,7 @@ impl<'a> Scene<'a> {
                 "supports, rigid faces and loads need free outer faces: name those only",
             );
         }
-        // a mesh that came split may name both sides or, after merging, one face twice
+        // a mesh that was split may name both sides and so, after merging, one face twice
         faces.sort_unstable_by_key(|f| (f.tet, f.local));
         faces.dedup();
         if named.triangles.is_empty() {

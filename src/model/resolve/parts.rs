@@ -1,9 +1,9 @@
-//! Names of the parts: bodies tied together.
+//! Names of the parts; a part consists of bodies tied together.
 
 use crate::mesh::split::SplitMesh;
 use std::collections::BTreeSet;
 
-/// `PLATE+BEAM`; a body that falls into several pieces is numbered: `BEAM#1`, `BEAM#2`.
+/// Names such as `PLATE+BEAM`; the pieces of a disconnected body are numbered: `BEAM#1`, `BEAM#2`.
 pub(super) fn names(cut: &SplitMesh, notes: &mut Vec<String>) -> Vec<String> {
     let mut bodies: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); cut.parts];
     for (part, body) in cut.tet_part.iter().zip(&cut.mesh.tet_body) {

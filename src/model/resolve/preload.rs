@@ -1,8 +1,8 @@
-//! Preloaded bolts: which mesh faces sever the shank, and what must hold for one side to be drawn
-//! towards the other.
+//! Reads preloaded bolts: the mesh faces that sever the shank, and the conditions under which one
+//! side can be drawn towards the other.
 
-use super::Faults;
-use super::interfaces::Claims;
+use super::claims::Claims;
+use super::faults::Faults;
 use super::names::Scene;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};
@@ -22,8 +22,8 @@ pub(super) struct Cut {
     pub faces: Vec<[TetFace; 2]>,
 }
 
-/// Reads `preload`. In limit analysis it drops out: the cuts stay closed, which a note tells. Not
-/// for bodies that yield yet.
+/// Reads `preload`. In limit analysis preload has no effect: the cuts stay closed, and a note
+/// reports it. Preload is not available in elastic, perfectly plastic analysis.
 pub(super) fn read(
     file: &ModelFile,
     scene: &Scene<'_>,
@@ -74,7 +74,7 @@ pub(super) fn read(
             cuts.push(Cut { preload, faces });
         } else {
             let m = format!(
-                "the cut `{}` does not sever the body `{}`: it hangs together beside it",
+                "the cut `{}` does not sever the body `{}`: its two sides are connected elsewhere",
                 entry.cut, entry.body
             );
             let help = "let the physical surface cover the whole cross-section of the shank";
@@ -89,7 +89,7 @@ pub(super) fn read(
     cuts
 }
 
-/// The unit axis, if all numbers of an entry are sound.
+/// The unit axis, if all numbers of an entry are valid.
 fn numbers(entry: &PreloadEntry, path: &str, faults: &mut Faults<'_>) -> Option<V3> {
     let length = vec3::norm(entry.axis);
     let axis = length.is_finite() && length > 0.0;
@@ -185,7 +185,7 @@ fn sides(
     None
 }
 
-/// True when the two sides of the cut hang together nowhere else in the body.
+/// True when the two sides of the cut are connected nowhere else in the body.
 fn severs(body: u32, faces: &[[TetFace; 2]], scene: &Scene<'_>) -> bool {
     let open: BTreeSet<TetFace> = faces.iter().flatten().copied().collect();
     let mut neighbours: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -209,7 +209,7 @@ fn severs(body: u32, faces: &[[TetFace; 2]], scene: &Scene<'_>) -> bool {
     faces.iter().all(|f| !reached.contains(&f[1].tet))
 }
 
-/// A note where a preload is more than the shank yields at.
+/// Adds a note where a preload exceeds the yield force of the shank.
 fn strength_note(
     file: &ModelFile,
     entry: &PreloadEntry,
@@ -228,14 +228,14 @@ fn strength_note(
     let yields = fy * area.sum::<f64>();
     if entry.force > yields {
         notes.push(format!(
-            "warning: the preload of `{}`, {} N, is more than the {yields:.0} N at which its \
+            "warning: the preload of `{}`, {} N, exceeds the {yields:.0} N at which its \
              shank yields",
             entry.body, entry.force
         ));
     }
 }
 
-/// Makes the two halves of every cut one part again, in step or driven towards each other.
+/// Joins the two halves of every cut to one part again: their relative motion is only the closure.
 pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
     for p in pairs {
         let [a, b] = [p.a, p.b].map(|f| split.tet_part[f.tet as usize]);
@@ -243,7 +243,7 @@ pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
             split.tet_part.iter_mut().filter(|t| **t == a.max(b)).for_each(|t| *t = a.min(b));
         }
     }
-    // numbers without gaps, in the order of the first tets as before
+    // consecutive numbers, in the order of the first tets as before
     let mut used = split.tet_part.clone();
     used.sort_unstable();
     used.dedup();
@@ -251,8 +251,8 @@ pub(super) fn join_parts(split: &mut SplitMesh, pairs: &[OpenPair]) {
     split.parts = used.len();
 }
 
-/// The preloads once the nodes are split; `pairs` are in the order of the cuts. An error where
-/// something holds both halves together at the rim of a cut.
+/// The preloads after the nodes are split; `pairs` are in the order of the cuts. An error where
+/// something ties both halves together at the rim of a cut.
 pub(super) fn preloads(
     cuts: Vec<Cut>,
     pairs: &[OpenPair],

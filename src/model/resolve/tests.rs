@@ -7,6 +7,7 @@ use crate::spec::friction::FrictionLaw;
 
 mod loose;
 mod wrong;
+mod wrong_preload;
 
 /// Four cubes in a row along x, bodies A (two cubes), B, C, on a floor at z = 0.
 pub(super) fn row() -> TetMesh {
@@ -164,7 +165,7 @@ adapt: {target_gap: 0.05}
     assert_eq!(m.surface_loads[0].traction, Traction::Pressure(2.0));
     assert_eq!(m.body_loads.len(), 4);
     assert!(m.body_loads.iter().all(|l| l.dead));
-    assert!(m.notes.iter().any(|n| n.contains("associated is taken")), "{:?}", m.notes);
+    assert!(m.notes.iter().any(|n| n.contains("associated friction is used")), "{:?}", m.notes);
 }
 
 #[test]

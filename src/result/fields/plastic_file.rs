@@ -7,9 +7,9 @@
 
 use crate::certify::fields::DisplacementField;
 use crate::certify::plastic_field::{Deviator, PlasticField, PlasticTet, VertexFlow, length};
+use crate::elements::geometry::centroid;
 use crate::elements::space::Tet10Space;
 use crate::elements::split_tet10::{NODES, OUTER, subtet_nodes};
-use crate::elements::super_element::centroid;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::result::fields::field_files::{DISPLACEMENT, FieldFileError, array, check_points};

@@ -8,7 +8,10 @@
 
 use super::elimination::{Scratch, eliminate, kept, own_trace};
 use super::yield_points::{SCALING, Weights};
-use crate::elements::batch::{Batch, NONE, Shape, YIELD_ROWS};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::NONE;
+use crate::elements::yielding_element::Shape;
+use crate::elements::yielding_element::YIELD_ROWS;
 use crate::math::wide::{LANES, Lane};
 use crate::programs::conic::{ConicProgram, SymmetricCsc};
 use crate::solve::sparse::{LinearError, Locator};

@@ -6,7 +6,10 @@
 
 use super::panel;
 use super::yield_points::{SCALING, Weights, point_inverse, solve_points, times_roots};
-use crate::elements::batch::{Batch, Rule, Shape, VERTEX_VALUES};
+use crate::elements::batch::Batch;
+use crate::elements::yielding_element::Rule;
+use crate::elements::yielding_element::Shape;
+use crate::elements::yielding_element::VERTEX_VALUES;
 use crate::math::lanes::{Place, kernel, solve_packed};
 use crate::math::wide::{LANES, Lane, parts, registers, registers_mut};
 

@@ -9,7 +9,7 @@ use super::cones::{Cones, Scaling, dot};
 use super::elements::{ElementSystem, UNSCALED, union};
 use super::scaled_program::ScaledProgram;
 use super::yield_points::SCALING;
-use crate::elements::batch::YIELD_ROWS;
+use crate::elements::yielding_element::YIELD_ROWS;
 use crate::programs::conic::ConicProgram;
 use crate::solve::condensed::static_condensation::Side;
 use crate::solve::forecast::Forecast;

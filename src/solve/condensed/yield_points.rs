@@ -1,6 +1,6 @@
 //! Kernels of the yield points of a batch: their scaling, its root, its inverse and its square.
 
-use crate::elements::batch::YIELD_ROWS;
+use crate::elements::yielding_element::YIELD_ROWS;
 use crate::math::lanes::{Place, kernel};
 use crate::math::wide::{Lane, parts, registers, registers_mut};
 use pulp::Simd;

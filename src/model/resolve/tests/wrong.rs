@@ -1,8 +1,8 @@
-//! Wrong inputs: each ends in one message with code, line and cure.
+//! Wrong inputs: each is reported in one message with code, line and remedy.
 
 use super::*;
 
-/// Old text, new text, code, line, part of the message, part of the cure.
+/// Old text, new text, code, line, part of the message, part of the remedy.
 const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     (
         "analysis: elastic\nmaterials: {steel: {E: 210000, nu: 0.3}}\nbodies: {A: steel, B: \
@@ -148,7 +148,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "throat: 5",
         "model/interface",
         6,
-        "`throat` means nothing for `law: contact`",
+        "`throat` has no meaning for `law: contact`",
         "remove",
     ),
     (
@@ -164,7 +164,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "tied, mu: 0.3",
         "model/interface",
         6,
-        "`mu` means nothing for `law: tied`",
+        "`mu` has no meaning for `law: tied`",
         "remove",
     ),
     ("face: LEFT", "face: LEFD", "model/unknown-face", 8, "did you mean `LEFT`?", "RIGHT"),
@@ -185,7 +185,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "free outer faces",
     ),
     ("face: LEFT", "face: INSIDE", "model/not-outer", 8, "lie inside body `A`", "free outer faces"),
-    ("fix: [x, y, z]", "fix: [x, x]", "model/value", 8, "`x` stands twice", "once"),
+    ("fix: [x, y, z]", "fix: [x, x]", "model/value", 8, "`x` is listed twice", "once"),
     ("fix: [x, y, z]", "fix: [x, w]", "yaml/unknown-value", 8, "`w` is not a value", "x, y, z"),
     (
         "fix: [x, y, z]",
@@ -216,7 +216,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "fix: [x, y, z], mu: 0.3",
         "model/support",
         8,
-        "mean nothing for the fixed face",
+        "have no effect on the fixed face",
         "law: contact",
     ),
     (
@@ -256,7 +256,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "rigid:\n  - {face: RIGHT, components: [x], free: [uy]}\nloads:",
         "model/rigid",
         10,
-        "`uy` of the rigid face `RIGHT` moves it in no way of its own in [x]",
+        "`uy` of the rigid face `RIGHT` is not independent of its other free motions in [x]",
         "remove it",
     ),
     (
@@ -332,7 +332,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
 ];
 
 #[test]
-fn wrong_models_name_place_and_cure() {
+fn wrong_models_name_place_and_remedy() {
     for (old, new, code, line, message, help) in WRONG {
         assert!(GOOD.contains(old), "{old}");
         let text = GOOD.replacen(old, new, 1);
@@ -347,7 +347,7 @@ fn wrong_models_name_place_and_cure() {
 }
 
 #[test]
-fn several_faults_are_told_at_once() {
+fn several_faults_are_reported_together() {
     let text =
         GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
     let codes: Vec<_> = model(row(), &text).expect_err("three").0.iter().map(|d| d.code).collect();
@@ -356,11 +356,11 @@ fn several_faults_are_told_at_once() {
 
 #[test]
 fn bodies_apart_are_not_in_contact() {
-    // the mesher gave each body its own nodes, the file says they are shared
+    // each body has its own nodes in the mesh, but the file states that they are shared
     let d = model(explode(&row()), GOOD).expect_err("apart").0.remove(0);
     assert_eq!(d.code, "model/no-contact");
     assert!(d.help.expect("help").contains("nodes: split"));
-    // without an interface that asks for it, it is at least told
+    // without an interface between the bodies a note reports it
     let text =
         GOOD.replace("  - {between: [B, A], law: contact, mu: 0.3, friction: associated}\n", "");
     let text = text.replace("interfaces:\n", "").replace("face: RIGHT", "face: LEFT");
@@ -371,115 +371,4 @@ fn bodies_apart_are_not_in_contact() {
         m.notes
     );
     assert_eq!(m.parts, ["A", "B", "C"]);
-}
-
-/// Entries of `preload` that are wrong: code, what the message says, what helps.
-const PRELOAD: &[(&str, &str, &str, &str)] = &[
-    (
-        "{body: AA, cut: INSIDE, axis: [1, 0, 0], force: 5}",
-        "model/unknown-body",
-        "no physical volume `AA`",
-        "A, B, C",
-    ),
-    (
-        "{body: A, cut: INSIDES, axis: [1, 0, 0], force: 5}",
-        "model/unknown-face",
-        "did you mean `INSIDE`",
-        "INSIDE",
-    ),
-    (
-        "{body: A, cut: INSIDE, axis: [0, 0, 0], force: 5}",
-        "model/value",
-        "no direction",
-        "[1, 0, 0]",
-    ),
-    (
-        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: 0}",
-        "model/value",
-        "is 0 N",
-        "needs no entry",
-    ),
-    (
-        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: -98700}",
-        "model/value",
-        "is -98700 N",
-        "needs no entry",
-    ),
-    (
-        "{body: A, cut: INSIDE, axis: [1, 0, 0], force: .inf}",
-        "yaml/not-finite",
-        "preload[0].force",
-        "finite",
-    ),
-    ("{body: A, cut: INSIDE, axis: [1, 0], force: 5}", "yaml/type", "axis", ""),
-    ("{body: A, cut: INSIDE, axis: [1, 0, 0]}", "yaml/missing-key", "`force`", ""),
-    (
-        "{body: A, cut: INSIDE, axis: [0, 1, 0], force: 5}",
-        "model/preload",
-        "runs along the axis",
-        "`axis`",
-    ),
-    (
-        "{body: A, cut: LEFT, axis: [1, 0, 0], force: 5}",
-        "model/preload",
-        "outer faces",
-        "BooleanFragments",
-    ),
-    (
-        "{body: A, cut: AB, axis: [1, 0, 0], force: 5}",
-        "model/preload",
-        "between `",
-        "inside the shank",
-    ),
-    (
-        "{body: B, cut: BC, axis: [1, 0, 0], force: 5}",
-        "model/preload",
-        "between `",
-        "inside the shank",
-    ),
-    (
-        "{body: B, cut: INSIDE, axis: [1, 0, 0], force: 5}",
-        "model/preload",
-        "inside the body `A`",
-        "inside the shank",
-    ),
-    (
-        "{body: A, cut: PART, axis: [1, 0, 0], force: 5}",
-        "model/preload",
-        "does not sever the body `A`",
-        "whole cross-section",
-    ),
-];
-
-#[test]
-fn wrong_preloads_name_place_and_cure() {
-    let mut mesh = row();
-    let whole = mesh.faces_named("INSIDE").expect("named").triangles.clone();
-    mesh.faces
-        .push(crate::mesh::NamedFaces { name: "PART".into(), triangles: whole[..1].to_vec() });
-    let of = |entries: &str| {
-        model(mesh.clone(), &GOOD.replace("loads:", &format!("preload:\n{entries}loads:")))
-    };
-    for (entry, code, message, help) in PRELOAD {
-        let e = of(&format!("  - {entry}\n")).expect_err(entry);
-        let d = &e.0[0];
-        let text = format!("{} {:?}", d.message, d.place);
-        assert_eq!(d.code, *code, "{entry}: {text}");
-        assert!(text.contains(message) || d.message.contains(message), "{entry}: {text}");
-        let cures = d.help.clone().unwrap_or_default();
-        assert!(cures.contains(help), "{entry}: {cures}");
-    }
-    // the same cut twice
-    let good = "  - {body: A, cut: INSIDE, axis: [1, 0, 0], force: 5}\n";
-    let e = of(&format!("{good}{good}")).expect_err("twice");
-    assert_eq!(e.0[0].code, "model/face-twice", "{:?}", e.0[0]);
-    // and the good one: both halves are one part, and the cut is open between them
-    let m = of(good).expect("good");
-    assert_eq!(m.parts, ["A", "B+C"]);
-    assert_eq!((m.preload.len(), m.preload[0].faces.len(), m.preload[0].closure), (1, 2, None));
-    for f in &m.preload[0].faces {
-        let x = f.nodes_a.map(|n| m.mesh.nodes[n as usize]);
-        assert!(crate::math::vec3::area_vector(&x)[0] > 0.0);
-        assert!(f.nodes_a.iter().zip(f.nodes_b).all(|(a, b)| *a != b));
-    }
 }

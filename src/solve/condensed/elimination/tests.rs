@@ -1,5 +1,7 @@
 use super::*;
-use crate::elements::batch::{Placed, YIELD_ROWS, YieldingElement};
+use crate::elements::batch::Placed;
+use crate::elements::yielding_element::YIELD_ROWS;
+use crate::elements::yielding_element::YieldingElement;
 use crate::solve::condensed::yield_points::inverse_square;
 
 /// An element with any numbers, its flexibility and inner stiffness definite.

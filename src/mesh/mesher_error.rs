@@ -1,0 +1,195 @@
+//! Failures of the mesher gmsh: its process and its files.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// Environment variable with the mesher's command: words separated by blanks, or a JSON list of
+/// words.
+pub const VARIABLE: &str = "BRACKET_GMSH";
+
+/// Oldest version the scripts are written for.
+pub const OLDEST: (u32, u32) = (4, 8);
+
+/// Failure of the mesher's process or of its files.
+#[derive(Debug, thiserror::Error)]
+pub enum MesherError {
+    /// No command was found.
+    #[error(
+        "the mesher gmsh was not found: {VARIABLE} is not set, no .venv with gmsh lies above the \
+         current directory or the program, and there is no gmsh on PATH"
+    )]
+    Missing,
+    /// The environment variable cannot be read as a command.
+    #[error("{VARIABLE} is `{value}`, which is neither words nor a JSON list of words")]
+    BadVariable {
+        /// Its value.
+        value: String,
+    },
+    /// The command does not start.
+    #[error("the mesher `{command}` does not start: {source}")]
+    Start {
+        /// The command.
+        command: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// It starts but does not report its version.
+    #[error("the mesher `{command}` does not answer `--version`: {answer}")]
+    NoVersion {
+        /// The command.
+        command: String,
+        /// Its answer.
+        answer: String,
+    },
+    /// Too old.
+    #[error("the mesher is gmsh {found}, at least {}.{} is needed", OLDEST.0, OLDEST.1)]
+    TooOld {
+        /// Its version.
+        found: String,
+    },
+    /// It ran longer than allowed and was stopped.
+    #[error("the mesher was stopped after {seconds:.0} s, the time limit")]
+    TimeLimit {
+        /// The limit \[s\].
+        seconds: f64,
+    },
+    /// The user asked to stop.
+    #[error(
+        "interrupted while meshing: the mesher was stopped after {seconds:.0} s and nothing was \
+         written"
+    )]
+    Interrupted {
+        /// How long it ran \[s\].
+        seconds: f64,
+    },
+    /// Something killed it.
+    #[error(
+        "the mesher was killed by signal {signal} after {seconds:.0} s{}",
+        if *signal == 9 { " (out of memory?)" } else { "" }
+    )]
+    Killed {
+        /// The signal.
+        signal: i32,
+        /// How long it ran \[s\].
+        seconds: f64,
+    },
+    /// It reported errors, or ended with an exit code other than 0.
+    #[error(
+        "the mesher failed{}: {said}",
+        code.map_or(String::new(), |c| format!(" (exit code {c})"))
+    )]
+    Failed {
+        /// Its exit code, when it is not 0.
+        code: Option<i32>,
+        /// Its first error lines. They are quoted because the log is deleted with the working
+        /// folder.
+        said: String,
+    },
+    /// It ended without error but left no usable file.
+    #[error("the mesher ended without error but left no usable {what}: {why}")]
+    NoOutput {
+        /// `mesh` or `STEP file`.
+        what: &'static str,
+        /// Absent, empty or cut off.
+        why: String,
+    },
+    /// The disk is full.
+    #[error("no space is left on the disk for `{}`", file.display())]
+    DiskFull {
+        /// The file being written.
+        file: PathBuf,
+    },
+    /// A file cannot be written.
+    #[error("`{}` cannot be written: {source}", file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+}
+
+impl MesherError {
+    /// A failed write; a full disk is an error of its own.
+    pub fn write(file: impl Into<PathBuf>, source: std::io::Error) -> Self {
+        use std::io::ErrorKind as K;
+        let file = final_path(&file.into());
+        match source.kind() {
+            K::StorageFull | K::QuotaExceeded | K::FileTooLarge => MesherError::DiskFull { file },
+            _ => MesherError::Write { file, source },
+        }
+    }
+}
+
+/// The final path of a file: `joint/mesh.msh` for `joint.part/mesh.msh`, since folders are written
+/// under a temporary name and then renamed.
+pub(super) fn final_path(path: &Path) -> PathBuf {
+    let ours = |word: &str| {
+        word.rfind(".part").filter(|i| word[i + 5..].bytes().all(|b| b.is_ascii_digit()))
+    };
+    path.components()
+        .map(|c| match c.as_os_str().to_str().and_then(|w| Some((w, ours(w)?))) {
+            Some((word, end)) => OsString::from(&word[..end]),
+            None => c.as_os_str().to_os_string(),
+        })
+        .collect()
+}
+
+impl From<MesherError> for Diagnostic {
+    fn from(error: MesherError) -> Self {
+        use MesherError as E;
+        let doctor =
+            "run `bracket doctor`: it reports what is found and how to install what is missing"
+                .to_string();
+        let (code, help) = match &error {
+            E::Missing => ("mesher/missing", doctor),
+            E::BadVariable { .. } => (
+                "mesher/variable",
+                format!(
+                    "set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset \
+                     it"
+                ),
+            ),
+            E::Start { .. } => ("mesher/start", doctor),
+            E::NoVersion { .. } => ("mesher/version", doctor),
+            E::TooOld { .. } => ("mesher/old", doctor),
+            E::TimeLimit { .. } => (
+                "mesher/time",
+                "allow more time (`analysis.time_limit`), or a larger `analysis.mesh.size`".into(),
+            ),
+            E::Interrupted { .. } => {
+                let help = "run the same command again when there is time for it";
+                return Diagnostic::undecided("mesher/interrupted", error.to_string()).help(help);
+            }
+            E::Killed { .. } => (
+                "mesher/killed",
+                "free memory, or ask for a larger `analysis.mesh.size`; then run again".into(),
+            ),
+            E::Failed { .. } => (
+                "mesher/failed",
+                "try other element sizes (`--size-factor 0.9`, or `analysis.mesh.size`); if it \
+                 fails again, `bracket doctor` reports what is wrong with the mesher"
+                    .into(),
+            ),
+            E::NoOutput { .. } => (
+                "mesher/no-output",
+                "check that the disk is not full; then run `bracket doctor`".into(),
+            ),
+            E::DiskFull { .. } => {
+                ("mesher/disk", "free some space, or write elsewhere with `--out`".into())
+            }
+            E::Write { .. } => (
+                "mesher/write",
+                "check the folder and the right to write there, or use `--out`".into(),
+            ),
+        };
+        Diagnostic::environment(code, error.to_string()).help(help)
+    }
+}
+
+impl From<MesherError> for Diagnostics {
+    fn from(error: MesherError) -> Self {
+        Diagnostic::from(error).into()
+    }
+}
