@@ -1,7 +1,8 @@
 //! `bracket doctor`.
 
+use super::common::{CommandResult, Common, Format};
 use crate::catalog::Catalog;
-use crate::cli::{CommandResult, Common, Format};
+use crate::diag::ExitStatus;
 use crate::mesh::gmsh::{Mesher, VARIABLE};
 use crate::report::console::out;
 use serde::Serialize;
@@ -75,7 +76,7 @@ pub fn run(_args: &DoctorArgs, common: &Common) -> CommandResult {
         }
         Format::Text => out::text(&page(&findings))?,
     }
-    Ok(if healthy { 0 } else { 4 })
+    Ok(if healthy { ExitStatus::Ok } else { ExitStatus::Environment })
 }
 
 fn page(findings: &[Finding]) -> String {

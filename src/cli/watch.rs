@@ -2,7 +2,7 @@
 //! folder of `--catalog` changes.
 
 use super::check::{self, CheckArgs};
-use super::{CommandResult, Common};
+use super::common::{CommandResult, Common};
 use crate::diag_render;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -38,7 +38,7 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
                 let text = diag_render::text(&faults, stderr.is_terminal());
                 // with standard error closed there is no one left to tell
                 if stderr.write_all(text.as_bytes()).is_err() {
-                    return Ok(faults.exit_code());
+                    return Ok(faults.exit_status());
                 }
             }
             before = Some(now);

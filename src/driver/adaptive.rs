@@ -4,7 +4,10 @@
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::analysis_pass::AnalysisPass;
-use crate::driver::case::{Case, Limits, RunContext, run_pass, too_large};
+use crate::driver::case::Case;
+use crate::driver::context::RunContext;
+use crate::driver::limits::Limits;
+use crate::driver::pass_run::{run_pass, too_large};
 use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;

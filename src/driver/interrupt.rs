@@ -4,16 +4,13 @@
 //! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in
 //! place of others' while it orders, and blocked signals never reach a handler.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 /// What is done before the program exits at once: it must leave no half-written result.
 type LastWords = Box<dyn Fn() + Send>;
-
-/// The exit code of a run without a certificate (CONTRACT).
-const UNDECIDED: i32 = 3;
 
 /// The user's wish to stop.
 #[derive(Clone, Default)]
@@ -124,7 +121,7 @@ impl Interrupt {
                 &mut std::io::stderr(),
                 b"interrupted: nothing was written\n",
             );
-            std::process::exit(UNDECIDED);
+            std::process::exit(ExitStatus::Undecided.code().into());
         };
         match first {
             None => {
@@ -137,7 +134,7 @@ impl Interrupt {
             Some(at) if at.elapsed() < ECHO => {}
             Some(_) => {
                 (work.last_words)();
-                std::process::exit(UNDECIDED);
+                std::process::exit(ExitStatus::Undecided.code().into());
             }
         }
     }

@@ -2,8 +2,8 @@
 //! mesh is bisected.
 
 use crate::assembly::Assembly;
-use crate::cli::analyse::quality_table;
-use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::diag::{Diagnostics, Place};
+use crate::driver::meshing::{clean, quality_table};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
 use crate::mesh::{TetMesh, bisect, quality};
@@ -51,20 +51,6 @@ const MESHER_SECONDS: f64 = 600.0;
 
 /// Where in the input file the text of a path stands.
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
-
-/// Removes the mesher's working folder: script and log are of use only when it fails, and then they
-/// are in the message.
-pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
-    let dir = &options.work_dir;
-    match std::fs::remove_dir_all(dir) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Diagnostic::environment(
-            "run/clean",
-            format!("`{}` cannot be removed: {e}", dir.display()),
-        )
-        .into()),
-        _ => Ok(()),
-    }
-}
 
 /// A spec's geometry, meshed again by a map of sizes.
 pub struct ByMap<'a> {
