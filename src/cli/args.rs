@@ -29,7 +29,7 @@ pub enum Command {
     Analyse(analyse::AnalyseArgs),
     /// The code's checks, detailing, drawing and verdict by code, at once.
     Check(check::CheckArgs),
-    /// The checks again on every change of the spec
+    /// Repeat the checks on every change of the spec.
     Watch(watch::WatchArgs),
     /// Geometry and mesh only.
     Mesh(mesh::MeshArgs),

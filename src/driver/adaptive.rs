@@ -1,5 +1,5 @@
-//! Passes on ever better meshes until the gap asked for is reached or a limit ends it; the best
-//! bounds of all are the result.
+//! Adaptive passes: ever better meshes until the target gap or a limit is reached. The best bounds
+//! of all passes are the result.
 
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -24,39 +24,39 @@ use crate::solve::Patterns;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// A pass that is kept, with its mesh.
+/// A pass whose fields are kept, with its mesh.
 pub struct Kept {
-    /// What it left.
+    /// Its bounds and fields.
     pub outcome: AnalysisPass,
     /// The model on its mesh.
     pub model: AnalysisModel,
-    /// Where it is not the first mesh: the mesh, the model file and the quality.
+    /// Mesh, model file and quality; `None` for the first mesh, whose files exist already.
     pub made: Option<(TetMesh, ModelFile, Table)>,
-    /// Its place among the passes.
+    /// Number of the pass, from 0.
     index: usize,
 }
 
-/// What the passes of a case leave.
+/// The result of all passes of a case.
 pub struct Adapted {
-    /// The entry of the result, one row of history a pass.
+    /// The entry of the result, with one row of history per pass.
     pub entry: CaseResult,
     /// The pass with the best upper bound.
     pub upper: Kept,
-    /// The pass with the best lower bound, where it is another one.
+    /// The pass with the best lower bound, if it is another one.
     pub lower: Option<Kept>,
 }
 
-/// What a case shares with the others.
+/// What a case shares with the other cases of the run.
 pub struct Share<'a> {
-    /// Seconds on the clock of the log at which it should be done with, if the cases that follow
-    /// are to have theirs.
+    /// Time on the clock of the log at which the case should end, to leave the other cases their
+    /// share \[s\].
     pub until: f64,
-    /// What passes on the first mesh have found.
+    /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
 }
 
-/// Analyses a case, mesh after mesh. `first`: nothing was analysed before, so what does not fit
-/// ends the run.
+/// Analyses a case, mesh after mesh. `first`: no case was analysed before, so a program that does
+/// not fit into the memory ends the run.
 pub fn analyse(
     case: Case,
     first: bool,
@@ -76,12 +76,12 @@ pub fn analyse(
         let index = entries.len();
         let start = Instant::now();
         let until = if index == 0 { f64::INFINITY } else { share.until };
-        // every later mesh is this case's own
+        // later meshes belong to this case alone
         let own = Patterns::default();
         let patterns = if index == 0 { share.patterns } else { &own };
         let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
         let runs = outcome.runs();
-        // no program had to run where an answer is proved without one
+        // there are no programs if the answer is proved without one
         if index == 0
             && first
             && !runs.is_empty()
@@ -117,14 +117,14 @@ pub fn analyse(
         entries.push(entry);
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
-        // fields of a pass that gives neither bound are not needed any more, but the last pass says
-        // where to refine
+        // the fields of a pass that gives neither best bound are dropped; those of the last pass
+        // show where to refine
         kept.retain(|k| place.contains(&k.index) || k.index == index);
         let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
         let Some(step) = step else {
             if index > 0 {
                 log.line(format!(
-                    "{name}: mesh {}: no strict bracket, the result is that of the meshes before",
+                    "{name}: mesh {}: no strict bracket; the result uses the earlier meshes",
                     index + 1
                 ));
             }
@@ -156,8 +156,7 @@ pub fn analyse(
             break;
         };
         log.line(format!(
-            "{name}: mesh {}: {} tets, gap {}; the next one is to have {} tets and a gap of {}, \
-             in {}",
+            "{name}: mesh {}: {} tets, gap {}; forecast for the next mesh: {} tets, gap {}, in {}",
             index + 1,
             fixed(tets as f64, 0, Rounding::Nearest),
             percent_up(steps[steps.len() - 1].gap),
@@ -173,7 +172,7 @@ pub fn analyse(
                 next = (model, Some((mesh, file, quality)), Some(seconds), Some(p));
             }
             Err(faults) => {
-                // what is certified stays, whatever becomes of the next mesh
+                // the certified bounds remain valid without the next mesh
                 let why = faults.0.first().map_or(String::new(), |d| d.message.clone());
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
@@ -229,7 +228,7 @@ fn finish(
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
-    // both were kept when they became the best
+    // both were kept since they became the best
     let Some(upper) = upper else {
         return Err(Diagnostic::undecided(
             "cli/lost",
@@ -240,7 +239,7 @@ fn finish(
     Ok(Adapted { entry, upper, lower })
 }
 
-/// Why the target was missed, and what helps.
+/// Reason why the target gap was missed, with the remedy.
 fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &Limits) -> String {
     let max_passes = context.adapt.map_or(1, |a| a.max_passes);
     match stop {
@@ -249,10 +248,12 @@ fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &L
             format!("a finer mesh is needed ({})", context.finer)
         }
         Some(Stop::Passes) => format!("{passes} meshes were allowed (`max_passes`)"),
-        Some(Stop::Tets) => "no mesh within `max_macro_tets` would narrow it much".into(),
-        Some(Stop::Time) => "no further mesh fits into `time_limit`".into(),
+        Some(Stop::Tets) => "no mesh within `max_macro_tets` would reduce it much".into(),
+        Some(Stop::Time) => "the remaining `time_limit` allows no further mesh".into(),
         Some(Stop::Memory) => "no finer mesh fits into the memory".into(),
-        Some(Stop::Nothing) => "no element contributes to it, so no mesh narrows it".into(),
+        Some(Stop::Nothing) => {
+            "no element contributes to the gap, so no finer mesh reduces it".into()
+        }
         Some(Stop::Target) | None => format!("a finer mesh is needed ({})", context.finer),
     }
 }

@@ -15,7 +15,7 @@ use crate::solve::{Patterns, SolveOptions};
 use crate::spec::analysis::AnalysisKind;
 use std::sync::Arc;
 
-/// No program of a case fits into the memory.
+/// The fault of a case whose programs all exceed the memory.
 pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagnostic {
     let refused: Vec<(Program, Refusal)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
@@ -31,8 +31,8 @@ pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagn
     ))
 }
 
-/// Runs both programs of a case on one mesh; `until`: seconds on the log's clock at which solves
-/// end, `patterns`: what earlier passes on that mesh have found.
+/// Runs both programs of a case on one mesh. `until`: time on the log's clock at which solves end
+/// \[s\]; `patterns`: sparsity patterns that earlier passes on this mesh have found.
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
@@ -56,8 +56,7 @@ pub fn run_pass(
         model.parts.len(),
         if model.parts.len() == 1 { "" } else { "s" }
     ));
-    // what is left of the time asked for; a solve that cannot finish in it ends with status
-    // `time limit`
+    // a solve that cannot finish in the remaining time ends with status `time limit`
     let left = (limits.time.unwrap_or(f64::INFINITY).min(until) - log.seconds()).max(0.0);
     let interrupt = Some(limits.interrupt.flag());
     let patterns = patterns.clone();
@@ -68,9 +67,9 @@ pub fn run_pass(
         patterns,
         ..SolveOptions::default()
     };
-    let (told, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
+    let (shown, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
     let progress: engine::Progress =
-        Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
+        Arc::new(move |program, event| progress::tell(&shown, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
     AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())

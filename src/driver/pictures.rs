@@ -176,9 +176,9 @@ fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
 }
 
-/// Dissipation densities at the nodes, divided by their mean where the mechanism dissipates, and the
-/// range of colours. The range ends at the largest value drawn, at most at the mean: a single corner
-/// with a huge density must not leave the rest dark.
+/// Dissipation densities at the nodes, divided by their mean where the mechanism dissipates, and
+/// the range of colours. The range ends at the largest value drawn, at most at the mean: a single
+/// corner with a huge density must not leave the rest dark.
 fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
     let mesh = &model.mesh;
     let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];

@@ -54,8 +54,8 @@ pub struct StudyOptions {
 
 /// Where the meshes come from.
 trait Source {
-    /// The load cases on the uniform mesh of a level, 0 for the first mesh; with `adaptive` they can
-    /// be meshed again.
+    /// The load cases on the uniform mesh of a level, 0 for the first mesh; with `adaptive` they
+    /// can be meshed again.
     fn cases(&self, level: u32, adaptive: bool) -> Result<Vec<Case<'_>>, Diagnostics>;
 }
 
@@ -253,7 +253,7 @@ fn study(
             let tets = cases.first().map_or(0, |c| c.model.mesh.tets.len());
             if level > Some(0) && tets > ends.max_macro_tets {
                 log.line(format!(
-                    "no larger uniform mesh: {tets} tets, at most {} are wanted",
+                    "no larger uniform mesh: it would have {tets} tets, at most {} are allowed",
                     ends.max_macro_tets
                 ));
                 continue;
@@ -263,7 +263,7 @@ fn study(
                 forget_peak();
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
                 let meshes = if level.is_none() { Meshes::Adaptive } else { Meshes::Uniform };
-                // a mesh that does not fit ends the study with what there is
+                // a mesh that does not fit into the memory is left out
                 match adaptive::analyse(
                     case,
                     true,
