@@ -21,9 +21,10 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use bracket::analysis::engine::{Event, PassOptions, Progress};
+use bracket::analysis::event::{Event, Progress};
 use bracket::analysis::limit;
 use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};
+use bracket::analysis::pass::PassOptions;
 use bracket::assembly::Assembly;
 use bracket::assembly::assembly::{
     FaceRule, MidPlane, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane,

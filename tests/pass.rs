@@ -3,10 +3,13 @@
 #[path = "common/mod.rs"]
 mod common;
 
-use bracket::analysis::engine::{Event, Pass, PassOptions, ProgramRun, Progress};
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::{Event, Progress};
 use bracket::analysis::memory::{Limit, Room};
-use bracket::analysis::program_run::Program;
-use bracket::analysis::{diagnosis, engine};
+use bracket::analysis::pass::PassOptions;
+use bracket::analysis::program::Program;
+use bracket::analysis::program_outcome::ProgramOutcome;
+use bracket::analysis::{diagnosis, elastic};
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
@@ -29,7 +32,7 @@ fn on_ground() -> AnalysisModel {
 }
 
 /// Events of a pass, as words.
-fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
+fn told(run: impl FnOnce(&Progress) -> EnergyPass) -> (EnergyPass, Vec<String>) {
     let words: Arc<Mutex<Vec<String>>> = Arc::default();
     let kept = words.clone();
     let progress: Progress = Arc::new(move |program, event| {
@@ -43,7 +46,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
             Event::Solve { forecast } => format!("solve {}", forecast.is_some()),
             Event::Iteration(_) => return,
             Event::Tightening => "tightening".into(),
-            Event::Slips { .. } => "slips".into(),
+            Event::ConeShift { .. } => "slips".into(),
             Event::Certify => "certify".into(),
             Event::Frictionless => "frictionless".into(),
             Event::Yielding { tets } => format!("yielding {tets}"),
@@ -57,7 +60,7 @@ fn told(run: impl FnOnce(&Progress) -> Pass) -> (Pass, Vec<String>) {
     (pass, words)
 }
 
-fn both(pass: &Pass) -> [&ProgramRun; 2] {
+fn both(pass: &EnergyPass) -> [&ProgramOutcome; 2] {
     [pass.kinematic.as_ref().expect("asked for"), pass.statics.as_ref().expect("asked for")]
 }
 
@@ -72,12 +75,12 @@ fn rooms(limit: Limit, bytes: &[u64]) -> PassOptions {
 }
 
 /// Runs the model with these rooms.
-fn in_rooms(model: &AnalysisModel, limit: Limit, bytes: &[u64]) -> (Pass, Vec<String>) {
-    told(|p| engine::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
+fn in_rooms(model: &AnalysisModel, limit: Limit, bytes: &[u64]) -> (EnergyPass, Vec<String>) {
+    told(|p| elastic::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
 }
 
 /// Which programs gave a bound.
-fn bounds(pass: &Pass) -> [bool; 2] {
+fn bounds(pass: &EnergyPass) -> [bool; 2] {
     assert_eq!(pass.bracket.is_some(), pass.upper.is_some() && pass.lower.is_some());
     [pass.upper.is_some(), pass.lower.is_some()]
 }
@@ -106,7 +109,7 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
     let [k, s] = both(&free).map(|r| r.forecast.expect("condensed").bytes);
     assert!(0 < k && k < s, "{k} {s}");
     let values =
-        |p: &Pass| [p.lower.as_ref().map(|b| b.value()), p.upper.as_ref().map(|b| b.value())];
+        |p: &EnergyPass| [p.lower.as_ref().map(|b| b.value()), p.upper.as_ref().map(|b| b.value())];
 
     // exactly both; one byte less; exactly the larger one
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k + s]);
@@ -138,7 +141,7 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
             (s, room, Limit::Asked(1 << 30))
         );
     }
-    let warnings = |pass: &Pass| case_result("A", &model, pass, None).warnings;
+    let warnings = |pass: &EnergyPass| case_result("A", &model, pass, None).warnings;
     let (pass, _) = in_rooms(&model, Limit::Machine, &[k]);
     let told = warnings(&pass);
     assert!(
@@ -198,7 +201,7 @@ fn a_solver_without_forecast_is_not_held_back() {
     let model = on_ground();
     let mut options = rooms(Limit::Machine, &[0]);
     options.solve.solver = Solver::Clarabel;
-    let (pass, words) = told(|p| engine::run(&model, &options, p).expect("no fault of the model"));
+    let (pass, words) = told(|p| elastic::run(&model, &options, p).expect("no fault of the model"));
     assert_eq!(bounds(&pass), [true, true]);
     let n = both(&pass)[0].dofs;
     at(&words, &format!("kinematic forecast {n} false"));
@@ -217,8 +220,9 @@ fn every_iteration_is_kept_and_told() {
                 counted[usize::from(program == Program::Static)].fetch_add(1, Ordering::Relaxed);
             }
         });
-        let pass = engine::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress)
-            .expect("sound");
+        let pass =
+            elastic::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress)
+                .expect("sound");
         for (run, told) in both(&pass).into_iter().zip(count.iter()) {
             let trace = &run.trace;
             assert_eq!(trace.len(), told.load(Ordering::Relaxed));
@@ -242,7 +246,7 @@ fn interrupted_at(
     model: &AnalysisModel,
     solver: Solver,
     at: impl Fn(Program, &Event<'_>) -> bool + Send + Sync + 'static,
-) -> Pass {
+) -> EnergyPass {
     let flag = Arc::new(AtomicBool::new(false));
     let set = flag.clone();
     let progress: Progress = Arc::new(move |program, event| {
@@ -255,7 +259,7 @@ fn interrupted_at(
     let (free, _) = in_rooms(model, Limit::Machine, &[u64::MAX]);
     let s = both(&free)[1].forecast.expect("condensed").bytes;
     let options = PassOptions { solve, ..rooms(Limit::Machine, &[s]) };
-    engine::run(model, &options, &progress).expect("no fault of the model")
+    elastic::run(model, &options, &progress).expect("no fault of the model")
 }
 
 #[test]
@@ -322,7 +326,7 @@ fn a_program_that_waits_has_less_time() {
             std::thread::sleep(std::time::Duration::from_millis(2100));
         }
     });
-    let pass = engine::run(&model, &options, &slow).expect("no fault of the model");
+    let pass = elastic::run(&model, &options, &slow).expect("no fault of the model");
     assert_eq!(bounds(&pass), [true, false]);
     assert_eq!(both(&pass)[1].status, SolveStatus::TimeLimit);
 }

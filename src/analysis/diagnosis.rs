@@ -1,19 +1,20 @@
-//! What a certificate of the solver means, in sentences: which parts move away, which contacts
-//! exclude each other.
+//! Certificates of the solver as sentences: the parts that move away, the contacts that exclude
+//! each other.
 
 use crate::math::vec3::{self, V3};
-use crate::model::analysis::AnalysisModel;
+use crate::model::AnalysisModel;
 use crate::programs::conic::{ConicProgram, cone_margin};
 
-/// Share of the largest that a part's motion or a contact's multiplier must reach to be named.
+/// A part or contact is named where its motion or multiplier reaches this fraction of the largest.
 const NAMED: f64 = 0.05;
 
-/// Largest part of its own terms that `Gᵀ z` of a certificate may keep. Solvers measure it against
-/// unknowns that grow without limit in an infeasible program, so it need not be small to rounding:
-/// enough to say which contacts, not to prove it.
+/// Largest `Gᵀ z` of a certificate, over the size of its terms. Solvers measure it against unknowns
+/// that grow without limit in an infeasible program, so it is larger than rounding: accurate enough
+/// to name the contacts, not to prove infeasibility.
 const VANISHES: f64 = 1e-2;
 
-/// Which parts move along an unbounded direction, in words; `moved`: points with their part.
+/// The parts that move along an unbounded direction, as text; `moved`: displacement of points, each
+/// with its part.
 pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3)>) -> String {
     let mut mean = vec![([0.0; 3], 0.0); model.parts.len()];
     for (p, u) in moved {
@@ -43,8 +44,8 @@ pub fn mechanism(model: &AnalysisModel, moved: impl IntoIterator<Item = (u32, V3
     }
 }
 
-/// Which bodies flow along an unbounded direction of an elastic, perfectly plastic program, in
-/// words; `flow`: what each body dissipates on it. `None`: nothing flows.
+/// The bodies that flow along an unbounded direction of an elastic, perfectly plastic program, as
+/// text; `flow`: dissipation of each body. `None`: nothing flows.
 pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
     let total: f64 = flow.iter().sum();
     let mut bodies: Vec<(f64, &String)> =
@@ -63,8 +64,8 @@ pub fn plastic_flow(model: &AnalysisModel, flow: &[f64]) -> Option<String> {
     }
 }
 
-/// A contact as people call it: its name and the parts it joins. `contact` counts interfaces first,
-/// then the ground's.
+/// Name of a contact with the parts that it joins. `contact` counts interfaces first, then contacts
+/// with the ground.
 fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     let part = |tet: u32| &model.parts[model.tet_part[tet as usize] as usize];
     if let Some(i) = model.interfaces.get(contact) {
@@ -88,11 +89,11 @@ fn contact_name(model: &AnalysisModel, contact: usize) -> String {
     format!("`{}`{side}", g.name)
 }
 
-/// The contacts that no motion satisfies together, in words, from the certificate `z` of an
+/// The contacts that no motion satisfies together, as text, from the certificate `z` of an
 /// infeasible program: `z ∈ K`, `Gᵀ z ≈ 0` and `hᵀ z < 0`, so that `zᵀ (G x + h) < 0` for every x
-/// that is not huge. `None` when z is no such certificate.
+/// that is not huge. `None` when z is not such a certificate.
 ///
-/// `contacts`: the contact each cone belongs to.
+/// `contacts`: index of the contact that each cone belongs to.
 pub fn conflict(
     model: &AnalysisModel,
     program: &ConicProgram,
@@ -102,7 +103,7 @@ pub fn conflict(
     if z.len() != program.h.len() || z.iter().any(|z| !z.is_finite()) {
         return None;
     }
-    // yield points have multipliers too, but exclude no motion
+    // the multipliers of yield points come behind; they exclude no motion
     let rows = program.g.nrows();
     let (z, h) = (&z[..rows], &program.h[..rows]);
     let largest = |v: &[f64]| v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -112,8 +113,8 @@ pub fn conflict(
     let terms = largest(&terms.mul_transpose(&z.iter().map(|z| z.abs()).collect::<Vec<_>>()));
     let work: f64 = h.iter().zip(z).map(|(h, z)| h * z).sum();
     let size = largest(z);
-    // the share of each contact: the normal components of its multipliers, which z ∈ K makes the
-    // largest ones
+    // share of each contact: sum of the normal components of its multipliers, the largest
+    // components because z ∈ K
     let mut share = vec![0.0; model.interfaces.len() + model.ground.len()];
     let mut worst = f64::INFINITY;
     for ((start, cone), &contact) in

@@ -1,4 +1,4 @@
-//! A fixed point `s = G(s)` of many unknowns, plain or accelerated (Anderson).
+//! The fixed point `s = G(s)` of many unknowns by plain or accelerated (Anderson) steps.
 //!
 //! # Source
 //! D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965); in the
@@ -6,23 +6,23 @@
 
 use std::collections::VecDeque;
 
-/// Earlier steps that the acceleration looks back on.
+/// Number of earlier steps that the acceleration uses.
 const DEPTH: usize = 3;
-/// Where a plain step leaves more than this part of the change, steps are accelerated.
+/// Contraction of the plain steps above which steps are accelerated.
 const SLOW: f64 = 0.5;
-/// An accelerated step that leaves this many times the change before it forgets what it looked back
-/// on.
+/// Growth of the change in an accelerated step above which the earlier steps are dropped.
 const WORSE: f64 = 2.0;
-/// Columns of the least squares whose new part is smaller than this are left out.
+/// Columns of the least-squares problem are dropped as dependent where the part orthogonal to the
+/// others is smaller than this fraction of the column.
 const DEPENDENT: f64 = 1e-8;
 
-/// The iteration: `s ≥ 0`.
+/// The iteration of a point `s ≥ 0`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FixedPoint {
     point: Vec<f64>,
     /// Points and their changes `G(s) − s`, oldest first.
     past: VecDeque<(Vec<f64>, Vec<f64>)>,
-    /// `max |G(s) − s|` of each step, over what counts.
+    /// `max |G(s) − s|` of each step, over the entries that count.
     changes: Vec<f64>,
     accelerated: bool,
     contraction: Option<f64>,
@@ -39,7 +39,7 @@ impl FixedPoint {
         Self { point, ..Self::default() }
     }
 
-    /// Where it stands.
+    /// The present point.
     pub fn point(&self) -> &[f64] {
         &self.point
     }
@@ -49,14 +49,14 @@ impl FixedPoint {
         &self.changes
     }
 
-    /// The part of the change that a plain step leaves, as the last two plain steps have it; `None`
-    /// before the second.
+    /// Ratio of the changes of the last two plain steps; `None` before the second.
     pub fn contraction(&self) -> Option<f64> {
         self.contraction
     }
 
-    /// Tells the image `G(s)` of the point; entries that do not `count` neither measure the change
-    /// nor steer the acceleration. The point stays until [`Self::step`].
+    /// Takes the image `G(s)` of the point and returns the change. Entries that do not count enter
+    /// neither the change nor the weights of the acceleration. The point stays until
+    /// [`Self::step`].
     pub fn image(&mut self, image: &[f64], counts: &[bool]) -> f64 {
         let change: Vec<f64> = image.iter().zip(&self.point).map(|(g, s)| g - s).collect();
         let size = counted(&change, counts).fold(0.0, |m: f64, x| m.max(x.abs()));
@@ -94,7 +94,7 @@ impl FixedPoint {
                 }
             }
         }
-        // a shift is the size of a slip
+        // a shift is the norm of a slip
         next.iter_mut().for_each(|s| *s = s.max(0.0));
         self.point = next;
     }
@@ -104,14 +104,15 @@ fn counted<'a>(v: &'a [f64], counts: &'a [bool]) -> impl Iterator<Item = f64> + 
     v.iter().zip(counts).filter(|(_, c)| **c).map(|(x, _)| *x)
 }
 
-/// Weights of the columns nearest to `target`, newest column first; dependent columns are left out.
+/// Weights of the columns whose sum is closest to `target`. Columns are added newest first,
+/// dependent ones are left out.
 fn least_squares(columns: &[Vec<f64>], target: &[f64], counts: &[bool]) -> Vec<(usize, f64)> {
     let dot = |a: &[f64], b: &[f64]| {
         crate::math::Sum::of(
             a.iter().zip(b).zip(counts).filter(|(_, c)| **c).map(|((x, y), _)| x * y),
         )
     };
-    // Gram–Schmidt: orthonormal columns with what they are made of
+    // Gram–Schmidt: orthonormal columns, each with its weights of the original columns
     let mut basis: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
     for k in (0..columns.len()).rev() {
         let mut v = columns[k].clone();
@@ -168,7 +169,7 @@ mod tests {
         assert!((fast.point()[0] - 10.0).abs() < 1e-7 && fast.changes().len() <= 4, "{fast:?}");
     }
 
-    /// Three slow modes, a curved map and an unknown that wanders without counting.
+    /// Three slow modes, a curved map and a diverging unknown that does not count.
     #[test]
     fn slow_modes_need_few_steps() {
         let map = |s: &[f64]| {

@@ -1,39 +1,39 @@
-//! Does it fit? The memory a run may take, and which programs start, together or in turn.
+//! Memory available for solves, and which programs start: together or one after the other.
 
 use crate::solve::forecast::available_memory;
 use std::sync::Arc;
 
-/// What a forecast leaves out: fields, certificates and files after the solve, the allocator's own
-/// losses.
+/// Fraction of the memory kept for what a forecast omits: fields, certificates and files after the
+/// solve, losses of the allocator.
 const RESERVE: f64 = 0.05;
 
-/// At least so much is left to the machine \[bytes\]: below that the kernel starts to throw out
-/// programs and files in use, and everything on the machine, this run included, slows down or dies.
+/// Memory always left to the machine \[bytes\]. Below it the kernel evicts programs and files in
+/// use, and everything on the machine, including this run, slows down or is killed.
 const LEAST_RESERVE: u64 = 256 << 20;
 
-/// Who sets the limit.
+/// Source of the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limit {
-    /// What the machine (or its container) can still give.
+    /// The memory that the machine (or its container) still has.
     Machine,
-    /// What the user allows this process in all \[bytes\].
+    /// The limit of the user for the whole process \[bytes\].
     Asked(u64),
 }
 
-/// Memory that solves may still take.
+/// Memory still available for solves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
-    /// How much \[bytes\], the reserve taken off.
+    /// Size \[bytes\], without the reserve.
     pub bytes: u64,
-    /// Who sets it.
+    /// Source of the limit.
     pub limit: Limit,
 }
 
-/// Asked for the room whenever solves are about to start; `None`: nobody can tell.
+/// Callback that returns the available memory before solves start; `None`: unknown.
 pub type RoomSource = Arc<dyn Fn() -> Option<Room> + Send + Sync>;
 
-/// The room there is now; `asked`: what the process may use in all \[bytes\]. `None` where neither
-/// the system nor the user tells.
+/// The memory available now; `asked`: the limit of the user for the whole process \[bytes\]. `None`
+/// where neither the system nor the user gives a number.
 pub fn room(asked: Option<u64>) -> Option<Room> {
     room_of(available_memory(), asked, resident())
 }
@@ -44,7 +44,7 @@ fn room_of(available: Option<u64>, asked: Option<u64>, resident: u64) -> Option<
         bytes: a.saturating_sub(part(a).max(LEAST_RESERVE)),
         limit: Limit::Machine,
     });
-    // breaking a wish kills nobody: the part that forecasts leave out is reserve enough
+    // exceeding the limit of the user kills no process: the fraction for omitted memory is enough
     let asked = asked.map(|l| Room {
         bytes: l.saturating_sub(part(l)).saturating_sub(resident),
         limit: Limit::Asked(l),
@@ -55,17 +55,17 @@ fn room_of(available: Option<u64>, asked: Option<u64>, resident: u64) -> Option<
     }
 }
 
-/// Which programs start, and how.
+/// The programs that start, and how.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
     /// Whether each program may start.
     pub starts: Vec<bool>,
-    /// All that start fit side by side.
+    /// All programs that start fit side by side.
     pub together: bool,
 }
 
-/// Plans programs that need so much memory each \[bytes\] for a room \[bytes\]; what fits alone
-/// starts.
+/// Plans programs with the given memory needs \[bytes\] for an available memory `room` \[bytes\].
+/// Each program that fits alone starts.
 pub fn plan(needs: &[u64], room: u64) -> Plan {
     let starts: Vec<bool> = needs.iter().map(|n| *n <= room).collect();
     let sum = needs
@@ -76,7 +76,7 @@ pub fn plan(needs: &[u64], room: u64) -> Plan {
     Plan { starts, together: sum <= room }
 }
 
-/// A line of `/proc/self/status` \[bytes\]; `None` where the system has no such file.
+/// An entry of `/proc/self/status` \[bytes\]; `None` where the system has no such file.
 fn own(key: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let kib: u64 =
@@ -84,18 +84,18 @@ fn own(key: &str) -> Option<u64> {
     Some(kib * 1024)
 }
 
-/// Memory this process holds \[bytes\]; 0 where the system does not tell.
+/// Resident memory of this process \[bytes\]; 0 where the system does not report it.
 fn resident() -> u64 {
     own("VmRSS:").unwrap_or(0)
 }
 
-/// Makes [`peak_memory_mib`] count from now on, where the system can (Linux).
+/// Restarts the measurement of [`peak_memory_mib`], where the system can (Linux).
 pub fn forget_peak() {
-    // where it cannot, the peak stays that of the whole process
+    // where this fails, the peak stays that of the whole process
     let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
-/// Peak resident memory of this process so far \[MiB\]; `None` where the system does not tell.
+/// Peak resident memory of this process so far \[MiB\]; `None` where the system does not report it.
 pub fn peak_memory_mib() -> Option<u64> {
     own("VmHWM:").map(|b| b >> 20)
 }
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(of(3, 4, 7), Plan { starts: vec![true, true], together: true });
         assert_eq!(of(3, 4, 6), Plan { starts: vec![true, true], together: false });
         assert_eq!(of(3, 4, 4), Plan { starts: vec![true, true], together: false });
-        // one alone needs no turn
+        // a single program waits for no other
         assert_eq!(of(3, 4, 3), Plan { starts: vec![true, false], together: true });
         assert_eq!(of(4, 3, 3), Plan { starts: vec![false, true], together: true });
         assert_eq!(of(3, 4, 2), Plan { starts: vec![false, false], together: true });
@@ -130,8 +130,8 @@ mod tests {
         assert_eq!(room_of(Some(GIB), None, 0), machine(GIB - (256 << 20)));
         assert_eq!(room_of(Some(100 * GIB), None, 0), machine(95 * GIB));
         assert_eq!(room_of(Some(100 << 20), None, 0), machine(0));
-        // what the process holds already counts against the user's limit, not against what the
-        // machine has left
+        // the resident memory counts against the limit of the user, not against the memory that the
+        // machine still has
         assert_eq!(room_of(Some(100 * GIB), Some(20 * GIB), 4 * GIB), asked(15 * GIB, 20 * GIB));
         assert_eq!(
             room_of(Some(10 * GIB), Some(20 * GIB), 4 * GIB),
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn the_system_tells_what_this_process_holds() {
+    fn the_system_reports_the_resident_memory() {
         let ballast = vec![1u8; 64 << 20];
         assert!(resident() > ballast.iter().map(|b| u64::from(*b)).sum());
         assert!(peak_memory_mib() > Some(64));

@@ -1,18 +1,19 @@
 //! Adaptive passes: ever better meshes until the target gap or a limit is reached. The best bounds
 //! of all passes are the result.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
+use crate::driver::pass_entry::pass_entry;
 use crate::driver::pass_run::{run_pass, too_large};
 use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;
-use crate::refine::plan::{self, Left, Next, Prediction, Step, Stop};
+use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
 use crate::refine::rates;
 use crate::report::console::log::Log;
 use crate::report::console::pace::about;
@@ -90,7 +91,7 @@ pub fn analyse(
             return Err(too_large(&name, &outcome, context).into());
         }
         let seconds = mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64();
-        let mut entry = outcome.entry(&name, &model, mesh_seconds);
+        let mut entry = pass_entry(&outcome, &name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
             row.seconds = Some(seconds);
             row.predicted = predicted.map(|p| Predicted {
@@ -136,7 +137,7 @@ pub fn analyse(
             break;
         }
         let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
-        let left = Left {
+        let left = Budget {
             seconds: share.until - log.seconds(),
             bytes: room(limits.memory).map(|r| r.bytes),
         };

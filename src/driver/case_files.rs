@@ -1,10 +1,10 @@
 //! Files of a case in the result folder: model, mesh and fields of the passes with the best bounds.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::limit;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::adaptive::Kept;
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;

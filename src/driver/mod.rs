@@ -2,7 +2,6 @@
 
 pub mod adaptive;
 pub mod analyse_model;
-pub mod analysis_pass;
 pub mod aside;
 pub mod case;
 pub mod case_files;
@@ -14,6 +13,7 @@ pub mod interrupt;
 pub mod limits;
 pub mod memory_limit;
 pub mod meshing;
+pub mod pass_entry;
 pub mod pass_run;
 pub mod pictures;
 pub mod polygon;

@@ -1,11 +1,13 @@
 //! Both programs of a case on one mesh, with the progress in the log.
 
-use crate::analysis::engine::{self, PassOptions, Refusal};
+use crate::analysis::dispatch::AnalysisPass;
+use crate::analysis::event::Progress;
 use crate::analysis::memory::{Limit, room};
-use crate::analysis::program_run::Program;
+use crate::analysis::pass::PassOptions;
+use crate::analysis::program::Program;
+use crate::analysis::program_outcome::InsufficientMemory;
 use crate::certify::faces::contact_faces;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::model::AnalysisModel;
@@ -17,7 +19,7 @@ use std::sync::Arc;
 
 /// The fault of a case whose programs all exceed the memory.
 pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagnostic {
-    let refused: Vec<(Program, Refusal)> =
+    let refused: Vec<(Program, InsufficientMemory)> =
         pass.runs().into_iter().filter_map(|(p, run)| Some((p, run.refusal?))).collect();
     let each =
         refused.iter().map(|(p, r)| format!("the {} program {}", p.name(), refusal_words(r)));
@@ -68,7 +70,7 @@ pub fn run_pass(
         ..SolveOptions::default()
     };
     let (shown, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
-    let progress: engine::Progress =
+    let progress: Progress =
         Arc::new(move |program, event| progress::tell(&shown, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };

@@ -1,10 +1,10 @@
 //! Pictures of a case: mesh, deformed shape or mechanism, contact pressures, convergence.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::limit;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::report::draw::Picture;

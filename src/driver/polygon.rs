@@ -1,9 +1,9 @@
 //! The capacity polygon, from the passes of its directions.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::UpperFactor;
 use crate::certify::supporting::{Axes, half_plane};
 use crate::driver::adaptive::Kept;
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::case::Case;
 use crate::result::data::{CaseResult, Upper};
 use crate::result::demand::ActionValue;

@@ -9,6 +9,7 @@ use crate::driver::case_files::write_passes;
 use crate::driver::context::RunContext;
 use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
+use crate::driver::pass_entry::lower_stress;
 use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_picture};
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;
@@ -154,7 +155,8 @@ fn add_forces(
     let RunContext { mirror, bolts, .. } = context;
     mark_halved(&mut entry.preload, &best.model, mirror);
     let mut maps = Vec::new();
-    if let Some((stress, factor)) = best.outcome.stress(entry).filter(|_| !bolts.is_empty()) {
+    if let Some((stress, factor)) = lower_stress(&best.outcome, entry).filter(|_| !bolts.is_empty())
+    {
         let forces = static_forces(&best.model, stress, factor, bolts, mirror);
         let names = (entry.name.as_str(), stem);
         maps = contact_pictures(&best.model, (stress, factor), &forces, mirror, names, folder)?;

@@ -1,43 +1,44 @@
-//! The mesh with the fewest elements for a gap, or the least gap for a number of elements.
+//! The mesh with the fewest elements for a given gap, or the smallest gap for a number of elements.
 //!
-//! A tet that is split into n parts keeps `η n^(−2q/3)` of its contribution. The sum of these is
-//! least for its `Σ n` where the last part made helps everywhere alike,
-//! `n = (μ q η)^(3 / (2q + 3))`: with one q everywhere the formula of the paper. The mesher then
-//! grades and rounds, so what it will really make is asked for, and μ is set by that.
+//! A tet with the contribution η that is split into n parts contributes `η n^(−2q/3)`. For a given
+//! `Σ n` the sum of these is smallest where one more part gains the same everywhere:
+//! `n = (μ q η)^(3 / (2q + 3))`, with the Lagrange multiplier μ, the price of a tet. With one q
+//! everywhere this is the formula of the paper. The mesher grades and rounds sizes, so μ is set
+//! from the numbers of parts that the mesher will realise.
 //!
 //! # Source
 //! Ladevèze and Pelle, optimal meshes; paper, section 4.1.
 
-/// Bounds of the parts a tet is split into in one pass: sizes change by ¼ to 2.
+/// Bounds of the number of parts of a tet in one pass: the element size changes by ¼ to 2.
 const PARTS: [f64; 2] = [0.125, 64.0];
 
-/// Step of the price along a curve, in `ln μ`: a third more tets where solutions are smooth.
+/// Step of `ln μ` along a curve: a third more tets where the solution is smooth.
 const STEP: f64 = 0.7;
 
-/// Most points of a curve.
+/// Largest number of points of a curve.
 const POINTS: usize = 80;
 
-/// How near to the tets asked for a design must come.
+/// Relative tolerance of the number of tets of a design.
 const NEAR: f64 = 0.01;
 
-/// What is known of the last mesh: each tet's contribution to the gap and the rate at which
-/// refinement lessens it.
+/// Estimates on the last mesh: contribution of each tet to the gap, and the rate at which
+/// refinement reduces it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// Contributions, in any unit.
+    /// Contributions, all in one arbitrary unit.
     pub contributions: Vec<f64>,
-    /// Rates q.
+    /// Rates q, `η ~ h^(2q)`.
     pub rates: Vec<f64>,
 }
 
-/// A mesh to be made.
+/// The density of a mesh to be made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Parts wanted of each tet, before grading.
+    /// Number of parts of each tet, before grading.
     pub wanted: Vec<f64>,
-    /// Tets it will have.
+    /// Number of tets that it will have.
     pub tets: f64,
-    /// Its gap over the present one.
+    /// Expected gap over the present one.
     pub gap: f64,
 }
 
@@ -46,25 +47,25 @@ pub struct Design {
 pub struct Point {
     /// `ln μ`.
     pub price: f64,
-    /// Tets.
+    /// Number of tets.
     pub tets: f64,
     /// Gap over the present one.
     pub gap: f64,
 }
 
-/// What a next mesh could give: designs from coarse to fine.
+/// Gap against number of tets of possible next meshes, from coarse to fine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     points: Vec<Point>,
 }
 
 impl Estimate {
-    /// Sum of the contributions; those that rounding made negative count as none.
+    /// Sum of the contributions; those that are negative by rounding count as zero.
     fn total(&self) -> f64 {
         self.contributions.iter().map(|c| c.max(0.0)).sum()
     }
 
-    /// The parts that a price μ of a tet is worth.
+    /// Number of parts of each tet at the multiplier μ.
     fn wanted(&self, mu: f64) -> Vec<f64> {
         let one = |c: &f64, q: &f64| {
             (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(PARTS[0], PARTS[1])
@@ -72,7 +73,7 @@ impl Estimate {
         self.contributions.iter().zip(&self.rates).map(|(c, q)| one(c, q)).collect()
     }
 
-    /// Gap over the present one, each tet split into so many parts.
+    /// Gap over the present one with each tet split into `parts` parts.
     pub fn gap_after(&self, parts: &[f64]) -> f64 {
         let left = |((c, q), n): ((&f64, &f64), &f64)| c.max(0.0) * n.powf(-2.0 * q / 3.0);
         let sum: f64 = self.contributions.iter().zip(&self.rates).zip(parts).map(left).sum();
@@ -86,8 +87,8 @@ impl Estimate {
         Design { tets: parts.iter().sum(), gap: self.gap_after(&parts), wanted }
     }
 
-    /// Designs from a third of the tets there are to `most`, as far as one pass may go; `realised`:
-    /// the parts a mesher makes of those wanted.
+    /// The curve from a third of the present tets to `most` tets, within the bounds of one pass;
+    /// `realised`: the numbers of parts that the mesher makes of those wanted.
     pub fn curve(&self, most: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Curve {
         let total = self.total();
         let mut points = Vec::new();
@@ -95,7 +96,7 @@ impl Estimate {
             return Curve { points };
         }
         let raw = |price: f64| self.wanted(price.exp());
-        // the price of a third of the tets, by the wants alone
+        // bisection for the price of a third of the tets, before grading
         let few = 0.35 * self.contributions.len() as f64;
         let (mut low, mut high) = (-40.0 - total.ln(), 60.0 - total.ln());
         while high - low > 0.1 {
@@ -119,7 +120,7 @@ impl Estimate {
         Curve { points }
     }
 
-    /// The design with so many tets, as near as one pass can come.
+    /// The design whose number of tets is closest to `tets`, within the bounds of one pass.
     pub fn with_tets(
         &self,
         curve: &Curve,
@@ -150,8 +151,8 @@ impl Curve {
         self.points.insert(at, point);
     }
 
-    /// A quantity of the points against their tets, straight between points on the scales given,
-    /// constant beyond the ends.
+    /// A quantity of the points at a number of tets: interpolated linearly in `ln tets`, constant
+    /// beyond the ends.
     fn at(&self, tets: f64, quantity: impl Fn(&Point) -> f64) -> Option<f64> {
         let after = self.points.partition_point(|p| p.tets < tets);
         let (a, b) =
@@ -164,7 +165,7 @@ impl Curve {
         Some(quantity(a) + share * (quantity(b) - quantity(a)))
     }
 
-    /// The gap over the present one with so many tets.
+    /// The gap over the present one at a number of tets.
     pub fn gap_at(&self, tets: f64) -> f64 {
         self.at(tets, |p| p.gap.max(1e-30).ln()).map_or(0.0, f64::exp)
     }
@@ -173,7 +174,7 @@ impl Curve {
         self.at(tets, |p| p.price)
     }
 
-    /// The tets of its coarsest and finest design; `None`: there is nothing to design.
+    /// Numbers of tets of the coarsest and finest design; `None` where no tet contributes.
     pub fn range(&self) -> Option<[f64; 2]> {
         Some([self.points.first()?.tets, self.points.last()?.tets])
     }
@@ -211,10 +212,10 @@ mod tests {
         }
     }
 
-    /// No other distribution of as many parts leaves a smaller gap (compared with random ones),
-    /// rates different.
+    /// With different rates: no other distribution of the same number of parts leaves a smaller gap
+    /// (compared with random ones).
     #[test]
-    fn nothing_beats_it() {
+    fn the_design_is_optimal() {
         let mut seed = 7u64;
         let mut random = || {
             seed ^= seed << 13;
@@ -236,8 +237,8 @@ mod tests {
         }
     }
 
-    /// Finer meshes leave smaller gaps; more than one pass can give is answered with all it can; no
-    /// contribution, no curve.
+    /// Finer meshes leave smaller gaps; a goal beyond one pass gives the finest mesh of one pass;
+    /// without contributions the curve is empty.
     #[test]
     fn goals_out_of_reach() {
         let estimate = Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10] };
@@ -252,7 +253,7 @@ mod tests {
         assert!(estimate.with_tets(&curve, 1e9, &same).wanted.iter().all(|n| *n == PARTS[1]));
         let nothing = Estimate { contributions: vec![0.0; 10], rates: vec![2.0; 10] };
         assert_eq!(nothing.curve(1e9, &same).range(), None);
-        // a contribution that rounding made negative asks for nothing
+        // a contribution that is negative by rounding needs no parts
         let estimate = Estimate { contributions: vec![1.0, -1e-17], rates: vec![2.0; 2] };
         assert_eq!(design(&estimate, 8.0).wanted[1], PARTS[0]);
     }

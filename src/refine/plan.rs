@@ -1,29 +1,29 @@
-//! Which mesh comes next: the one that reaches the target in the least time, as far as limits
-//! allow; or none.
+//! Decides after each pass whether a further mesh is made, and with how many tets: the mesh that
+//! reaches the target in the least time within the limits.
 
 use crate::refine::optimum::Curve;
 
-/// Where adaptation ends.
+/// Limits at which adaptation ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Relative gap asked for.
+    /// Target of the relative gap.
     pub target_gap: f64,
-    /// Meshes at most.
+    /// Largest number of meshes.
     pub max_passes: u32,
-    /// Tets at most.
+    /// Largest number of tets.
     pub max_macro_tets: usize,
 }
 
-/// What was expected of a pass.
+/// Expected size, gap and time of a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prediction {
     /// Tets.
     pub tets: f64,
-    /// Relative gap, the imperfection of the map included.
+    /// Relative gap, with the loss from imperfect maps of the contributions.
     pub gap: f64,
-    /// The same without it.
+    /// Relative gap without that loss.
     pub ideal_gap: f64,
-    /// Seconds of mesher and both programs.
+    /// Time of mesher and both programs \[s\].
     pub seconds: f64,
 }
 
@@ -32,88 +32,88 @@ pub struct Prediction {
 pub struct Step {
     /// Tets.
     pub tets: usize,
-    /// Its relative gap.
+    /// Relative gap.
     pub gap: f64,
-    /// Seconds of mesher and both programs.
+    /// Time of mesher and both programs \[s\].
     pub seconds: f64,
-    /// Memory of its larger program \[bytes\]; 0 where nobody can tell.
+    /// Memory of its larger program \[bytes\]; 0 where there is no forecast.
     pub bytes: u64,
-    /// What was expected of it; `None` for the first.
+    /// Its prediction; `None` for the first pass.
     pub predicted: Option<Prediction>,
 }
 
-/// What is left of the machine.
+/// Time and memory left for further passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Left {
+pub struct Budget {
     /// Wall time \[s\].
     pub seconds: f64,
-    /// Memory \[bytes\]; `None`: nobody can tell.
+    /// Memory \[bytes\]; `None`: unknown.
     pub bytes: Option<u64>,
 }
 
 /// Why there is no further pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The gap asked for is reached.
+    /// The target gap is reached.
     Target,
-    /// As many meshes as allowed were used.
+    /// The largest number of meshes is used up.
     Passes,
-    /// As many tets as allowed would not help enough.
+    /// The largest number of tets allows no mesh that is much better.
     Tets,
-    /// So would what the time left allows.
+    /// The remaining time allows no mesh that is much better.
     Time,
-    /// So would what the memory allows.
+    /// The memory allows no mesh that is much better.
     Memory,
     /// No tet contributes to the gap: refinement cannot narrow it.
     Nothing,
 }
 
-/// What to do.
+/// The decision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
-    /// End.
+    /// No further mesh.
     Stop(Stop),
-    /// A mesh that is expected to give this.
+    /// A further mesh with this prediction.
     Refine(Prediction),
 }
 
-/// Factor between the meshes that are considered.
+/// Ratio of the numbers of tets of successive candidate meshes.
 const LADDER: f64 = 1.12;
 
-/// Growth beyond which a map of the coarser mesh is not trusted, where the target is out of reach
-/// anyway.
+/// Largest growth of the number of tets in one pass where the target is out of reach: beyond it the
+/// contributions of the coarser mesh are no reliable guide.
 const GROWTH: f64 = 4.0;
 
-/// A pass that is expected to leave more of the gap than this is not worth its time.
+/// A pass is not worth its time where its expected gap exceeds this fraction of the best gap.
 const GAIN: f64 = 0.9;
 
-/// How much larger than ideal the gap turns out for every four-fold growth of the mesh, and for any
-/// redesign at least, before any experience: the map comes from another mesh, and the mesher
-/// follows it roughly.
+/// Initial estimate of the ratio of real to ideal gap for a four-fold growth of the mesh, and at
+/// least for any redesign. The contributions come from another mesh, and the mesher follows the
+/// wanted sizes only roughly.
 const LOSS: f64 = 1.15;
 
-/// Exponent of a pass's time in its number of tets, before any experience.
+/// Initial estimate of the exponent of the time of a pass in its number of tets.
 const TIME_EXPONENT: f64 = 1.35;
 
-/// Exponent of its memory.
+/// Exponent of the memory of a pass in its number of tets.
 const MEMORY_EXPONENT: f64 = 1.33;
 
-/// Part of what is left that a pass may be expected to take.
+/// Fraction of the remaining time and memory that a pass may be expected to take.
 const CAUTION: f64 = 0.9;
 
-/// What earlier passes teach about predictions.
+/// Corrections of predictions learned from earlier passes.
 struct Experience<'a> {
     last: &'a Step,
-    /// ln of the loss for every four-fold growth.
+    /// ln of the ratio of real to ideal gap for a four-fold growth.
     loss: f64,
     time_exponent: f64,
 }
 
-/// Tets to ask of the mesher for so many: what it made of earlier orders teaches what it will make
-/// of this one.
+/// Number of tets to request from the mesher so that it makes `tets`: corrected by the ratios of
+/// made to requested tets of earlier passes.
 pub fn order(steps: &[Step], tets: f64) -> f64 {
     let made = steps.iter().filter_map(|s| s.predicted.map(|p| s.tets as f64 / p.tets));
-    // an order that was met counts as the experience before any
+    // starts from one pass with the ratio 1
     let (sum, count) = made.fold((0.0, 1.0), |(sum, count), ratio| (sum + ratio.ln(), count + 1.0));
     tets / f64::exp(sum / count).clamp(0.5, 2.0)
 }
@@ -147,7 +147,7 @@ impl<'a> Experience<'a> {
         self.last.seconds * (tets / self.last.tets as f64).powf(self.time_exponent)
     }
 
-    /// Tets of a pass of so many seconds.
+    /// Number of tets of a pass that takes the given time \[s\].
     fn tets_in(&self, seconds: f64) -> f64 {
         self.last.tets as f64
             * (seconds / self.last.seconds.max(1e-3)).max(0.0).powf(1.0 / self.time_exponent)
@@ -160,13 +160,14 @@ impl<'a> Experience<'a> {
     }
 }
 
-/// Decides after some passes; `best_gap`: of the best bracket so far; `curve`: what the next mesh
-/// could give, asked for only where it is needed, with the largest number of tets of interest.
+/// Decides after the passes `steps`. `best_gap`: relative gap of the best bracket so far; `curve`:
+/// computes the curve of possible next meshes up to a number of tets, called only where it is
+/// needed. Returns the curve with a decision to refine.
 pub fn next(
     steps: &[Step],
     best_gap: f64,
     limits: &Limits,
-    left: &Left,
+    budget: &Budget,
     curve: &mut dyn FnMut(f64) -> Curve,
 ) -> (Next, Option<Curve>) {
     if best_gap <= limits.target_gap {
@@ -178,13 +179,13 @@ pub fn next(
         _ => return (Next::Stop(Stop::Passes), None),
     };
     let last = experience.last;
-    // the tightest of the limits, and which it is
+    // the tightest limit of the number of tets
     let mut cap = (limits.max_macro_tets as f64, Stop::Tets);
-    let by_time = experience.tets_in(CAUTION * left.seconds);
+    let by_time = experience.tets_in(CAUTION * budget.seconds);
     if by_time < cap.0 {
         cap = (by_time, Stop::Time);
     }
-    if let (Some(bytes), true) = (left.bytes, last.bytes > 0) {
+    if let (Some(bytes), true) = (budget.bytes, last.bytes > 0) {
         let by_memory = last.tets as f64
             * (CAUTION * bytes as f64 / last.bytes as f64).powf(1.0 / MEMORY_EXPONENT);
         if by_memory < cap.0 {
@@ -201,7 +202,7 @@ pub fn next(
     let rungs = ((most / few).ln() / LADDER.ln()).ceil().max(1.0) as usize;
     let ladder: Vec<f64> =
         (0..=rungs).map(|i| few * (most / few).powf(i as f64 / rungs as f64)).collect();
-    // the coarsest mesh that reaches the target, its map coming from a mesh of `from` tets
+    // the coarsest mesh that reaches the target, designed from contributions on `from` tets
     let reaches = |from: f64| {
         let hit = |n: &&f64| experience.prediction(&curve, **n, from).gap <= limits.target_gap;
         ladder.iter().filter(|n| **n >= from || from == present).find(hit).copied()
@@ -211,14 +212,14 @@ pub fn next(
         for &middle in ladder.iter().filter(|n| **n > present) {
             let Some(end) = reaches(middle).filter(|end| *end > middle) else { continue };
             let seconds = experience.seconds(middle) + experience.seconds(end);
-            if best.is_none_or(|b| seconds < b.0) && seconds <= left.seconds {
+            if best.is_none_or(|b| seconds < b.0) && seconds <= budget.seconds {
                 best = Some((seconds, middle));
             }
         }
     }
     let tets = match best {
         Some((_, tets)) => tets,
-        // out of reach: as far as limits and trust allow
+        // target out of reach: as far as the limits and a reliable design allow
         None if passes_left == 1 => most,
         None => most.min(GROWTH * present),
     };
@@ -235,7 +236,7 @@ mod tests {
     use crate::refine::optimum::Estimate;
 
     const LIMITS: Limits = Limits { target_gap: 0.02, max_passes: 6, max_macro_tets: 200_000 };
-    const ENDLESS: Left = Left { seconds: f64::INFINITY, bytes: None };
+    const ENDLESS: Budget = Budget { seconds: f64::INFINITY, bytes: None };
 
     fn step(tets: usize, gap: f64) -> Step {
         Step {
@@ -247,7 +248,7 @@ mod tests {
         }
     }
 
-    /// A smooth problem on so many tets: the gap goes with N^(−4/3).
+    /// A smooth problem on N tets: the gap goes with N^(−4/3).
     fn smooth(tets: usize) -> impl FnMut(f64) -> Curve {
         move |most| {
             let estimate = Estimate { contributions: vec![1.0; tets], rates: vec![2.0; tets] };
@@ -255,14 +256,14 @@ mod tests {
         }
     }
 
-    fn decide(steps: &[Step], limits: &Limits, left: &Left) -> Next {
+    fn decide(steps: &[Step], limits: &Limits, budget: &Budget) -> Next {
         let last = steps[steps.len() - 1];
-        next(steps, last.gap, limits, left, &mut smooth(last.tets)).0
+        next(steps, last.gap, limits, budget, &mut smooth(last.tets)).0
     }
 
     #[test]
     fn the_target_is_reached_by_the_coarsest_mesh_that_can() {
-        // twice the gap: 2^(3/4) times the tets and a bit for what the map misses
+        // half the gap: 2^(3/4) times the tets, and some more for the loss of the design
         let Next::Refine(p) = decide(&[step(1000, 0.04)], &LIMITS, &ENDLESS) else {
             panic!("a pass")
         };
@@ -271,15 +272,16 @@ mod tests {
         assert_eq!(decide(&[step(1000, 0.019)], &LIMITS, &ENDLESS), Next::Stop(Stop::Target));
     }
 
-    /// A long way is gone in two passes: the first is cheap and its map better.
+    /// A distant target is reached in two passes: the first is cheap and gives better
+    /// contributions.
     #[test]
-    fn a_long_way_is_gone_in_steps() {
+    fn a_distant_target_is_reached_in_steps() {
         let limits = Limits { target_gap: 1e-3, ..LIMITS };
         let Next::Refine(p) = decide(&[step(1000, 0.04)], &limits, &ENDLESS) else {
             panic!("a pass")
         };
         assert!(p.gap > limits.target_gap && p.tets > 1500.0 && p.tets < 40_000.0, "{p:?}");
-        // with one pass left it is gone at once
+        // with one pass left it is reached in one
         let once = Limits { max_passes: 2, ..limits };
         let Next::Refine(p) = decide(&[step(1000, 0.04)], &once, &ENDLESS) else {
             panic!("a pass")
@@ -299,15 +301,15 @@ mod tests {
             decide(&[first], &Limits { max_macro_tets: 1050, ..far }, &ENDLESS),
             Next::Stop(Stop::Tets)
         );
-        let time = Left { seconds: first.seconds, bytes: None };
+        let time = Budget { seconds: first.seconds, bytes: None };
         assert_eq!(decide(&[first], &far, &time), Next::Stop(Stop::Time));
-        let memory = Left { seconds: f64::INFINITY, bytes: Some(first.bytes) };
+        let memory = Budget { seconds: f64::INFINITY, bytes: Some(first.bytes) };
         assert_eq!(decide(&[first], &far, &memory), Next::Stop(Stop::Memory));
-        // what is left is used: no prediction goes beyond it
+        // a pass uses the budget without exceeding it
         for (limits, left) in [
             (Limits { max_macro_tets: 3000, ..far }, ENDLESS),
-            (far, Left { seconds: 4.0 * first.seconds, bytes: None }),
-            (far, Left { seconds: f64::INFINITY, bytes: Some(4 * first.bytes) }),
+            (far, Budget { seconds: 4.0 * first.seconds, bytes: None }),
+            (far, Budget { seconds: f64::INFINITY, bytes: Some(4 * first.bytes) }),
         ] {
             let Next::Refine(p) = decide(&[first], &limits, &left) else { panic!("a pass") };
             assert!(p.tets <= 3000.0 * (1.0 + 1e-9) && p.seconds <= left.seconds, "{p:?}");
@@ -320,19 +322,19 @@ mod tests {
         assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));
     }
 
-    /// A mesher that makes more than it is asked for is asked for less.
+    /// A mesher that makes more tets than requested gets a smaller request.
     #[test]
-    fn orders_learn_from_what_was_made() {
+    fn requests_learn_from_the_mesher() {
         let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
         let second = Step { predicted: Some(predicted), ..step(2400, 0.02) };
         assert_eq!(order(&[step(1000, 0.04)], 3000.0), 3000.0);
         assert!((order(&[step(1000, 0.04), second], 3000.0) - 3000.0 / 1.2f64.sqrt()).abs() < 1e-9);
     }
 
-    /// A pass that fell short of its prediction makes the next prediction humbler, also where the
+    /// A pass that missed its prediction makes the next prediction less optimistic, also where the
     /// mesh does not grow.
     #[test]
-    fn experience_teaches() {
+    fn predictions_learn_from_misses() {
         let predicted = Prediction { tets: 2000.0, gap: 0.02, ideal_gap: 0.018, seconds: 1.0 };
         let of = |gap| {
             let second = Step { predicted: Some(predicted), ..step(2000, gap) };

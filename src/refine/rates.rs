@@ -1,10 +1,11 @@
-//! How fast the contribution of each tet falls with its size: `η ~ h^(2q)`.
+//! The rate q at which the contribution of each tet falls with its size: `η ~ h^(2q)`.
 //!
-//! Where the solution is smooth q is 2: strains and stresses are linear in an element, the gap is
-//! the square of their error. Next to an edge where stresses grow without limit refinement helps
-//! far less. Such tets are told by their contributions alone: the error per volume, freed of the
-//! size of the tets (`η / V h⁴`, for smooth solutions the square of a second derivative of the
-//! strain), is there a multiple of what it is one ring of tets farther on.
+//! Where the solution is smooth, q is 2: strains and stresses are linear in an element, and the gap
+//! is the square of their error. Next to an edge where stresses grow without limit, refinement
+//! helps far less. Such tets are recognised by their contributions alone: the error per volume,
+//! scaled to be independent of the size of the tets (`η / V h⁴`, for smooth solutions the square of
+//! a second derivative of the strain), is there a multiple of its value one ring of tets farther
+//! away.
 
 use crate::certify::error::Contributions;
 use crate::mesh::TetMesh;
@@ -21,15 +22,15 @@ pub const SMOOTH: f64 = 2.0;
 /// 1.
 pub const SINGULAR: f64 = 0.55;
 
-/// Rate of limit analysis: the dissipation is as wrong as the strain.
+/// Rate in limit analysis: the error of the dissipation is proportional to that of the strain.
 pub const PLASTIC: f64 = 0.5;
 
-/// Ratios of the freed contribution per volume around a node to that of the ring beyond at which a
-/// node counts as one of a smooth region, and as one of a singular edge; between them rates go from
-/// one to the other.
+/// Ratios of the scaled contribution per volume around a node to that of the ring beyond: up to the
+/// first the node lies in a smooth region, from the second on at a singular edge. In between the
+/// rate is interpolated.
 const STEEP: [f64; 2] = [1.2, 2.5];
 
-/// Tets at each node.
+/// The tets around each node.
 struct Stars {
     start: Vec<u32>,
     tets: Vec<u32>,
@@ -56,11 +57,11 @@ impl Stars {
     }
 }
 
-/// The rate q of each tet from the contributions of an elastic analysis: the least of its nodes.
+/// The rate q of each tet from the contributions of an elastic analysis: the smallest of its nodes.
 pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
     let stars = Stars::new(mesh);
     let volumes: Vec<f64> = (0..mesh.tets.len()).map(|e| mesh.volume(e)).collect();
-    let freed: Vec<f64> = contributions
+    let scaled: Vec<f64> = contributions
         .iter()
         .zip(&volumes)
         .map(|(c, v)| c.max(0.0) / regular_edge(*v).powi(4))
@@ -78,10 +79,10 @@ pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
             outer.retain(|t| !inner.contains(t));
             let density = |tets: &[u32]| {
                 let sum = |x: &[f64]| tets.iter().map(|t| x[*t as usize]).sum::<f64>();
-                sum(&freed) / sum(&volumes)
+                sum(&scaled) / sum(&volumes)
             };
             let ratio = density(inner) / density(&outer);
-            // no ring beyond, or no contribution: nothing to tell
+            // without a ring beyond or a contribution the node counts as smooth
             let steep = if ratio.is_finite() {
                 (ratio / STEEP[0]).ln() / (STEEP[1] / STEEP[0]).ln()
             } else {
@@ -93,18 +94,19 @@ pub fn elastic(mesh: &TetMesh, contributions: &[f64]) -> Vec<f64> {
     mesh.tets.iter().map(|t| t.iter().map(|n| nodes[*n as usize]).fold(SMOOTH, f64::min)).collect()
 }
 
-/// Rounds of averaging over the tets around a node before two mechanisms are compared: what lies
-/// that near is one place.
+/// Rounds of averaging over the tets around a node before two distributions are compared: tets that
+/// close count as one place.
 const BLUR: usize = 2;
 
-/// What the next mesh is designed by: contributions of a pass on `model`, those of contacts shared
-/// out to the tets beside them, and of limit analysis what holds the lower bound down in each tet.
+/// The estimates from which the next mesh is designed. They combine the contributions of a pass on
+/// `model`, those of contacts distributed to the adjacent tets, with the shares of the yield
+/// multipliers in limit analysis.
 ///
-/// Contributions follow the mechanism: a tet at rest has none, whatever its stress. But the
-/// mechanism of the static program's multipliers may be another one (the paper's joint: its
-/// supports, plate and bolts, against the beam's end), and the lower bound rises only where that
-/// one is. The farther [`apart`] the two are, the more of the gap stands where the lower bound is
-/// held.
+/// Contributions follow the mechanism: a tet at rest has none, whatever its stress. The mechanism
+/// of the static program's multipliers may be another one (in the paper's joint: supports, plate
+/// and bolts, against the end of the beam), and the lower bound rises only with refinement there.
+/// The farther `apart` the two distributions are, the more of the gap is assigned to the yield
+/// multipliers.
 pub fn estimate(
     model: &AnalysisModel,
     contributions: &Contributions,
@@ -120,8 +122,8 @@ pub fn estimate(
     if let Some((held, all)) =
         yield_multiplier_share.map(|h| (h, total(h))).filter(|(_, all)| *all > 0.0 && gap > 0.0)
     {
-        // squared: two mechanisms in one place (C1: 0.2 to 0.4) are hardly told apart, two in
-        // different ones (the joint: 0.7) are
+        // squared to separate two mechanisms in one place (case C1: 0.2 to 0.4) from two in
+        // different places (the joint: 0.7)
         let part = apart(&model.mesh, &contributions, held).powi(2);
         for (c, held) in contributions.iter_mut().zip(held) {
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
@@ -130,8 +132,8 @@ pub fn estimate(
     Estimate { contributions, rates }
 }
 
-/// How much of two distributions over the tets lies in different places: 0 the same, 1 nothing in
-/// common.
+/// Fraction of two distributions over the tets that lies in different places: 0 where they are
+/// equal, 1 where they have no place in common.
 fn apart(mesh: &TetMesh, a: &[f64], b: &[f64]) -> f64 {
     let stars = Stars::new(mesh);
     let blurred = |x: &[f64]| {
@@ -156,8 +158,7 @@ mod tests {
     use super::*;
     use crate::mesh::fixtures::cubes;
 
-    /// The same in other amounts is nowhere apart; neighbours are not far apart, the two ends of a
-    /// bar have nothing in common.
+    /// Proportional distributions have distance 0, neighbours a small one, the two ends of a bar 1.
     #[test]
     fn distance_of_distributions() {
         let bar: Vec<_> = (0..40).map(|i| ([i, 0, 0], "A")).collect();

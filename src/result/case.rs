@@ -1,7 +1,8 @@
 //! From a pass to the entry of its load case in `result.json`.
 
-use crate::analysis::engine::{Pass, ProgramRun};
+use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::memory::peak_memory_mib;
+use crate::analysis::program_outcome::ProgramOutcome;
 use crate::certify::certificate::TOLERANCE;
 use crate::certify::faces::contact_faces;
 use crate::certify::plastic_certificate::body_states;
@@ -18,7 +19,7 @@ use crate::result::data::{
 use crate::solve::{Iteration, SolveStatus};
 use crate::spec::analysis::AnalysisKind;
 
-pub(crate) fn program_run(run: &ProgramRun) -> data::ProgramRun {
+pub(crate) fn program_run(run: &ProgramOutcome) -> data::ProgramRun {
     data::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
@@ -47,7 +48,7 @@ fn trace_row(i: &Iteration) -> TraceRow {
 }
 
 /// The residuals of both fields, worst of the two where both have one.
-fn certificate(pass: &Pass) -> Option<Certificate> {
+fn certificate(pass: &EnergyPass) -> Option<Certificate> {
     let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
     if l.is_none() && u.is_none() {
         return None;
@@ -142,7 +143,7 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
 }
 
 /// What the user must know of the programs: why one of them gave no bound.
-fn program_warnings(pass: &Pass) -> Vec<String> {
+fn program_warnings(pass: &EnergyPass) -> Vec<String> {
     // an admissible motion proves it; what the static program says beside adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
         return vec![format!("no equilibrium exists under these loads: {m}")];
@@ -157,11 +158,11 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
             _ if common.is_some() => common.unwrap_or_default(),
             // the static program's motion may only show that the stresses of this mesh cannot reach
             // equilibrium
-            (_, ProgramRun { mechanism: Some(m), .. }) => {
+            (_, ProgramOutcome { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
             }
             (SolveStatus::Optimal, _) => continue,
-            (SolveStatus::Infeasible, ProgramRun { conflict: Some(c), .. }) => format!(
+            (SolveStatus::Infeasible, ProgramOutcome { conflict: Some(c), .. }) => format!(
                 "the {name} program has no solution, so there is no {bound} bound: {c}; check \
                  initial gaps and what holds the parts there, or refine the mesh there"
             ),
@@ -176,12 +177,12 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
 
 /// Why a program that was interrupted, refused or not certified gave no bound; `None` for every
 /// other end.
-pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<String> {
+pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
     Some(match (run.status, run) {
-        (_, ProgramRun { trouble: Some(t), .. }) => {
+        (_, ProgramOutcome { trouble: Some(t), .. }) => {
             format!("the {name} solution could not be certified: {t}")
         }
-        (SolveStatus::Interrupted, ProgramRun { iterations: 0, .. }) => {
+        (SolveStatus::Interrupted, ProgramOutcome { iterations: 0, .. }) => {
             format!(
                 "the {name} program was interrupted before its first iteration: no {bound} bound"
             )
@@ -191,7 +192,7 @@ pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<S
             let s = if n == 1 { "" } else { "s" };
             format!("the {name} program was interrupted after {n} iteration{s}: no {bound} bound")
         }
-        (SolveStatus::TooLarge, ProgramRun { refusal: Some(r), .. }) => {
+        (SolveStatus::TooLarge, ProgramOutcome { refusal: Some(r), .. }) => {
             format!(
                 "the {name} program was not started, so there is no {bound} bound: it {}",
                 refusal_words(r)
@@ -236,7 +237,7 @@ pub(crate) fn weld_uses(
 }
 
 /// What has become of each body that can yield.
-fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
+fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
     let (motion, stress) = (pass.plastic.as_ref(), pass.stress.as_ref());
     if motion.is_none() && stress.is_none() {
         return Vec::new();
@@ -259,7 +260,7 @@ fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
 pub fn case_result(
     name: &str,
     model: &AnalysisModel,
-    pass: &Pass,
+    pass: &EnergyPass,
     mesh_seconds: Option<f64>,
 ) -> CaseResult {
     let lower = pass.lower.as_ref().map(|b| b.value());

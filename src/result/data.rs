@@ -4,8 +4,8 @@
 //! stands for it. [`ResultFile::to_json`] refuses a result that breaks this or that calls itself
 //! strict without the residuals to show.
 
-use crate::analysis::coulomb::FixedPointRun;
-use crate::analysis::preload::Tightened;
+use crate::analysis::cone_shift::FixedPointRun;
+use crate::analysis::preloaded_bolt::PreloadedBolt;
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, JointStiffness, Judgement};
 use crate::diag::Diagnostic;
@@ -183,7 +183,7 @@ pub struct CaseResult {
     pub coulomb_estimate: Option<f64>,
     /// The preloaded bolts of an elastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub preload: Vec<Tightened>,
+    pub preload: Vec<PreloadedBolt>,
     /// Coulomb friction: how the fixed point went; in limit analysis that of the estimate, where it
     /// was reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -1,9 +1,9 @@
 //! From a pass of limit analysis to the entry of its load case in `result.json`.
 
-use crate::analysis::engine::ProgramRun;
 use crate::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::analysis::memory::peak_memory_mib;
-use crate::analysis::program_run::Program;
+use crate::analysis::program::Program;
+use crate::analysis::program_outcome::ProgramOutcome;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{dissipation_densities, utilisation};
 use crate::result::case::{
@@ -24,7 +24,7 @@ use crate::solve::SolveStatus;
 fn answer(
     pass: &LimitPass,
     problem: FrictionModel,
-) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramRun>) {
+) -> (Option<&LowerFactor>, Option<&FactorBracket>, Option<&ProgramOutcome>) {
     match problem {
         FrictionModel::Coulomb => {
             (pass.frictionless.as_ref(), pass.coulomb.as_ref(), pass.frictionless_run.as_ref())
@@ -69,13 +69,13 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
 
 /// The load can grow without limit, says the static program: any multiple of it finds its
 /// equilibrium.
-fn unbounded(run: Option<&ProgramRun>) -> bool {
+fn unbounded(run: Option<&ProgramOutcome>) -> bool {
     run.is_some_and(|r| r.status == SolveStatus::Infeasible)
 }
 
 /// What the user must know of the programs: why one of them gave no bound.
 fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
-    let mut runs: Vec<(&str, &str, &ProgramRun)> = pass
+    let mut runs: Vec<(&str, &str, &ProgramOutcome)> = pass
         .runs()
         .map(|(p, run)| (p.name(), if p == Program::Static { "lower" } else { "upper" }, run))
         .collect();

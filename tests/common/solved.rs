@@ -1,8 +1,10 @@
 //! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
 
 use super::{oracle, points};
-use bracket::analysis::engine;
-use bracket::analysis::engine::{Pass, PassOptions};
+use bracket::analysis::elastic;
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
 use bracket::diag::{Diagnostics, Place};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
@@ -15,7 +17,7 @@ use std::path::Path;
 /// A model and its pass.
 pub struct Solved {
     pub model: AnalysisModel,
-    pub pass: Pass,
+    pub pass: EnergyPass,
 }
 
 /// Reads the model; `yaml` without its `mesh` and `analysis: elastic` lines.
@@ -41,10 +43,10 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
         Ok(model) => model,
         Err(e) => panic!("{e:?}"),
     };
-    let pass = engine::run(
+    let pass = elastic::run(
         &model,
         &PassOptions { solve: options.clone(), ..PassOptions::default() },
-        &engine::silent(),
+        &silent(),
     )
     .unwrap();
     // the problem that the bounds belong to

@@ -2,8 +2,9 @@
 //! included.
 
 use crate::built::{joint, model};
-use bracket::analysis::engine;
-use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::elastic;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
 use bracket::diag::Place;
 use bracket::model::resolve::resolve;
 use bracket::result::forces::{StaticForces, static_forces};
@@ -21,7 +22,7 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
     let (file, mesh) = model(&joint, factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
     assert_eq!(m.symmetry, 1 << mirror.len());
-    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
     static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, mirror)
 }
 

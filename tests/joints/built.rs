@@ -1,8 +1,9 @@
 //! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs
 //! run.
 
-use bracket::analysis::engine::{PassOptions, silent};
-use bracket::analysis::{engine, limit};
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
+use bracket::analysis::{elastic, limit};
 use bracket::assembly;
 use bracket::assembly::Joint;
 use bracket::catalog::Catalog;
@@ -46,7 +47,7 @@ pub fn bounds(name: &str, file: &ModelFile, mesh: &TetMesh) -> [f64; 2] {
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]
     } else {
-        let pass = engine::run(&model, &PassOptions::default(), &silent()).unwrap();
+        let pass = elastic::run(&model, &PassOptions::default(), &silent()).unwrap();
         let b = pass.bracket.as_ref().unwrap_or_else(|| panic!("{name}: no bracket"));
         assert!(b.is_strict(), "{name}: {b:?}");
         [b.lower().value(), b.upper().value()]

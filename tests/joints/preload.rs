@@ -3,8 +3,10 @@
 
 use crate::bench::Bench;
 use crate::built::{joint, model};
-use bracket::analysis::engine;
-use bracket::analysis::engine::{Pass, PassOptions, silent};
+use bracket::analysis::elastic;
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
 use bracket::diag::Place;
 use bracket::model::resolve::resolve;
 use bracket::spec::analysis::AnalysisKind;
@@ -26,10 +28,10 @@ fn spec(preload: &str, n: f64) -> String {
 }
 
 /// The elastic pass, with copies of the mesh that make the whole.
-fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (Pass, f64) {
+fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (EnergyPass, f64) {
     let (file, mesh) = model(&joint(&spec(preload, n)), factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
-    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
     assert!(pass.bracket.as_ref().is_some_and(|b| b.is_strict()), "{:?}", pass.bracket);
     (pass, f64::from(m.symmetry))
 }

@@ -1,8 +1,9 @@
 //! S_j,ini of joints under one moment, from both sides.
 
 use crate::built::{joint, model};
-use bracket::analysis::engine;
-use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::elastic;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
 use bracket::checks::{JointStiffness, hand_checks};
 use bracket::diag::Place;
 use bracket::model::resolve::resolve;
@@ -15,7 +16,7 @@ fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let joint = joint(spec);
     let (file, mesh) = model(&joint, 4.0, false, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
-    let pass = engine::run(&m, &PassOptions::default(), &silent()).unwrap();
+    let pass = elastic::run(&m, &PassOptions::default(), &silent()).unwrap();
     let entry = case_result("A", &m, &pass, None);
     assert!(entry.certificate.is_some_and(|c| c.strict), "{name}");
     let s = joint_stiffness(&entry, &hand_checks(joint.end_plate.as_ref().unwrap()).moments);

@@ -2,8 +2,9 @@
 //! where they have no throat.
 
 use crate::built::{joint, model};
-use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::event::silent;
 use bracket::analysis::limit;
+use bracket::analysis::pass::PassOptions;
 use bracket::certify::welds::demands;
 use bracket::diag::Place;
 use bracket::model::file::{Law, ModelFile};

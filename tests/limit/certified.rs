@@ -1,9 +1,10 @@
 //! A pass of limit analysis, and what every one must satisfy.
 
 use crate::common::yielding::FY;
-use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;
+use bracket::analysis::pass::PassOptions;
 use bracket::certify::limit_certificate::{certify_lower, certify_upper};
 use bracket::model::AnalysisModel;
 use bracket::solve::{SolveOptions, SolveStatus};

@@ -5,7 +5,7 @@ use crate::certified::run;
 use crate::common::yielding::model;
 use crate::common::{Block, solved};
 use crate::random::assembly;
-use bracket::analysis::coulomb_limit::CoulombEstimate;
+use bracket::analysis::limit::CoulombEstimate;
 use bracket::analysis::limit::LimitPass;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;

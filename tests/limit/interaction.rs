@@ -10,9 +10,10 @@
 
 use crate::common::Block;
 use crate::common::yielding::{FY, model};
-use bracket::analysis::engine::{PassOptions, silent};
+use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;
+use bracket::analysis::pass::PassOptions;
 use bracket::certify::supporting::{Axes, half_plane};
 use bracket::math::convex::HalfPlane;
 use bracket::model::AnalysisModel;

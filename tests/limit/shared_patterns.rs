@@ -2,9 +2,11 @@
 //! what it is alone, to the last bit.
 
 use crate::common::{Block, solved};
-use bracket::analysis::engine::{Pass, PassOptions, silent};
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::silent;
 use bracket::analysis::limit::LimitPass;
-use bracket::analysis::{engine, limit};
+use bracket::analysis::pass::PassOptions;
+use bracket::analysis::{elastic, limit};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::solve::{Patterns, SolveOptions};
@@ -73,7 +75,7 @@ fn limit_cases_share_and_answer_as_alone() {
 #[test]
 fn elastic_and_limit_analysis_share_and_answer_as_alone() {
     let shared = Patterns::default();
-    let energies = |p: &Pass| {
+    let energies = |p: &EnergyPass| {
         let b = p.bracket.as_ref().unwrap();
         (
             b.lower().value().to_bits(),
@@ -82,7 +84,7 @@ fn elastic_and_limit_analysis_share_and_answer_as_alone() {
         )
     };
     let run = |load: &str, patterns: &Patterns| {
-        energies(&engine::run(&case("elastic", load), &options(patterns), &silent()).unwrap())
+        energies(&elastic::run(&case("elastic", load), &options(patterns), &silent()).unwrap())
     };
     limit::run(&case("limit", LOADS[0]), &options(&shared), &silent()).unwrap();
     let before = shared.count();

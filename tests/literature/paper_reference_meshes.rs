@@ -18,7 +18,8 @@
 //! lie above the figure, by no more than 1e-4, and the reference's own program, with those contacts
 //! left out, is asked for the figure to 1e-6.
 
-use bracket::analysis::engine;
+use bracket::analysis::elastic;
+use bracket::analysis::event::silent;
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
 use bracket::solve;
@@ -38,7 +39,7 @@ fn close(a: f64, b: f64) {
 
 fn check(folder: &str, upper: f64, lower: f64) {
     let model = model(folder);
-    let result = engine::run(&model, &Default::default(), &engine::silent()).unwrap();
+    let result = elastic::run(&model, &Default::default(), &silent()).unwrap();
     println!("{:?}\n{:?}", result.kinematic, result.statics);
     let bracket = result.bracket.as_ref().expect("both programs end optimal");
     println!("{:?}\n{:?} gap {}", bracket.lower(), bracket.upper(), bracket.gap());

@@ -17,8 +17,9 @@
 
 use crate::common::solved::{resolve, solve};
 use crate::common::{Block, Random};
-use bracket::analysis::engine;
-use bracket::analysis::engine::{PassError, PassOptions};
+use bracket::analysis::elastic;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::{PassError, PassOptions};
 use bracket::mesh::TetMesh;
 use bracket::mesh::quality::smallest_dihedral;
 use bracket::model::ModelError;
@@ -143,7 +144,7 @@ fn tets_too_flat_for_a_number_are_named() {
     let mesh = bad(0.001, 0.005);
     let yaml = model(0.3, "0", "- {face: Z1, pressure: 100}\n");
     let model = resolve(&yaml, mesh.clone()).unwrap();
-    let Err(e) = engine::run(&model, &PassOptions::default(), &engine::silent()) else {
+    let Err(e) = elastic::run(&model, &PassOptions::default(), &silent()) else {
         panic!("a result")
     };
     println!("{e}");

@@ -4,17 +4,19 @@
 use crate::certified::{plastic_model, run, strict, strict_pass};
 use crate::common::Block;
 use crate::common::yielding::{self, FY};
-use bracket::analysis::engine::{Pass, PassOptions, silent};
-use bracket::analysis::{engine, limit};
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::silent;
+use bracket::analysis::pass::PassOptions;
+use bracket::analysis::{elastic, limit};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 use bracket::spec::analysis::AnalysisKind;
 
-fn elastic(model: &AnalysisModel) -> Pass {
+fn elastic(model: &AnalysisModel) -> EnergyPass {
     let model = AnalysisModel { analysis: AnalysisKind::Elastic, ..model.clone() };
-    engine::run(&model, &PassOptions::default(), &silent()).unwrap()
+    elastic::run(&model, &PassOptions::default(), &silent()).unwrap()
 }
 
 fn block(n: usize, factor: f64) -> AnalysisModel {

@@ -2,8 +2,10 @@
 
 use crate::common::yielding::model;
 use crate::common::{Random, points};
-use bracket::analysis::engine::{Pass, PassOptions, silent};
+use bracket::analysis::energy_pass::EnergyPass;
+use bracket::analysis::event::silent;
 use bracket::analysis::hencky;
+use bracket::analysis::pass::PassOptions;
 use bracket::certify::PlasticField;
 use bracket::certify::fields::StressField;
 use bracket::certify::plastic_field::PlasticTet;
@@ -17,7 +19,7 @@ pub fn plastic_model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
     AnalysisModel { analysis: AnalysisKind::Elastoplastic, ..model(yaml, mesh) }
 }
 
-pub fn run(model: &AnalysisModel) -> Pass {
+pub fn run(model: &AnalysisModel) -> EnergyPass {
     hencky::run(model, &PassOptions::default(), &silent()).unwrap()
 }
 
@@ -26,7 +28,7 @@ pub fn strict(name: &str, model: &AnalysisModel) -> [f64; 2] {
     strict_pass(name, model, &run(model))
 }
 
-pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &Pass) -> [f64; 2] {
+pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &EnergyPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
         assert_eq!(r.status, SolveStatus::Optimal, "{name} {}: {:?}", program.name(), r.trouble);
         assert_eq!(r.trouble, None, "{name}");

@@ -18,7 +18,7 @@
 use crate::certified::{run, strict_pass};
 use crate::common::solved::{resolve_as, solve_to};
 use crate::common::{Block, beside, triangles_where};
-use bracket::analysis::engine::Pass;
+use bracket::analysis::energy_pass::EnergyPass;
 use bracket::certify::slip::distance_from_coulomb;
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
@@ -89,7 +89,7 @@ fn yaml(t: f64, kt: f64, friction: &str) -> String {
 }
 
 /// The model with the shift that the bounds belong to, and its pass.
-fn solved(t: f64, kt: f64, friction: &str, seed: u64) -> (AnalysisModel, Pass) {
+fn solved(t: f64, kt: f64, friction: &str, seed: u64) -> (AnalysisModel, EnergyPass) {
     let mut model = resolve_as("elastoplastic", &yaml(t, kt, friction), mesh(seed))
         .unwrap_or_else(|e| panic!("{e:?}"));
     let pass = run(&model);
@@ -98,7 +98,7 @@ fn solved(t: f64, kt: f64, friction: &str, seed: u64) -> (AnalysisModel, Pass) {
 }
 
 /// Displacement of the head along x: that of its first node.
-fn slip(model: &AnalysisModel, pass: &Pass) -> f64 {
+fn slip(model: &AnalysisModel, pass: &EnergyPass) -> f64 {
     let head = model.rigid[0].faces[0];
     let node =
         model.mesh.tets[head.tet as usize][bracket::mesh::tet::FACES[head.local as usize][0]];

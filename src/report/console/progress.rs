@@ -1,8 +1,9 @@
 //! The events of a pass as lines and bars.
 
-use crate::analysis::engine::{Event, Refusal};
+use crate::analysis::event::Event;
 use crate::analysis::memory::{Limit, Room};
-use crate::analysis::program_run::Program;
+use crate::analysis::program::Program;
+use crate::analysis::program_outcome::InsufficientMemory;
 use crate::report::console::log::Log;
 use crate::report::console::pace::{Pace, about};
 use crate::report::figures::{Rounding, fixed, percent_up, significant};
@@ -28,7 +29,7 @@ fn room_words(room: &Room) -> String {
 }
 
 /// Why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
-pub fn refusal_words(refusal: &Refusal) -> String {
+pub fn refusal_words(refusal: &InsufficientMemory) -> String {
     format!(
         "needs {} more memory, {}",
         gib(refusal.needed, Rounding::Up),
@@ -87,7 +88,7 @@ pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Even
             );
         }
         Event::Tightening => log.line(format!("{case}: the bolts are tightened first")),
-        Event::Slips { solves, change } => log.line(format!(
+        Event::ConeShift { solves, change } => log.line(format!(
             "{case}: {name} program once more, cones shifted by its slips: solve {solves} changed \
              them by {} of the largest",
             percent_up(change)
@@ -143,8 +144,10 @@ mod tests {
     #[test]
     fn a_refusal_never_reads_as_if_it_fitted() {
         for limit in [Limit::Machine, Limit::Asked(8 * GIB)] {
-            let text =
-                refusal_words(&Refusal { needed: GIB + 1, room: Room { bytes: GIB - 1, limit } });
+            let text = refusal_words(&InsufficientMemory {
+                needed: GIB + 1,
+                room: Room { bytes: GIB - 1, limit },
+            });
             assert!(text.starts_with("needs 1.01 GiB more memory, 0.999 GiB are"), "{text}");
             assert_eq!(
                 text.contains("of the 8.00 GiB that --memory-limit allows"),

@@ -1,7 +1,7 @@
 //! What a report says of a load factor beyond its bracket: the load at collapse, what friction
 //! means, where the structure fails.
 
-use crate::analysis::coulomb::FixedPointRun;
+use crate::analysis::cone_shift::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
 use crate::report::markdown::page::Table;
 use crate::report::markdown::text::{inline, is_strict, paragraph, strings, table};

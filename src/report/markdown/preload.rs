@@ -1,6 +1,6 @@
 //! What the report says of preloaded bolts.
 
-use crate::analysis::preload::Tightened;
+use crate::analysis::preloaded_bolt::PreloadedBolt;
 use crate::model::AnalysisModel;
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::text::inline;
@@ -8,7 +8,7 @@ use crate::result::forces::ON_PLANE;
 
 /// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the
 /// origin.
-pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usize]) {
+pub fn mark_halved(bolts: &mut [PreloadedBolt], model: &AnalysisModel, mirror: &[usize]) {
     for bolt in bolts {
         let cut = model
             .preload
@@ -21,7 +21,7 @@ pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usi
 }
 
 /// What a preloaded bolt carries.
-pub(crate) fn preload_words(bolt: &Tightened) -> String {
+pub(crate) fn preload_words(bolt: &PreloadedBolt) -> String {
     let kilonewtons = |f: f64| format!("{} kN", significant(f / 1e3, 4, Rounding::Nearest));
     let loaded = bolt.tension.map_or(String::new(), |t| {
         format!(

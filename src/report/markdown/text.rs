@@ -1,6 +1,6 @@
 //! `report.md`: one page with the answer first and everything that backs it below.
 
-use crate::analysis::coulomb::FixedPointRun;
+use crate::analysis::cone_shift::FixedPointRun;
 use crate::checks::{Status, Topic};
 use crate::report::figures::{Rounding, bracket, percent_up, residual, significant};
 use crate::report::markdown::limit::{collapse, estimate_words, mechanism};

@@ -2,8 +2,8 @@
 
 use super::case_files::{CaseFiles, POINTS};
 use super::finding::{Finding, Numbers};
-use crate::analysis::engine::Pass;
-use crate::analysis::preload::tightened;
+use crate::analysis::energy_pass::EnergyPass;
+use crate::analysis::preloaded_bolt::preloaded_bolts;
 use crate::certify::bracket::{Bracket, LowerBound, UpperBound};
 use crate::certify::certificate::{certify_displacement, certify_stress};
 use crate::certify::plastic_certificate::{certify_plastic_motion, certify_yielding_stress};
@@ -28,12 +28,13 @@ impl CaseFiles<'_> {
     pub fn energies(
         &self,
         refuted: &mut Vec<String>,
-    ) -> Result<(Vec<Finding>, CaseResult, Pass), Diagnostics> {
+    ) -> Result<(Vec<Finding>, CaseResult, EnergyPass), Diagnostics> {
         let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let yields = given.analysis == AnalysisKind::Elastoplastic;
         let mut findings = Vec::new();
-        let mut pass = Pass { fixed_point: case.fixed_point.clone(), ..Pass::default() };
+        let mut pass =
+            EnergyPass { fixed_point: case.fixed_point.clone(), ..EnergyPass::default() };
         let bounded = case.lower.is_some() || case.upper.is_some();
         if given.has_coulomb_friction() && bounded {
             pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
@@ -110,7 +111,8 @@ impl CaseFiles<'_> {
             findings.push(Finding::new(case, "upper", numbers, bound.is_strict(), claims_strict));
             pass.upper = Some(bound);
         }
-        pass.preload = tightened(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
+        pass.preload =
+            preloaded_bolts(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
         if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
             match Bracket::new(l.clone(), u.clone()) {
                 Ok(b) => pass.bracket = Some(b),

@@ -1,0 +1,75 @@
+//! The one place that selects what runs for each kind of analysis.
+
+use crate::analysis::energy_pass::EnergyPass;
+use crate::analysis::event::Progress;
+use crate::analysis::limit::LimitPass;
+use crate::analysis::pass::{PassError, PassOptions};
+use crate::analysis::program::Program;
+use crate::analysis::program_outcome::ProgramOutcome;
+use crate::analysis::{elastic, hencky, limit};
+use crate::certify::error::Contributions;
+use crate::model::AnalysisModel;
+use crate::solve::SolveOptions;
+use crate::spec::analysis::AnalysisKind;
+
+/// The pass of one kind of analysis.
+pub enum AnalysisPass {
+    /// Bounds of the energy.
+    Energy(Box<EnergyPass>),
+    /// Bounds of the load factor.
+    Factor(Box<LimitPass>),
+}
+
+impl AnalysisPass {
+    /// Runs the programs of the model's kind of analysis.
+    pub fn run(
+        model: &AnalysisModel,
+        options: &PassOptions,
+        progress: &Progress,
+    ) -> Result<Self, PassError> {
+        Ok(match model.analysis {
+            AnalysisKind::Limit => {
+                AnalysisPass::Factor(Box::new(limit::run(model, options, progress)?))
+            }
+            AnalysisKind::Elastoplastic => {
+                AnalysisPass::Energy(Box::new(hencky::run(model, options, progress)?))
+            }
+            AnalysisKind::Elastic => {
+                AnalysisPass::Energy(Box::new(elastic::run(model, options, progress)?))
+            }
+        })
+    }
+
+    /// Relative gap at which a solve ends; `asked`: the options of the user.
+    pub fn tolerance(model: &AnalysisModel, asked: &SolveOptions) -> f64 {
+        match model.analysis {
+            AnalysisKind::Limit => asked.limit_gap,
+            AnalysisKind::Elastoplastic => asked.gap.max(hencky::GAP),
+            AnalysisKind::Elastic => asked.gap,
+        }
+    }
+
+    /// The programs that ran or were to run.
+    pub fn runs(&self) -> Vec<(Program, &ProgramOutcome)> {
+        match self {
+            AnalysisPass::Energy(p) => p.runs().collect(),
+            AnalysisPass::Factor(p) => p.runs().collect(),
+        }
+    }
+
+    /// Contributions to the gap of the reported bracket, where there is one.
+    pub fn contributions(&self) -> Option<&Contributions> {
+        match self {
+            AnalysisPass::Energy(p) => p.contributions.as_ref(),
+            AnalysisPass::Factor(p) => p.contributions.as_ref(),
+        }
+    }
+
+    /// Limit analysis: share of the static load factor carried by each tet's yield multipliers.
+    pub fn yield_multiplier_share(&self) -> Option<&[f64]> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.yield_multiplier_share.as_deref(),
+        }
+    }
+}
