@@ -23,15 +23,15 @@ use crate::model::resolve::load_model;
 use crate::recover::free_mechanism::{FreeMechanism, certify_free, is_free};
 use crate::recover::unlimited::{Unlimited, certify_unlimited};
 use crate::report::console::out;
-use crate::result::case::case_result;
-use crate::result::combine::join;
+use crate::result::case::{case_result, energy_bounds};
+use crate::result::combine::{PassResult, join};
 use crate::result::data::{CaseResult, FrictionModel, RESULT_FILE, RawBracket, ResultFile, Upper};
-use crate::result::derived::{Proved, case_differences, polygon_differences};
 use crate::result::fields::field_files::{
     read_displacement, read_lower, read_shift, read_stress, read_velocity,
 };
 use crate::result::fields::plastic_file::read_plastic;
-use crate::result::limit_case::limit_case_result;
+use crate::result::limit_case::{factor_bounds, limit_case_result};
+use crate::result::verify::{Proved, case_differences, polygon_differences};
 use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -162,7 +162,7 @@ fn verify_case(
     let other = if beside.exists() { Some(load_model(&beside)?) } else { None };
     let mut refuted = Vec::new();
     let mut findings = Vec::new();
-    let mut found: Option<CaseResult> = None;
+    let mut found: Option<PassResult> = None;
     let (mut mechanism, mut carried) = (None, None);
     let sides = match &other {
         None => vec![(&model, [true, true])],
@@ -176,36 +176,38 @@ fn verify_case(
             ));
         }
         let scene = Scene { model, case, folder, stem, wanted };
-        let (new, entry) = match model.analysis {
+        let (new, side) = match model.analysis {
             AnalysisKind::Limit => {
                 let (new, entry, pass) = scene.factors(&mut refuted)?;
+                let bounds = factor_bounds(&pass, entry.problem);
                 let answers = pass.carried(case.problem == FrictionModel::Coulomb);
                 let of_answer =
                     answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
                 carried = of_answer.or(carried);
                 let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
                 mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
-                (new, entry)
+                (new, PassResult { entry, bounds })
             }
             _ => {
                 let (new, entry, pass) = scene.energies(&mut refuted)?;
+                let bounds = energy_bounds(&pass);
                 carried = pass.stress.map(|s| (model.clone(), s, 1.0)).or(carried);
-                (new, entry)
+                (new, PassResult { entry, bounds })
             }
         };
         findings.extend(new);
         found = Some(match found {
-            None => entry,
-            Some(upper) => match join(upper.clone(), entry) {
-                Ok(joined) => joined,
-                Err(e) => {
-                    refuted.push(format!("{}: {e}", case.name));
-                    upper
+            None => side,
+            Some(mut upper) => {
+                match join(upper.clone(), side) {
+                    Ok(joined) => upper.entry = joined,
+                    Err(e) => refuted.push(format!("{}: {e}", case.name)),
                 }
-            },
+                upper
+            }
         });
     }
-    let Some(entry) = found else { return Ok((findings, (refuted, None))) };
+    let Some(PassResult { entry, .. }) = found else { return Ok((findings, (refuted, None))) };
     refuted.extend(derived_differences(case, &entry));
     Ok((findings, (refuted, Some(Proved { entry, model, mechanism, stress: carried }))))
 }

@@ -13,7 +13,8 @@ use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::report::draw::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::markdown::page::PictureRef;
-use crate::result::case::case_result;
+use crate::result::bounds::CaseBounds;
+use crate::result::case::{case_result, energy_bounds};
 use crate::result::data::{CaseResult, FrictionModel};
 use crate::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
@@ -21,7 +22,7 @@ use crate::result::fields::field_files::{
 use crate::result::fields::plastic_file::plastic_grid;
 use crate::result::fields::vtu::VtuGrid;
 use crate::result::folder::ResultFolder;
-use crate::result::limit_case::limit_case_result;
+use crate::result::limit_case::{factor_bounds, limit_case_result};
 use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
 
@@ -112,6 +113,14 @@ impl AnalysisPass {
         match self {
             AnalysisPass::Energy(p) => case_result(name, model, p, mesh_seconds),
             AnalysisPass::Factor(p) => limit_case_result(name, model, p, mesh_seconds),
+        }
+    }
+
+    /// The bounds behind the entry of the result.
+    pub fn bounds(&self, entry: &CaseResult) -> CaseBounds {
+        match self {
+            AnalysisPass::Energy(p) => energy_bounds(p),
+            AnalysisPass::Factor(p) => factor_bounds(p, entry.problem),
         }
     }
 

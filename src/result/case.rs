@@ -10,16 +10,17 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{Traction, Weld};
 use crate::model::loads::face_corners;
-use crate::report::console::progress::refusal_words;
-use crate::result::data::{
-    self, CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PartYield, PeakPressure,
-    Quantity, TraceRow, Upper, WeldUse,
-};
+use crate::result::bounds::CaseBounds;
+use crate::result::certificate::Certificate;
+use crate::result::entry::{CaseResult, PartYield, PeakPressure, WeldUse};
+use crate::result::history::{self, HistoryRow, TraceRow};
+use crate::result::quantity::{FrictionModel, LoadSize, Quantity, Upper};
+use crate::result::refusal::refusal_words;
 use crate::solve::{Iteration, SolveStatus};
 use crate::spec::analysis::AnalysisKind;
 
-pub(crate) fn program_run(run: &ProgramRun) -> data::ProgramRun {
-    data::ProgramRun {
+pub(crate) fn program_run(run: &ProgramRun) -> history::ProgramRun {
+    history::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
         yielding_tets: run.yielding,
@@ -253,6 +254,11 @@ fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
             })
         })
         .collect()
+}
+
+/// The bounds of the potential energy that a pass leaves.
+pub fn energy_bounds(pass: &Pass) -> CaseBounds {
+    CaseBounds::Energy { lower: pass.lower.clone(), upper: pass.upper.clone() }
 }
 
 /// The entry of a load case after one pass.

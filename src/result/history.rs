@@ -1,6 +1,6 @@
 //! One row a mesh of `result.json`: what it cost and what it gave.
 
-use crate::result::data::Upper;
+use crate::result::quantity::Upper;
 use serde::{Deserialize, Serialize};
 
 /// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed

@@ -6,13 +6,14 @@ use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program_run::Program;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{dissipation_densities, utilisation};
+use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case::{
     estimate_warning, only_load, problem, program_run, run_warning, weld_uses,
 };
-use crate::result::data::{
-    CaseResult, Certificate, FrictionModel, HistoryRow, PartShare, PeakPressure, Quantity,
-    RawBracket, Upper,
-};
+use crate::result::certificate::Certificate;
+use crate::result::entry::{CaseResult, PartShare, PeakPressure};
+use crate::result::history::HistoryRow;
+use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor, welds};
 use crate::math::Sum;
@@ -160,6 +161,17 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, V
     (bodies.collect(), welds.into_iter().map(share).collect())
 }
 
+/// The bounds of the load factor that a pass leaves for the problem the user asked about.
+pub fn factor_bounds(pass: &LimitPass, problem: FrictionModel) -> CaseBounds {
+    let (lower, _, _) = answer(pass, problem);
+    let mechanism = pass.upper.clone().map(FactorLimit::Mechanism);
+    let limit = mechanism.or(pass.free.is_some().then_some(FactorLimit::FreeMechanism));
+    // where both programs find no limit, the static one is what the word stands on
+    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
+    let upper = limit.or(no_limit.then_some(FactorLimit::Unbounded));
+    CaseBounds::Factor { lower: lower.cloned(), upper }
+}
+
 /// The entry of a load case after one pass of limit analysis.
 pub fn limit_case_result(
     name: &str,
@@ -169,12 +181,8 @@ pub fn limit_case_result(
 ) -> CaseResult {
     let problem = problem(model);
     let (low, bracket, static_run) = answer(pass, problem);
-    let lower = low.map(LowerFactor::value);
-    let raw_upper = pass.upper.as_ref().map(|b| Upper::Finite(b.value()));
-    // of two programs that both find no limit, the one of the stresses is what the word stands on
-    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
-    let upper = raw_upper.or(pass.free.is_some().then_some(Upper::Finite(0.0)));
-    let upper = upper.or(no_limit.then_some(Upper::UNBOUNDED));
+    let bounds = factor_bounds(pass, problem);
+    let (lower, upper) = (bounds.lower(), bounds.upper());
     let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
     let mut certificate = certificate(pass, low);
     let mut warnings = program_warnings(pass, problem);

@@ -4,10 +4,10 @@
 //! difference.
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
+use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::page::{
     CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table,
 };
-use bracket::report::markdown::text::report_markdown;
 use bracket::result::data::{
     CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PeakPressure, ProgramRun,
     Quantity, RawBracket, ResultFile, Tool, Upper, Verdict,

@@ -7,6 +7,7 @@ pub mod drawing;
 pub mod lettering;
 pub mod moment_axial;
 pub mod plot;
+pub mod polygon;
 pub mod raster;
 pub mod surface;
 pub mod svg;

@@ -1,8 +1,8 @@
 //! What the report says of the input: as it was read, the values that follow from it, and at the
 //! end the file itself.
 
+use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::{ReportData, Table};
-use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 
 /// The input as it was read, resolved values, catalogue rows, notes.
 pub(crate) fn sections(page: &mut String, data: &ReportData) {

@@ -1,24 +1,8 @@
 //! What the report says of preloaded bolts.
 
 use crate::analysis::preload::Tightened;
-use crate::model::AnalysisModel;
 use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::text::inline;
-use crate::result::forces::ON_PLANE;
-
-/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the
-/// origin.
-pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usize]) {
-    for bolt in bolts {
-        let cut = model
-            .preload
-            .iter()
-            .filter(|p| p.body == bolt.body && p.cut == bolt.cut)
-            .flat_map(|p| &p.faces);
-        let mut rim = cut.flat_map(|f| f.nodes_a).map(|n| model.mesh.nodes[n as usize]);
-        bolt.halved = rim.any(|x| mirror.iter().any(|&k| x[k].abs() < ON_PLANE));
-    }
-}
+use crate::report::markdown::markup::inline;
 
 /// What a preloaded bolt carries.
 pub(crate) fn preload_words(bolt: &Tightened) -> String {

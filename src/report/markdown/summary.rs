@@ -4,8 +4,8 @@ use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status, Topic, Unit};
 use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::markup::{paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{paragraph, strings, table};
 use crate::result::data::{Quantity, ResultFile};
 
 /// A row, and the utilisation by which it may govern; `None`: it decides nothing.

@@ -3,8 +3,8 @@
 
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::ResultFile;
 
 /// The verdict, and what it stands on.

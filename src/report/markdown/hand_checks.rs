@@ -2,8 +2,8 @@
 
 use crate::checks::{Check, Status, Topic};
 use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 
 /// Under the verdict: what failed, and what the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {

@@ -1,5 +1,5 @@
-//! What a result tells beside its bounds, from the fields that `verify` has confirmed: the capacity
-//! polygon, the joint's stiffness and the forces of the static field.
+//! What `verify` recomputes beside the bounds, from the fields it has confirmed: the capacity polygon,
+//! the joint's stiffness and the forces of the static field.
 
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
@@ -9,10 +9,11 @@ use crate::certify::supporting::{Axes, half_plane};
 use crate::math::convex::HalfPlane;
 use crate::mesh::naming::symmetry_face;
 use crate::model::AnalysisModel;
-use crate::result::data::{CaseResult, LoadSize};
 use crate::result::demand::ActionValue;
+use crate::result::entry::CaseResult;
 use crate::result::forces::{BoltForce, ContactForce, static_forces};
 use crate::result::polygon::{CapacityPolygon, Point};
+use crate::result::quantity::LoadSize;
 
 /// Part of a number by which a claim may differ from what is recomputed.
 const SAME: f64 = 1e-9;

@@ -3,8 +3,8 @@
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, is_strict, paragraph, strings, table};
 use crate::result::data::{CaseResult, FrictionModel, Quantity, Upper};
 
 /// The load factor that a fixed point finds under Coulomb's law.
@@ -26,7 +26,7 @@ pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String
 /// What the load factor means to an engineer.
 pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
-        let word = if is_strict(case) { "lies" } else { "is estimated" };
+        let word = if case.is_strict() { "lies" } else { "is estimated" };
         let given = load.words();
         paragraph(
             page,
@@ -40,7 +40,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         && upper > 0.0
     {
         let most = significant((upper * load.value() * load.scale()).next_up(), 4, Rounding::Up);
-        let word = if is_strict(case) { "is" } else { "is estimated as" };
+        let word = if case.is_strict() { "is" } else { "is estimated as" };
         let unit = load.unit();
         paragraph(
             page,
@@ -59,7 +59,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         } else {
             ""
         };
-        let safe = if is_strict(case) {
+        let safe = if case.is_strict() {
             format!(
                 "Every load up to {low} times the given one can be carried by the model{dilates}"
             )
@@ -75,7 +75,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
             "Under Coulomb's law the load factor is at least that without friction (the lower \
              value) and at most that with associated friction (the upper value).",
         ),
-        (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
+        (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if case.is_strict() => {
             let (low, high) = bracket(low, high, 3);
             paragraph(
                 page,

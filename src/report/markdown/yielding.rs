@@ -2,8 +2,8 @@
 //! yielded, how far the load moves at least, where yield conditions were needed.
 
 use crate::report::figures::{Rounding, fixed, significant};
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::{CaseResult, ProgramRun};
 
 /// How far the load moves at least.

@@ -3,7 +3,7 @@
 use crate::checks::Comparison;
 use crate::checks::check::Unit;
 use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::text::{inline, paragraph};
+use crate::report::markdown::markup::{inline, paragraph};
 use crate::result::data::CaseResult;
 
 /// What von Mises adds to the bending strength of a plate that cannot contract along its hinge:
