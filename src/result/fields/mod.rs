@@ -3,3 +3,5 @@
 pub mod field_files;
 pub mod plastic_file;
 pub mod vtu;
+mod vtu_read;
+mod vtu_write;
