@@ -135,8 +135,8 @@ impl Study {
     pub fn write(&self, folder: &Path) -> Result<(), Diagnostics> {
         let mut page = format!(
             "# Speed against error\n\nGaps are certified: residuals at most \
-             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of the \
-             meshes before it, and its time in all is theirs too.\n\n{}\n",
+             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of all \
+             meshes up to it; its total time includes theirs.\n\n{}\n",
             self.markdown()
         );
         for (stem, plot) in self.plots() {

@@ -189,6 +189,15 @@ impl CaseResult {
         };
         (lower, upper)
     }
+
+    /// The strict bounds of the load factor, as [`CaseResult::safe_bounds`]; none where an energy
+    /// is bracketed.
+    pub fn factor_bounds(&self) -> (Option<f64>, Option<f64>) {
+        match self.quantity {
+            Quantity::LoadFactor => self.safe_bounds(),
+            Quantity::PotentialEnergy => (None, None),
+        }
+    }
 }
 
 impl Demand {

@@ -319,7 +319,7 @@ fn estimates_are_never_called_bounds() {
         "lies between",
         "is at least **",
         "can be carried by the model;",
-        "bounds are of the whole",
+        "bounds are those of the whole structure",
     ] {
         assert!(!page.contains(claim), "{claim}");
     }

@@ -70,7 +70,8 @@ pub(crate) fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
         }
         (None, Some(Upper::Unbounded(_))) => {
             let proof = if strict {
-                ": the stress field of the live loads alone nowhere comes nearer to yield"
+                ": a stress field in equilibrium with the live loads brings no point nearer to \
+                 yield"
             } else {
                 ""
             };
@@ -107,7 +108,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
                 page,
                 &format!(
                     "The load of the whole structure is {}. Its {what}{mean} {word} between {a} \
-                     and {b} {unit}, so the initial stiffness between {soft} and {stiff} \
+                     and {b} {unit}, so the initial stiffness is between {soft} and {stiff} \
                      {}/{unit}.",
                     load.words(),
                     load.unit()
@@ -127,7 +128,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
                 0 => String::new(),
                 _ => format!(": with {} it does not bracket a displacement", with.join(" and ")),
             };
-            paragraph(page, &format!("The bracket is one of the energy only{why}."));
+            paragraph(page, &format!("The bracket applies to the energy only{why}."));
             displacement(page, case);
         }
         (Quantity::LoadFactor, _) => collapse(page, case),
@@ -177,12 +178,12 @@ fn fixed_point_words(run: &FixedPointRun) -> String {
     let problems =
         if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };
     let contraction = match run.contraction {
-        Some(c) => format!("; a plain step leaves {} of the error", percent_up(c)),
+        Some(c) => format!("; a plain step reduces the error to {} of its size", percent_up(c)),
         None => String::new(),
     };
     format!(
-        "Coulomb's law was reached through {problems}; the last changed the slips by at most {} \
-         of the largest{contraction}. The bracket is strict for that last problem.",
+        "Coulomb's law was reached through {problems}; the last one changed the slips by at most \
+         {} of the largest slip{contraction}. The bracket is strict for this last problem.",
         percent_up(run.change)
     )
 }

@@ -10,14 +10,14 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
     let limit = kinds.contains(&AnalysisKind::Limit);
     let model = data.model;
     let mut out = vec![
-        "Small displacements: equilibrium is that of the undeformed shape. Buckling and \
+        "Small displacements: equilibrium refers to the undeformed shape. Buckling and \
          second-order effects are not covered."
             .to_string(),
         "The bounds hold for the mechanical model: bodies, materials, supports and loads as \
-         listed above. They say nothing about how well the model stands for the building."
+         listed above. They say nothing about how well the model represents the building."
             .to_string(),
-        "What is bracketed is the quantity named in the answer. Local values (stresses, \
-         pressures, displacements of a point) come without a guarantee."
+        "Only the quantity named in the answer is bracketed. Local values (stresses, pressures, \
+         displacements of a point) carry no guarantee."
             .to_string(),
     ];
     if kinds.contains(&AnalysisKind::Elastic) {
@@ -58,7 +58,7 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
             out.push(
                 "Coulomb friction is reached by a fixed point over problems with shifted cones. \
                  The bounds are strict for the last of these problems; they are not bounds of \
-                 Coulomb's."
+                 Coulomb's law."
                     .into(),
             );
         }
@@ -66,7 +66,7 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
     if model.preload && kinds.contains(&AnalysisKind::Elastic) {
         out.push(
             "Preload: the bolts are tightened first, under the dead loads alone; then the \
-             closures of their cuts stay. The bounds are strict for the structure with these \
+             closures of their cuts are kept. The bounds are strict for the structure with these \
              closures, and they bracket its energy only."
                 .into(),
         );
@@ -81,8 +81,8 @@ pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
     }
     if model.symmetry {
         out.push(
-            "Geometry, supports and loads are symmetric about the planes used; a solution is \
-             taken to be so too."
+            "Geometry, supports and loads are symmetric about the planes used; the solution is \
+             assumed to have the same symmetry."
                 .into(),
         );
     }

@@ -12,11 +12,14 @@ pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String
     let value = significant(factor, 4, Rounding::Nearest);
     let how = run.map_or(String::new(), |run| {
         let open = run.missing.map_or(String::new(), |m| {
-            format!(", after which {} of it are missing to Coulomb's law", percent_up(m))
+            format!(
+                ", and the last one misses Coulomb's law by {} of the load factor",
+                percent_up(m)
+            )
         });
         format!(
-            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load \
-             factors, and this is one of them.",
+            " It took {} problems{open}. Where parts wedge, Coulomb's law can have several load \
+             factors; this is one of them.",
             run.solves
         )
     });
@@ -46,7 +49,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
             page,
             &format!(
                 "The given load of the whole structure is {}; the load at collapse {word} at most \
-                 {most} {unit}: how much of it is carried at least is not known.",
+                 {most} {unit}; no lower bound is known.",
                 load.words()
             ),
         );
@@ -66,7 +69,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         } else {
             format!("About {low} times the given load can be carried by the model (an estimate)")
         };
-        paragraph(page, &format!("{safe}; instability and limited ductility are not part of it."));
+        paragraph(page, &format!("{safe}; instability and limited ductility are not covered."));
     }
     let smooth = case.frictionless.and_then(|f| f.lower);
     match (case.problem, smooth, case.upper) {
@@ -158,7 +161,7 @@ fn welds(page: &mut String, case: &CaseResult) {
         return;
     }
     let name = inline(&case.name);
-    paragraph(page, &format!("What the stress of the lower bound asks of the welds ({name}):"));
+    paragraph(page, &format!("Demand on the welds from the stress of the lower bound ({name}):"));
     let columns = strings([
         "weld",
         "largest traction over strength [%]",

@@ -3,7 +3,7 @@
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::markup::{inline, strings, table};
 use crate::report::markdown::page::Table;
-use crate::result::data::{CaseResult, Quantity, ResultFile};
+use crate::result::data::{CaseResult, ResultFile};
 use crate::result::demand::Demand;
 
 /// Verdicts and capacities, a row a case and a row an action; nothing where nothing is demanded.
@@ -28,10 +28,7 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
     }
     let mut rows = Vec::new();
     for (case, demand) in &judged {
-        // an energy bounds no multiple of the load
-        let bounds =
-            if case.quantity == Quantity::LoadFactor { case.safe_bounds() } else { (None, None) };
-        let (lower, upper) = bounds;
+        let (lower, upper) = case.factor_bounds();
         for a in &demand.actions {
             let (value, unit) = a.value.shown();
             let size = |factor: f64, rounding| {
@@ -78,7 +75,7 @@ mod tests {
     use super::*;
     use crate::checks::HandChecks;
     use crate::checks::verdict::Verdict;
-    use crate::result::data::{FrictionModel, Upper};
+    use crate::result::data::{FrictionModel, Quantity, Upper};
     use crate::result::demand::{ActionValue, EndAction};
     use crate::result::fixtures::case;
 

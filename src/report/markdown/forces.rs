@@ -11,7 +11,7 @@ pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
     let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
     let kn = |f: f64| significant(1e-3 * f, 3, Rounding::Nearest);
     let what = match case.analysis {
-        AnalysisKind::Limit => "one of the distributions that plasticity may choose",
+        AnalysisKind::Limit => "one of the distributions that plasticity allows",
         _ => "estimates, not bounds",
     };
     let copies = if symmetry > 1 { "; the others are their mirror images" } else { "" };

@@ -22,7 +22,7 @@ pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     paragraph(
         page,
         &format!(
-            "**{}** ({}; {part}, {what} are of the whole):",
+            "**{}** ({}; {part}, {what} are those of the whole structure):",
             inline(&case.name),
             analysis_word(case.analysis)
         ),
@@ -98,7 +98,7 @@ fn expectations(page: &mut String, case: &CaseResult) {
     if rows.is_empty() {
         return;
     }
-    paragraph(page, "What was expected of each further mesh before it was made, and what came:");
+    paragraph(page, "What was expected of each further mesh before it was made, and the result:");
     let columns = strings([
         "mesh",
         "tets expected",

@@ -9,8 +9,8 @@ pub(crate) fn sections(page: &mut String, data: &ReportData) {
     heading(page, "Input");
     paragraph(
         page,
-        "As it was read: without comments, with the defaults of what it leaves out. The file \
-         itself stands at the end.",
+        "The input as it was read: without comments, and with the defaults for what it leaves \
+         out. The file itself is at the end of this report.",
     );
     yaml(page, &data.input_read);
     values(page, data);

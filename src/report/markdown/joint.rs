@@ -16,7 +16,7 @@ pub(crate) fn joint(page: &mut String, data: &ReportData) {
         paragraph(
             page,
             "Bolts, plates and stiffeners, with masses from nominal sizes at 7850 kg/m³; members \
-             by their length on site:",
+             are not listed:",
         );
         table(page, &data.schedule);
     }

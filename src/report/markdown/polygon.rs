@@ -14,9 +14,10 @@ pub(crate) fn section(page: &mut String, result: &ResultFile) {
     paragraph(
         page,
         &format!(
-            "{} and {} on {} at {} together. The hull of the inner points is carried: stresses \
-             that carry two loads carry every mean of them. What lies outside the outer hull is \
-             not: the mechanism of every direction bounds a half plane, not only its own load.{}",
+            "{} and {} acting together on {} at {}. The joint carries every combination inside \
+             the hull of the inner points: if it carries two loads, it carries every weighted \
+             mean of them. It carries no combination outside the outer hull: the mechanism of \
+             each direction bounds a half plane, not only its own load.{}",
             first.action,
             second.action,
             inline(&polygon.end),
@@ -24,7 +25,7 @@ pub(crate) fn section(page: &mut String, result: &ResultFile) {
             if polygon.outer_bounded {
                 ""
             } else {
-                " Not every side has such a bound: the outer hull is open."
+                " Some sides have no such bound: the outer hull is open."
             }
         ),
     );

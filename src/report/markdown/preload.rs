@@ -9,7 +9,8 @@ pub(crate) fn preload_words(bolt: &Tightened) -> String {
     let kilonewtons = |f: f64| format!("{} kN", significant(f / 1e3, 4, Rounding::Nearest));
     let loaded = bolt.tension.map_or(String::new(), |t| {
         format!(
-            "; under the loads the stress of the lower bound carries {} there (an estimate)",
+            "; under the loads the stress of the lower bound gives a tension of {} there (an \
+             estimate)",
             kilonewtons(t)
         )
     });

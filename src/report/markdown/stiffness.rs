@@ -30,17 +30,17 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
             format!("lies between **{a}** and **{b}** kN m/rad")
         }
         None => format!(
-            "is at least **{}** kN m/rad; its upper bound is open, for the least rotation is no \
-             more than the beam's",
+            "is at least **{}** kN m/rad; there is no upper bound, because the lower bound of the \
+             rotation does not exceed the rotation of the beam",
             significant(1e-6 * s.lower, 3, Rounding::Down)
         ),
     };
     paragraph(
         page,
         &inline(&format!(
-            "{}, {}: M = {}{each} turns {sections} by between {low} and {high} mrad; {} mrad of \
-             that is the bending of the beam, M L/(E I_b), and is taken off. What is left is the \
-             joint: {parts}. Its initial stiffness S_j,ini {range}{}.",
+            "{}, {}: M = {}{each} rotates {sections} by between {low} and {high} mrad. Of this, \
+             {} mrad is the bending of the beam, M L/(E I_b), and is subtracted. The rest is the \
+             rotation of the joint: {parts}. Its initial stiffness S_j,ini {range}{}.",
             case.name,
             s.ends.join(" and "),
             Unit::Moment.show(s.moment),
@@ -51,16 +51,15 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     if s.classes.is_empty() {
         paragraph(
             page,
-            "It has no class: EN 1993-1-8 5.2.2.5 has boundaries for joints of beams and columns \
-             only.",
+            "It has no class: EN 1993-1-8 5.2.2.5 gives boundaries for beam-to-column joints only.",
         );
         return;
     }
     paragraph(
         page,
         "Class by stiffness (EN 1993-1-8 5.2.2.5(1); S_j,ini against k_b E I_b/L_b and 0.5 E \
-         I_b/L_b), where K_b/K_c ≥ 0.1; frames that are not braced and have less have no rigid \
-         joints:",
+         I_b/L_b), where K_b/K_c ≥ 0.1. In other than braced frames with a smaller ratio no joint \
+         is rigid:",
     );
     let columns = strings(["frame", "nominally pinned", "rigid", "class at the beam's length"]);
     table(page, &Table { columns, rows: s.classes.iter().map(row).collect() });

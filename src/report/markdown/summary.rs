@@ -26,7 +26,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
             let (l, u) = (significant(l, 3, Rounding::Down), significant(u, 3, Rounding::Up));
             format!("{l} … {u}")
         });
-        let bounds = match case.safe_bounds() {
+        let bounds = match case.factor_bounds() {
             (Some(l), Some(u)) => {
                 format!(
                     "{} … {}",
@@ -69,7 +69,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
         Some(u) if u >= most => r.cells.into_iter().map(|c| format!("**{c}**")).collect(),
         _ => r.cells,
     };
-    paragraph(page, "Every check with a demand; what governs is bold:");
+    paragraph(page, "Every check with a demand; the governing one is bold:");
     let columns = strings(["case", "check", "Ed", "Rd", "utilisation", "clause", "status"]);
     table(page, &Table { columns, rows: rows.into_iter().map(bold).collect() });
 }

@@ -16,7 +16,7 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
             }
             _ => paragraph(
                 page,
-                "No verdict: no load is a demand on a joint (actions at member ends are).",
+                "No verdict: no load is a demand on the joint (only actions at member ends are).",
             ),
         }
         return;
@@ -34,7 +34,7 @@ fn rows(j: &Judgement) -> Vec<Vec<String>> {
                 analysis decides";
     let analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
-        _ => "strict bounds of limit analysis; without friction from below",
+        _ => "strict bounds of limit analysis, the lower one without friction",
     };
     vec![
         row("by code", j.by_code, code),
