@@ -455,7 +455,7 @@ pub fn run_pass(
         SolveOptions { solver, time_limit: left, interrupt, patterns, ..SolveOptions::default() };
     let (told, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
     let progress: engine::Progress =
-        Arc::new(move |program, event| progress::tell(&told, &name, tolerance, program, event));
+        Arc::new(move |program, event| progress::note(&told, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
     AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())

@@ -17,7 +17,7 @@ pub fn fixed(x: f64, decimals: i32, rounding: Rounding) -> String {
     let places = decimals.max(0) as usize;
     let step = 10.0_f64.powi(decimals.saturating_neg().max(0));
     let mut text = plain(x / step, step, places);
-    // what is printed counts, not what was meant: compare the printed number itself
+    // compare the printed number, not the intended one
     let printed = text.parse::<f64>().unwrap_or(x);
     let nudge = match rounding {
         Rounding::Down if printed > x => -1.0,

@@ -57,7 +57,7 @@ impl Study {
         text
     }
 
-    /// The rows as CSV; what is absent is an empty cell.
+    /// The rows as CSV; an absent value is an empty cell.
     pub fn csv(&self) -> String {
         let mut text = "case,analysis,meshes,solver,mesh,macro_tets,dofs,lower,upper,gap,\
                         expected_gap,seconds,total_seconds,peak_memory_mib\n"

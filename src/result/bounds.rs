@@ -27,7 +27,7 @@ pub enum CaseBounds {
     },
 }
 
-/// What limits a load factor from above.
+/// The upper limit of a load factor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FactorLimit {
     /// A mechanism that dissipates.
@@ -38,7 +38,7 @@ pub enum FactorLimit {
     Unbounded,
 }
 
-/// What a joined bracket states: both bounds and their relative gap.
+/// The numbers of a joined bracket.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedNumbers {
     /// Lower bound, unit of the case's quantity.

@@ -47,7 +47,7 @@ fn trace_row(i: &Iteration) -> TraceRow {
     }
 }
 
-/// The residuals of both fields, worst of the two where both have one.
+/// The residuals of both fields; the larger one where both have it.
 fn certificate(pass: &Pass) -> Option<Certificate> {
     let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
     if l.is_none() && u.is_none() {
@@ -71,15 +71,15 @@ fn certificate(pass: &Pass) -> Option<Certificate> {
     })
 }
 
-/// Whose solution the bracket contains.
+/// The problem whose solution the bracket contains.
 pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     let laws: Vec<_> =
         contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
         FrictionModel::Frictionless
     } else if laws.iter().any(|l| l.is_coulomb()) {
-        // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed
-        // point
+        // limit analysis brackets the problem under Coulomb's law itself, the other kinds the last
+        // problem of its fixed point
         if model.analysis == AnalysisKind::Limit {
             FrictionModel::Coulomb
         } else {
@@ -142,21 +142,21 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     }
 }
 
-/// What the user must know of the programs: why one of them gave no bound.
+/// Warnings of the programs: why one of them gave no bound.
 fn program_warnings(pass: &Pass) -> Vec<String> {
-    // an admissible motion proves it; what the static program says beside adds nothing
+    // an admissible motion proves it; the status of the static program adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
         return vec![format!("no equilibrium exists under these loads: {m}")];
     }
     let mut warnings = Vec::new();
-    // a program that runs away leaves the other without a solution: that is one fault, told once
+    // an unbounded program leaves the other without a solution: one fault, reported once
     let runs_away = pass.statics.as_ref().is_some_and(|r| r.mechanism.is_some());
     for (program, run) in pass.runs() {
         let (name, bound) = (program.name(), program.bound());
         let common = run_warning(name, bound, run);
         warnings.push(match (run.status, run) {
             _ if common.is_some() => common.unwrap_or_default(),
-            // the static program's motion may only show that the stresses of this mesh cannot reach
+            // the static program's motion may only show that no stress of this mesh is in
             // equilibrium
             (_, ProgramRun { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
@@ -176,7 +176,7 @@ fn program_warnings(pass: &Pass) -> Vec<String> {
 }
 
 /// Why a program that was interrupted, refused or not certified gave no bound; `None` for every
-/// other end.
+/// other status.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramRun) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramRun { trouble: Some(t), .. }) => {
@@ -218,7 +218,7 @@ pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
     })
 }
 
-/// Each weld, given largest tractions over strengths, shares and works where there are any.
+/// The entry of each weld, from utilisations, shares in the dissipation and works where they exist.
 pub(crate) fn weld_uses(
     model: &AnalysisModel,
     used: Vec<Utilisation>,
@@ -236,7 +236,7 @@ pub(crate) fn weld_uses(
     model.welds.iter().enumerate().map(weld).collect()
 }
 
-/// What has become of each body that can yield.
+/// Plastic state of each body that can yield.
 fn yielding(model: &AnalysisModel, pass: &Pass) -> Vec<PartYield> {
     let (motion, stress) = (pass.plastic.as_ref(), pass.stress.as_ref());
     if motion.is_none() && stress.is_none() {
@@ -280,8 +280,8 @@ pub fn case_result(
         }
         _ => None,
     };
-    // −Π grows at least with the square of the load, for a part of a stress stays admissible: its
-    // slope is at least −2Π
+    // a scaled-down admissible stress stays admissible, so −Π grows at least with the square of the
+    // load and its slope is at least −2Π
     let load_displacement_at_least = match (upper, load) {
         (Some(u), Some(f)) if !elastic => Some((-2.0 * u / f.value()).max(0.0)),
         _ => None,

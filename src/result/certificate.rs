@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Largest certificate residual of a strict bound, dimensionless (CONTRACT.md, `result.json`).
+/// Largest certificate residual of a strict bound, dimensionless (docs/results.md).
 pub const RESIDUAL_TOLERANCE: f64 = 1e-9;
 
-/// Residuals of the recovered fields, dimensionless (definitions in CONTRACT.md), recomputed
+/// Residuals of the recovered fields, dimensionless (definitions in docs/results.md), recomputed
 /// without the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
@@ -33,7 +33,7 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// Name, definition and value of each residual, in the order of CONTRACT.md.
+    /// Name, definition and value of each residual, in the order of docs/results.md.
     pub fn residuals(&self) -> [(&'static str, &'static str, Option<f64>); 6] {
         [
             ("equilibrium", "max |div σ + b| h / max |σ|", self.equilibrium),

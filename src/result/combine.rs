@@ -1,5 +1,5 @@
-//! The result of several passes: the largest lower bound and the smallest upper one, each with all
-//! that belongs to it.
+//! The result of several passes: the largest lower bound and the smallest upper bound, each with
+//! the results that belong to it.
 
 use crate::certify::bracket::Contradiction;
 use crate::result::bounds::CaseBounds;
@@ -7,7 +7,7 @@ use crate::result::certificate::Certificate;
 use crate::result::entry::{CaseResult, PartYield, PeakPressure};
 use crate::result::quantity::{FrictionModel, RawBracket, Upper};
 
-/// What a pass leaves of a load case: the entry it would make alone, and the bounds behind it.
+/// Result of one pass for a load case: its own entry, and the bounds behind it.
 #[derive(Clone, Debug)]
 pub struct PassResult {
     /// The entry of `result.json`.
@@ -19,17 +19,17 @@ pub struct PassResult {
 /// The passes that give the best bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Best {
-    /// Whose lower bound is the largest.
+    /// Index of the pass with the largest lower bound.
     pub lower: usize,
-    /// Whose upper bound is the smallest.
+    /// Index of the pass with the smallest upper bound.
     pub upper: usize,
 }
 
 /// The best bounds of passes, in their order; strict bounds before estimates. `None` without any
 /// pass.
-///
-/// Where every pass has a problem of its own, its contact cones shifted or its preloaded cuts
-/// frozen, bounds of two passes bracket nothing: then both are of the pass with the smallest gap.
+/// Where every pass solves a problem of its own, with shifted contact cones or frozen preloaded
+/// cuts, bounds of two passes do not form a bracket: then both come from the pass with the smallest
+/// gap.
 pub fn best(passes: &[PassResult]) -> Option<Best> {
     let strict = |p: &PassResult| p.entry.is_strict();
     let any = passes.iter().any(strict);
@@ -49,7 +49,7 @@ pub fn best(passes: &[PassResult]) -> Option<Best> {
         let one = narrowest.or_else(bounded).or_else(|| passes.len().checked_sub(1))?;
         return Some(Best { lower: one, upper: one });
     }
-    // of equals the first
+    // the first of equal bounds
     let place = |value: &dyn Fn(&CaseBounds) -> Option<f64>| {
         let mut found: Option<(f64, usize)> = None;
         for (i, p) in passes.iter().enumerate().filter(|(_, p)| counts(p)) {
@@ -69,7 +69,7 @@ fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     [a, b].into_iter().flatten().reduce(f64::max)
 }
 
-/// One entry with the upper bound of the first and the lower bound of the second; both are of one
+/// One entry with the upper bound of the first and the lower bound of the second pass of one
 /// structure.
 pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradiction> {
     let joined = upper.bounds.join(&lower.bounds)?;

@@ -1,8 +1,8 @@
-//! `result.json` (CONTRACT.md, schema 1): the numbers a run leaves behind for other programs.
+//! `result.json` (docs/results.md, schema 1): the results of a run for other programs.
 //!
-//! Absent is absent: what was not computed is `None` and leaves no key behind; no zero, NaN or null
-//! stands for it. [`ResultFile::to_json`] refuses a result that breaks this or that calls itself
-//! strict without the residuals to show.
+//! A value that was not computed is `None` and has no key in the file; no zero, NaN or null stands
+//! for it. [`ResultFile::to_json`] refuses a result that breaks this rule, and one that claims to
+//! be strict without residuals within the tolerance.
 
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Judgement};
@@ -27,26 +27,27 @@ pub const RESULT_FILE: &str = "result.json";
 pub struct ResultFile {
     /// [`SCHEMA`].
     pub schema: u32,
-    /// What wrote it.
+    /// The program that wrote the result.
     pub tool: Tool,
-    /// Hash of the input, see [`input_hash`].
+    /// Hash of the input; see [`input_hash`].
     pub input_hash: String,
-    /// How many copies of the meshed part make the structure.
+    /// Number of copies of the meshed part that make up the structure.
     pub symmetry: u32,
-    /// The answer in one word.
+    /// The verdict on the whole result.
     pub verdict: Verdict,
-    /// Where a demand is judged: the verdicts by code and by analysis, the reason and what governs.
+    /// Where a demand is judged: the verdicts by code and by analysis, the reason and the governing
+    /// check.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judgement: Option<Judgement>,
-    /// One entry a load case and kind of analysis.
+    /// One entry for each load case and kind of analysis.
     pub cases: Vec<CaseResult>,
     /// Hand checks of the code.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,
-    /// What two actions are carried of together.
+    /// Capacity of the joint under two actions together.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub polygon: Option<CapacityPolygon>,
-    /// What the user must know, beyond any one case.
+    /// Warnings that belong to no single case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
@@ -76,7 +77,7 @@ pub enum ResultError {
         /// Place inside the document.
         path: String,
     },
-    /// The certificate calls itself strict, its residuals do not.
+    /// The certificate claims to be strict, but a residual exceeds the tolerance.
     #[error(
         "case `{case}` calls its bounds strict, but the {residual} residual is {value:e} (limit \
          {RESIDUAL_TOLERANCE:e})"
@@ -89,22 +90,22 @@ pub enum ResultError {
         /// Its value.
         value: f64,
     },
-    /// A strict bracket without any residual.
+    /// The certificate claims to be strict without any residual.
     #[error("case `{case}` calls its bounds strict, but no residual was computed")]
     NoResidual {
         /// Name of the case.
         case: String,
     },
-    /// Not the form of schema 1.
+    /// The file does not have the form of schema 1.
     #[error("this is not a result of this program: {0}")]
     Form(#[from] serde_json::Error),
-    /// Another schema.
+    /// The file has another schema.
     #[error("the result has schema {found}, this program reads schema {SCHEMA}")]
     Schema {
         /// The schema of the file.
         found: u32,
     },
-    /// Written by something else.
+    /// The file was written by another program.
     #[error("the result was written by `{found}`, not by `{}`", env!("CARGO_PKG_NAME"))]
     Tool {
         /// Name of the tool in the file.
@@ -164,7 +165,7 @@ impl ResultFile {
                 return Err(ResultError::NotStrict { case: case.name.clone(), residual, value });
             }
         }
-        // serde_json writes NaN and infinity as null, and no field of ours ever is null otherwise
+        // serde_json writes NaN and infinity as null, and no field is null otherwise
         let value = serde_json::to_value(self)?;
         if let Some(path) = find_null(&value, String::new()) {
             return Err(ResultError::NotFinite { path });
@@ -208,7 +209,8 @@ fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
 }
 
 /// Hash of the named pieces of an input (spec, mesh, catalogue): BLAKE3 in hex, over names and
-/// lengths as well, so that no two different lists of pieces hash alike by concatenation.
+/// lengths as well, so that two different lists of pieces cannot have the same hash by
+/// concatenation.
 pub fn input_hash(pieces: &[(&str, &[u8])]) -> String {
     let mut hasher = blake3::Hasher::new();
     for (name, bytes) in pieces {

@@ -1,4 +1,4 @@
-//! What a load case demands, and what the joint can carry of it.
+//! The demand of a load case, and the verdict on it.
 
 use crate::checks::verdict::Verdict;
 use crate::checks::{Comparison, Judgement};
@@ -8,25 +8,25 @@ use serde::{Deserialize, Serialize};
 /// The demand of a load case and the verdict on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Demand {
-    /// The verdict at load factor 1, the worse of the next two.
+    /// The verdict at load factor 1: the worse of the next two.
     pub verdict: Verdict,
     /// By the code's checks of the load case.
     pub by_code: Verdict,
-    /// By the strict bounds of this entry; `none` of an analysis that brackets no resistance.
+    /// By the strict bounds of this entry; `none` for an analysis that brackets no resistance.
     pub by_analysis: Verdict,
     /// Forces and moments at member ends, in the order of the spec.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<EndAction>,
-    /// What the component method says of the case, an entry a member end.
+    /// Result of the component method for the case, one entry for each member end.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub component_method: Vec<Comparison>,
-    /// Why the verdict may not be `ok`: no rule of rotation capacity holds.
+    /// Why the verdict cannot be `ok`: no rule of rotation capacity is satisfied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub brittle: Option<String>,
 }
 
 impl Demand {
-    /// Takes the verdicts of the load case.
+    /// Stores the verdicts of the load case.
     pub fn judged(&mut self, judgement: &Judgement) {
         (self.by_code, self.verdict) = (judgement.by_code, judgement.verdict);
     }
@@ -43,7 +43,7 @@ pub struct EndAction {
     pub action: String,
     /// Its value at load factor 1, in the member's own axes.
     pub value: ActionValue,
-    /// The load factor multiplies it.
+    /// Whether the load factor multiplies it.
     pub factored: bool,
 }
 
@@ -58,7 +58,7 @@ pub enum ActionValue {
 }
 
 impl ActionValue {
-    /// Of an action with this value \[N, N mm\].
+    /// The value \[N, N mm\] of an action.
     pub fn of(action: Action, value: f64) -> Self {
         if action.direction().1 { Self::Moment(value) } else { Self::Force(value) }
     }

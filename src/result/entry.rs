@@ -19,9 +19,9 @@ pub struct CaseResult {
     pub name: String,
     /// Kind of analysis.
     pub analysis: AnalysisKind,
-    /// What is bracketed.
+    /// The bracketed quantity.
     pub quantity: Quantity,
-    /// Whose solution is bracketed.
+    /// The problem whose solution is bracketed.
     pub problem: FrictionModel,
     /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the
     /// certificate is strict.
@@ -31,13 +31,13 @@ pub struct CaseResult {
     /// certificate is strict.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<Upper>,
-    /// Relative gap, a fraction (MECHANICS section 1).
+    /// Relative gap, a fraction (docs/theory.md).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
     /// Bracket of demand over capacity, lower first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<[f64; 2]>,
-    /// What the load case demands, where a demand is judged (`run` with limit analysis).
+    /// The demand of the load case and the verdict on it, where a demand is judged (`run`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub demand: Option<Demand>,
     /// Raw bracket of the frictionless problem.
@@ -53,8 +53,8 @@ pub struct CaseResult {
     /// The preloaded bolts of an elastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<Tightened>,
-    /// Coulomb friction: how the fixed point went; in limit analysis that of the estimate, where it
-    /// was reached.
+    /// Coulomb friction: course of the fixed point; in limit analysis that of the estimate, where
+    /// it was reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_point: Option<FixedPointRun>,
     /// The only load, at load factor 1, of the whole structure: the one whose displacement or
@@ -74,19 +74,19 @@ pub struct CaseResult {
     /// Residuals of the two fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
-    /// Elastic, perfectly plastic analysis: the load's own displacement at load factor 1 is at
-    /// least so much \[mm; rad for a moment\]; only where it is rigorous.
+    /// Elastic, perfectly plastic analysis: lower bound of the load's own displacement at load
+    /// factor 1 \[mm; rad for a moment\]; only where it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement_at_least: Option<f64>,
-    /// One row a mesh.
+    /// One row for each mesh.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<HistoryRow>,
-    /// Limit analysis: where the mechanism of the upper bound dissipates, in the order of the
-    /// bodies.
+    /// Limit analysis: share of each body in the dissipation of the upper bound's mechanism, in the
+    /// order of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dissipation: Vec<PartShare>,
-    /// Elastic, perfectly plastic analysis: what has become of each body that can yield, in the
-    /// order of the bodies.
+    /// Elastic, perfectly plastic analysis: plastic state of each body that can yield, in the order
+    /// of the bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<PartYield>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
@@ -99,12 +99,12 @@ pub struct CaseResult {
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_contact_pressure: Option<PeakPressure>,
-    /// What the user must know about this case.
+    /// Warnings about this case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
 
-/// What a body adds to the dissipation of a mechanism.
+/// Share of a body in the dissipation of a mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartShare {
     /// Name of the body.
@@ -113,7 +113,7 @@ pub struct PartShare {
     pub share: f64,
 }
 
-/// What a weld bears and dissipates.
+/// Use of a weld: its traction over its strength, and its dissipation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WeldUse {
     /// Name of the weld.
@@ -121,23 +121,23 @@ pub struct WeldUse {
     /// Largest traction of the static field over the strength, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
-    /// Mean of the length of that traction over the strength, at most; a fraction.
+    /// Upper bound of the mean magnitude of that traction over the strength, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mean_utilisation: Option<f64>,
-    /// Strength on the throat, of which these are parts \[MPa\]; absent where the model gives a
-    /// traction instead.
+    /// Strength on the throat, to which both utilisations refer \[MPa\]; absent where the model
+    /// gives the strength as a traction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub throat_strength: Option<f64>,
     /// Limit analysis: its share in the dissipation of the mechanism, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Elastic kinds: the work it dissipates with the displacements of the upper bound, of the
-    /// meshed part \[N mm\].
+    /// Elastic kinds of analysis: the work that the weld of the meshed part dissipates with the
+    /// displacements of the upper bound \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
 }
 
-/// What has become of a body that can yield.
+/// Plastic state of a body that can yield.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartYield {
     /// Name of the body.
@@ -145,8 +145,7 @@ pub struct PartYield {
     /// Largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
-    /// Part of its volume where the upper bound's field has plastic strain, a fraction; an
-    /// estimate.
+    /// Fraction of its volume where the upper bound's field has plastic strain; an estimate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yielded: Option<f64>,
     /// Plastic work of that field in all copies of the body \[N mm\].
@@ -154,8 +153,8 @@ pub struct PartYield {
     pub dissipation: Option<f64>,
 }
 
-/// Largest contact pressure \[MPa\], positive in pressure. Estimates: no bound on a local value is
-/// claimed.
+/// Largest contact pressure \[MPa\], positive in compression. Estimates: the bounds do not hold for
+/// local values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PeakPressure {
     /// Of the displacement's stress at the vertices of contact faces.
@@ -173,8 +172,8 @@ impl CaseResult {
         self.certificate.is_some_and(|c| c.strict)
     }
 
-    /// The strict bounds a verdict stands on: with friction, the lower one is that without it.
-    /// `None`: no such bound.
+    /// The strict bounds that a verdict is based on. With associated friction the lower bound is
+    /// the one without friction. `None`: no such bound.
     pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
         if !self.is_strict() {
             return (None, None);
@@ -201,9 +200,9 @@ impl CaseResult {
 }
 
 impl Demand {
-    /// The demand of a load case under one kind of analysis. In limit analysis strict bounds judge
-    /// it; a joint that may not yield as limit analysis takes it to is at most undecided.
-    /// `certified`: the analysis gave what was asked of it.
+    /// The demand of a load case under one kind of analysis. In limit analysis the strict bounds
+    /// decide the verdict; a joint without the rotation capacity that limit analysis assumes is at
+    /// most undecided. `certified`: every program that ran gave a certified bound.
     pub fn new(
         entry: &CaseResult,
         certified: bool,
@@ -219,7 +218,7 @@ impl Demand {
         };
         let component_method =
             checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
-        // the rule of rotation capacity is one of limit analysis
+        // rotation capacity matters to limit analysis only
         let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
         Self {
             verdict: by_analysis,

@@ -1,15 +1,15 @@
 //! The capacity polygon of two actions: inner and outer hull from the bounds of several directions.
 //!
-//! Inner: loads that an admissible stress carries form a convex set (a mean of two admissible
-//! stresses is admissible, and carries the mean of their loads), so the hull of the strict lower
-//! points belongs to it. Outer: the mechanism of every direction bounds a half plane, and what can
-//! be carried lies in all of them.
+//! Inner: the loads in equilibrium with admissible stresses form a convex set (a weighted mean of
+//! two admissible stresses is admissible and in equilibrium with the mean of their loads), so the
+//! hull of the strict lower points is part of it. Outer: the mechanism of each direction bounds a
+//! half plane, and every load that can be carried lies in all of them.
 
 use crate::math::convex::{HalfPlane, bounded, clip, hull};
 use crate::result::demand::ActionValue;
 use serde::{Deserialize, Serialize};
 
-/// What two actions at a member's end are carried of together.
+/// Capacity of a joint under two actions at a member end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CapacityPolygon {
     /// Member end: `beam_right`.
@@ -18,13 +18,14 @@ pub struct CapacityPolygon {
     pub at: String,
     /// The two axes.
     pub axes: [Axis; 2],
-    /// What was found, direction by direction.
+    /// The bounds of each direction.
     pub points: Vec<Point>,
-    /// Corners of what is carried at least, turning from the first axis to the second \[N, N mm\].
+    /// Corners of the inner hull, in the sense of rotation from the first axis to the second \[N, N
+    /// mm\].
     pub inner: Vec<[f64; 2]>,
-    /// Corners of what is carried at most, likewise; where it is not bounded, those there are.
+    /// Corners of the outer hull, likewise; where the hull is open, its finite corners.
     pub outer: Vec<[f64; 2]>,
-    /// False where no mechanism was found that bounds some direction.
+    /// False where some direction is bounded by no mechanism.
     pub outer_bounded: bool,
 }
 
@@ -33,25 +34,26 @@ pub struct CapacityPolygon {
 pub struct Axis {
     /// `N`, `Vy`, `Vz`, `T`, `My` or `Mz`.
     pub action: String,
-    /// Its unit: what directions and half planes count it in.
+    /// Its unit in directions and half planes.
     pub unit: ActionValue,
 }
 
 /// The bounds of one direction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
-    /// Its load case.
+    /// Name of its load case.
     pub case: String,
     /// Both actions at load factor 1, in their units.
     pub direction: [f64; 2],
-    /// Strict lower bound of the load factor, with friction that without it.
+    /// Strict lower bound of the load factor; with friction, the bound without it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<f64>,
-    /// Strict upper bound of it.
+    /// Strict upper bound of the load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
-    /// What the mechanism bounds, in the units of the axes: the normal is the powers of the two
-    /// units over the power of the direction, the offset the upper bound.
+    /// Half plane bounded by the mechanism, in the units of the axes. The components of its normal
+    /// are the powers of the two unit actions over the power of the direction; its offset is the
+    /// upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub half_plane: Option<HalfPlane>,
 }
@@ -63,13 +65,14 @@ impl Point {
     }
 }
 
-/// How far corners may lie, in the largest bound found: beyond, nothing bounds them worth the name.
+/// Largest distance of a corner, in multiples of the largest bound found; farther corners count as
+/// unbounded.
 const FAR: f64 = 1e3;
 
 /// Inner hull, outer hull and whether that is bounded, in units of the axes.
 fn hulls(points: &[Point]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>, bool) {
     let mut carried: Vec<[f64; 2]> = points.iter().filter_map(|p| Some(p.at(p.lower?))).collect();
-    // without loads nothing is needed
+    // zero load is always carried
     carried.push([0.0; 2]);
     let planes: Vec<HalfPlane> = points.iter().filter_map(|p| p.half_plane).collect();
     let largest = points
@@ -84,13 +87,13 @@ fn hulls(points: &[Point]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>, bool) {
     (hull(&carried), hull(&corners.into_iter().filter(|c| !far(c)).collect::<Vec<_>>()), closed)
 }
 
-/// The corners of a rectangle around the origin, turning left.
+/// The corners of a rectangle around the origin, counter-clockwise.
 pub(crate) fn rectangle([x, y]: [f64; 2]) -> [[f64; 2]; 4] {
     [[-x, -y], [x, -y], [x, y], [-x, y]]
 }
 
 impl CapacityPolygon {
-    /// The hulls of what was found.
+    /// The polygon with the hulls of the points.
     pub fn new([end, at]: [String; 2], axes: [Axis; 2], points: Vec<Point>) -> Self {
         let (inner, outer, outer_bounded) = hulls(&points);
         let units = axes.each_ref().map(|a| a.unit.value());

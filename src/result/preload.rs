@@ -4,8 +4,8 @@ use crate::analysis::preload::Tightened;
 use crate::model::AnalysisModel;
 use crate::result::forces::ON_PLANE;
 
-/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the
-/// origin.
+/// Marks the bolts that a plane of symmetry halves; `mirror`: normals of these planes, which pass
+/// through the origin.
 pub fn mark_halved(bolts: &mut [Tightened], model: &AnalysisModel, mirror: &[usize]) {
     for bolt in bolts {
         let cut = model

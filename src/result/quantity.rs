@@ -1,8 +1,9 @@
-//! What is bracketed, of which problem, and the numbers of a bracket as `result.json` holds them.
+//! The bracketed quantity, the problem it belongs to, and the numbers of a bracket as `result.json`
+//! holds them.
 
 use serde::{Deserialize, Serialize};
 
-/// What `lower` and `upper` bracket.
+/// The quantity that `lower` and `upper` bracket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
@@ -22,8 +23,8 @@ pub enum FrictionModel {
     Associated,
     /// Coulomb friction.
     Coulomb,
-    /// The last problem of the fixed point for Coulomb friction: cones shifted by the slip of the
-    /// one before.
+    /// The last problem of the fixed point for Coulomb friction: its cones are shifted by the slip
+    /// of the previous problem.
     ShiftedCones,
 }
 
@@ -49,7 +50,7 @@ impl Upper {
     /// The loads can grow without limit.
     pub const UNBOUNDED: Self = Upper::Unbounded(Unbounded::Unbounded);
 
-    /// The finite bound, if it is one.
+    /// The bound, if it is finite.
     pub fn finite(self) -> Option<f64> {
         match self {
             Upper::Finite(x) => Some(x),
@@ -75,7 +76,7 @@ pub struct RawBracket {
     pub upper: Option<Upper>,
 }
 
-/// The size of a load, not negative, at load factor 1.
+/// Magnitude of a load at load factor 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadSize {

@@ -38,7 +38,8 @@ mod tests {
 
     const GIB: u64 = 1 << 30;
 
-    /// What is needed is rounded up and what there is down: a refusal never reads as if it fitted.
+    /// Needed memory is rounded up, available memory down: a refusal never reads as if the program
+    /// fitted.
     #[test]
     fn a_refusal_never_reads_as_if_it_fitted() {
         for limit in [Limit::Machine, Limit::Asked(8 * GIB)] {

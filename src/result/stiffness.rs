@@ -4,7 +4,8 @@ use crate::checks::{JointStiffness, PureMoment};
 use crate::result::entry::CaseResult;
 use crate::result::quantity::LoadSize;
 
-/// The stiffness of a joint, where the case is one moment whose rotation is bracketed.
+/// The stiffness of a joint, where the only load of the case is a moment whose rotation is
+/// bracketed.
 pub fn joint_stiffness(case: &CaseResult, moments: &[PureMoment]) -> Option<JointStiffness> {
     let mine: Vec<&PureMoment> = moments.iter().filter(|m| m.case == case.name).collect();
     let LoadSize::Moment(total) = case.load? else { return None };

@@ -10,9 +10,9 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Meshes {
-    /// Refined everywhere alike; every row stands alone.
+    /// Refined uniformly; every row stands alone.
     Uniform,
-    /// Refined where the gap comes from; a row pays for the ones before it.
+    /// Refined where the gap comes from; a row includes the cost of the rows before it.
     Adaptive,
 }
 
@@ -33,7 +33,7 @@ pub struct Row {
     pub macro_tets: usize,
     /// Unknowns of both programs.
     pub dofs: usize,
-    /// Largest certified lower bound so far, of the meshes that the row pays for.
+    /// Largest certified lower bound so far, of the meshes whose cost the row includes.
     pub lower: Option<f64>,
     /// Smallest certified upper bound so far.
     pub upper: Option<f64>,

@@ -21,8 +21,8 @@ fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     text
 }
 
-/// Tells the log what a program of a load case does; `tolerance`: where its solve ends.
-pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
+/// Notes in the log an event of a program of a load case; `tolerance`: gap at which its solve ends.
+pub fn note(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
     let name = program.name();
     match event {
         Event::Assembly => log.stage(format!("{case}: assembling the {name} program")),
@@ -96,7 +96,7 @@ mod tests {
     const GIB: u64 = 1 << 30;
 
     #[test]
-    fn costs_are_told_in_users_words() {
+    fn forecasts_are_in_the_words_of_users() {
         let forecast = Forecast {
             unknowns: 52_341,
             factor_entries: 12_400_000,

@@ -3,7 +3,7 @@
 /// A field at the nodes of the mesh, shown in bands of colour.
 #[derive(Clone, Copy, Debug)]
 pub struct Field<'a> {
-    /// What it is, for the legend: `von Mises stress`.
+    /// Name for the legend: `von Mises stress`.
     pub name: &'a str,
     /// Its unit, for the legend; empty for a plain number.
     pub unit: &'a str,

@@ -101,7 +101,7 @@ impl Bands {
         mix(FIELD_COLOURS[i], FIELD_COLOURS[i + 1], (t - i as f64) as f32)
     }
 
-    /// A limit with the digits that tell it from the next.
+    /// A limit with enough digits to distinguish it from the next.
     pub(super) fn label(&self, limit: usize) -> String {
         let value = self.low + limit as f64 * self.step;
         let decimals = (-self.step.log10().floor()).max(0.0) as usize;

@@ -1,8 +1,8 @@
 //! Pictures of the meshed joint: a z-buffer, no graphics card, the same bytes every time.
 //!
 //! Orthographic view, flat shading, 2 × 2 supersampling. Lines of the mesh and of the shape are
-//! drawn where a pixel of a triangle lies near one of its edges: what is hidden stays hidden
-//! without any depth offset.
+//! drawn where a pixel of a triangle lies near one of its edges: hidden lines stay hidden without a
+//! depth offset.
 
 use crate::math::vec3::{dot, unit};
 use crate::mesh::TetMesh;
@@ -24,7 +24,7 @@ pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
     draw_surface(surface, options)
 }
 
-/// Draws a surface; nodal arrays of the options are numbered as [`Surface::origin`] says.
+/// Draws a surface; nodal arrays of the options are numbered as in [`Surface::origin`].
 pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let kinds = surface.edge_kinds(FEATURE_ANGLE);
     let eye = unit(options.eye.unwrap_or_else(|| natural_eye(&surface)));
@@ -55,7 +55,7 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         canvas.blank_right(view.width as f64 - LEGEND, BACKGROUND);
     }
     if view.close {
-        // what the frame cuts is cut on purpose: show the frame
+        // the frame cuts the shape on purpose: show the frame
         let right = view.width as f64 - if bands.is_some() { LEGEND } else { 0.0 };
         canvas.frame([1.0, 1.0], [right - 1.0, view.strip_top - 1.0], FRAME);
     }
@@ -66,7 +66,7 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     canvas.finish()
 }
 
-/// What the triangles are drawn from.
+/// Data from which the triangles are drawn.
 struct Drawing<'a> {
     surface: &'a Surface,
     kinds: &'a [[EdgeKind; 3]],

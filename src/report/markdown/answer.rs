@@ -90,7 +90,7 @@ pub(crate) fn answer(page: &mut String, case: &CaseResult, data: &ReportData) {
     meaning(page, case, data);
 }
 
-/// What the numbers mean to an engineer.
+/// The meaning of the numbers to an engineer.
 fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
     let word = if case.is_strict() { "lies" } else { "is estimated" };
     match (case.quantity, case.load.zip(case.load_displacement)) {
@@ -173,7 +173,7 @@ fn meaning(page: &mut String, case: &CaseResult, data: &ReportData) {
     }
 }
 
-/// How near the problem of the bracket is to Coulomb's law.
+/// How close the problem of the bracket is to Coulomb's law.
 fn fixed_point_words(run: &FixedPointRun) -> String {
     let problems =
         if run.solves == 1 { "one problem".into() } else { format!("{} problems", run.solves) };

@@ -1,5 +1,5 @@
-//! What a report says of a load factor beyond its bracket: the load at collapse, what friction
-//! means, where the structure fails.
+//! The sentences on a load factor beyond its bracket: the load at collapse, the effect of friction,
+//! the mechanism and the welds.
 
 use crate::analysis::coulomb::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
@@ -7,7 +7,7 @@ use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
 use crate::result::data::{CaseResult, FrictionModel, Quantity, Upper};
 
-/// The load factor that a fixed point finds under Coulomb's law.
+/// The load factor from the fixed point for Coulomb's law.
 pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
     let value = significant(factor, 4, Rounding::Nearest);
     let how = run.map_or(String::new(), |run| {
@@ -26,7 +26,7 @@ pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String
     format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound).{how}")
 }
 
-/// What the load factor means to an engineer.
+/// The meaning of the load factor to an engineer.
 pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
         let word = if case.is_strict() { "lies" } else { "is estimated" };
@@ -93,7 +93,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     }
 }
 
-/// Where the mechanism works and what limits the lower bound.
+/// Where the mechanism dissipates and which part limits the lower bound.
 pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     if case.quantity != Quantity::LoadFactor {
         return welds(page, case);
@@ -129,7 +129,7 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     welds(page, case);
 }
 
-/// What each weld bears.
+/// Demand on each weld.
 fn welds(page: &mut String, case: &CaseResult) {
     let rows: Vec<Vec<String>> = case
         .welds

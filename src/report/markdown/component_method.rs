@@ -6,11 +6,12 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{inline, paragraph};
 use crate::result::data::CaseResult;
 
-/// What von Mises adds to the bending strength of a plate that cannot contract along its hinge:
-/// 2/√3.
+/// Factor on the bending strength of a plate that cannot contract along its hinge (plane strain,
+/// von Mises): 2/√3.
 const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
 
-/// A line a member end; where the component method lies outside the bracket, what accounts for it.
+/// A line for each member end; where the component method lies outside the bracket, with the
+/// reasons.
 pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     let Some(demand) = &case.demand else { return };
     for c in &demand.component_method {
@@ -144,7 +145,7 @@ mod tests {
             below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"),
             "{below}"
         );
-        // what may buckle explains a difference that must not be called safe
+        // with possible buckling a method below the bracket must not be called safe
         let mut unstable = comparison(1.0);
         unstable.stability =
             vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];

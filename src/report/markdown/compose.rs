@@ -52,7 +52,7 @@ pub fn report_markdown(data: &ReportData) -> String {
     page
 }
 
-/// What backs the numbers of the analyses.
+/// The sections behind the numbers of the analyses.
 fn analyses(page: &mut String, data: &ReportData) {
     heading(page, "Mesh and history");
     if !data.mesh_quality.rows.is_empty() {

@@ -6,7 +6,7 @@ use crate::report::markdown::page::Table;
 use crate::result::data::{CaseResult, ResultFile};
 use crate::result::demand::Demand;
 
-/// Verdicts and capacities, a row a case and a row an action; nothing where nothing is demanded.
+/// Verdicts and capacities, a row a case and a row an action; nothing without a demand.
 pub(crate) fn demands(page: &mut String, result: &ResultFile) {
     let judged: Vec<(&CaseResult, &Demand)> =
         result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
@@ -43,7 +43,7 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
                     (format!("{sign}{l}"), format!("{sign}{u}"))
                 }
                 _ if !a.factored => ("fixed".into(), "fixed".into()),
-                // one side alone says in words which it is
+                // a single bound is marked in words as lower or upper
                 (Some(l), None) if value != 0.0 => {
                     (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
                 }

@@ -5,7 +5,7 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
 
-/// Under the verdict: what failed, and what the code leaves undecided.
+/// Below the verdict: the checks that failed, and those the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),

@@ -79,7 +79,7 @@ pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     }
 }
 
-/// What was expected of each further mesh, beside what came.
+/// Prediction and result of each further mesh.
 fn expectations(page: &mut String, case: &CaseResult) {
     let further = case.history.iter().enumerate().filter_map(|(i, h)| Some((i, h, h.predicted?)));
     let rows: Vec<Vec<String>> = further

@@ -1,5 +1,5 @@
-//! What the report says of the input: as it was read, the values that follow from it, and at the
-//! end the file itself.
+//! The sections on the input: as it was read, the values derived from it, and at the end the file
+//! itself.
 
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::{ReportData, Table};

@@ -2,7 +2,7 @@
 
 use crate::report::markdown::page::Table;
 
-/// What stands in a cell without a value.
+/// The text of a cell without a value.
 pub(crate) fn dash() -> String {
     "–".into()
 }

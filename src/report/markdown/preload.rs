@@ -1,10 +1,10 @@
-//! What the report says of preloaded bolts.
+//! The sentences on preloaded bolts.
 
 use crate::analysis::preload::Tightened;
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::inline;
 
-/// What a preloaded bolt carries.
+/// Preload, closure and tension of a preloaded bolt.
 pub(crate) fn preload_words(bolt: &Tightened) -> String {
     let kilonewtons = |f: f64| format!("{} kN", significant(f / 1e3, 4, Rounding::Nearest));
     let loaded = bolt.tension.map_or(String::new(), |t| {

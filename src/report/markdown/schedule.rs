@@ -1,4 +1,4 @@
-//! What is ordered: bolts with their length, plates and stiffeners, with their masses.
+//! The list of bolts with their lengths, plates and stiffeners, with masses.
 
 use crate::assembly::EndPlate;
 use crate::catalog::BoltSize;
@@ -22,7 +22,7 @@ pub fn bolt_mass(b: &BoltSize, length: f64) -> f64 {
 }
 
 /// Bolts, end plates, stiffeners and doubler; `plates`: end plates of the joint, `length`: nominal
-/// length of the bolts \[mm\], `grip` what they clamp \[mm\].
+/// length of the bolts \[mm\], `grip`: clamped thickness \[mm\].
 pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> Table {
     let sets = if e.column.is_some() { plates } else { 1 };
     let mut rows = Vec::new();

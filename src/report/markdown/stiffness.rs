@@ -122,7 +122,7 @@ mod tests {
         }
     }
 
-    /// The component method is told as inside, softer or stiffer, with ratios rounded outwards.
+    /// The component method is reported as inside, softer or stiffer, with ratios rounded outwards.
     #[test]
     fn the_component_method_stands_beside_the_bracket() {
         let s = stiffness();

@@ -1,4 +1,4 @@
-//! The box a report begins with: the verdict by code, by analysis, and the joint one with its
+//! The box at the top of a report: the verdict by code, by analysis, and the joint verdict with its
 //! reason.
 
 use crate::checks::Judgement;
@@ -7,7 +7,7 @@ use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
 use crate::result::data::ResultFile;
 
-/// The verdict, and what it stands on.
+/// The verdict and its basis.
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
     let Some(j) = &result.judgement else {
         match result.verdict {

@@ -1,4 +1,4 @@
-//! Field files: what ParaView opens and `verify` reads.
+//! Field files, for ParaView and for `verify`.
 
 pub mod field_files;
 pub mod plastic_file;

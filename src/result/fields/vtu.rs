@@ -1,8 +1,8 @@
 //! Fields as `.vtu` files (VTK XML, appended raw): written for ParaView, read back bit for bit by
 //! `bracket verify`.
 //!
-//! Little-endian, 64-bit block headers, 64-bit floats, one cell type a file. The reader reads what
-//! the writer writes and refuses the rest; it never trusts a length it has not checked.
+//! Little-endian, 64-bit block headers, 64-bit floats, one cell type in a file. The reader accepts
+//! only the form that the writer produces; it never trusts a length it has not checked.
 
 use crate::diag::Diagnostic;
 

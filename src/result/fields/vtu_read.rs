@@ -86,7 +86,7 @@ impl VtuGrid {
         length("Points", points.len(), point_count.saturating_mul(3))?;
         length("offsets", offsets.len(), cell_count)?;
         length("types", types.len(), cell_count)?;
-        // an empty grid has no cell to tell its type: call it linear
+        // an empty grid has no cell that gives its type: take it as linear
         grid.cell_type = types.first().copied().unwrap_or(TETRA);
         let per_cell = nodes_per_cell(grid.cell_type)?;
         if types.iter().any(|&t| t != grid.cell_type)
