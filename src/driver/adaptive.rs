@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
-use crate::driver::pass_entry::pass_entry;
+use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{run_pass, too_large};
 use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
@@ -19,7 +19,7 @@ use crate::report::console::log::Log;
 use crate::report::console::pace::about;
 use crate::report::figures::{Rounding, fixed, percent_up};
 use crate::report::markdown::page::Table;
-use crate::result::combine::{self, best};
+use crate::result::combine::{self, PassResult, best};
 use crate::result::data::{CaseResult, Predicted};
 use crate::solve::Patterns;
 use std::sync::Arc;
@@ -67,7 +67,7 @@ pub fn analyse(
     log: &Arc<Log>,
 ) -> Result<Adapted, Diagnostics> {
     let Case { name, model, mut remesh, mesh_seconds, .. } = case;
-    let mut entries: Vec<CaseResult> = Vec::new();
+    let mut entries: Vec<PassResult> = Vec::new();
     let mut steps: Vec<Step> = Vec::new();
     let mut kept: Vec<Kept> = Vec::new();
     let mut next = (model, None, mesh_seconds, None::<Prediction>);
@@ -115,7 +115,8 @@ pub fn analyse(
                     .unwrap_or(0),
                 predicted,
             });
-        entries.push(entry);
+        let bounds = pass_bounds(&outcome, &entry);
+        entries.push(PassResult { entry, bounds });
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
         // the fields of a pass that gives neither best bound are dropped; those of the last pass
@@ -177,7 +178,7 @@ pub fn analyse(
                 let why = faults.0.first().map_or(String::new(), |d| d.message.clone());
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
-                    e.warnings.push(format!("there was no finer mesh: {why}"));
+                    e.entry.warnings.push(format!("there was no finer mesh: {why}"));
                 }
                 break;
             }
@@ -186,11 +187,11 @@ pub fn analyse(
     finish(&name, entries, kept, stop, context, limits)
 }
 
-fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
+fn joined(entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
     let Some(b) = best(entries) else { return Err(Diagnostics(Vec::new())) };
     let upper = entries[b.upper].clone();
     if b.upper == b.lower {
-        return Ok(upper);
+        return Ok(upper.entry);
     }
     combine::join(upper, entries[b.lower].clone()).map_err(|e| {
         Diagnostic::undecided("bounds/contradiction", e.to_string())
@@ -201,17 +202,17 @@ fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
 
 fn finish(
     name: &str,
-    entries: Vec<CaseResult>,
+    entries: Vec<PassResult>,
     mut kept: Vec<Kept>,
     stop: Option<Stop>,
     context: &RunContext,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(&entries)?;
-    entry.history = entries.iter().flat_map(|e| e.history.iter().cloned()).collect();
+    entry.history = entries.iter().flat_map(|e| e.entry.history.iter().cloned()).collect();
     if let Some(last) = entries.last() {
         let new: Vec<String> =
-            last.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
+            last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
         entry.warnings.extend(new.into_iter().map(|w| format!("mesh {}: {w}", entries.len())));
     }
     if let (Some(gap), Some(adapt)) = (entry.gap, &context.adapt)

@@ -3,9 +3,10 @@
 use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::fields::StressField;
 use crate::model::AnalysisModel;
-use crate::result::case::case_result;
+use crate::result::bounds::CaseBounds;
+use crate::result::case::{case_result, energy_bounds};
 use crate::result::data::{CaseResult, FrictionModel};
-use crate::result::limit_case::limit_case_result;
+use crate::result::limit_case::{factor_bounds, limit_case_result};
 
 /// The entry of the result for a pass.
 pub fn pass_entry(
@@ -17,6 +18,14 @@ pub fn pass_entry(
     match pass {
         AnalysisPass::Energy(p) => case_result(name, model, p, mesh_seconds),
         AnalysisPass::Factor(p) => limit_case_result(name, model, p, mesh_seconds),
+    }
+}
+
+/// The bounds behind an entry of the result.
+pub fn pass_bounds(pass: &AnalysisPass, entry: &CaseResult) -> CaseBounds {
+    match pass {
+        AnalysisPass::Energy(p) => energy_bounds(p),
+        AnalysisPass::Factor(p) => factor_bounds(p, entry.problem),
     }
 }
 

@@ -12,7 +12,8 @@ use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
-use crate::report::console::progress::{self, refusal_words};
+use crate::report::console::progress;
+use crate::result::refusal::refusal_words;
 use crate::solve::{Patterns, SolveOptions};
 use crate::spec::analysis::AnalysisKind;
 use std::sync::Arc;
@@ -71,7 +72,7 @@ pub fn run_pass(
     };
     let (shown, name, tolerance) = (log.clone(), name, AnalysisPass::tolerance(model, &solve));
     let progress: Progress =
-        Arc::new(move |program, event| progress::tell(&shown, &name, tolerance, program, event));
+        Arc::new(move |program, event| progress::note(&shown, &name, tolerance, program, event));
     let memory = limits.memory;
     let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
     AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())

@@ -14,13 +14,13 @@ use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
+use crate::report::draw::polygon;
 use crate::report::markdown::page::{ModelTraits, PictureRef};
-use crate::report::markdown::preload::mark_halved;
 use crate::result::data::{CaseResult, Quantity, ResultFile};
 use crate::result::demand::Demand;
 use crate::result::folder::ResultFolder;
 use crate::result::forces::static_forces;
-use crate::result::polygon;
+use crate::result::preload::mark_halved;
 use crate::result::stiffness::joint_stiffness;
 use crate::solve::Patterns;
 use std::sync::Arc;

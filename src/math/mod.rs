@@ -1,8 +1,9 @@
 //! Small mathematics: convex polygons, vectors, Mandel tensors, quadrature, dense factors,
-//! compensated sums.
+//! compensated sums, significant figures.
 
 pub mod convex;
 pub mod dense;
+pub mod figures;
 pub mod lanes;
 pub mod mandel;
 pub mod quadrature;

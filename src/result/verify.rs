@@ -1,6 +1,7 @@
 //! Recomputation of the certificate of a finished result from its stored fields and meshes alone.
 
 mod case_files;
+mod derived;
 mod differences;
 mod energy;
 mod factor;
@@ -9,12 +10,14 @@ mod finding;
 use crate::certify::UpperFactor;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::resolve::load_model;
-use crate::result::combine::join;
+use crate::result::case::energy_bounds;
+use crate::result::combine::{PassResult, join};
 use crate::result::data::{CaseResult, FrictionModel, RESULT_FILE, ResultFile};
-use crate::result::derived::{Proved, case_differences, polygon_differences};
 use crate::result::file_names::entry_stem;
+use crate::result::limit_case::factor_bounds;
 use crate::spec::analysis::AnalysisKind;
 use case_files::{CaseFiles, read};
+use derived::{Proved, case_differences, polygon_differences};
 use differences::derived_differences;
 pub use finding::Finding;
 use std::path::Path;
@@ -73,7 +76,7 @@ fn verify_case(
     let other = if beside.exists() { Some(load_model(&beside)?) } else { None };
     let mut refuted = Vec::new();
     let mut findings = Vec::new();
-    let mut found: Option<CaseResult> = None;
+    let mut found: Option<PassResult> = None;
     let (mut mechanism, mut carried) = (None, None);
     let sides = match &other {
         None => vec![(&model, [true, true])],
@@ -87,36 +90,38 @@ fn verify_case(
             ));
         }
         let files = CaseFiles { model, case, folder, stem, wanted };
-        let (new, entry) = match model.analysis {
+        let (new, side) = match model.analysis {
             AnalysisKind::Limit => {
                 let (new, entry, pass) = files.factors(&mut refuted)?;
+                let bounds = factor_bounds(&pass, entry.problem);
                 let answers = pass.carried(case.problem == FrictionModel::Coulomb);
                 let of_answer =
                     answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
                 carried = of_answer.or(carried);
                 let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
                 mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
-                (new, entry)
+                (new, PassResult { entry, bounds })
             }
             _ => {
                 let (new, entry, pass) = files.energies(&mut refuted)?;
+                let bounds = energy_bounds(&pass);
                 carried = pass.stress.map(|s| (model.clone(), s, 1.0)).or(carried);
-                (new, entry)
+                (new, PassResult { entry, bounds })
             }
         };
         findings.extend(new);
         found = Some(match found {
-            None => entry,
-            Some(upper) => match join(upper.clone(), entry) {
-                Ok(joined) => joined,
-                Err(e) => {
-                    refuted.push(format!("{}: {e}", case.name));
-                    upper
+            None => side,
+            Some(mut upper) => {
+                match join(upper.clone(), side) {
+                    Ok(joined) => upper.entry = joined,
+                    Err(e) => refuted.push(format!("{}: {e}", case.name)),
                 }
-            },
+                upper
+            }
         });
     }
-    let Some(entry) = found else { return Ok((findings, (refuted, None))) };
+    let Some(PassResult { entry, .. }) = found else { return Ok((findings, (refuted, None))) };
     refuted.extend(derived_differences(case, &entry));
     Ok((findings, (refuted, Some(Proved { entry, model, mechanism, stress: carried }))))
 }
