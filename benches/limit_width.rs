@@ -364,7 +364,7 @@ fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
 }
 
 fn joint(path: &Path, o: &Options) -> AnalysisModel {
-    let input = bracket::cli::spec_file::read(path, None).expect("the spec is sound");
+    let input = bracket::driver::spec_file::read(path, None).expect("the spec is sound");
     let assembly = &input.joint.assembly;
     let meshed = meshed(assembly, o);
     let case = &from_joint::cases(assembly)[0];

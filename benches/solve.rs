@@ -76,7 +76,7 @@ fn main() {
 
 /// The first load case of a connection spec, its mesh sizes multiplied by `factor`.
 fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
-    let input = bracket::cli::spec_file::read(path, None).expect("the spec is sound");
+    let input = bracket::driver::spec_file::read(path, None).expect("the spec is sound");
     let folder = std::env::temp_dir().join(format!("bracket-bench-{}", std::process::id()));
     let mut options = MeshOptions::new(&folder);
     options.layers = input.spec.value.analysis.mesh.layers;

@@ -6,27 +6,54 @@
 use std::fmt;
 use std::path::PathBuf;
 
-/// Who has to act on a fault; decides the exit code (CONTRACT: 2 bad input, 3 undecided, 4
-/// environment).
+/// How the process ends. `README.md` has the table of the exit codes and their meanings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum ExitStatus {
+    /// The command did its work; what it judged is verified.
+    Ok = 0,
+    /// The joint is verified not OK, a check fails, or a certificate is refuted.
+    NotOk = 1,
+    /// The input is wrong.
+    BadInput = 2,
+    /// No certificate could be produced within the limits.
+    Undecided = 3,
+    /// The machine lacks something (mesher, disk, memory).
+    Environment = 4,
+}
+
+impl ExitStatus {
+    /// The exit code of the process.
+    pub fn code(self) -> u8 {
+        self as u8
+    }
+}
+
+/// Who has to act on a fault; decides the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
-    /// The input is wrong: exit code 2.
+    /// The input is wrong.
     Input,
-    /// No certificate could be produced within the limits: exit code 3.
+    /// No certificate could be produced within the limits.
     Undecided,
-    /// The machine lacks something (mesher, disk, memory): exit code 4.
+    /// The machine lacks something (mesher, disk, memory).
     Environment,
 }
 
 impl Fault {
-    /// The process exit code of CONTRACT.md.
-    pub fn exit_code(self) -> u8 {
+    /// How a process ends that this fault stopped.
+    pub fn exit_status(self) -> ExitStatus {
         match self {
-            Fault::Input => 2,
-            Fault::Undecided => 3,
-            Fault::Environment => 4,
+            Fault::Input => ExitStatus::BadInput,
+            Fault::Undecided => ExitStatus::Undecided,
+            Fault::Environment => ExitStatus::Environment,
         }
+    }
+
+    /// The exit code of the process.
+    pub fn exit_code(self) -> u8 {
+        self.exit_status().code()
     }
 }
 
@@ -65,7 +92,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A fault of the input (exit code 2).
+    /// A fault of the input.
     pub fn input(code: &'static str, message: impl Into<String>) -> Self {
         Self {
             code,
@@ -76,12 +103,12 @@ impl Diagnostic {
         }
     }
 
-    /// A fault of the machine or its set-up (exit code 4).
+    /// A fault of the machine or its set-up.
     pub fn environment(code: &'static str, message: impl Into<String>) -> Self {
         Self { fault: Fault::Environment, ..Self::input(code, message) }
     }
 
-    /// No certificate within the limits (exit code 3).
+    /// No certificate within the limits.
     pub fn undecided(code: &'static str, message: impl Into<String>) -> Self {
         Self { fault: Fault::Undecided, ..Self::input(code, message) }
     }
@@ -137,9 +164,14 @@ impl From<Box<Diagnostic>> for Diagnostics {
 }
 
 impl Diagnostics {
-    /// The exit code of the first fault.
+    /// How a process ends that these faults stopped: the first fault decides.
+    pub fn exit_status(&self) -> ExitStatus {
+        self.0.first().map_or(ExitStatus::BadInput, |d| d.fault.exit_status())
+    }
+
+    /// The exit code of the process.
     pub fn exit_code(&self) -> u8 {
-        self.0.first().map_or(2, |d| d.fault.exit_code())
+        self.exit_status().code()
     }
 }
 

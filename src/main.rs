@@ -1,6 +1,7 @@
 //! The `bracket` command.
 
-use bracket::cli::{Cli, Format};
+use bracket::cli::args::{Cli, dispatch};
+use bracket::cli::common::Format;
 use bracket::diag_render;
 use clap::Parser;
 use std::io::{IsTerminal, Write};
@@ -8,8 +9,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    match bracket::cli::dispatch(&cli) {
-        Ok(code) => ExitCode::from(code),
+    match dispatch(&cli) {
+        Ok(status) => ExitCode::from(status.code()),
         Err(faults) => {
             let mut stderr = std::io::stderr();
             let text = match cli.common.format {
@@ -21,7 +22,7 @@ fn main() -> ExitCode {
                         && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()),
                 ),
             };
-            // with standard error closed there is no one left to tell; the exit code still says it
+            // standard error may be closed; the exit code still reports the fault
             let _ = stderr.write_all(text.as_bytes());
             ExitCode::from(faults.exit_code())
         }

@@ -174,6 +174,7 @@ mod tests {
             ("{gamma_M3ser: 1.1}", "code.gamma_M3ser", "did you mean `gamma_M3_ser`?"),
             ("{gamma_m1: 1.1}", "code.gamma_m1", "did you mean `gamma_M1`?"),
             ("{annex: XX}", "code.annex", "national annex `XX` is not in the catalogue"),
+            ("{annex: XX}", "code.annex", "(known: recommended, UK, DE, FR, NL, NO)"),
             ("{annex: recomended}", "code.annex", "did you mean `recommended`?"),
             ("{annex: [DE]}", "code.annex", "expected a text"),
         ] {

@@ -119,7 +119,15 @@ impl Catalog {
     pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
         let country =
             || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
-        self.annexes.find(name).or_else(country).ok_or_else(|| self.annexes.unknown(name))
+        let unknown = || match self.annexes.unknown(name) {
+            CatalogError::Unknown { noun, kind, name, hint } => {
+                let known: Vec<&str> = self.annexes().iter().map(|a| a.annex.as_str()).collect();
+                let hint = format!("{hint} (known: {})", known.join(", "));
+                CatalogError::Unknown { noun, kind, name, hint }
+            }
+            other => other,
+        };
+        self.annexes.find(name).or_else(country).ok_or_else(unknown)
     }
 
     /// All sections, in the order of the files.

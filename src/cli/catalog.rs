@@ -1,8 +1,9 @@
 //! `bracket catalog`.
 
+use super::common::{CommandResult, Common, Format};
 use crate::catalog::{BoltSize, Catalog, CatalogError, IProfile, NationalAnnex, Steel};
-use crate::cli::{CommandResult, Common, Format};
-use crate::diag::{Diagnostic, did_you_mean};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus, did_you_mean};
+use crate::driver::spec_file::catalog_warning;
 use crate::report::console::out;
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;
@@ -67,17 +68,17 @@ pub fn run(args: &CatalogArgs, common: &Common) -> CommandResult {
     }
     .map_err(Diagnostic::from)?;
     for w in catalog.warnings() {
-        eprintln!("{}", super::spec_file::catalog_warning(w));
+        eprintln!("{}", catalog_warning(w));
     }
     match &args.action {
         None => kinds(&catalog, common)?,
         Some(Action::List { kind, series }) => list(&catalog, *kind, series.as_deref(), common)?,
         Some(Action::Show { name }) => show(&catalog, &name.join(" "), common)?,
     }
-    Ok(0)
+    Ok(ExitStatus::Ok)
 }
 
-fn kinds(catalog: &Catalog, common: &Common) -> Result<(), crate::diag::Diagnostics> {
+fn kinds(catalog: &Catalog, common: &Common) -> Result<(), Diagnostics> {
     let rows: Vec<(Kind, usize)> = vec![
         (Kind::Profiles, catalog.profiles().len()),
         (Kind::Bolts, catalog.bolts().len()),
@@ -108,7 +109,7 @@ fn list(
     kind: Kind,
     series: Option<&str>,
     common: &Common,
-) -> Result<(), crate::diag::Diagnostics> {
+) -> Result<(), Diagnostics> {
     if let Some(series) = series.filter(|_| kind != Kind::Profiles) {
         return Err(Diagnostic::input(
             "cli/series",
@@ -274,7 +275,7 @@ fn list(
 fn chosen<'a>(
     catalog: &'a Catalog,
     series: Option<&str>,
-) -> Result<Vec<&'a IProfile>, crate::diag::Diagnostics> {
+) -> Result<Vec<&'a IProfile>, Diagnostics> {
     let Some(series) = series else { return Ok(catalog.profiles().iter().collect()) };
     let flat = |s: &str| s.to_uppercase().replace([' ', '-'], "");
     let rows: Vec<&IProfile> =
@@ -298,7 +299,7 @@ fn table<T: Serialize>(
     head: &[&str],
     cells: impl Fn(&T) -> Vec<String>,
     common: &Common,
-) -> Result<(), crate::diag::Diagnostics> {
+) -> Result<(), Diagnostics> {
     match common.format {
         Format::Json => out::json(&rows),
         Format::Text => out::text(&out::columns(head, &rows.iter().map(cells).collect::<Vec<_>>())),
@@ -306,7 +307,7 @@ fn table<T: Serialize>(
 }
 
 /// Every row of any kind that answers to the name.
-fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), crate::diag::Diagnostics> {
+fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostics> {
     let mut found: Vec<(&str, Value)> = Vec::new();
     let mut refused: Vec<CatalogError> = Vec::new();
     let mut take = |kind, row: Result<Value, CatalogError>| match row {

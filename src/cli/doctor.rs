@@ -1,26 +1,27 @@
 //! `bracket doctor`.
 
+use super::common::{CommandResult, Common, Format};
 use crate::catalog::Catalog;
-use crate::cli::{CommandResult, Common, Format};
+use crate::diag::ExitStatus;
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::mesher_error::VARIABLE;
 use crate::report::console::out;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Say what this machine has and what is missing.
+/// Report what this machine has and what is missing.
 #[derive(Debug, clap::Args)]
 pub struct DoctorArgs {}
 
-/// Whether a thing is there.
+/// State of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Status {
-    /// There, and enough of it.
+    /// Present and sufficient.
     Ok,
-    /// Not there, and nothing needs it as the machine is.
+    /// Absent, but not needed on this machine.
     Optional,
-    /// Not there, or too little; a run would fail.
+    /// Absent or insufficient; a run would fail.
     Missing,
 }
 
@@ -29,9 +30,9 @@ enum Status {
 struct Finding {
     item: &'static str,
     status: Status,
-    /// What was found.
+    /// The finding.
     found: String,
-    /// What to do; only where something is to be done.
+    /// The remedy, if one is needed.
     #[serde(skip_serializing_if = "Option::is_none")]
     cure: Option<String>,
 }
@@ -57,10 +58,10 @@ const LEAST_MEMORY: u64 = 1024;
 /// Least free disk space for one result folder \[MiB\].
 const LEAST_DISK: u64 = 512;
 
-/// How the mesher is installed, for cures.
+/// How to install the mesher.
 const SETUP: &str = "run scripts/setup.sh in the project's folder";
 
-/// Runs `bracket doctor`: exit code 0, or 4 where something a run needs is missing.
+/// Runs `bracket doctor`.
 pub fn run(_args: &DoctorArgs, common: &Common) -> CommandResult {
     let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let mesher = mesher();
@@ -76,7 +77,7 @@ pub fn run(_args: &DoctorArgs, common: &Common) -> CommandResult {
         }
         Format::Text => out::text(&page(&findings))?,
     }
-    Ok(if healthy { 0 } else { 4 })
+    Ok(if healthy { ExitStatus::Ok } else { ExitStatus::Environment })
 }
 
 fn page(findings: &[Finding]) -> String {
@@ -275,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn too_many_threads_are_said() {
+    fn too_many_threads_are_reported() {
         assert_eq!(threads(Some(1)).status, Status::Ok);
         assert_eq!(threads(Some(1_000_000)).status, Status::Optional);
     }

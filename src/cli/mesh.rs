@@ -1,11 +1,12 @@
 //! `bracket mesh`: geometry and mesh of a connection, without any analysis.
 
-use super::spec_file::{self, CatalogOptions};
-use super::{CommandResult, Common, Format};
+use super::catalog_options::CatalogOptions;
+use super::common::{CommandResult, Common, Format};
 use crate::assembly::Assembly;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::aside::Folder;
 use crate::driver::interrupt::Interrupt;
+use crate::driver::spec_file;
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
@@ -101,10 +102,10 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
         }
         Format::Json => println!("{json}"),
     }
-    Ok(0)
+    Ok(ExitStatus::Ok)
 }
 
-/// What `quality.json` holds; no seconds, so that two runs write the same bytes.
+/// The content of `quality.json`; without times, so that two runs write the same bytes.
 fn summary(joint: &JointMesh) -> serde_json::Value {
     serde_json::json!({
         "schema": 1,
@@ -117,7 +118,7 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-/// The assembly, whether the spec wants mid-thickness layers, and what is odd in the catalogue.
+/// The assembly, whether the spec wants mid-thickness layers, and the warnings of the catalogue.
 fn load(
     path: &Path,
     catalog: &CatalogOptions,

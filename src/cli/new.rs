@@ -1,12 +1,12 @@
 //! `bracket new`.
 
-use super::{CommandResult, Common};
+use super::common::{CommandResult, Common};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::origin::Origin;
 use crate::assembly::scope::Resolved;
 use crate::assembly::template::{self, Template};
 use crate::catalog::Catalog;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::spec::analysis::AnalysisSpec;
 use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
 use crate::spec::loads::{ActionPoint, LoadSpec};
@@ -41,7 +41,7 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     let text = starter(&template, &origin, &name, &catalog, &today())?;
     let Some(path) = &args.output else {
         print!("{text}");
-        return Ok(0);
+        return Ok(ExitStatus::Ok);
     };
     write_new(path, &text)?;
     if !common.quiet {
@@ -50,7 +50,7 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
             path.display()
         );
     }
-    Ok(0)
+    Ok(ExitStatus::Ok)
 }
 
 /// The day in ISO form, by the machine's clock in universal time.

@@ -1,8 +1,8 @@
 //! `bracket schema`.
 
-use super::{CommandResult, Common};
+use super::common::{CommandResult, Common};
 use crate::assembly::template::Template;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
 use clap::ValueEnum;
@@ -32,7 +32,7 @@ pub struct SchemaArgs {
 /// Runs `bracket schema`.
 pub fn run(args: &SchemaArgs, _common: &Common) -> CommandResult {
     print!("{}", text(args.kind)?);
-    Ok(0)
+    Ok(ExitStatus::Ok)
 }
 
 /// The schema as JSON text. Draft-07, which the YAML language servers of editors understand.

@@ -1,9 +1,9 @@
 //! `bracket templates`.
 
+use super::common::{CommandResult, Common, Format};
 use super::new::named_on_the_command_line;
-use super::{CommandResult, Common, Format};
 use crate::assembly::template::{self, SHIPPED, Template};
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostics, ExitStatus};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -33,7 +33,7 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> CommandResult {
         }
         (Format::Text, Some(_)) => loaded.iter().for_each(|t| print!("{}", page(t))),
     }
-    Ok(0)
+    Ok(ExitStatus::Ok)
 }
 
 fn data(t: &Template) -> Value {

@@ -1,25 +1,25 @@
-//! `bracket watch`: the checks of a spec again, whenever a YAML or CSV file beside it or in the
+//! `bracket watch`: repeats the checks of a spec whenever a YAML or CSV file beside it or in the
 //! folder of `--catalog` changes.
 
 use super::check::{self, CheckArgs};
-use super::{CommandResult, Common};
+use super::common::{CommandResult, Common};
 use crate::diag_render;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// How often the files are looked at: faster than a person looks up from the editor.
+/// Interval between two looks at the files: shorter than a user needs to look up.
 const EVERY: Duration = Duration::from_millis(150);
 
-/// The code's checks again on every change of the spec.
+/// Repeat the code's checks on every change of the spec.
 #[derive(Debug, clap::Args)]
 pub struct WatchArgs {
-    /// What is checked.
+    /// The spec and the options of the checks.
     #[command(flatten)]
     pub check: CheckArgs,
 }
 
-/// What a folder's inputs looked like: name, time of change, size.
+/// State of the input files: name, time of change, size.
 type Stamps = Vec<(PathBuf, SystemTime, u64)>;
 
 /// Runs `bracket watch`; it ends with Ctrl-C.
@@ -31,14 +31,14 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
             if before.is_some() && !common.quiet {
                 eprintln!();
             }
-            // a spec that is being edited is wrong now and then: that is told, and the next change
-            // looked for
+            // a spec that is being edited may be wrong for a while: report the fault and wait for
+            // the next change
             if let Err(faults) = check::run(&args.check, common) {
                 let mut stderr = std::io::stderr();
                 let text = diag_render::text(&faults, stderr.is_terminal());
-                // with standard error closed there is no one left to tell
+                // with standard error closed nobody watches any more
                 if stderr.write_all(text.as_bytes()).is_err() {
-                    return Ok(faults.exit_code());
+                    return Ok(faults.exit_status());
                 }
             }
             before = Some(now);

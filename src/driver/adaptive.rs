@@ -1,10 +1,14 @@
-//! Passes on ever better meshes until the gap asked for is reached or a limit ends it; the best
-//! bounds of all are the result.
+//! Adaptive passes: ever better meshes until the target gap or a limit is reached. The best bounds
+//! of all passes are the result.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::analysis_pass::AnalysisPass;
-use crate::driver::case::{Case, Limits, RunContext, run_pass, too_large};
+use crate::driver::case::Case;
+use crate::driver::context::RunContext;
+use crate::driver::limits::Limits;
+use crate::driver::pass_entry::{pass_bounds, pass_entry};
+use crate::driver::pass_run::{run_pass, too_large};
 use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
@@ -15,45 +19,45 @@ use crate::report::console::log::Log;
 use crate::report::console::pace::about;
 use crate::report::figures::{Rounding, fixed, percent_up};
 use crate::report::markdown::page::Table;
-use crate::result::combine::{self, best};
+use crate::result::combine::{self, PassResult, best};
 use crate::result::data::{CaseResult, Predicted};
 use crate::solve::Patterns;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// A pass that is kept, with its mesh.
+/// A pass whose fields are kept, with its mesh.
 pub struct Kept {
-    /// What it left.
+    /// Its bounds and fields.
     pub outcome: AnalysisPass,
     /// The model on its mesh.
     pub model: AnalysisModel,
-    /// Where it is not the first mesh: the mesh, the model file and the quality.
+    /// Mesh, model file and quality; `None` for the first mesh, whose files exist already.
     pub made: Option<(TetMesh, ModelFile, Table)>,
-    /// Its place among the passes.
+    /// Number of the pass, from 0.
     index: usize,
 }
 
-/// What the passes of a case leave.
+/// The result of all passes of a case.
 pub struct Adapted {
-    /// The entry of the result, one row of history a pass.
+    /// The entry of the result, with one row of history per pass.
     pub entry: CaseResult,
     /// The pass with the best upper bound.
     pub upper: Kept,
-    /// The pass with the best lower bound, where it is another one.
+    /// The pass with the best lower bound, if it is another one.
     pub lower: Option<Kept>,
 }
 
-/// What a case shares with the others.
+/// What a case shares with the other cases of the run.
 pub struct Share<'a> {
-    /// Seconds on the clock of the log at which it should be done with, if the cases that follow
-    /// are to have theirs.
+    /// Time on the clock of the log at which the case should end, to leave the other cases their
+    /// share \[s\].
     pub until: f64,
-    /// What passes on the first mesh have found.
+    /// Sparsity patterns that passes on the first mesh have found.
     pub patterns: &'a Patterns,
 }
 
-/// Analyses a case, mesh after mesh. `first`: nothing was analysed before, so what does not fit
-/// ends the run.
+/// Analyses a case, mesh after mesh. `first`: no case was analysed before, so a program that does
+/// not fit into the memory ends the run.
 pub fn analyse(
     case: Case,
     first: bool,
@@ -63,7 +67,7 @@ pub fn analyse(
     log: &Arc<Log>,
 ) -> Result<Adapted, Diagnostics> {
     let Case { name, model, mut remesh, mesh_seconds, .. } = case;
-    let mut entries: Vec<CaseResult> = Vec::new();
+    let mut entries: Vec<PassResult> = Vec::new();
     let mut steps: Vec<Step> = Vec::new();
     let mut kept: Vec<Kept> = Vec::new();
     let mut next = (model, None, mesh_seconds, None::<Prediction>);
@@ -73,12 +77,12 @@ pub fn analyse(
         let index = entries.len();
         let start = Instant::now();
         let until = if index == 0 { f64::INFINITY } else { share.until };
-        // every later mesh is this case's own
+        // later meshes belong to this case alone
         let own = Patterns::default();
         let patterns = if index == 0 { share.patterns } else { &own };
         let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
         let runs = outcome.runs();
-        // no program had to run where an answer is proved without one
+        // there are no programs if the answer is proved without one
         if index == 0
             && first
             && !runs.is_empty()
@@ -87,7 +91,7 @@ pub fn analyse(
             return Err(too_large(&name, &outcome, context).into());
         }
         let seconds = mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64();
-        let mut entry = outcome.entry(&name, &model, mesh_seconds);
+        let mut entry = pass_entry(&outcome, &name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
             row.seconds = Some(seconds);
             row.predicted = predicted.map(|p| Predicted {
@@ -111,17 +115,18 @@ pub fn analyse(
                     .unwrap_or(0),
                 predicted,
             });
-        entries.push(entry);
+        let bounds = pass_bounds(&outcome, &entry);
+        entries.push(PassResult { entry, bounds });
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
-        // fields of a pass that gives neither bound are not needed any more, but the last pass says
-        // where to refine
+        // the fields of a pass that gives neither best bound are dropped; those of the last pass
+        // show where to refine
         kept.retain(|k| place.contains(&k.index) || k.index == index);
         let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
         let Some(step) = step else {
             if index > 0 {
                 log.line(format!(
-                    "{name}: mesh {}: no strict bracket, the result is that of the meshes before",
+                    "{name}: mesh {}: no strict bracket; the result uses the earlier meshes",
                     index + 1
                 ));
             }
@@ -153,8 +158,7 @@ pub fn analyse(
             break;
         };
         log.line(format!(
-            "{name}: mesh {}: {} tets, gap {}; the next one is to have {} tets and a gap of {}, \
-             in {}",
+            "{name}: mesh {}: {} tets, gap {}; forecast for the next mesh: {} tets, gap {}, in {}",
             index + 1,
             fixed(tets as f64, 0, Rounding::Nearest),
             percent_up(steps[steps.len() - 1].gap),
@@ -170,11 +174,11 @@ pub fn analyse(
                 next = (model, Some((mesh, file, quality)), Some(seconds), Some(p));
             }
             Err(faults) => {
-                // what is certified stays, whatever becomes of the next mesh
+                // the certified bounds remain valid without the next mesh
                 let why = faults.0.first().map_or(String::new(), |d| d.message.clone());
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
-                    e.warnings.push(format!("there was no finer mesh: {why}"));
+                    e.entry.warnings.push(format!("there was no finer mesh: {why}"));
                 }
                 break;
             }
@@ -183,11 +187,11 @@ pub fn analyse(
     finish(&name, entries, kept, stop, context, limits)
 }
 
-fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
+fn joined(entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
     let Some(b) = best(entries) else { return Err(Diagnostics(Vec::new())) };
     let upper = entries[b.upper].clone();
     if b.upper == b.lower {
-        return Ok(upper);
+        return Ok(upper.entry);
     }
     combine::join(upper, entries[b.lower].clone()).map_err(|e| {
         Diagnostic::undecided("bounds/contradiction", e.to_string())
@@ -198,17 +202,17 @@ fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
 
 fn finish(
     name: &str,
-    entries: Vec<CaseResult>,
+    entries: Vec<PassResult>,
     mut kept: Vec<Kept>,
     stop: Option<Stop>,
     context: &RunContext,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
     let mut entry = joined(&entries)?;
-    entry.history = entries.iter().flat_map(|e| e.history.iter().cloned()).collect();
+    entry.history = entries.iter().flat_map(|e| e.entry.history.iter().cloned()).collect();
     if let Some(last) = entries.last() {
         let new: Vec<String> =
-            last.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
+            last.entry.warnings.iter().filter(|w| !entry.warnings.contains(w)).cloned().collect();
         entry.warnings.extend(new.into_iter().map(|w| format!("mesh {}: {w}", entries.len())));
     }
     if let (Some(gap), Some(adapt)) = (entry.gap, &context.adapt)
@@ -226,7 +230,7 @@ fn finish(
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
-    // both were kept when they became the best
+    // both were kept since they became the best
     let Some(upper) = upper else {
         return Err(Diagnostic::undecided(
             "cli/lost",
@@ -237,7 +241,7 @@ fn finish(
     Ok(Adapted { entry, upper, lower })
 }
 
-/// Why the target was missed, and what helps.
+/// Reason why the target gap was missed, with the remedy.
 fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &Limits) -> String {
     let max_passes = context.adapt.map_or(1, |a| a.max_passes);
     match stop {
@@ -246,10 +250,12 @@ fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &L
             format!("a finer mesh is needed ({})", context.finer)
         }
         Some(Stop::Passes) => format!("{passes} meshes were allowed (`max_passes`)"),
-        Some(Stop::Tets) => "no mesh within `max_macro_tets` would narrow it much".into(),
-        Some(Stop::Time) => "no further mesh fits into `time_limit`".into(),
+        Some(Stop::Tets) => "no mesh within `max_macro_tets` would reduce it much".into(),
+        Some(Stop::Time) => "the remaining `time_limit` allows no further mesh".into(),
         Some(Stop::Memory) => "no finer mesh fits into the memory".into(),
-        Some(Stop::Nothing) => "no element contributes to it, so no mesh narrows it".into(),
+        Some(Stop::Nothing) => {
+            "no element contributes to the gap, so no finer mesh reduces it".into()
+        }
         Some(Stop::Target) | None => format!("a finer mesh is needed ({})", context.finer),
     }
 }

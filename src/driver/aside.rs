@@ -1,23 +1,23 @@
-//! A folder of output that is no result folder: filled aside, then renamed; removed if anything
-//! fails.
+//! The output folder of `mesh` and `study`: filled under a temporary name, then renamed; removed if
+//! anything fails.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::mesher_error::MesherError;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The output folder: filled aside, then renamed; removed if anything fails.
+/// An output folder that appears only when it is complete.
 pub struct Folder {
     wanted: PathBuf,
-    /// Where it is filled.
+    /// The temporary folder that is filled.
     pub aside: PathBuf,
     /// Locked while the folder moves into place.
     moving: Arc<Mutex<()>>,
 }
 
 impl Folder {
-    /// Starts a folder; one that exists is replaced only if it is empty or holds the file `mark`.
-    /// `command`: who writes it.
+    /// Starts a folder. An existing one is replaced only if it is empty or holds the file `mark`.
+    /// `command`: the subcommand that writes it.
     pub fn new(wanted: &Path, mark: &str, command: &str) -> Result<Self, Diagnostics> {
         let free = match std::fs::read_dir(wanted) {
             Ok(mut entries) => entries.next().is_none() || wanted.join(mark).exists(),
@@ -38,11 +38,11 @@ impl Folder {
         Ok(Folder { wanted: wanted.to_path_buf(), aside, moving: Arc::default() })
     }
 
-    /// For a program that ends right after, from whatever thread: removes what is written so far.
+    /// Removes the files written so far; for a program that ends right after, from any thread.
     pub fn give_up(&self) -> impl Fn() + Send + 'static {
         let (aside, moving) = (self.aside.clone(), self.moving.clone());
         move || {
-            // never given back: nothing may begin to move from now on
+            // the lock is never released: no move may begin from now on
             std::mem::forget(moving.lock().unwrap_or_else(PoisonError::into_inner));
             let _ = std::fs::remove_dir_all(&aside);
         }

@@ -1,19 +1,16 @@
-//! Ctrl-C, and the polite signals of batch systems: the first ends the run in order, the second at
-//! once.
+//! Ctrl-C and the termination signals of batch systems: the first ends the run in order, the second
+//! at once.
 //!
-//! The signals are blocked in every thread and waited for in one: METIS puts handlers of its own in
-//! place of others' while it orders, and blocked signals never reach a handler.
+//! The signals are blocked in every thread and awaited in one. METIS replaces signal handlers by its
+//! own while it orders; blocked signals never reach a handler.
 
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// What is done before the program exits at once: it must leave no half-written result.
+/// Clean-up before the program exits at once: it must leave no half-written result.
 type LastWords = Box<dyn Fn() + Send>;
-
-/// The exit code of a run without a certificate (CONTRACT).
-const UNDECIDED: i32 = 3;
 
 /// The user's wish to stop.
 #[derive(Clone, Default)]
@@ -22,28 +19,28 @@ pub struct Interrupt {
     work: Arc<Mutex<Option<Work>>>,
 }
 
-/// Work that is under way.
+/// Work in progress.
 struct Work {
-    /// The log ends with the run: its end clears the terminal.
+    /// Weak, because the end of the log clears the terminal at the end of the run.
     log: Weak<Log>,
-    /// What the first signal leads to.
+    /// Effect of the first signal, for the log.
     now: &'static str,
     last_words: LastWords,
 }
 
 impl Interrupt {
-    /// Watches for signals from now on. Must come before any other thread starts: threads inherit
-    /// what is blocked.
+    /// Watches for signals from now on. Call it before any other thread starts: threads inherit the
+    /// blocked signals.
     ///
-    /// As long as no work has begun, a signal ends the program at once.
+    /// Until work begins, a signal ends the program at once.
     pub fn watch() -> Result<Self, Diagnostics> {
         let interrupt = Self::default();
         interrupt.listen()?;
         Ok(interrupt)
     }
 
-    /// Work begins. The first signal from now on only asks for its end and says what that leads to
-    /// (`now`); the second one ends the program after `last_words`.
+    /// Work begins. From now on the first signal only asks for the end of the work and logs its
+    /// effect (`now`); the second one ends the program after `last_words`.
     pub fn begin(&self, log: &Arc<Log>, now: &'static str, last_words: impl Fn() + Send + 'static) {
         let work = Work { log: Arc::downgrade(log), now, last_words: Box::new(last_words) };
         *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
@@ -68,7 +65,7 @@ impl Interrupt {
             "cli/interrupted",
             format!("interrupted while {doing}: nothing was written"),
         )
-        .help("run the same command again when there is time for it")
+        .help("run the same command again")
         .into())
     }
 
@@ -83,7 +80,7 @@ impl Interrupt {
         let mut wanted = SigSet::empty();
         wanted.add(Signal::SIGINT);
         wanted.add(Signal::SIGTERM);
-        // who starts a run under nohup wants it to outlive the terminal
+        // a run under nohup is meant to outlive the terminal: it ignores the hang-up
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         if ignored(&status) >> (Signal::SIGHUP as i32 - 1) & 1 == 0 {
             wanted.add(Signal::SIGHUP);
@@ -99,7 +96,7 @@ impl Interrupt {
         let watcher = self.clone();
         let watch = move || {
             let mut first = None;
-            // the wait fails for no set of real signals
+            // the wait never fails for a set of real signals
             while wanted.wait().is_ok() {
                 watcher.heard(&mut first);
             }
@@ -111,20 +108,20 @@ impl Interrupt {
         Ok(())
     }
 
-    /// A signal has come; `first`: when the first one came.
+    /// Handles a signal; `first`: time of the first one.
     #[cfg(unix)]
     fn heard(&self, first: &mut Option<std::time::Instant>) {
-        /// `timeout` and some shells send a signal to the process and to its group: that is one
-        /// wish, not two.
+        /// `timeout` and some shells send a signal to the process and to its group: that counts as
+        /// one.
         const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {
-            // whoever closed standard error wants to hear nothing
+            // standard error may be closed
             let _ = std::io::Write::write_all(
                 &mut std::io::stderr(),
                 b"interrupted: nothing was written\n",
             );
-            std::process::exit(UNDECIDED);
+            std::process::exit(ExitStatus::Undecided.code().into());
         };
         match first {
             None => {
@@ -137,13 +134,13 @@ impl Interrupt {
             Some(at) if at.elapsed() < ECHO => {}
             Some(_) => {
                 (work.last_words)();
-                std::process::exit(UNDECIDED);
+                std::process::exit(ExitStatus::Undecided.code().into());
             }
         }
     }
 }
 
-/// The mask of ignored signals in the text of `/proc/self/status`; 0 where it is not told.
+/// The mask of ignored signals in the text of `/proc/self/status`; 0 if it is missing.
 #[cfg(unix)]
 fn ignored(status: &str) -> u64 {
     let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));

@@ -2,7 +2,7 @@
 
 use crate::diag::{Diagnostic, Diagnostics};
 
-/// Units and their bytes; SI and binary ones both, as schedulers and people write them.
+/// Units and their bytes: SI and binary, as schedulers and users write them.
 const UNITS: [(&str, f64); 8] = [
     ("MiB", 1048576.0),
     ("GiB", 1073741824.0),
@@ -10,15 +10,15 @@ const UNITS: [(&str, f64); 8] = [
     ("MB", 1e6),
     ("GB", 1e9),
     ("TB", 1e12),
-    // what batch systems mean by a bare letter
+    // batch systems mean binary units by a bare letter
     ("M", 1048576.0),
     ("G", 1073741824.0),
 ];
 
-/// Less than the program itself and its smallest model take makes no sense \[bytes\].
+/// Smallest limit: the program with its smallest model needs about as much \[bytes\].
 const LEAST: f64 = 64.0 * 1048576.0;
 
-/// More than any machine has \[bytes\].
+/// Largest limit: no machine has more \[bytes\].
 const MOST: f64 = 1099511627776.0 * 1024.0;
 
 /// The limit in bytes: `8GiB`, `500 MiB`, `1.5 TB`, `64G`.
@@ -37,7 +37,7 @@ pub fn parse(text: &str) -> Result<u64, Diagnostics> {
         return refused("it has no unit".into());
     }
     let Some((_, bytes)) = UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)) else {
-        return refused(format!("`{unit}` is no unit of memory (MiB, GiB, TiB, MB, GB, TB)"));
+        return refused(format!("`{unit}` is not a unit of memory (MiB, GiB, TiB, MB, GB, TB)"));
     };
     // digits and a point only: no sign, no exponent, no thousands
     let plain = number.chars().all(|c| c.is_ascii_digit() || c == '.');
@@ -56,7 +56,7 @@ mod tests {
     use super::parse;
 
     #[test]
-    fn sizes_are_read_as_people_write_them() {
+    fn sizes_are_read_in_all_usual_forms() {
         for (text, bytes) in [
             ("8GiB", 8u64 << 30),
             ("8 GiB", 8 << 30),
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_size_is_refused_with_its_fault() {
+    fn wrong_sizes_are_refused_with_the_reason() {
         for (text, why) in [
             ("", "no unit"),
             ("8", "no unit"),
@@ -86,17 +86,17 @@ mod tests {
             ("+8GiB", "`+8` is not a number"),
             ("8,5GiB", "`8,5` is not a number"),
             ("8.5.1GiB", "`8.5.1` is not a number"),
-            ("8 GiBs", "`GiBs` is no unit"),
-            ("8 KiB", "`KiB` is no unit"),
-            ("8 apples", "`apples` is no unit"),
-            ("1e3GiB", "`e3GiB` is no unit"),
-            ("NaN GiB", "`NaN GiB` is no unit"),
-            ("infGiB", "`infGiB` is no unit"),
+            ("8 GiBs", "`GiBs` is not a unit"),
+            ("8 KiB", "`KiB` is not a unit"),
+            ("8 apples", "`apples` is not a unit"),
+            ("1e3GiB", "`e3GiB` is not a unit"),
+            ("NaN GiB", "`NaN GiB` is not a unit"),
+            ("infGiB", "`infGiB` is not a unit"),
             ("0GiB", "between 64 MiB"),
             ("63MiB", "between 64 MiB"),
             ("1025TiB", "between 64 MiB"),
             ("99999999999999999999999TiB", "between 64 MiB"),
-            ("8 Gi B", "`Gi B` is no unit"),
+            ("8 Gi B", "`Gi B` is not a unit"),
             ("８GiB", "is not a number"),
         ] {
             let e = parse(text).expect_err(text);

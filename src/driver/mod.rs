@@ -1,16 +1,27 @@
-//! What `run`, `analyse` and `check` share: context, cases, and how a run ends.
+//! What `run`, `analyse`, `check` and `study` share: context, cases, and the end of a run.
 
 pub mod adaptive;
-pub mod analysis_pass;
+pub mod analyse_model;
 pub mod aside;
 pub mod case;
-pub mod conclude;
+pub mod case_files;
+pub mod check_spec;
+pub mod context;
+pub mod demands;
+pub mod finish;
 pub mod interrupt;
+pub mod limits;
 pub mod memory_limit;
+pub mod meshing;
+pub mod pass_entry;
+pub mod pass_run;
+pub mod pictures;
 pub mod polygon;
 pub mod remesh;
-
-use crate::diag::Diagnostics;
-
-/// What a subcommand returns: the exit code of CONTRACT.md, or the faults that ended it.
-pub type CommandResult = Result<u8, Diagnostics>;
+pub mod run_cases;
+pub mod run_spec;
+pub mod spec_cases;
+pub mod spec_checks;
+pub mod spec_context;
+pub mod spec_file;
+pub mod study;

@@ -1,9 +1,9 @@
-//! From the passes of a polygon's directions to the polygon of the result.
+//! The capacity polygon, from the passes of its directions.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::UpperFactor;
 use crate::certify::supporting::{Axes, half_plane};
 use crate::driver::adaptive::Kept;
-use crate::driver::analysis_pass::AnalysisPass;
 use crate::driver::case::Case;
 use crate::result::data::{CaseResult, Upper};
 use crate::result::demand::ActionValue;
@@ -18,7 +18,7 @@ pub struct Directions {
 }
 
 impl Directions {
-    /// Of the cases to come; `None` where none of them is a direction.
+    /// The directions among the cases to analyse; `None` if there are none.
     pub fn among(cases: &[Case], spec: Option<&PolygonSpec>) -> Option<Self> {
         let actions = |along: [f64; 2]| {
             let case = cases.iter().find(|c| c.direction == Some(along))?;
@@ -32,7 +32,7 @@ impl Directions {
         })
     }
 
-    /// Takes in what a direction has left.
+    /// Adds the bounds of a direction.
     pub fn add(&mut self, direction: [f64; 2], entry: &CaseResult, best: &Kept) {
         let (lower, upper) = entry.safe_bounds();
         let AnalysisPass::Factor(pass) = &best.outcome else { return };

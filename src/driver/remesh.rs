@@ -1,9 +1,9 @@
-//! How a case gets its next mesh: a spec's geometry is meshed again by a map of sizes, a user's
-//! mesh is bisected.
+//! The next mesh of a case: a spec's geometry is meshed again by a map of sizes, a user's mesh is
+//! bisected.
 
 use crate::assembly::Assembly;
-use crate::cli::analyse::quality_table;
-use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::diag::{Diagnostics, Place};
+use crate::driver::meshing::{clean, quality_table};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
 use crate::mesh::{TetMesh, bisect, quality};
@@ -16,55 +16,41 @@ use crate::report::markdown::page::Table;
 use crate::spec::analysis::AnalysisKind;
 use std::time::{Duration, Instant};
 
-/// A mesh that follows another one.
+/// A mesh made by adaptation.
 pub struct Made {
     /// The model on it.
     pub model: AnalysisModel,
-    /// The mesh as a file holds it: bodies share nodes.
+    /// The mesh as in its file: bodies share nodes.
     pub mesh: TetMesh,
-    /// The model file, its mesh still to be named.
+    /// The model file; the caller sets the name of its mesh.
     pub file: ModelFile,
     /// Quality.
     pub quality: Table,
-    /// Seconds it took.
+    /// Wall time to make it \[s\].
     pub seconds: f64,
 }
 
-/// What makes the next mesh of a case.
+/// Makes the next mesh of a case.
 pub trait Remesh {
-    /// The parts it would make of those wanted of each tet of the last mesh, as far as that is
-    /// known before.
+    /// Number of parts that each tet of the last mesh would be divided into, given the wanted
+    /// numbers, as far as that is known beforehand.
     fn realised(&self, wanted: &[f64]) -> Vec<f64>;
 
-    /// Makes the mesh of a design, in so many seconds at most.
+    /// Makes the mesh of a design, in at most `seconds`.
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
 }
 
-/// Counts nearer to what was asked for than this save a run of the mesher.
+/// Relative deviation of the count of tets below which the mesher does not run again.
 const NEAR: f64 = 0.07;
 
-/// Exponent of the mesher's count of tets in their size.
+/// Exponent with which the mesher's count of tets depends on the size.
 const COUNT_EXPONENT: f64 = 2.5;
 
-/// Time any run of the mesher may take \[s\].
+/// Time limit of one run of the mesher \[s\].
 const MESHER_SECONDS: f64 = 600.0;
 
-/// Where in the input file the text of a path stands.
+/// Position of a path in the input file.
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
-
-/// Removes the mesher's working folder: script and log are of use only when it fails, and then they
-/// are in the message.
-pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
-    let dir = &options.work_dir;
-    match std::fs::remove_dir_all(dir) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Diagnostic::environment(
-            "run/clean",
-            format!("`{}` cannot be removed: {e}", dir.display()),
-        )
-        .into()),
-        _ => Ok(()),
-    }
-}
 
 /// A spec's geometry, meshed again by a map of sizes.
 pub struct ByMap<'a> {
@@ -76,7 +62,8 @@ pub struct ByMap<'a> {
     place: Places<'a>,
     mesh: TetMesh,
     edges: Edges,
-    /// Tets per regular tetrahedra of the wanted size, as the last run of the mesher had it.
+    /// Ratio of the count of tets to that of regular tetrahedra of the wanted size, in the last run
+    /// of the mesher.
     filling: f64,
 }
 
@@ -103,7 +90,7 @@ impl<'a> ByMap<'a> {
         }
     }
 
-    /// With an estimate of the load factor under Coulomb's law on every mesh, if `asked`.
+    /// Estimates the load factor under Coulomb's law on every mesh, if `asked`.
     pub fn estimating(self, asked: bool) -> Self {
         Self { coulomb_estimate: asked, ..self }
     }
@@ -119,8 +106,7 @@ impl Remesh for ByMap<'_> {
         let field = SizeField::new(&self.mesh, &self.edges, &design.wanted);
         let mut scale = self.filling.cbrt();
         let mut made = None;
-        // once more where the count is not what was wanted: sizes that the geometry sets do not
-        // follow the map
+        // a second run if the count is off: sizes set by the geometry do not follow the map
         for _ in 0..2 {
             let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, MESHER_SECONDS);
             let mut options = self.options.clone();
@@ -165,7 +151,7 @@ pub struct ByBisection<'a> {
 }
 
 impl<'a> ByBisection<'a> {
-    /// After the first mesh; `mesh`: as it was read, coincident nodes of different bodies made one.
+    /// After the first mesh; `mesh`: as read, with coincident nodes of different bodies merged.
     pub fn new(file: &ModelFile, place: Places<'a>, mesh: TetMesh) -> Self {
         Self { file: ModelFile { nodes: Nodes::Shared, ..file.clone() }, place, mesh }
     }

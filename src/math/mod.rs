@@ -1,8 +1,9 @@
 //! Small mathematical tools: convex polygons, vectors, Mandel tensors, quadrature, small dense
-//! matrices, compensated sums.
+//! matrices, compensated sums, significant figures.
 
 pub mod convex;
 pub mod dense;
+pub mod figures;
 pub mod lanes;
 pub mod mandel;
 pub mod quadrature;

@@ -5,8 +5,8 @@
 use crate::result::folder::ResultFolder;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
-/// The look of the page: narrow tables that do not break, headings with what follows them, A4 when
-/// printed.
+/// The look of the page: narrow tables that do not break, headings on the page of the text that
+/// follows, A4 when printed.
 const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;color:#1b1f24;max-width:60rem;margin:2rem auto;padding:0 \
                      1rem}
@@ -37,7 +37,7 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
     let mut title = String::new();
     let mut in_title = false;
     let mut events = Vec::new();
-    // the text holds what users wrote: raw HTML in it is shown, not executed
+    // the text contains user input: raw HTML in it is shown, not executed
     for event in Parser::new_ext(markdown, Options::ENABLE_TABLES) {
         match event {
             Event::Html(text) | Event::InlineHtml(text) => {

@@ -1,107 +1,17 @@
-//! The rows of a study of speed against error, as table, CSV and plots.
+//! A study of speed against error as table, CSV and plots.
 
-use super::figures::{Rounding, fixed, percent_up};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::mesher_error::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::report::draw::plot::{Plot, Series};
-use crate::result::data::{CaseResult, HistoryRow, RESIDUAL_TOLERANCE, Upper};
-use crate::spec::analysis::AnalysisKind;
-use serde::Serialize;
+use crate::report::figures::{Rounding, fixed, percent_up};
+use crate::result::data::RESIDUAL_TOLERANCE;
+use crate::result::study::{Meshes, Row, Study};
 use std::fmt::Write;
 use std::path::Path;
 
 /// The file that marks a folder as a study.
 pub const MARK: &str = "study.csv";
-
-/// Where the meshes of a row come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Meshes {
-    /// Refined everywhere alike; every row stands alone.
-    Uniform,
-    /// Refined where the gap comes from; a row pays for the ones before it.
-    Adaptive,
-}
-
-/// One mesh under one solver.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
-    /// Load case.
-    pub case: String,
-    /// Kind of analysis.
-    pub analysis: AnalysisKind,
-    /// Where the mesh comes from.
-    pub meshes: Meshes,
-    /// Solver.
-    pub solver: String,
-    /// Number of the mesh, from 1.
-    pub mesh: usize,
-    /// Tetrahedra.
-    pub macro_tets: usize,
-    /// Unknowns of both programs.
-    pub dofs: usize,
-    /// Largest certified lower bound so far, of the meshes that the row pays for.
-    pub lower: Option<f64>,
-    /// Smallest certified upper bound so far.
-    pub upper: Option<f64>,
-    /// Gap of these two, a fraction; absent unless they are certified.
-    pub gap: Option<f64>,
-    /// Gap expected before the mesh was made.
-    pub expected_gap: Option<f64>,
-    /// Wall time of everything on this mesh, the mesher included \[s\].
-    pub seconds: f64,
-    /// Wall time of all meshes up to this one that led to it \[s\].
-    pub total_seconds: f64,
-    /// Peak resident memory \[MiB\].
-    pub peak_memory_mib: Option<u64>,
-}
-
-/// All rows.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Study {
-    /// The gap asked for.
-    pub target_gap: f64,
-    /// Its rows.
-    pub rows: Vec<Row>,
-}
-
-/// The rows of an entry's history.
-pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> {
-    let strict = entry.certificate.is_some_and(|c| c.strict);
-    let (mut lower, mut upper, mut total) = (None::<f64>, None::<f64>, 0.0);
-    let mut one = |(i, h): (usize, &HistoryRow)| {
-        let own = h.kinematic.as_ref().map_or(0.0, |r| r.seconds)
-            + h.static_.as_ref().map_or(0.0, |r| r.seconds);
-        let seconds = h.seconds.unwrap_or(own);
-        total += seconds;
-        if strict {
-            lower = h.lower.into_iter().chain(lower).reduce(f64::max);
-            upper = h.upper.and_then(Upper::finite).into_iter().chain(upper).reduce(f64::min);
-        }
-        let gap = match (lower, upper) {
-            (Some(l), Some(u)) if l != 0.0 => Some((u - l) / l.abs()),
-            _ => None,
-        };
-        Row {
-            case: entry.name.clone(),
-            analysis: entry.analysis,
-            meshes,
-            solver: solver.into(),
-            mesh: i + 1,
-            macro_tets: h.macro_tets,
-            dofs: h.kinematic_dofs.unwrap_or(0) + h.static_dofs.unwrap_or(0),
-            lower,
-            upper,
-            gap,
-            expected_gap: h.predicted.map(|p| p.gap),
-            seconds,
-            total_seconds: total,
-            peak_memory_mib: h.peak_memory_mib,
-        }
-    };
-    entry.history.iter().enumerate().map(&mut one).collect()
-}
 
 impl Row {
     fn series(&self) -> String {
@@ -147,7 +57,7 @@ impl Study {
         text
     }
 
-    /// The rows as CSV; what is absent is an empty cell.
+    /// The rows as CSV; an absent value is an empty cell.
     pub fn csv(&self) -> String {
         let mut text = "case,analysis,meshes,solver,mesh,macro_tets,dofs,lower,upper,gap,\
                         expected_gap,seconds,total_seconds,peak_memory_mib\n"
@@ -225,8 +135,8 @@ impl Study {
     pub fn write(&self, folder: &Path) -> Result<(), Diagnostics> {
         let mut page = format!(
             "# Speed against error\n\nGaps are certified: residuals at most \
-             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of the \
-             meshes before it, and its time in all is theirs too.\n\n{}\n",
+             {RESIDUAL_TOLERANCE:.0e}. A row of adaptive meshes takes the best bounds of all \
+             meshes up to it; its total time includes theirs.\n\n{}\n",
             self.markdown()
         );
         for (stem, plot) in self.plots() {

@@ -11,16 +11,17 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::analysis::{Traction, Weld};
 use crate::model::loads::face_corners;
-use crate::report::console::progress::refusal_words;
-use crate::result::data::{
-    self, CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PartYield, PeakPressure,
-    Quantity, TraceRow, Upper, WeldUse,
-};
+use crate::result::bounds::CaseBounds;
+use crate::result::certificate::Certificate;
+use crate::result::entry::{CaseResult, PartYield, PeakPressure, WeldUse};
+use crate::result::history::{self, HistoryRow, TraceRow};
+use crate::result::quantity::{FrictionModel, LoadSize, Quantity, Upper};
+use crate::result::refusal::refusal_words;
 use crate::solve::{Iteration, SolveStatus};
 use crate::spec::analysis::AnalysisKind;
 
-pub(crate) fn program_run(run: &ProgramOutcome) -> data::ProgramRun {
-    data::ProgramRun {
+pub(crate) fn program_run(run: &ProgramOutcome) -> history::ProgramRun {
+    history::ProgramRun {
         seconds: run.assembly_seconds + run.solve_seconds + run.certify_seconds,
         iterations: run.iterations,
         yielding_tets: run.yielding,
@@ -47,7 +48,7 @@ fn trace_row(i: &Iteration) -> TraceRow {
     }
 }
 
-/// The residuals of both fields, worst of the two where both have one.
+/// The residuals of both fields; the larger one where both have it.
 fn certificate(pass: &EnergyPass) -> Option<Certificate> {
     let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
     if l.is_none() && u.is_none() {
@@ -71,15 +72,15 @@ fn certificate(pass: &EnergyPass) -> Option<Certificate> {
     })
 }
 
-/// Whose solution the bracket contains.
+/// The problem whose solution the bracket contains.
 pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     let laws: Vec<_> =
         contact_faces(model).into_iter().map(|f| f.law).filter(|l| l.mu > 0.0).collect();
     if laws.is_empty() {
         FrictionModel::Frictionless
     } else if laws.iter().any(|l| l.is_coulomb()) {
-        // limit analysis brackets Coulomb's law itself, the others the last problem of its fixed
-        // point
+        // limit analysis brackets the problem under Coulomb's law itself, the other kinds the last
+        // problem of its fixed point
         if model.analysis == AnalysisKind::Limit {
             FrictionModel::Coulomb
         } else {
@@ -142,21 +143,21 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     }
 }
 
-/// What the user must know of the programs: why one of them gave no bound.
+/// Warnings of the programs: why one of them gave no bound.
 fn program_warnings(pass: &EnergyPass) -> Vec<String> {
-    // an admissible motion proves it; what the static program says beside adds nothing
+    // an admissible motion proves it; the status of the static program adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
         return vec![format!("no equilibrium exists under these loads: {m}")];
     }
     let mut warnings = Vec::new();
-    // a program that runs away leaves the other without a solution: that is one fault, told once
+    // an unbounded program leaves the other without a solution: one fault, reported once
     let runs_away = pass.statics.as_ref().is_some_and(|r| r.mechanism.is_some());
     for (program, run) in pass.runs() {
         let (name, bound) = (program.name(), program.bound());
         let common = run_warning(name, bound, run);
         warnings.push(match (run.status, run) {
             _ if common.is_some() => common.unwrap_or_default(),
-            // the static program's motion may only show that the stresses of this mesh cannot reach
+            // the static program's motion may only show that no stress of this mesh is in
             // equilibrium
             (_, ProgramOutcome { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
@@ -176,7 +177,7 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
 }
 
 /// Why a program that was interrupted, refused or not certified gave no bound; `None` for every
-/// other end.
+/// other status.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramOutcome { trouble: Some(t), .. }) => {
@@ -218,7 +219,7 @@ pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
     })
 }
 
-/// Each weld, given largest tractions over strengths, shares and works where there are any.
+/// The entry of each weld, from utilisations, shares in the dissipation and works where they exist.
 pub(crate) fn weld_uses(
     model: &AnalysisModel,
     used: Vec<Utilisation>,
@@ -236,7 +237,7 @@ pub(crate) fn weld_uses(
     model.welds.iter().enumerate().map(weld).collect()
 }
 
-/// What has become of each body that can yield.
+/// Plastic state of each body that can yield.
 fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
     let (motion, stress) = (pass.plastic.as_ref(), pass.stress.as_ref());
     if motion.is_none() && stress.is_none() {
@@ -254,6 +255,11 @@ fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
             })
         })
         .collect()
+}
+
+/// The bounds of the potential energy that a pass leaves.
+pub fn energy_bounds(pass: &EnergyPass) -> CaseBounds {
+    CaseBounds::Energy { lower: pass.lower.clone(), upper: pass.upper.clone() }
 }
 
 /// The entry of a load case after one pass.
@@ -275,8 +281,8 @@ pub fn case_result(
         }
         _ => None,
     };
-    // −Π grows at least with the square of the load, for a part of a stress stays admissible: its
-    // slope is at least −2Π
+    // a scaled-down admissible stress stays admissible, so −Π grows at least with the square of the
+    // load and its slope is at least −2Π
     let load_displacement_at_least = match (upper, load) {
         (Some(u), Some(f)) if !elastic => Some((-2.0 * u / f.value()).max(0.0)),
         _ => None,

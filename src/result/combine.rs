@@ -1,55 +1,67 @@
-//! The result of several passes: the largest lower bound and the smallest upper one, each with all
-//! that belongs to it.
+//! The result of several passes: the largest lower bound and the smallest upper bound, each with
+//! the results that belong to it.
 
 use crate::certify::bracket::Contradiction;
-use crate::result::data::{
-    CaseResult, Certificate, FrictionModel, PartYield, PeakPressure, Quantity, RawBracket, Upper,
-};
+use crate::result::bounds::CaseBounds;
+use crate::result::certificate::Certificate;
+use crate::result::entry::{CaseResult, PartYield, PeakPressure};
+use crate::result::quantity::{FrictionModel, RawBracket, Upper};
+
+/// Result of one pass for a load case: its own entry, and the bounds behind it.
+#[derive(Clone, Debug)]
+pub struct PassResult {
+    /// The entry of `result.json`.
+    pub entry: CaseResult,
+    /// The bounds with their certificates.
+    pub bounds: CaseBounds,
+}
 
 /// The passes that give the best bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Best {
-    /// Whose lower bound is the largest.
+    /// Index of the pass with the largest lower bound.
     pub lower: usize,
-    /// Whose upper bound is the smallest.
+    /// Index of the pass with the smallest upper bound.
     pub upper: usize,
 }
 
-/// The best of the entries of passes, in their order; strict bounds before estimates. `None`
-/// without any entry.
-///
-/// Where every pass has a problem of its own, its contact cones shifted or its preloaded cuts
-/// frozen, bounds of two passes bracket nothing: then both are of the pass with the smallest gap.
-pub fn best(entries: &[CaseResult]) -> Option<Best> {
-    let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
-    let any = entries.iter().any(strict);
-    let counts = |c: &&CaseResult| !any || strict(c);
-    let apart = |c: &CaseResult| c.problem == FrictionModel::ShiftedCones || !c.preload.is_empty();
-    if entries.iter().any(apart) {
-        let gaps = entries
+/// The best bounds of passes, in their order; strict bounds before estimates. `None` without any
+/// pass.
+/// Where every pass solves a problem of its own, with shifted contact cones or frozen preloaded
+/// cuts, bounds of two passes do not form a bracket: then both come from the pass with the smallest
+/// gap.
+pub fn best(passes: &[PassResult]) -> Option<Best> {
+    let strict = |p: &PassResult| p.entry.is_strict();
+    let any = passes.iter().any(strict);
+    let counts = |p: &&PassResult| !any || strict(p);
+    let apart = |p: &PassResult| {
+        p.entry.problem == FrictionModel::ShiftedCones || !p.entry.preload.is_empty()
+    };
+    if passes.iter().any(apart) {
+        let gaps = passes
             .iter()
             .enumerate()
-            .filter(|(_, c)| counts(c))
-            .filter_map(|(i, c)| Some((c.gap?, i)));
+            .filter(|(_, p)| counts(p))
+            .filter_map(|(i, p)| Some((p.entry.gap?, i)));
         let narrowest = gaps.min_by(|a, b| a.0.total_cmp(&b.0)).map(|g| g.1);
-        let bounded =
-            || entries.iter().rposition(|c| counts(&c) && (c.lower.is_some() || c.upper.is_some()));
-        let one = narrowest.or_else(bounded).or_else(|| entries.len().checked_sub(1))?;
+        let has_bound = |p: &PassResult| p.bounds.lower().is_some() || p.bounds.upper().is_some();
+        let bounded = || passes.iter().rposition(|p| counts(&p) && has_bound(p));
+        let one = narrowest.or_else(bounded).or_else(|| passes.len().checked_sub(1))?;
         return Some(Best { lower: one, upper: one });
     }
-    // of equals the first
-    let place = |value: &dyn Fn(&CaseResult) -> Option<f64>| {
+    // the first of equal bounds
+    let place = |value: &dyn Fn(&CaseBounds) -> Option<f64>| {
         let mut found: Option<(f64, usize)> = None;
-        for (i, c) in entries.iter().enumerate().filter(|(_, c)| counts(c)) {
-            if let Some(x) = value(c).filter(|x| found.is_none_or(|(y, _)| *x > y)) {
+        for (i, p) in passes.iter().enumerate().filter(|(_, p)| counts(p)) {
+            if let Some(x) = value(&p.bounds).filter(|x| found.is_none_or(|(y, _)| *x > y)) {
                 found = Some((x, i));
             }
         }
         found.map(|f| f.1)
     };
-    let lower = place(&|c| c.lower);
-    let upper = place(&|c| c.upper.and_then(Upper::finite).map(|u| -u));
-    let some = lower.or(upper).or_else(|| (!entries.is_empty()).then_some(0))?;
+    let lower = place(&CaseBounds::lower);
+    let upper = place(&|b| b.upper().and_then(Upper::finite).map(|u| -u));
+    let some = lower.or(upper).or_else(|| (!passes.is_empty()).then_some(0))?;
     Some(Best { lower: lower.unwrap_or(some), upper: upper.unwrap_or(some) })
 }
 
@@ -57,9 +69,11 @@ fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     [a, b].into_iter().flatten().reduce(f64::max)
 }
 
-/// One entry with the upper bound of the first and the lower bound of the second; both are of one
+/// One entry with the upper bound of the first and the lower bound of the second pass of one
 /// structure.
-pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradiction> {
+pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradiction> {
+    let joined = upper.bounds.join(&lower.bounds)?;
+    let (upper, lower) = (upper.entry, lower.entry);
     let raw = |l: Option<RawBracket>, u: Option<RawBracket>| {
         let joined = RawBracket { lower: l.and_then(|l| l.lower), upper: u.and_then(|u| u.upper) };
         (l.is_some() || u.is_some()).then_some(joined)
@@ -76,22 +90,11 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
         }),
         (u, l) => u.or(l),
     };
-    let numbers = (lower.lower, upper.upper.and_then(Upper::finite));
-    let gap = match numbers {
-        (Some(l), Some(u)) => {
-            if l > u + 1e-9 * l.abs().max(u.abs()) {
-                return Err(Contradiction { lower: l, upper: u });
-            }
-            let scale = if l == 0.0 { u.abs() } else { l.abs() };
-            let bracketed = upper.quantity == Quantity::PotentialEnergy || l > 0.0;
-            (bracketed && scale > 0.0).then_some((u - l) / scale)
-        }
-        _ => None,
-    };
+    let gap = joined.and_then(|b| b.gap);
     let load_displacement =
-        match (numbers, upper.load_displacement.or(lower.load_displacement), upper.load) {
-            ((Some(l), Some(u)), Some(_), Some(f)) => {
-                Some([-2.0 * u / f.value(), -2.0 * l / f.value()])
+        match (joined, upper.load_displacement.or(lower.load_displacement), upper.load) {
+            (Some(b), Some(_), Some(f)) => {
+                Some([-2.0 * b.upper / f.value(), -2.0 * b.lower / f.value()])
             }
             _ => None,
         };
@@ -103,7 +106,7 @@ pub fn join(upper: CaseResult, lower: CaseResult) -> Result<CaseResult, Contradi
             static_: l.and_then(|p| p.static_),
         }),
     };
-    // what a stress tells is of the lower bound, what a motion tells of the upper one
+    // values of a stress belong to the lower bound, those of a motion to the upper one
     let stress_of =
         |name: &str| lower.yielding.iter().find(|l| l.part == name).and_then(|l| l.utilisation);
     let yielding = upper

@@ -17,11 +17,14 @@ const MARKER: &str = ".bracket-run";
 #[derive(Debug, thiserror::Error)]
 pub enum FolderError {
     /// The target exists and is not a result of ours.
-    #[error("`{}` exists and is not a result folder of this program ({why}); it was left as it is", path.display())]
+    #[error(
+        "`{}` exists and is not a result folder of this program ({why}); it was left as it is",
+        path.display()
+    )]
     NotOurs {
         /// The target.
         path: PathBuf,
-        /// What is missing.
+        /// The reason.
         why: String,
     },
     /// The target is the folder the user stands in, or above it.
@@ -51,17 +54,17 @@ pub enum FolderError {
     /// The folder holds no valid `result.json` yet.
     #[error("the unfinished result has no usable {RESULT_FILE}: {why}")]
     Incomplete {
-        /// What is wrong with it.
+        /// The fault.
         why: String,
     },
     /// The system refused.
     #[error("cannot {action} `{}`: {source}", path.display())]
     Io {
-        /// What was tried.
+        /// The attempted action.
         action: &'static str,
-        /// On which path.
+        /// Its path.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
 }
@@ -191,16 +194,17 @@ impl ResultFolder {
         file.sync_all().map_err(io_error("write", &shown))
     }
 
-    /// For a program that ends right after, from whatever thread: removes what is written so far. A
-    /// folder that is finished is left alone, one that is being moved into place is waited for.
+    /// Returns a function for a process that ends right afterwards, on any thread: it removes the
+    /// files written so far. A finished folder is left alone; while a folder is being moved into
+    /// place, the function waits.
     pub fn give_up(&self) -> impl Fn() + Send + 'static {
         let (finished, part, parents) =
             (self.finished.clone(), self.part.clone(), self.parents.clone());
         move || {
             let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
             if !*finished {
-                // what is written meanwhile stays in the part; the next run to the same target
-                // removes it
+                // files written meanwhile stay in the part; the next run to the same target removes
+                // them
                 let _ = fs::remove_dir_all(&part);
                 remove_empty(&parents);
             }
@@ -258,7 +262,7 @@ impl Drop for ResultFolder {
 
 fn remove_empty(parents: &[PathBuf]) {
     for parent in parents.iter().rev() {
-        // only removes what is empty: others may have written there meanwhile
+        // removes empty folders only: others may have written there meanwhile
         let _ = fs::remove_dir(parent);
     }
 }

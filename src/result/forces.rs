@@ -5,14 +5,9 @@ use crate::certify::fields::StressField;
 use crate::certify::resultants::contact_resultants;
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
-use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, paragraph, strings, table};
-use crate::result::data::CaseResult;
-use crate::spec::analysis::AnalysisKind;
 use serde::{Deserialize, Serialize};
 
-/// Coordinates nearer to a plane of symmetry lie on it \[mm\].
+/// Distance below which a coordinate lies on a plane of symmetry \[mm\].
 pub(crate) const ON_PLANE: f64 = 1e-6;
 
 /// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates
@@ -21,15 +16,16 @@ pub(crate) const ON_PLANE: f64 = 1e-6;
 pub struct StaticForces {
     /// The load factor they belong to.
     pub load_factor: f64,
-    /// Bolts of the meshed part, whole ones also where a plane of symmetry halves them.
+    /// Bolts of the meshed part; where a plane of symmetry halves a bolt, the forces are those of
+    /// the whole bolt.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bolts: Vec<BoltForce>,
-    /// What presses where, bolts apart, of the whole structure's copy that is meshed.
+    /// Compression between the parts of the meshed part, contacts with bolts excepted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<ContactForce>,
 }
 
-/// Force of a bolt, from what lies under its nut.
+/// Force of a bolt, from the contact under its nut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoltForce {
     /// Name of the bolt.
@@ -38,12 +34,12 @@ pub struct BoltForce {
     pub tension: f64,
     /// Shear \[N\].
     pub shear: f64,
-    /// Where the bolt is; results of earlier versions do not tell it.
+    /// Position of the bolt; absent in results of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub place: Option<BoltPlace>,
 }
 
-/// Where a bolt is, and which part its force is taken from: enough to find its force again in the
+/// Position of a bolt and the part its force is taken from: enough to find the force again in the
 /// field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoltPlace {
@@ -90,8 +86,7 @@ pub fn static_forces(
         let mut force = force_on(&line.part, &line.last)?;
         for &k in mirror {
             if line.axis[k] == 0.0 && line.position[k].abs() < ON_PLANE {
-                // the other half: what acts along the plane is doubled, what acts across it
-                // balances
+                // the other half: components in the plane are doubled, those across it cancel
                 force = vec3::scale(2.0, force);
                 force[k] = 0.0;
             }
@@ -109,36 +104,4 @@ pub fn static_forces(
         Some(ContactForce { between: [a.clone(), b.clone()], compression: c.compression, centre })
     });
     StaticForces { load_factor, bolts: bolts.collect(), contacts: contacts.collect() }
-}
-
-/// Tables of bolts and of contacts.
-pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
-    let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
-    let kn = |f: f64| significant(1e-3 * f, 3, Rounding::Nearest);
-    let what = match case.analysis {
-        AnalysisKind::Limit => "one of the distributions that plasticity may choose",
-        _ => "estimates, not bounds",
-    };
-    let copies = if symmetry > 1 { "; the others are their mirror images" } else { "" };
-    paragraph(
-        page,
-        &inline(&format!(
-            "{}: forces of the bolts at load factor {}, from the stress of the lower bound \
-             ({what}), prying included{copies}:",
-            case.name,
-            significant(s.load_factor, 4, Rounding::Down)
-        )),
-    );
-    let rows = s.bolts.iter().map(|b| vec![inline(&b.bolt), kn(b.tension), kn(b.shear)]).collect();
-    table(page, &Table { columns: strings(["bolt", "tension [kN]", "shear [kN]"]), rows });
-    if s.contacts.is_empty() {
-        return;
-    }
-    let rows = s.contacts.iter().map(|c| {
-        let centre = c.centre.map(|x| format!("{x:.1}")).join(", ");
-        vec![inline(&c.between.join(" on ")), kn(c.compression), centre]
-    });
-    let part = if symmetry > 1 { "contact, of the meshed part" } else { "contact" };
-    let columns = strings([part, "compression [kN]", "centre of pressure x, y, z [mm]"]);
-    table(page, &Table { columns, rows: rows.collect() });
 }

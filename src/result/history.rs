@@ -1,9 +1,9 @@
-//! One row a mesh of `result.json`: what it cost and what it gave.
+//! The history in `result.json`: cost and result of each mesh.
 
-use crate::result::data::Upper;
+use crate::result::quantity::Upper;
 use serde::{Deserialize, Serialize};
 
-/// One mesh: what it cost and what it gave. Bounds are of the whole structure, sizes of the meshed
+/// Cost and result of one mesh. Bounds hold for the whole structure, sizes are those of the meshed
 /// part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HistoryRow {
@@ -36,7 +36,7 @@ pub struct HistoryRow {
     /// Wall time of everything on this mesh, the mesher included \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
-    /// What was expected of this mesh before it was made.
+    /// Prediction for this mesh before it was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub predicted: Option<Predicted>,
     /// Wall time of the mesher and the reader \[s\].
@@ -47,7 +47,7 @@ pub struct HistoryRow {
     pub peak_memory_mib: Option<u64>,
 }
 
-/// What was expected of a mesh before it was made.
+/// Prediction for a mesh before it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Predicted {
     /// Tetrahedra.
@@ -68,11 +68,11 @@ pub struct ProgramRun {
     /// Elastic, perfectly plastic analysis: tets with a yield condition.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yielding_tets: Option<usize>,
-    /// Elastic, perfectly plastic analysis: solves, until no tet without a yield condition was
-    /// beyond yield.
+    /// Elastic, perfectly plastic analysis: number of solves until every tet without a yield
+    /// condition was below yield.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solves: Option<u32>,
-    /// The solver's own word for how it ended.
+    /// Status of the solver at its end.
     pub status: String,
     /// Part of `seconds` spent in assembly \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -86,10 +86,10 @@ pub struct ProgramRun {
     /// Nonzeros of the sparse factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor_entries: Option<usize>,
-    /// Memory the solve was expected to need \[MiB\].
+    /// Forecast of the memory of the solve \[MiB\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forecast_memory_mib: Option<u64>,
-    /// Time the solve was expected to take \[s\].
+    /// Forecast of the time of the solve \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forecast_seconds: Option<f64>,
     /// Every iteration of the solver.
@@ -97,18 +97,18 @@ pub struct ProgramRun {
     pub trace: Vec<TraceRow>,
 }
 
-/// One iteration of a solver. Numbers that begin again belong to another solver that took over.
+/// One iteration of a solver. Where the numbers start again, another solver took over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TraceRow {
     /// Its number; 0 is the starting point.
     pub number: u32,
-    /// Relative duality gap; absent where it is no number yet.
+    /// Relative duality gap; absent while it is not finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
-    /// Largest relative residual; absent where it is no number yet.
+    /// Largest relative residual; absent while it is not finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub residual: Option<f64>,
-    /// Length of the step that led here, 0 to 1.
+    /// Length of the step that led to this iterate, 0 to 1.
     pub step: f64,
     /// Wall time since the solve began \[s\].
     pub seconds: f64,

@@ -6,21 +6,22 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::ProgramOutcome;
 use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{dissipation_densities, utilisation};
+use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case::{
     estimate_warning, only_load, problem, program_run, run_warning, weld_uses,
 };
-use crate::result::data::{
-    CaseResult, Certificate, FrictionModel, HistoryRow, PartShare, PeakPressure, Quantity,
-    RawBracket, Upper,
-};
+use crate::result::certificate::Certificate;
+use crate::result::entry::{CaseResult, PartShare, PeakPressure};
+use crate::result::history::HistoryRow;
+use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor, welds};
 use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
 
-/// The lower bound, the bracket and the static program that answer for the problem the user asked
-/// about: under Coulomb's law those without friction.
+/// The lower bound, the bracket and the static program of the problem that the user posed: under
+/// Coulomb's law those without friction.
 fn answer(
     pass: &LimitPass,
     problem: FrictionModel,
@@ -33,7 +34,7 @@ fn answer(
     }
 }
 
-/// The residuals of both fields, worst of the two where both have one.
+/// The residuals of both fields; the larger one where both have it.
 fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
     if let Some(u) = &pass.unlimited {
         let c = &u.certificate;
@@ -67,13 +68,13 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
     })
 }
 
-/// The load can grow without limit, says the static program: any multiple of it finds its
-/// equilibrium.
+/// True where the static program finds that the load can grow without limit: every multiple of it
+/// has a stress in equilibrium.
 fn unbounded(run: Option<&ProgramOutcome>) -> bool {
     run.is_some_and(|r| r.status == SolveStatus::Infeasible)
 }
 
-/// What the user must know of the programs: why one of them gave no bound.
+/// Warnings of the programs: why one of them gave no bound.
 fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
     let mut runs: Vec<(&str, &str, &ProgramOutcome)> = pass
         .runs()
@@ -81,33 +82,33 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
         .collect();
     runs.extend(pass.frictionless_run.as_ref().map(|r| ("frictionless static", "lower", r)));
     let mut warnings: Vec<String> = Vec::new();
-    let mut tell = |text: String| {
+    let mut warn = |text: String| {
         if !warnings.contains(&text) {
             warnings.push(text);
         }
     };
     for (name, bound, run) in runs {
         match run.status {
-            _ if run.trouble.is_some() => tell(run_warning(name, bound, run).unwrap_or_default()),
+            _ if run.trouble.is_some() => warn(run_warning(name, bound, run).unwrap_or_default()),
             SolveStatus::Optimal => {}
             SolveStatus::Infeasible if name == "frictionless static" => {
-                tell(format!(
+                warn(format!(
                     "without friction {NO_LIMIT} (the solver says so, no certificate proves it)"
                 ));
             }
-            SolveStatus::Infeasible => tell(format!(
+            SolveStatus::Infeasible => warn(format!(
                 "{NO_LIMIT} (the solver says so on this mesh, no certificate proves it); a load \
                  that only presses the parts together or changes their volume does this"
             )),
             SolveStatus::Unbounded => {
                 let parts = run.mechanism.as_ref().map_or(String::new(), |m| format!(": {m}"));
                 let without = if name == "frictionless static" { "without friction " } else { "" };
-                tell(format!(
+                warn(format!(
                     "{without}the dead loads alone make it collapse{parts}; the load factor has \
                      no lower bound"
                 ));
             }
-            status => tell(run_warning(name, bound, run).unwrap_or_else(|| {
+            status => warn(run_warning(name, bound, run).unwrap_or_else(|| {
                 format!(
                     "the {name} program ended with status `{}`: no {bound} bound",
                     status.words()
@@ -116,23 +117,23 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
         }
     }
     if let Some(parts) = &pass.moves {
-        tell(format!("the live loads move the structure freely: {parts}"));
+        warn(format!("the live loads move the structure freely: {parts}"));
     }
     if let Some(parts) = &pass.slides {
-        tell(format!(
+        warn(format!(
             "friction alone holds the structure, without it the load factor is 0: {parts}"
         ));
     }
     let alone = pass.frictionless.is_none() && pass.lower.is_some();
     if problem == FrictionModel::Coulomb && alone && pass.slides.is_none() {
-        tell(
+        warn(
             "under Coulomb's law only the bound without friction is safe, and there is none".into(),
         );
     }
     warnings
 }
 
-/// Why there is no estimate under Coulomb's law although one was asked for.
+/// Why there is no estimate under Coulomb's law although the model requests one.
 fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
     let why = match &pass.coulomb_estimate {
         Some(e) => e.trouble.clone()?,
@@ -144,7 +145,7 @@ fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
     Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
 }
 
-/// What each body and each weld adds to the dissipation of a mechanism.
+/// Share of each body and each weld in the dissipation of a mechanism.
 fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
     let mesh = &model.mesh;
     let mut bodies = vec![Sum::default(); mesh.bodies.len()];
@@ -160,6 +161,17 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, V
     (bodies.collect(), welds.into_iter().map(share).collect())
 }
 
+/// The bounds of the load factor from a pass, for the problem that the user posed.
+pub fn factor_bounds(pass: &LimitPass, problem: FrictionModel) -> CaseBounds {
+    let (lower, _, _) = answer(pass, problem);
+    let mechanism = pass.upper.clone().map(FactorLimit::Mechanism);
+    let limit = mechanism.or(pass.free.is_some().then_some(FactorLimit::FreeMechanism));
+    // where both programs find no limit, the word `unbounded` rests on the static one
+    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
+    let upper = limit.or(no_limit.then_some(FactorLimit::Unbounded));
+    CaseBounds::Factor { lower: lower.cloned(), upper }
+}
+
 /// The entry of a load case after one pass of limit analysis.
 pub fn limit_case_result(
     name: &str,
@@ -169,24 +181,19 @@ pub fn limit_case_result(
 ) -> CaseResult {
     let problem = problem(model);
     let (low, bracket, static_run) = answer(pass, problem);
-    let lower = low.map(LowerFactor::value);
-    let raw_upper = pass.upper.as_ref().map(|b| Upper::Finite(b.value()));
-    // of two programs that both find no limit, the one of the stresses is what the word stands on
-    let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
-    let upper = raw_upper.or(pass.free.is_some().then_some(Upper::Finite(0.0)));
-    let upper = upper.or(no_limit.then_some(Upper::UNBOUNDED));
+    let bounds = factor_bounds(pass, problem);
+    let (lower, upper) = (bounds.lower(), bounds.upper());
     let gap = bracket.map(FactorBracket::gap).filter(|g| g.is_finite());
     let mut certificate = certificate(pass, low);
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
     warnings.extend(estimate_missing(model, pass));
-    // what a solver says of an upper bound no residual proves, and a result is strict only as a
-    // whole
+    // no residual proves the solver's status `infeasible`, and a result is strict only as a whole
     if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
         c.strict = false;
     }
-    // a raw value beside the answer has no certificate of its own there: it is told only where it
-    // is a bound
+    // the entry holds no certificate of its own for a raw value beside the answer: it is reported
+    // only where it is a bound
     let strict =
         |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
     let frictionless =

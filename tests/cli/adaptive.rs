@@ -31,7 +31,7 @@ fn a_target_is_reached_and_verified() {
         assert!(
             history.len() > 1
                 && history[0]["gap"] == gap
-                && talk.contains("the next one is to have"),
+                && talk.contains("forecast for the next mesh"),
             "{talk}"
         );
         let best = |key: &str, better: fn(f64, f64) -> f64| {

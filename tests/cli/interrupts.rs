@@ -68,8 +68,8 @@ fn an_interrupted_solve_ends_in_order() {
         let (status, _, err) = running.end();
         assert_eq!(status.code(), Some(3), "{signal}: {err}");
         for words in [
-            "interrupted: the mesher ends now, solves at their next iteration, and what is \
-             certified is written",
+            "interrupted: the mesher stops now, the solvers after their current iteration, and \
+             certified results are written",
             "the static program was interrupted",
             "result: block/report.md",
         ] {
@@ -92,7 +92,7 @@ fn an_interrupted_solve_ends_in_order() {
                 && report.contains("no lower bound"),
             "{report}"
         );
-        assert!(bench.read("block/log.txt").contains("interrupted: the mesher ends now"));
+        assert!(bench.read("block/log.txt").contains("interrupted: the mesher stops now"));
         assert!(!bench.path().join("block.part").exists());
         expect(&bench, &["verify", "block"], 0);
     }

@@ -75,7 +75,7 @@ fn the_bracket_is_one_of_the_energy_and_is_confirmed_from_the_files() {
     assert!(c.get("load_displacement").is_none() && c.get("load").is_none(), "{c}");
     let report = bench.read("sleeve/report.md");
     for words in [
-        "The bracket is one of the energy only: with preload it does not bracket a displacement",
+        "The bracket applies to the energy only: with preload it does not bracket a displacement",
         "Bolt BOLT: the preload of 0.4000 kN closes the cut CUT by",
         "they bracket its energy only",
     ] {

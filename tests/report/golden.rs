@@ -4,10 +4,10 @@
 //! difference.
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
+use bracket::report::markdown::compose::report_markdown;
 use bracket::report::markdown::page::{
     CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table,
 };
-use bracket::report::markdown::text::report_markdown;
 use bracket::result::data::{
     CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PeakPressure, ProgramRun,
     Quantity, RawBracket, ResultFile, Tool, Upper, Verdict,
@@ -319,7 +319,7 @@ fn estimates_are_never_called_bounds() {
         "lies between",
         "is at least **",
         "can be carried by the model;",
-        "bounds are of the whole",
+        "bounds are those of the whole structure",
     ] {
         assert!(!page.contains(claim), "{claim}");
     }

@@ -1,5 +1,4 @@
-//! What a run says while it works: lines on standard error, bars where a terminal shows them, and
-//! `log.txt`.
+//! The log of a run: lines on standard error, progress bars on a terminal, and `log.txt`.
 
 use crate::analysis::program::Program;
 use crate::report::console::pace::{Pace, about};
@@ -27,25 +26,25 @@ pub struct Log {
     quiet: bool,
     lines: Mutex<String>,
     bars: MultiProgress,
-    /// What is being done now.
+    /// The current step.
     stage: ProgressBar,
     programs: Mutex<BTreeMap<Program, Bar>>,
     /// Whether there is a terminal to draw on.
     drawn: bool,
 }
 
-/// A program's bar and what it counts down.
+/// A program's bar and its pace.
 #[derive(Debug)]
 struct Bar {
     bar: ProgressBar,
     pace: Arc<Mutex<Timed>>,
 }
 
-/// A pace and when it was told last.
+/// A pace and the time of its last update.
 #[derive(Debug)]
 struct Timed {
     pace: Pace,
-    told: Instant,
+    updated: Instant,
 }
 
 fn held<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
@@ -67,26 +66,26 @@ impl Log {
         Self { start: Instant::now(), quiet, lines: Mutex::default(), bars, stage, programs, drawn }
     }
 
-    /// Notes a line that is done with: it is kept, and shown unless quiet.
+    /// Logs a line: it is kept, and shown unless quiet.
     pub fn line(&self, text: impl AsRef<str>) {
         self.keep(text.as_ref());
         self.say(text);
     }
 
-    /// Says a line that `log.txt` has already.
+    /// Shows a line that is in `log.txt` already.
     pub fn say(&self, text: impl AsRef<str>) {
         if !self.quiet {
-            // a terminal that has gone is no reason to end the run
+            // the run goes on where the terminal is gone
             self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));
         }
     }
 
-    /// Notes a line that only `log.txt` wants.
+    /// Logs a line for `log.txt` only.
     pub fn detail(&self, text: impl AsRef<str>) {
         self.keep(text.as_ref());
     }
 
-    /// Says what is being done now; shown beside the spinner until the next stage.
+    /// Logs the current step and shows it beside the spinner until the next one.
     pub fn stage(&self, text: impl Into<String>) {
         let text = text.into();
         self.keep(&text);
@@ -98,7 +97,7 @@ impl Log {
         if !self.drawn {
             return;
         }
-        let pace = Arc::new(Mutex::new(Timed { pace, told: Instant::now() }));
+        let pace = Arc::new(Mutex::new(Timed { pace, updated: Instant::now() }));
         let bar = self.bars.add(ProgressBar::new(WHOLE));
         bar.set_style(style(pace.clone()));
         bar.set_prefix(program.name());
@@ -113,8 +112,8 @@ impl Log {
         let programs = held(&self.programs);
         let Some(Bar { bar, pace }) = programs.get(&program) else { return };
         let mut timed = held(pace);
-        timed.pace.tell(i);
-        timed.told = Instant::now();
+        timed.pace.add(i);
+        timed.updated = Instant::now();
         let share = timed.pace.share();
         // drawing asks for the pace again
         drop(timed);
@@ -153,7 +152,7 @@ fn style(pace: Arc<Mutex<Timed>>) -> ProgressStyle {
     let left = move |_: &ProgressState, out: &mut dyn fmt::Write| {
         let timed = held(&pace);
         let left =
-            timed.pace.left().map(|left| (left - timed.told.elapsed().as_secs_f64()).max(1.0));
+            timed.pace.left().map(|left| (left - timed.updated.elapsed().as_secs_f64()).max(1.0));
         let _ = out.write_str(&left.map_or(String::new(), |left| format!("{} left", about(left))));
     };
     ProgressStyle::with_template(TEMPLATE)

@@ -1,4 +1,4 @@
-//! What a run prints: progress, log, last words.
+//! Output of a run on the terminal: progress, log, answer.
 
 pub mod answer;
 pub mod log;

@@ -1,53 +1,56 @@
-//! How long a solve will still take: from its forecast at first, then from its own pace.
+//! Remaining time of a solve: at first from its forecast, then from its own pace.
 
 use crate::solve::Iteration;
 
-/// Iterations of an ordinary solve.
+/// Iterations of a typical solve.
 const TYPICAL: f64 = 20.0;
 
 /// Iterations over which the trend is taken.
 const WINDOW: usize = 5;
 
-/// Iterations after which the trend alone counts: the first ones tell little, their steps are
-/// short.
+/// Iterations after which only the trend counts: the first ones are not representative, their steps
+/// are short.
 const SETTLED: f64 = 8.0;
 
-/// Slowest trend that is believed, decades an iteration: a stall ends sooner than it promises.
+/// Slowest trend that is assumed, in decades per iteration: a stalled solve ends earlier than its
+/// trend predicts.
 const SLOWEST: f64 = 0.1;
 
-/// The iterations of one solve so far, and what they promise.
+/// The iterations of one solve so far, and the remaining time they predict.
 #[derive(Clone, Debug, Default)]
 pub struct Pace {
     tolerance: f64,
     forecast: Option<f64>,
     /// Seconds since the solve began and log₁₀ of the larger of gap and residual, by iteration.
-    told: Vec<(f64, f64)>,
+    iterations: Vec<(f64, f64)>,
     last: Option<u32>,
 }
 
 impl Pace {
     /// For a solve that ends at `tolerance` and is expected to take `forecast` seconds.
     pub fn new(tolerance: f64, forecast: Option<f64>) -> Self {
-        Self { tolerance, forecast, told: Vec::new(), last: None }
+        Self { tolerance, forecast, iterations: Vec::new(), last: None }
     }
 
-    /// Takes the next iteration; numbers that begin again belong to another solver, whose pace is
-    /// its own.
-    pub fn tell(&mut self, i: &Iteration) {
+    /// Adds the next iteration. Where the numbers start again, another solver has taken over: its
+    /// pace is measured afresh.
+    pub fn add(&mut self, i: &Iteration) {
         if self.last.is_some_and(|last| i.number <= last) {
-            self.told.clear();
+            self.iterations.clear();
             self.forecast = None;
         }
         self.last = Some(i.number);
-        // a gap that is no number yet counts as none reached
+        // a gap that is not finite yet counts as no progress
         let merit = i.gap.max(i.residual).log10();
-        self.told.push((i.seconds, if merit.is_finite() { merit.min(0.0) } else { 0.0 }));
+        self.iterations.push((i.seconds, if merit.is_finite() { merit.min(0.0) } else { 0.0 }));
     }
 
     /// Seconds left from the last iteration on; `None` where nothing is known yet.
     pub fn left(&self) -> Option<f64> {
-        let done = self.told.len().saturating_sub(1);
-        let (Some(&(start, _)), Some(&(now, merit))) = (self.told.first(), self.told.last()) else {
+        let done = self.iterations.len().saturating_sub(1);
+        let (Some(&(start, _)), Some(&(now, merit))) =
+            (self.iterations.first(), self.iterations.last())
+        else {
             return self.forecast;
         };
         if done == 0 {
@@ -55,7 +58,7 @@ impl Pace {
         }
         let each = (now - start) / done as f64;
         let window = done.min(WINDOW);
-        let slope = ((self.told[done - window].1 - merit) / window as f64).max(SLOWEST);
+        let slope = ((self.iterations[done - window].1 - merit) / window as f64).max(SLOWEST);
         let trend = ((merit - self.tolerance.log10()) / slope).clamp(1.0, 3.0 * TYPICAL);
         let usual = (TYPICAL - done as f64).max(2.0);
         let weight = (done as f64 / SETTLED).min(1.0);
@@ -64,12 +67,12 @@ impl Pace {
 
     /// Share of the whole solve that is done, 0 to 1.
     pub fn share(&self) -> f64 {
-        let spent = self.told.last().map_or(0.0, |t| t.0);
+        let spent = self.iterations.last().map_or(0.0, |t| t.0);
         self.left().filter(|left| spent + left > 0.0).map_or(0.0, |left| spent / (spent + left))
     }
 }
 
-/// A duration in the words of people: `about 40 s`, `about 3 min`, `about 2.5 h`.
+/// A duration in words: `about 40 s`, `about 3 min`, `about 2.5 h`.
 pub fn about(seconds: f64) -> String {
     if !seconds.is_finite() {
         return "an unknown time".into();
@@ -100,12 +103,12 @@ mod tests {
     fn the_forecast_counts_until_the_pace_is_known() {
         let mut pace = Pace::new(1e-9, Some(200.0));
         assert_eq!(pace.left(), Some(200.0));
-        pace.tell(&at(0, 1.0, 10.0));
+        pace.add(&at(0, 1.0, 10.0));
         assert_eq!(pace.left(), Some(190.0));
         assert_eq!(pace.share(), 0.05);
         let mut before = f64::INFINITY;
         for k in 1..18 {
-            pace.tell(&at(k, 10f64.powf(-0.5 * f64::from(k)), 10.0 + 10.0 * f64::from(k)));
+            pace.add(&at(k, 10f64.powf(-0.5 * f64::from(k)), 10.0 + 10.0 * f64::from(k)));
             let left = pace.left().expect("known");
             let truth = 10.0 * f64::from(18 - k);
             // the usual 20 iterations weigh less and less
@@ -120,12 +123,12 @@ mod tests {
     fn nothing_known_is_nothing_said() {
         let mut pace = Pace::new(1e-9, None);
         assert_eq!((pace.left(), pace.share()), (None, 0.0));
-        pace.tell(&at(0, 1.0, 0.0));
+        pace.add(&at(0, 1.0, 0.0));
         assert_eq!((pace.left(), pace.share()), (None, 0.0));
-        pace.tell(&at(1, f64::INFINITY, 2.0));
+        pace.add(&at(1, f64::INFINITY, 2.0));
         let left = pace.left().expect("known");
         assert!(left > 20.0 && left < 200.0, "{left}");
-        pace.tell(&at(2, f64::NAN, 4.0));
+        pace.add(&at(2, f64::NAN, 4.0));
         assert!(pace.left().is_some_and(f64::is_finite));
     }
 
@@ -133,16 +136,16 @@ mod tests {
     fn stalls_and_other_solvers_do_not_run_away() {
         let mut pace = Pace::new(1e-9, Some(10.0));
         for k in 0..30 {
-            pace.tell(&at(k, 1e-3, f64::from(k)));
+            pace.add(&at(k, 1e-3, f64::from(k)));
         }
         assert!(pace.left().is_some_and(|l| l <= 60.0));
         // beyond its tolerance there is at least one iteration to come
-        pace.tell(&at(30, 1e-12, 30.0));
+        pace.add(&at(30, 1e-12, 30.0));
         assert!(pace.left().is_some_and(|l| (0.5..60.0).contains(&l)));
-        // another solver begins again: its first iteration tells nothing
-        pace.tell(&at(0, 1.0, 31.0));
+        // another solver takes over: its first iteration gives no pace yet
+        pace.add(&at(0, 1.0, 31.0));
         assert_eq!(pace.left(), None);
-        pace.tell(&at(1, 0.5, 41.0));
+        pace.add(&at(1, 0.5, 41.0));
         assert!(pace.left().is_some_and(|l| l > 100.0));
     }
 

@@ -1,41 +1,12 @@
 //! The events of a pass as lines and bars.
 
 use crate::analysis::event::Event;
-use crate::analysis::memory::{Limit, Room};
 use crate::analysis::program::Program;
-use crate::analysis::program_outcome::InsufficientMemory;
 use crate::report::console::log::Log;
 use crate::report::console::pace::{Pace, about};
 use crate::report::figures::{Rounding, fixed, percent_up, significant};
+use crate::result::refusal::{gib, refusal_words, room_words};
 use crate::solve::{Forecast, Iteration};
-
-/// Bytes in GiB with three digits, rounded to the safe side.
-fn gib(bytes: u64, rounding: Rounding) -> String {
-    format!("{} GiB", significant(bytes as f64 / f64::from(1u32 << 30), 3, rounding))
-}
-
-/// The room there is, and who sets it.
-fn room_words(room: &Room) -> String {
-    let bytes = gib(room.bytes, Rounding::Down);
-    match room.limit {
-        Limit::Machine => format!("{bytes} are available"),
-        Limit::Asked(all) => {
-            format!(
-                "{bytes} are left of the {} that --memory-limit allows",
-                gib(all, Rounding::Nearest)
-            )
-        }
-    }
-}
-
-/// Why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
-pub fn refusal_words(refusal: &InsufficientMemory) -> String {
-    format!(
-        "needs {} more memory, {}",
-        gib(refusal.needed, Rounding::Up),
-        room_words(&refusal.room)
-    )
-}
 
 fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     let mut text = format!("{} unknowns", fixed(unknowns as f64, 0, Rounding::Nearest));
@@ -50,8 +21,8 @@ fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     text
 }
 
-/// Tells the log what a program of a load case does; `tolerance`: where its solve ends.
-pub fn tell(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
+/// Notes in the log an event of a program of a load case; `tolerance`: gap at which its solve ends.
+pub fn note(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
     let name = program.name();
     match event {
         Event::Assembly => log.stage(format!("{case}: assembling the {name} program")),
@@ -125,7 +96,7 @@ mod tests {
     const GIB: u64 = 1 << 30;
 
     #[test]
-    fn costs_are_told_in_users_words() {
+    fn forecasts_are_in_the_words_of_users() {
         let forecast = Forecast {
             unknowns: 52_341,
             factor_entries: 12_400_000,
@@ -138,22 +109,5 @@ mod tests {
             "52\u{a0}341 unknowns, 12.4 million factor entries, 0.300 GiB of memory, about 40 s"
         );
         assert_eq!(forecast_words(912, None), "912 unknowns");
-    }
-
-    /// What is needed is rounded up and what there is down: a refusal never reads as if it fitted.
-    #[test]
-    fn a_refusal_never_reads_as_if_it_fitted() {
-        for limit in [Limit::Machine, Limit::Asked(8 * GIB)] {
-            let text = refusal_words(&InsufficientMemory {
-                needed: GIB + 1,
-                room: Room { bytes: GIB - 1, limit },
-            });
-            assert!(text.starts_with("needs 1.01 GiB more memory, 0.999 GiB are"), "{text}");
-            assert_eq!(
-                text.contains("of the 8.00 GiB that --memory-limit allows"),
-                limit != Limit::Machine,
-                "{text}"
-            );
-        }
     }
 }

@@ -1,9 +1,9 @@
-//! A frame with two axes through zero, ticks and names: what plots of forces and moments stand in.
+//! A frame with two axes through zero, ticks and names, for plots of forces and moments.
 
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 use crate::report::figures::{Rounding, significant};
 
-/// Side of the frame and what is left of it for numbers \[pixels\].
+/// Side of the frame and margin for the numbers to its left \[pixels\].
 const SIDE: f64 = 420.0;
 const MARGIN: f64 = 72.0;
 
@@ -18,7 +18,7 @@ impl Axes {
         Self { reach: largest.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 }) }
     }
 
-    /// Half of what is shown on either axis.
+    /// Half of the range of each axis.
     pub fn reach(&self) -> [f64; 2] {
         self.reach
     }
@@ -29,8 +29,8 @@ impl Axes {
         [MARGIN + 0.5 * SIDE * (1.0 + part(0)), LINE + 0.5 * SIDE * (1.0 - part(1))]
     }
 
-    /// Draws the frame with its ticks; the names of the axes say what grows to the right and
-    /// upwards. Returns the point where a legend begins.
+    /// Draws the frame with its ticks; the names of the axes are those of the quantities to the
+    /// right and upwards. Returns the point where a legend begins.
     pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
         let reach = self.reach;
         let [left, top] = self.at([-reach[0], reach[1]]);

@@ -100,8 +100,8 @@ impl Canvas {
         }
     }
 
-    /// Darkens samples whose neighbour is empty or farther by more than `jump`: the outline of what
-    /// stands in front.
+    /// Darkens samples whose neighbour is empty or farther by more than `jump`: the outline of the
+    /// parts in front.
     pub fn outline(&mut self, ink: Rgb, jump: f64) {
         let ink = bytes(ink);
         let mut marked = Vec::new();

@@ -1,4 +1,4 @@
-//! Where two parts press on each other: the contact faces on a plane, coloured by the pressure of
+//! Contact pressure between two parts: the contact faces on a plane, coloured by the pressure of
 //! the static field.
 
 use crate::certify::faces::contact_faces;
@@ -13,7 +13,7 @@ use crate::result::forces::ContactForce;
 /// Largest sides of the map \[pixels\].
 const SIDES: [f64; 2] = [420.0, 520.0];
 const MARGIN: f64 = 24.0;
-/// Pressures below this part of the largest one count as none.
+/// Fraction of the largest pressure below which a face counts as open.
 const OPEN: f64 = 0.02;
 const AXES: [&str; 3] = ["x", "y", "z"];
 const NOTHING: &str = "#eef1f4";
@@ -22,9 +22,9 @@ const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"]
 /// A face on its plane: corners \[mm\] and mean pressure \[MPa\].
 type Patch = ([[f64; 2]; 3], f64);
 
-/// The map of the two parts that press on each other as SVG text, completed by the planes of
-/// symmetry whose axes are `mirror`; `None` where nothing presses, or where their faces do not lie
-/// on one plane across an axis.
+/// The map of the contact between two parts as SVG text, completed by the planes of symmetry whose
+/// normals are `mirror`; `None` without pressure, or where the faces do not lie on one plane normal
+/// to an axis.
 pub fn contact_map(
     model: &AnalysisModel,
     stress: &StressField,
@@ -146,7 +146,7 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
 mod tests {
     use super::*;
 
-    /// Every band has its colour, what is open has none, and the map names its peak and its sides.
+    /// Every band has its colour, open faces have none, and the map names its peak and its sides.
     #[test]
     fn bands_cover_the_pressures() {
         let found: Vec<&str> =

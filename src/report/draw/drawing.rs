@@ -1,8 +1,8 @@
 //! Drawings of an end plate joint: side view and front view with dimensions, and the sketch of the
 //! actions with their signs.
 //!
-//! They show what the hand checks see (`assembly::EndPlate`), so that a wrong value of a spec meets
-//! the eye.
+//! They show the input of the hand checks (`assembly::EndPlate`), so that a wrong value of a spec
+//! is visible.
 
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::{Unit, number as n};
@@ -41,7 +41,7 @@ impl Scale {
     }
 }
 
-/// Upper and lower end of what is drawn \[mm\]: the column goes on beyond the plate.
+/// Upper and lower end of the drawing \[mm\]: the column continues beyond the plate.
 fn extent(e: &EndPlate) -> [f64; 2] {
     let half = 0.5 * e.beam.h;
     let beyond = if e.column.is_some() { 0.22 * e.beam.h } else { 0.0 };
@@ -53,7 +53,7 @@ fn sheet(e: &EndPlate, plates: usize, length: Option<f64>) -> Drawing {
     let [low, high] = extent(e);
     let stub = 0.8 * e.beam.h;
     let depth = e.column.as_ref().map_or(0.0, |c| c.section.h);
-    // of a splice both plates are drawn, of a column those there are
+    // a splice has both plates, a column one or two
     let both = e.column.is_none() || plates > 1;
     let right = 0.5 * depth + e.thickness + stub;
     let left = if both { right } else { 0.5 * depth };
@@ -109,7 +109,7 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
         }
         break_line(d, s.at(end, -half), s.at(end, half));
     }
-    // over what they pass through
+    // drawn over the parts that they pass through
     for &side in sides {
         if e.column.is_some() || side > 0.0 {
             let inner = e.column.as_ref().map_or(-e.thickness, |c| face - c.section.tf);
@@ -208,7 +208,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
     d.horizontal_chain(from + 52.0, from + 46.0, &[xs[0], xs[xs.len() - 1]], &[n(e.width)]);
 }
 
-/// What the parts are.
+/// Names and sizes of the parts.
 fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     let mut out = Vec::new();
     if let Some(c) = &e.column {
@@ -304,13 +304,13 @@ fn value(a: &PlaneActions) -> String {
     let names = ["N", "Vy", "Vz", "T", "My", "Mz"];
     let units = [Unit::Force, Unit::Force, Unit::Force, Unit::Moment, Unit::Moment, Unit::Moment];
     let all = names.into_iter().zip(units).zip(force.into_iter().chain(moment));
-    let told: Vec<String> = all
+    let values: Vec<String> = all
         .filter(|((name, _), v)| *v != 0.0 || ["N", "Vz", "My"].contains(name))
         .map(|((name, unit), v)| format!("{name} = {}", unit.show(v)))
         .collect();
     let fixed = a.dead.iter().flatten().any(|v| *v != 0.0);
     let note = if fixed { " (a part of it fixed)" } else { "" };
-    format!("{}, {}: {}{note}", a.case, a.end, told.join(", "))
+    format!("{}, {}: {}{note}", a.case, a.end, values.join(", "))
 }
 
 #[cfg(test)]
@@ -342,7 +342,7 @@ mod tests {
 
     /// No two texts overlap, and every dimension that a fitter needs is there.
     #[test]
-    fn drawings_tell_every_size_and_no_text_covers_another() {
+    fn drawings_give_every_size_and_no_text_covers_another() {
         for (text, plates) in [(COLUMN, 2), (COLUMN, 1), (SPLICE, 2)] {
             let e = end_plate(text);
             let drawings = [sheet(&e, plates, Some(65.0)), loads(&e)];

@@ -4,11 +4,16 @@ pub mod axes;
 pub mod canvas;
 pub mod contact_map;
 pub mod drawing;
+pub mod legend;
 pub mod lettering;
 pub mod moment_axial;
+pub mod options;
+pub mod palette;
 pub mod plot;
+pub mod polygon;
 pub mod raster;
 pub mod surface;
 pub mod svg;
+pub mod view;
 
 pub use canvas::Picture;

@@ -1,5 +1,5 @@
-//! The M–N diagram of the component method: what a joint carries of moment and axial force, and
-//! where the load cases lie.
+//! The M–N diagram of the component method: resistance of a joint to moment and axial force, and
+//! the load cases.
 
 use crate::checks::MomentAxial;
 use crate::report::draw::axes::Axes;
@@ -18,12 +18,12 @@ pub fn drawing(diagram: &MomentAxial) -> String {
     let mut d = Drawing::default();
     let points: Vec<[f64; 2]> = border.iter().map(|p| axes.at(*p)).collect();
     d.polygon(Pen::Edge, "#dbe7f3", &points);
-    // the strip in which 6.2.7.1(2) leaves the axial force out
+    // the strip in which 6.2.7.1(2) neglects the axial force
     let [small, _] = show([diagram.small, 0.0]);
     for x in [-small, small] {
         d.line(Pen::Hidden, axes.at([x, -axes.reach()[1]]), axes.at([x, axes.reach()[1]]));
     }
-    // what a push adds beyond M_j,Rd does not count
+    // a compressive force does not raise the moment resistance above M_j,Rd
     let [top_sense, bottom_sense] = diagram.resistance.map(|m| show([0.0, m])[1]);
     for y in [top_sense, -bottom_sense] {
         d.line(Pen::Hidden, axes.at([-axes.reach()[0], y]), axes.at([axes.reach()[0], y]));

@@ -34,18 +34,18 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
 }
 
-/// What is plotted.
+/// The content of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
     /// Title.
     pub title: String,
-    /// What the abscissa is, with its unit.
+    /// Quantity on the abscissa, with its unit.
     pub x: String,
-    /// What the ordinate is, with its unit; stands above the axis.
+    /// Quantity on the ordinate, with its unit; written above the axis.
     pub y: String,
     /// The series.
     pub series: Vec<Series>,
-    /// A level of the ordinate to be marked, and what it is.
+    /// A level of the ordinate to be marked, and its name.
     pub level: Option<(f64, String)>,
 }
 
@@ -277,7 +277,7 @@ mod tests {
         assert!(Axis::around([].into_iter()).marks().len() > 1);
     }
 
-    /// Both forms have a dot for every good point and for each name in the legend; names cannot
+    /// Both forms have a dot for every valid point and for each name in the legend; names cannot
     /// break the text; points without a logarithm are left out.
     #[test]
     fn every_good_point_is_drawn() {

@@ -29,7 +29,7 @@ pub struct Surface {
     pub signs: Vec<[f64; 3]>,
 }
 
-/// What an edge of a triangle is drawn as.
+/// Style of an edge of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeKind {
     /// A line of the mesh only.
@@ -67,7 +67,7 @@ impl Surface {
     }
 
     /// The surface with its mirror image in the plane `x[axis] = 0`, sewn together along it:
-    /// triangles in the plane are inside the whole and go away.
+    /// triangles in the plane become interior and are removed.
     pub fn mirrored(mut self, axis: usize) -> Self {
         let (low, high) = self.extents();
         let tolerance = 1e-6 * (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);

@@ -36,7 +36,7 @@ impl Pen {
     }
 }
 
-/// Where a text stands beside its point.
+/// Position of a text beside its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Anchor {
     /// Right of it.
@@ -227,7 +227,7 @@ fn apart(wanted: &[f64], least: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|a, b| wanted[*a].total_cmp(&wanted[*b]));
     let mut at = wanted.to_vec();
-    // clusters of texts that touch, each about the mean of what its members want
+    // clusters of texts that touch, each centred on the mean of its members' wanted positions
     let mut clusters: Vec<Vec<usize>> = Vec::new();
     for i in order {
         clusters.push(vec![i]);

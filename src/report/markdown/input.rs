@@ -1,16 +1,16 @@
-//! What the report says of the input: as it was read, the values that follow from it, and at the
-//! end the file itself.
+//! The sections on the input: as it was read, the values derived from it, and at the end the file
+//! itself.
 
+use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::{ReportData, Table};
-use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 
 /// The input as it was read, resolved values, catalogue rows, notes.
 pub(crate) fn sections(page: &mut String, data: &ReportData) {
     heading(page, "Input");
     paragraph(
         page,
-        "As it was read: without comments, with the defaults of what it leaves out. The file \
-         itself stands at the end.",
+        "The input as it was read: without comments, and with the defaults for what it leaves \
+         out. The file itself is at the end of this report.",
     );
     yaml(page, &data.input_read);
     values(page, data);

@@ -1,13 +1,26 @@
-//! The report in Markdown.
+//! The report in Markdown: `compose` puts the sections together, each section is a file.
 
-pub mod checks;
-pub mod comparison;
+pub mod answer;
+pub mod assumptions;
+pub mod certificate;
+pub mod collapse;
+pub mod component_method;
+pub mod compose;
+pub mod demand;
+pub mod forces;
+pub mod hand_checks;
+pub mod history;
 pub mod input;
-pub mod limit;
+pub mod joint;
+pub mod markup;
 pub mod page;
-pub mod plastic;
+pub mod polygon;
 pub mod preload;
 pub mod schedule;
+pub mod stiffness;
 pub mod summary;
-pub mod text;
+pub mod title;
 pub mod verdict;
+pub mod warnings;
+pub mod words;
+pub mod yielding;

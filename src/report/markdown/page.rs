@@ -1,5 +1,5 @@
-//! What the printed report is made of: plain strings and tables, so that the writers know nothing
-//! of the engine.
+//! The data of the printed report: plain strings and tables, so that the sections do not depend on
+//! the engine.
 
 use crate::result::data::ResultFile;
 
@@ -14,9 +14,9 @@ pub struct ReportData {
     pub result: ResultFile,
     /// Name of the input file as the user gave it.
     pub input_name: String,
-    /// Its text, as given.
+    /// Text of the input file, as given.
     pub input_text: String,
-    /// What was read from it, as YAML: without comments, with the defaults of its fixed part.
+    /// The input as read, as YAML: without comments, with the defaults of its fixed part.
     pub input_read: String,
     /// Values the program looked up, computed or assumed.
     pub resolved: Vec<ResolvedValue>,
@@ -28,26 +28,26 @@ pub struct ReportData {
     pub schedule: Table,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
-    /// Quality of the last mesh, usually a row a body.
+    /// Quality of the last mesh, usually one row for each body.
     pub mesh_quality: Table,
-    /// What the model holds, for the sentences about limits.
+    /// Features of the model, for the sentences about limits.
     pub model: ModelTraits,
     /// Further assumptions, a sentence each.
     pub assumptions: Vec<String>,
-    /// What the reader decided or noticed, a sentence each.
+    /// Decisions and remarks of the reader, a sentence each.
     pub notes: Vec<String>,
 }
 
 /// A value the program resolved.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ResolvedValue {
-    /// What it is: `bolts.rows[1]`.
+    /// Its name: `bolts.rows[1]`.
     pub name: String,
     /// Its value with meaningful digits.
     pub value: String,
     /// Its unit; empty for a plain number or word.
     pub unit: String,
-    /// Where it comes from: `given`, `default`, `catalogue`, `computed`.
+    /// Its origin: `given`, `default`, `catalogue`, `computed`.
     pub origin: String,
 }
 
@@ -60,7 +60,7 @@ pub struct CatalogueRow {
     pub name: String,
     /// Standard and edition the numbers come from.
     pub source: String,
-    /// Whether the row stands in a table of the user's own.
+    /// Whether the row is from a table of the user.
     pub own: bool,
     /// Column with unit (`h [mm]`) and value.
     pub values: Vec<(String, String)>,
@@ -71,7 +71,7 @@ pub struct CatalogueRow {
 pub struct PictureRef {
     /// File name, relative to the folder.
     pub file: String,
-    /// What it shows.
+    /// Caption.
     pub caption: String,
 }
 
@@ -84,7 +84,7 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-/// What the model holds, as far as the report must say something about it.
+/// Features of the model that the report must mention.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ModelTraits {
     /// There is contact.

@@ -1,31 +1,16 @@
-//! What the report says of preloaded bolts.
+//! The sentences on preloaded bolts.
 
 use crate::analysis::preloaded_bolt::PreloadedBolt;
-use crate::model::AnalysisModel;
 use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::text::inline;
-use crate::result::forces::ON_PLANE;
+use crate::report::markdown::markup::inline;
 
-/// Marks the bolts that a plane of symmetry halves; `mirror`: axes of these planes, through the
-/// origin.
-pub fn mark_halved(bolts: &mut [PreloadedBolt], model: &AnalysisModel, mirror: &[usize]) {
-    for bolt in bolts {
-        let cut = model
-            .preload
-            .iter()
-            .filter(|p| p.body == bolt.body && p.cut == bolt.cut)
-            .flat_map(|p| &p.faces);
-        let mut rim = cut.flat_map(|f| f.nodes_a).map(|n| model.mesh.nodes[n as usize]);
-        bolt.halved = rim.any(|x| mirror.iter().any(|&k| x[k].abs() < ON_PLANE));
-    }
-}
-
-/// What a preloaded bolt carries.
+/// Preload, closure and tension of a preloaded bolt.
 pub(crate) fn preload_words(bolt: &PreloadedBolt) -> String {
     let kilonewtons = |f: f64| format!("{} kN", significant(f / 1e3, 4, Rounding::Nearest));
     let loaded = bolt.tension.map_or(String::new(), |t| {
         format!(
-            "; under the loads the stress of the lower bound carries {} there (an estimate)",
+            "; under the loads the stress of the lower bound gives a tension of {} there (an \
+             estimate)",
             kilonewtons(t)
         )
     });

@@ -1,10 +1,10 @@
-//! What is ordered: bolts with their length, plates and stiffeners, with their masses.
+//! The list of bolts with their lengths, plates and stiffeners, with masses.
 
 use crate::assembly::EndPlate;
 use crate::catalog::BoltSize;
 use crate::checks::check::number as n;
+use crate::report::markdown::markup::strings;
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::strings;
 use std::f64::consts::PI;
 
 /// Density of steel \[kg/mm³\], EN 1991-1-1 Table A.4 and EN 1993-1-1 3.2.6 as used in practice.
@@ -22,7 +22,7 @@ pub fn bolt_mass(b: &BoltSize, length: f64) -> f64 {
 }
 
 /// Bolts, end plates, stiffeners and doubler; `plates`: end plates of the joint, `length`: nominal
-/// length of the bolts \[mm\], `grip` what they clamp \[mm\].
+/// length of the bolts \[mm\], `grip`: clamped thickness \[mm\].
 pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> Table {
     let sets = if e.column.is_some() { plates } else { 1 };
     let mut rows = Vec::new();

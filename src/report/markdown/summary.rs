@@ -1,20 +1,20 @@
-//! The table a checker reads first: every check with a demand, what governs in bold.
+//! The table that a checker reads first: every check with a demand, the governing one in bold.
 
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status, Topic, Unit};
 use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::markup::{paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{paragraph, strings, table};
 use crate::result::data::{Quantity, ResultFile};
 
-/// A row, and the utilisation by which it may govern; `None`: it decides nothing.
+/// A row, and the utilisation by which it may govern; `None`: the row decides nothing.
 struct Row {
     cells: Vec<String>,
     governs_by: Option<f64>,
 }
 
-/// Check, Ed, Rd, utilisation, clause, status; nothing where no load is a demand.
+/// Check, Ed, Rd, utilisation, clause, status; nothing without a demand.
 pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     let mut rows: Vec<Row> = Vec::new();
     for case in &result.cases {
@@ -26,7 +26,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
             let (l, u) = (significant(l, 3, Rounding::Down), significant(u, 3, Rounding::Up));
             format!("{l} … {u}")
         });
-        let bounds = match case.safe_bounds() {
+        let bounds = match case.factor_bounds() {
             (Some(l), Some(u)) => {
                 format!(
                     "{} … {}",
@@ -59,7 +59,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
         return;
     }
     rows.extend(worst_distance(&result.checks).map(row));
-    // what decides without a load: distances have their row
+    // checks that decide without a load; distances have a row of their own
     let open =
         |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
     rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
@@ -69,12 +69,12 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
         Some(u) if u >= most => r.cells.into_iter().map(|c| format!("**{c}**")).collect(),
         _ => r.cells,
     };
-    paragraph(page, "Every check with a demand; what governs is bold:");
+    paragraph(page, "Every check with a demand; the governing one is bold:");
     let columns = strings(["case", "check", "Ed", "Rd", "utilisation", "clause", "status"]);
     table(page, &Table { columns, rows: rows.into_iter().map(bold).collect() });
 }
 
-/// The least distance of Table 3.3 that is used most, or missed.
+/// The minimum distance of Table 3.3 with the largest utilisation.
 fn worst_distance(checks: &[Check]) -> Option<&Check> {
     let used = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
     checks
@@ -91,7 +91,7 @@ fn row(c: &Check) -> Row {
         (Status::Failed, _) => "FAILED",
         (Status::Undecided, _) => "UNDECIDED",
         (Status::Ok, _) => "OK",
-        // what a limit analysis of the case decides
+        // a limit analysis decides the case
         (Status::Warning, _) => "exceeded, information",
         (Status::Information, Some(_)) => "OK, information",
         (Status::Information, None) => "information",
@@ -105,7 +105,7 @@ fn row(c: &Check) -> Row {
         c.clause.clone(),
         status.into(),
     ];
-    // a least distance or throat decides, but says nothing of strength
+    // a minimum distance or throat decides, but is no measure of strength
     let strength = decides && (c.unit != Unit::Length || c.status == Status::Failed);
     Row { cells, governs_by: strength.then_some(c.utilisation.unwrap_or(f64::INFINITY)) }
 }
@@ -143,7 +143,7 @@ mod tests {
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("**FAILED**") && !page.contains("**0.9**"), "{page}");
-        // a throat below its least is told, one above it does not compete however near it is
+        // a throat below its minimum governs, one above it does not, however close it is
         result.checks.pop();
         let throat = |a: f64, case: &str| {
             let what = ((Topic::Welds, "beam web"), ("4.5.2", "least throat"));
@@ -163,7 +163,7 @@ mod tests {
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
-        // information that holds says so in the word of the other checks
+        // information that is satisfied has the same word as other checks
         let held = check(Topic::ComponentMethod, 0.5, Status::Warning);
         result.checks.push(Check { status: Status::Information, ..held });
         let mut page = String::new();

@@ -1,13 +1,13 @@
-//! The box a report begins with: the verdict by code, by analysis, and the joint one with its
+//! The box at the top of a report: the verdict by code, by analysis, and the joint verdict with its
 //! reason.
 
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::ResultFile;
 
-/// The verdict, and what it stands on.
+/// The verdict and its basis.
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
     let Some(j) = &result.judgement else {
         match result.verdict {
@@ -16,7 +16,7 @@ pub(crate) fn verdict(page: &mut String, result: &ResultFile) {
             }
             _ => paragraph(
                 page,
-                "No verdict: no load is a demand on a joint (actions at member ends are).",
+                "No verdict: no load is a demand on the joint (only actions at member ends are).",
             ),
         }
         return;
@@ -34,7 +34,7 @@ fn rows(j: &Judgement) -> Vec<Vec<String>> {
                 analysis decides";
     let analysis = match j.by_analysis {
         Verdict::None => "no analysis of the resistance was run",
-        _ => "strict bounds of limit analysis; without friction from below",
+        _ => "strict bounds of limit analysis, the lower one without friction",
     };
     vec![
         row("by code", j.by_code, code),

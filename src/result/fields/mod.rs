@@ -1,5 +1,7 @@
-//! Field files: what ParaView opens and `verify` reads.
+//! Field files, for ParaView and for `verify`.
 
 pub mod field_files;
 pub mod plastic_file;
 pub mod vtu;
+mod vtu_read;
+mod vtu_write;

@@ -2,8 +2,8 @@
 //! `bracket verify`.
 //!
 //! A plain tet is one quadratic cell, a split one four of them, with five points of its own inside:
-//! what is drawn is the field itself. The plastic strain jumps between cells: each has its five
-//! deviatoric components at its four vertices.
+//! so the drawn field is the field itself. The plastic strain jumps between cells: each has its
+//! five deviatoric components at its four vertices.
 
 use crate::certify::fields::DisplacementField;
 use crate::certify::plastic_field::{Deviator, PlasticField, PlasticTet, VertexFlow, length};
@@ -18,7 +18,7 @@ use crate::result::fields::vtu::{QUADRATIC_TETRA, VtuGrid};
 /// Name of the array of plastic strain: at each vertex the components in the basis
 /// [`crate::math::mandel::DEVIATORIC`].
 const PLASTIC: &str = "plastic_strain_deviators";
-/// Name of the array that tells which tet of the mesh a cell belongs to.
+/// Name of the array with the tet of the mesh that each cell belongs to.
 const TET: &str = "tet";
 /// Nodes inside a split tet.
 const INNER: usize = NODES - OUTER;

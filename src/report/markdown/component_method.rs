@@ -3,18 +3,19 @@
 use crate::checks::Comparison;
 use crate::checks::check::Unit;
 use crate::report::figures::{Rounding, significant};
-use crate::report::markdown::text::{inline, paragraph};
+use crate::report::markdown::markup::{inline, paragraph};
 use crate::result::data::CaseResult;
 
-/// What von Mises adds to the bending strength of a plate that cannot contract along its hinge:
-/// 2/√3.
+/// Factor on the bending strength of a plate that cannot contract along its hinge (plane strain,
+/// von Mises): 2/√3.
 const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
 
-/// A line a member end; where the component method lies outside the bracket, what accounts for it.
+/// A line for each member end; where the component method lies outside the bracket, with the
+/// reasons.
 pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     let Some(demand) = &case.demand else { return };
     for c in &demand.component_method {
-        paragraph(page, &inline(&line(&case.name, c, case.safe_bounds())));
+        paragraph(page, &inline(&line(&case.name, c, case.factor_bounds())));
     }
     if let Some(why) = &demand.brittle {
         paragraph(page, &inline(&format!("The verdict is at most UNDECIDED: {why}.")));
@@ -28,7 +29,8 @@ fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Strin
         String::new()
     };
     let mut text = format!(
-        "{case}, {}: the component method gives M_j,Rd = {} for {}{beta}; the load asks {} of it.",
+        "{case}, {}: the component method gives M_j,Rd = {} for {}{beta}; the demand of the load \
+         case is {}.",
         c.end,
         Unit::Moment.show(c.resistance),
         c.sense,
@@ -65,14 +67,14 @@ fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Strin
 fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     let percent = |part: f64| significant(100.0 * part, 2, Rounding::Nearest);
     let rows = format!(
-        "its rows {} on a lever arm of {} mm",
+        "its rows: {}; lever arm {} mm",
         c.limited_by,
         significant(c.lever, 3, Rounding::Nearest)
     );
     let beam = Unit::Moment.show(c.beam);
     if method < low && !c.stability.is_empty() {
         return format!(
-            "{} % below the lower bound. Limit analysis sees no buckling, so that the component \
+            "{} % below the lower bound. Limit analysis does not cover buckling, so the component \
              method decides: {}; {rows}; the beam alone carries {beam}.",
             percent(1.0 - method / low),
             c.stability.join("; ")
@@ -80,11 +82,12 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     }
     if method < low {
         return format!(
-            "{} % below the lower bound. The model carries more because the component method \
-             bends plates and flanges at f_y where the model, unable to contract along a hinge, \
-             carries up to 2/√3 = {} of that; and because it measures to the bolt axis where the \
-             head, {} mm to either side, holds the plate nearer to the web; {rows}; the beam \
-             alone carries {beam}.",
+            "{} % below the lower bound. The model carries more for two reasons. Plates and \
+             flanges bend at f_y in the component method; in the model a plate that cannot \
+             contract along a hinge carries up to 2/√3 = {} times that. The component method \
+             measures to the bolt axis; in the model the bolt head, {} mm to either side of it, \
+             holds the plate nearer to the web. Component method: {rows}; the beam alone carries \
+             {beam}.",
             percent(1.0 - method / low),
             significant(PLANE_STRAIN, 4, Rounding::Nearest),
             significant(c.head, 3, Rounding::Nearest)
@@ -92,9 +95,10 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     }
     if method > up {
         return format!(
-            "{} % above the upper bound, for the mechanism of the model fails earlier than the \
-             sum of the components: {rows}; the beam alone carries {beam}; M_j,Rd knows nothing \
-             of the shear force, and of the column only its web and flange at the joint.",
+            "{} % above the upper bound, because the mechanism of the model collapses at a lower \
+             load than the sum of the components: {rows}; the beam alone carries {beam}; M_j,Rd \
+             takes no account of the shear force, and of the column only its web and flange at \
+             the joint.",
             percent(method / up - 1.0)
         );
     }
@@ -104,6 +108,10 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::checks::HandChecks;
+    use crate::result::data::{FrictionModel, Quantity, Upper};
+    use crate::result::demand::Demand;
+    use crate::result::fixtures::case;
 
     fn comparison(factor: f64) -> Comparison {
         Comparison {
@@ -122,7 +130,7 @@ mod tests {
         }
     }
 
-    /// The line tells the two ratios, rounded outwards, and on which side the component method
+    /// The line gives the two ratios, rounded outwards, and the side on which the component method
     /// lies.
     #[test]
     fn the_line_says_on_which_side_and_by_how_much() {
@@ -137,12 +145,15 @@ mod tests {
             below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"),
             "{below}"
         );
-        // what may buckle explains a difference that must not be called safe
+        // with possible buckling a method below the bracket must not be called safe
         let mut unstable = comparison(1.0);
         unstable.stability =
             vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];
         let decided = super::line("ULS1", &unstable, (Some(1.2), Some(1.5)));
-        assert!(decided.contains("sees no buckling") && decided.contains("ρ = 0.645"), "{decided}");
+        assert!(
+            decided.contains("does not cover buckling") && decided.contains("ρ = 0.645"),
+            "{decided}"
+        );
         assert!(
             !decided.contains("2/√3") && !decided.contains("safe") && !below.contains("safe"),
             "{decided}"
@@ -151,5 +162,30 @@ mod tests {
         assert!(above.contains("20 % above the upper bound") && above.contains("148"), "{above}");
         let one = super::line("ULS1", &comparison(1.0), (Some(1.2), None));
         assert!(one.ends_with("FE_low/CM = 1.2.") || one.ends_with("FE_low/CM = 1.20."), "{one}");
+    }
+    /// The bounds of an elastic case are energies: nothing is compared with them.
+    #[test]
+    fn energies_are_not_compared_with_the_component_method() {
+        let text = |quantity| {
+            let mut case = CaseResult {
+                quantity,
+                problem: FrictionModel::Frictionless,
+                lower: Some(-2.1e5),
+                upper: Some(Upper::Finite(-2.0e5)),
+                ..case()
+            };
+            let mut demand = Demand::new(&case, true, Vec::new(), &HandChecks::default());
+            demand.component_method = vec![comparison(1.3)];
+            case.demand = Some(demand);
+            let mut page = String::new();
+            lines(&mut page, &case);
+            page
+        };
+        let elastic = text(Quantity::PotentialEnergy);
+        assert!(
+            elastic.contains("Its load factor is 1.30.") && !elastic.contains("FE_"),
+            "{elastic}"
+        );
+        assert!(text(Quantity::LoadFactor).contains("FE_low/CM"));
     }
 }

@@ -1,12 +1,12 @@
-//! What a report says of an elastic, perfectly plastic analysis beyond its bracket: how much has
-//! yielded, how far the load moves at least, where yield conditions were needed.
+//! The section on yielding in an elastic, perfectly plastic analysis: yielded volume, lower bound
+//! of the load's displacement, and where yield conditions were needed.
 
 use crate::report::figures::{Rounding, fixed, significant};
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, paragraph, strings, table};
 use crate::result::data::{CaseResult, ProgramRun};
 
-/// How far the load moves at least.
+/// Lower bound of the load's displacement.
 pub(crate) fn displacement(page: &mut String, case: &CaseResult) {
     if let (Some(load), Some(least)) = (case.load, case.load_displacement_at_least) {
         let (what, unit) = load.moves();

@@ -2,17 +2,17 @@
 
 use crate::checks::{Check, Status, Topic};
 use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{heading, inline, paragraph, strings, table};
 
-/// Under the verdict: what failed, and what the code leaves undecided.
+/// Below the verdict: the checks that failed, and those the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),
         (
             Status::Undecided,
-            "One check cannot be made by the code",
-            "These checks cannot be made by the code",
+            "The code does not decide one check",
+            "The code does not decide these checks",
         ),
     ] {
         let found: Vec<&Check> = checks.iter().filter(|c| c.status == status).collect();
@@ -63,57 +63,61 @@ const TOPICS: [(Topic, &str, &str); 8] = [
     (
         Topic::Detailing,
         "Detailing",
-        "Least distances decide the verdict. Greatest distances bind exposed or compressed steel \
-         alone, room for tools and washers is practice: passing them is a warning.",
+        "Minimum distances decide the verdict. Maximum distances apply only to exposed or \
+         compressed steel, and clearance for tools and washers is a matter of practice: a \
+         violation of these is a warning.",
     ),
     (
         Topic::Bolts,
         "Bolts",
-        "Resistances of one bolt; below them what the actions of the load cases ask, which \
-         decides the verdict. A row carries the part of its resistance that the joint uses of its \
-         own (component method), prying included; shear goes to the bolts by what tension leaves \
-         of them, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
+        "First the resistances of one bolt, then the demands of the load cases, which decide the \
+         verdict. The tension in a row is its resistance by the component method, prying \
+         included, times the utilisation of the joint. Shear is shared in proportion to what \
+         tension leaves, 1 − F_t,Ed/(1.4 F_t,Rd), so that bolts without tension carry most of it.",
     ),
     (
         Topic::Welds,
         "Welds",
-        "Beam and end plate are tied where the weld has no throat, as by a butt weld; fillet \
-         welds on both sides need these throats to be as strong. Welds with a throat have its \
-         strength in limit analysis; here, those of the flanges take moment and axial force, \
-         those of the web the shear force and beside the rows in tension the rows' forces too; \
-         and none may be weaker than the joint (6.2.3(4)).",
+        "Where a weld has no throat, beam and end plate are tied as by a butt weld; fillet welds \
+         on both sides need the throats listed here to be as strong. Where a weld has a throat, \
+         limit analysis counts with its strength. In the checks the flange welds carry moment and \
+         axial force; the web welds carry the shear force and, beside the rows in tension, the \
+         forces of these rows as well. No weld may be weaker than the joint (6.2.3(4)).",
     ),
     (
         Topic::Member,
         "Beam and stiffeners at the joint",
-        "The beam's cross-section under the actions at the joint (EN 1993-1-1 6.2) and the \
-         column's stiffeners on what is left of them at the root. They decide the verdict: \
-         neither the local buckling of the beam nor the cut is in the mesh.",
+        "The cross-section of the beam under the actions at the joint (EN 1993-1-1 6.2), and the \
+         column stiffeners with the section that the cut at the root leaves. They decide the \
+         verdict, because the mesh contains neither local buckling of the beam nor that cut.",
     ),
     (
         Topic::ComponentMethod,
         "Component method",
-        "For both senses of bending; rows count from the tension side. Every T-stub follows Table \
-         6.2. Of a load case, strength by this method decides where no limit analysis does; where \
-         one decides and nothing may buckle, a demand above its resistance is a warning.",
+        "For both senses of bending; rows are counted from the tension side. Every T-stub follows \
+         Table 6.2. The strength by this method decides a load case that no limit analysis \
+         decides. Where a limit analysis decides and no part can buckle, a demand above this \
+         resistance is a warning.",
     ),
     (
         Topic::Stability,
         "Stability",
-        "What may buckle before it yields. Limit analysis does not see it, so that these checks \
-         and the component method decide beside any bracket; where the code gives no resistance, \
-         the verdict is at most UNDECIDED.",
+        "Parts that may buckle before they yield. Limit analysis does not cover buckling, so \
+         these checks and the component method decide beside any bracket. Where the code gives no \
+         resistance, the verdict is at most UNDECIDED.",
     ),
     (
         Topic::Stiffness,
         "Stiffness",
-        "Information; the class needs the system length of the beam and the kind of frame.",
+        "For information. The class depends on the system length of the beam and on the kind of \
+         frame.",
     ),
     (
         Topic::Ductility,
         "Rotation capacity",
-        "Limit analysis takes every part to yield as long as it must. Where no rule holds, bolts \
-         may break before the rows have yielded, and the verdict is at most UNDECIDED.",
+        "Limit analysis assumes that every part can deform plastically as far as needed. Where no \
+         rule of the code ensures this, bolts may break before the rows have yielded, and the \
+         verdict is at most UNDECIDED.",
     ),
 ];
 

@@ -1,5 +1,5 @@
-//! What a result tells beside its bounds, from the fields that `verify` has confirmed: the capacity
-//! polygon, the joint's stiffness and the forces of the static field.
+//! The derived results that `verify` recomputes beside the bounds, from the fields it has
+//! confirmed: the capacity polygon, the joint's stiffness and the forces of the static field.
 
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
@@ -9,38 +9,39 @@ use crate::certify::supporting::{Axes, half_plane};
 use crate::math::convex::HalfPlane;
 use crate::mesh::naming::symmetry_face;
 use crate::model::AnalysisModel;
-use crate::result::data::{CaseResult, LoadSize};
 use crate::result::demand::ActionValue;
+use crate::result::entry::CaseResult;
 use crate::result::forces::{BoltForce, ContactForce, static_forces};
 use crate::result::polygon::{CapacityPolygon, Point};
+use crate::result::quantity::LoadSize;
 
-/// Part of a number by which a claim may differ from what is recomputed.
+/// Relative difference allowed between a claimed and a recomputed number.
 const SAME: f64 = 1e-9;
 
-/// What the files of a case have proved.
+/// The results that the files of a case prove.
 pub struct Proved {
-    /// The entry as the fields give it.
+    /// The entry recomputed from the fields.
     pub entry: CaseResult,
-    /// The model of the upper bound; its forces and moments are the case's.
+    /// The model of the upper bound, with the forces and moments of the case.
     pub model: AnalysisModel,
-    /// The velocities of the upper bound of a load factor, and what they prove.
+    /// The velocities of the upper bound of a load factor, and the bound they prove.
     pub mechanism: Option<(VelocityField, UpperFactor)>,
     /// The stress of the lower bound, on its model, and the load factor it carries.
     pub stress: Option<(AnalysisModel, StressField, f64)>,
 }
 
 fn near(a: f64, b: f64) -> bool {
-    // infinities and what is not a number are never near
+    // infinities and NaN are never near
     (a - b).abs() <= SAME * a.abs().max(b.abs())
 }
 
-/// `near` beside numbers as large as `size`.
+/// Equal up to rounding of numbers as large as `size`.
 fn near_beside(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= SAME * size
 }
 
-/// What a polygon claims against the bounds and half planes of the cases proved; sentences for what
-/// does not agree.
+/// Compares a claimed polygon with the bounds and half planes of the proved cases; a sentence for
+/// each difference.
 pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<String> {
     let of_case = |name: &str| proved.iter().find(|p| p.entry.name == name);
     let along = |direction: [f64; 2]| {
@@ -80,7 +81,7 @@ pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<
     out
 }
 
-/// What is wrong with a point of a polygon.
+/// The first difference of a point of a polygon.
 fn point_difference(point: &Point, case: &Proved, axes: &Axes) -> Option<&'static str> {
     let [a, b] = point.direction;
     let actions = case.model.rigid.iter().map(|r| r.action);
@@ -117,7 +118,7 @@ fn same_plane(a: &HalfPlane, b: &HalfPlane) -> bool {
     (0..2).all(|k| near_beside(a.normal[k], b.normal[k], size)) && offset
 }
 
-/// The hulls claimed against those of the points, which have been confirmed.
+/// Compares the claimed hulls with those of the confirmed points.
 fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
     let names = [claimed.end.clone(), claimed.at.clone()];
     let found = CapacityPolygon::new(names, claimed.axes.clone(), claimed.points.clone());
@@ -134,7 +135,7 @@ fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
         ("inner is not the hull of the lower points", same(&claimed.inner, &found.inner)),
         ("outer is not the intersection of the half planes", same(&claimed.outer, &found.outer)),
         (
-            "outer_bounded is not what the half planes say",
+            "outer_bounded does not agree with the half planes",
             claimed.outer_bounded == found.outer_bounded,
         ),
     ];
@@ -145,8 +146,8 @@ fn hull_differences(claimed: &CapacityPolygon) -> Vec<String> {
         .collect()
 }
 
-/// What a case claims of the joint's stiffness and of forces, against its bracket and the stress of
-/// its lower bound.
+/// Compares the claimed stiffness of the joint and the claimed forces with the bracket and the
+/// stress of the lower bound.
 pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
     let stiffness = stiffness_difference(claimed, &proved.entry);
     stiffness
@@ -157,28 +158,29 @@ pub fn case_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
 }
 
 /// The stiffness from the confirmed bracket of the rotation. The beam's own rotation and the
-/// component method stand as they are told: the fields do not hold them.
+/// component method are taken from the claim: the fields do not contain them.
 fn stiffness_difference(claimed: &CaseResult, found: &CaseResult) -> Option<String> {
-    let told = claimed.joint_stiffness.as_ref()?;
+    let given = claimed.joint_stiffness.as_ref()?;
     let (Some(LoadSize::Moment(total)), Some(rotation)) = (found.load, found.load_displacement)
     else {
         return Some(
-            "joint_stiffness is told, but the load is no moment whose rotation is bracketed".into(),
+            "joint_stiffness is given, but the load is not a moment whose rotation is bracketed"
+                .into(),
         );
     };
-    let again = told.again(total, rotation);
-    let same = again.is_some_and(|a| a.agrees(told, near));
+    let again = given.again(total, rotation);
+    let same = again.is_some_and(|a| a.agrees(given, near));
     (!same).then(|| "joint_stiffness is not what the bracket of the rotation gives".into())
 }
 
 /// Forces of bolts and between parts, from the stress of the lower bound.
 fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
-    let Some(told) = &claimed.static_forces else { return Vec::new() };
+    let Some(given) = &claimed.static_forces else { return Vec::new() };
     let Some((model, stress, factor)) = &proved.stress else {
-        return vec!["static_forces are told without the stress of a lower bound".into()];
+        return vec!["static_forces are given without the stress of a lower bound".into()];
     };
     let mut out = Vec::new();
-    if !near(told.load_factor, *factor) {
+    if !near(given.load_factor, *factor) {
         out.push("static_forces: the load factor is not that of the stress".to_owned());
     }
     let line = |b: &BoltForce| {
@@ -190,8 +192,8 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
             position: place.position,
         })
     };
-    // results of earlier versions do not tell where their bolts are
-    let Some(lines) = told.bolts.iter().map(line).collect::<Option<Vec<_>>>() else { return out };
+    // results of earlier versions lack the positions of the bolts
+    let Some(lines) = given.bolts.iter().map(line).collect::<Option<Vec<_>>>() else { return out };
     let mirror: Vec<usize> =
         (0..3).filter(|k| model.supports.iter().any(|s| s.name == symmetry_face(*k))).collect();
     let found = static_forces(model, stress, *factor, &lines, &mirror);
@@ -202,7 +204,7 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
         .chain(found.contacts.iter().map(|c| c.compression));
     let size = sizes.fold(0.0f64, |m, f| m.max(f.abs()));
     let force = |a: f64, b: f64| near_beside(a, b, size);
-    for b in &told.bolts {
+    for b in &given.bolts {
         let same = |f: &BoltForce| {
             f.bolt == b.bolt && force(f.tension, b.tension) && force(f.shear, b.shear)
         };
@@ -215,8 +217,8 @@ fn force_differences(claimed: &CaseResult, proved: &Proved) -> Vec<String> {
         let centre = (0..3).all(|k| (a.centre[k] - b.centre[k]).abs() <= 1e-6 * reach);
         a.between == b.between && force(a.compression, b.compression) && centre
     };
-    let contacts = told.contacts.len() == found.contacts.len();
-    if !contacts || !told.contacts.iter().zip(&found.contacts).all(|(a, b)| same(a, b)) {
+    let contacts = given.contacts.len() == found.contacts.len();
+    if !contacts || !given.contacts.iter().zip(&found.contacts).all(|(a, b)| same(a, b)) {
         out.push("the compression between the parts is not that of the stress".into());
     }
     out

@@ -1,4 +1,4 @@
-//! A connection spec from its file: what `bracket run` and `bracket mesh` read.
+//! A connection spec read from its file, with its catalogue and its joint.
 
 use crate::assembly::{self, Joint};
 use crate::catalog::{Catalog, CatalogError};
@@ -7,23 +7,7 @@ use crate::spec::connection::ConnectionSpec;
 use crate::spec::polygon::PolygonFault;
 use crate::spec::yaml::{self, Parsed};
 use crate::text_file;
-use std::path::{Path, PathBuf};
-
-/// Where catalogue tables of the user's own are; for every command that reads a spec.
-#[derive(Clone, Debug, Default, clap::Args)]
-pub struct CatalogOptions {
-    /// Add the tables of your own folder to the built-in catalogue; in place of `catalog` in the
-    /// spec.
-    #[arg(long, value_name = "DIR")]
-    pub catalog: Option<PathBuf>,
-}
-
-impl CatalogOptions {
-    /// The folder, if one is given.
-    pub fn folder(&self) -> Option<&Path> {
-        self.catalog.as_deref()
-    }
-}
+use std::path::Path;
 
 /// A spec, its text and the joint it describes.
 pub struct SpecFile {
@@ -33,7 +17,7 @@ pub struct SpecFile {
     pub spec: Parsed<ConnectionSpec>,
     /// The joint.
     pub joint: Joint,
-    /// The catalogue it was resolved with.
+    /// The catalogue that the spec was resolved with.
     pub catalog: Catalog,
 }
 
@@ -56,12 +40,12 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
     let value = &mut spec.value;
     if let Some(polygon) = &value.polygon {
         let directions = polygon.loads(&value.loads).map_err(|faults| {
-            let told = |f: PolygonFault| {
+            let reported = |f: PolygonFault| {
                 let mut d = Diagnostic::input("spec/value", f.problem).help(f.help);
                 d.place = spec.index.place(&f.path);
                 d
             };
-            Diagnostics(faults.into_iter().map(told).collect())
+            Diagnostics(faults.into_iter().map(reported).collect())
         })?;
         value.loads.extend(directions);
     }
@@ -93,8 +77,8 @@ fn open_catalog(
     read.map_err(|fault| {
         let folder_itself = matches!(fault, CatalogError::Io { .. } | CatalogError::Empty { .. });
         let mut d = Diagnostic::from(fault);
-        // what is wrong with the folder is told where the folder is named, what is wrong with a
-        // table in the table
+        // a fault of the folder is reported where the folder is named, a fault of a table in the
+        // table
         if let (true, None, Some(dir)) = (folder_itself, catalog_dir, of_spec) {
             d.message = format!("`catalog: {}`: {}", dir.display(), d.message);
             d.place = spec.index.place("catalog");
@@ -103,14 +87,14 @@ fn open_catalog(
     })
 }
 
-/// A warning of the catalogue in one line: where, what, and what to do.
+/// A warning of the catalogue in one line: place and message.
 pub fn catalog_warning(w: &Diagnostic) -> String {
     let file = w.place.file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default();
     let line = w.place.line.map(|l| format!("line {l}: ")).unwrap_or_default();
     format!("warning[{}]: {file}{line}{w}", w.code)
 }
 
-/// True when a line of the file begins with this key: enough to tell the two kinds of input apart.
+/// True if a line of the file begins with this key: enough to distinguish specs from model files.
 pub fn top_level(text: &str, key: &str) -> bool {
     text.lines().any(|l| l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }
@@ -173,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn folders_that_are_none_are_refused_where_they_are_named() {
+    fn wrong_folders_are_refused_where_they_are_named() {
         let table = ("mine/p.csv", PROFILES);
         for (catalog, code, words) in [
             (
@@ -208,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_table_is_told_in_the_table() {
+    fn a_fault_of_a_table_is_reported_in_the_table() {
         for (old, new, code) in [
             ("MY200,own", "HEB200,own", "catalog/duplicate-name"),
             (",9,15,", ",9;15,", "catalog/not-csv"),

@@ -1,32 +1,35 @@
-//! What a report says of a load factor beyond its bracket: the load at collapse, what friction
-//! means, where the structure fails.
+//! The sentences on a load factor beyond its bracket: the load at collapse, the effect of friction,
+//! the mechanism and the welds.
 
 use crate::analysis::cone_shift::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
 use crate::report::markdown::page::Table;
-use crate::report::markdown::text::{inline, is_strict, paragraph, strings, table};
 use crate::result::data::{CaseResult, FrictionModel, Quantity, Upper};
 
-/// The load factor that a fixed point finds under Coulomb's law.
+/// The load factor from the fixed point for Coulomb's law.
 pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {
     let value = significant(factor, 4, Rounding::Nearest);
     let how = run.map_or(String::new(), |run| {
         let open = run.missing.map_or(String::new(), |m| {
-            format!(", after which {} of it are missing to Coulomb's law", percent_up(m))
+            format!(
+                ", and the last one misses Coulomb's law by {} of the load factor",
+                percent_up(m)
+            )
         });
         format!(
-            " It took {} problems{open}. Where parts wedge, Coulomb's law has several load \
-             factors, and this is one of them.",
+            " It took {} problems{open}. Where parts wedge, Coulomb's law can have several load \
+             factors; this is one of them.",
             run.solves
         )
     });
     format!("Fixed point for Coulomb friction: {value} (an estimate, not a bound).{how}")
 }
 
-/// What the load factor means to an engineer.
+/// The meaning of the load factor to an engineer.
 pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     if let (Some(load), Some((low, high, unit))) = (case.load, case.collapse_load()) {
-        let word = if is_strict(case) { "lies" } else { "is estimated" };
+        let word = if case.is_strict() { "lies" } else { "is estimated" };
         let given = load.words();
         paragraph(
             page,
@@ -40,13 +43,13 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         && upper > 0.0
     {
         let most = significant((upper * load.value() * load.scale()).next_up(), 4, Rounding::Up);
-        let word = if is_strict(case) { "is" } else { "is estimated as" };
+        let word = if case.is_strict() { "is" } else { "is estimated as" };
         let unit = load.unit();
         paragraph(
             page,
             &format!(
                 "The given load of the whole structure is {}; the load at collapse {word} at most \
-                 {most} {unit}: how much of it is carried at least is not known.",
+                 {most} {unit}; no lower bound is known.",
                 load.words()
             ),
         );
@@ -59,14 +62,14 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
         } else {
             ""
         };
-        let safe = if is_strict(case) {
+        let safe = if case.is_strict() {
             format!(
                 "Every load up to {low} times the given one can be carried by the model{dilates}"
             )
         } else {
             format!("About {low} times the given load can be carried by the model (an estimate)")
         };
-        paragraph(page, &format!("{safe}; instability and limited ductility are not part of it."));
+        paragraph(page, &format!("{safe}; instability and limited ductility are not covered."));
     }
     let smooth = case.frictionless.and_then(|f| f.lower);
     match (case.problem, smooth, case.upper) {
@@ -75,7 +78,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
             "Under Coulomb's law the load factor is at least that without friction (the lower \
              value) and at most that with associated friction (the upper value).",
         ),
-        (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if is_strict(case) => {
+        (FrictionModel::Associated, Some(low), Some(Upper::Finite(high))) if case.is_strict() => {
             let (low, high) = bracket(low, high, 3);
             paragraph(
                 page,
@@ -90,7 +93,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     }
 }
 
-/// Where the mechanism works and what limits the lower bound.
+/// Where the mechanism dissipates and which part limits the lower bound.
 pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     if case.quantity != Quantity::LoadFactor {
         return welds(page, case);
@@ -126,7 +129,7 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     welds(page, case);
 }
 
-/// What each weld bears.
+/// Demand on each weld.
 fn welds(page: &mut String, case: &CaseResult) {
     let rows: Vec<Vec<String>> = case
         .welds
@@ -158,7 +161,7 @@ fn welds(page: &mut String, case: &CaseResult) {
         return;
     }
     let name = inline(&case.name);
-    paragraph(page, &format!("What the stress of the lower bound asks of the welds ({name}):"));
+    paragraph(page, &format!("Demand on the welds from the stress of the lower bound ({name}):"));
     let columns = strings([
         "weld",
         "largest traction over strength [%]",

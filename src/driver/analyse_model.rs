@@ -1,0 +1,105 @@
+//! The analysis of a model file on the user's own mesh.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::case::Case;
+use crate::driver::context::RunContext;
+use crate::driver::finish::Finished;
+use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
+use crate::driver::meshing::quality_table;
+use crate::driver::remesh::{ByBisection, Remesh};
+use crate::driver::run_cases::run_cases;
+use crate::driver::spec_file;
+use crate::mesh::{merge, msh, quality};
+use crate::model::file::{ModelFile, Nodes};
+use crate::model::resolve::load_model;
+use crate::refine::plan;
+use crate::report::console::log::Log;
+use crate::result::data::input_hash;
+use crate::result::file_names::file_stem;
+use crate::result::folder::ResultFolder;
+use crate::spec::analysis::AnalysisSpec;
+use crate::spec::yaml;
+use crate::text_file;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Analyses a model file and writes its result into `folder`; `quiet`: show nothing on standard
+/// error.
+pub fn analyse_model(
+    path: &Path,
+    folder: &Path,
+    limits: Limits,
+    quiet: bool,
+) -> Result<Finished, Diagnostics> {
+    let unread = |path: &Path, e: std::io::Error| {
+        Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display()))
+            .file(path)
+    };
+    let model = load_model(path).map_err(|mut faults| {
+        let text = text_file::read(path, |e| unread(path, e)).unwrap_or_default();
+        if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
+            faults.0.truncate(1);
+            faults.0[0].help =
+                Some("this looks like a connection spec: `bracket run` reads it".into());
+        }
+        faults
+    })?;
+    let text = text_file::read(path, |e| unread(path, e))?;
+    let parsed = yaml::parse::<ModelFile>(&text, path)?;
+    let mut file = parsed.value;
+    let mesh_path = path.parent().unwrap_or(Path::new("")).join(&file.mesh);
+    let mesh_bytes = std::fs::read(&mesh_path).map_err(|e| unread(&mesh_path, e))?;
+    let log = Arc::new(Log::new(quiet));
+    let folder = ResultFolder::begin(folder)?;
+    limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    folder.write("mesh.msh", &mesh_bytes)?;
+    let input_read = yaml::to_string(&file)?;
+    file.mesh = "mesh.msh".into();
+    let stem =
+        path.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
+    let name = if stem == "model" { folder_name(path).unwrap_or(stem) } else { stem };
+    // the defaults of a model file are those of a spec
+    let defaults = AnalysisSpec::default();
+    let context = RunContext {
+        project: vec![("title".into(), name.clone())],
+        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_hash: input_hash(&[("model", text.as_bytes()), ("mesh", &mesh_bytes)]),
+        input_text: text,
+        input_read,
+        mesh_quality: quality_table(&quality::table(&model.mesh)),
+        adapt: file.adapt.as_ref().map(|a| plan::Limits {
+            target_gap: a.target_gap,
+            max_passes: a.max_passes.unwrap_or(defaults.max_passes),
+            max_macro_tets: a.max_macro_tets.unwrap_or(defaults.max_macro_tets),
+        }),
+        finer: "a finer mesh file",
+        coarser: "a coarser mesh file",
+        ..RunContext::default()
+    };
+    let place = |path: &str| parsed.index.place(path);
+    let remesh = match &file.adapt {
+        Some(_) => {
+            let mut mesh = msh::read(&mesh_path)?;
+            if file.nodes == Nodes::Split {
+                merge::merge_coincident(&mut mesh)?;
+            }
+            Some(Box::new(ByBisection::new(&file, &place, mesh)) as Box<dyn Remesh>)
+        }
+        None => None,
+    };
+    let case = Case {
+        name: file_stem(&name),
+        model,
+        model_file: ("model.yaml".into(), file.clone()),
+        remesh,
+        mesh_seconds: None,
+        direction: None,
+    };
+    run_cases(vec![case], context, &limits, folder, &log)
+}
+
+/// Name of the folder a file lies in.
+fn folder_name(path: &Path) -> Option<String> {
+    let full = path.canonicalize().ok()?;
+    Some(full.parent()?.file_name()?.to_string_lossy().into_owned())
+}

@@ -1,0 +1,122 @@
+//! Files of a case in the result folder: model, mesh and fields of the passes with the best bounds.
+
+use crate::analysis::dispatch::AnalysisPass;
+use crate::analysis::limit;
+use crate::certify::limit_certificate::dissipation_densities;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::adaptive::Kept;
+use crate::mesh::msh_write;
+use crate::model::AnalysisModel;
+use crate::model::file::ModelFile;
+use crate::result::fields::field_files::{
+    displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
+};
+use crate::result::fields::plastic_file::plastic_grid;
+use crate::result::fields::vtu::VtuGrid;
+use crate::result::file_names::{DEAD_FIELD, LIVE_FIELD};
+use crate::result::folder::ResultFolder;
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::yaml;
+
+/// Writes models, meshes and fields of the passes with the best bounds. `first`: the model file of
+/// the first mesh; then the names
+/// of the model file and of a mesh that is not the first.
+pub fn write_passes(
+    upper: &Kept,
+    lower: Option<&Kept>,
+    first: &ModelFile,
+    [model, mesh]: [&str; 2],
+    stem: &str,
+    folder: &ResultFolder,
+) -> Result<(), Diagnostics> {
+    write_model(upper, first, ["", model, mesh], folder)?;
+    write_fields(&upper.outcome, &upper.model, stem, folder, [true, lower.is_none()])?;
+    if let Some(lower) = lower {
+        // the better lower bound is on another mesh: its model is beside its field
+        let [model, mesh] = ["yaml", "msh"].map(|kind| format!("{stem}_static.{kind}"));
+        write_model(lower, first, ["fields/", &model, &mesh], folder)?;
+        write_fields(&lower.outcome, &lower.model, stem, folder, [false, true])?;
+    }
+    Ok(())
+}
+
+/// Writes the model file of a pass, and its mesh unless it is the first one, which is in the folder
+/// already.
+fn write_model(
+    pass: &Kept,
+    first: &ModelFile,
+    [place, file, mesh]: [&str; 3],
+    folder: &ResultFolder,
+) -> Result<(), Diagnostics> {
+    let text = match &pass.made {
+        Some((tets, model, _)) => {
+            folder.write(&format!("{place}{mesh}"), msh_write::text(tets).as_bytes())?;
+            yaml::to_string(&ModelFile { mesh: mesh.into(), ..model.clone() })?
+        }
+        // the first mesh is one folder above the fields
+        None if place.is_empty() => yaml::to_string(first)?,
+        None => {
+            yaml::to_string(&ModelFile { mesh: format!("../{}", first.mesh), ..first.clone() })?
+        }
+    };
+    Ok(folder.write(&format!("{place}{file}"), text.as_bytes())?)
+}
+
+/// Writes the fields of the kinematic program and of the static one, each if it is wanted.
+fn write_fields(
+    pass: &AnalysisPass,
+    model: &AnalysisModel,
+    stem: &str,
+    folder: &ResultFolder,
+    [kinematic, statics]: [bool; 2],
+) -> Result<(), Diagnostics> {
+    let write = |kind: &str, grid: VtuGrid| -> Result<(), Diagnostics> {
+        let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
+        Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
+    };
+    match pass {
+        AnalysisPass::Energy(p) => {
+            let contributions = p.contributions.as_ref().map(|c| &c.elements[..]);
+            if let Some(u) = p.plastic.as_ref().filter(|_| kinematic) {
+                write("kinematic", plastic_grid(model, u, contributions))?;
+            } else if let Some(u) = p.displacement.as_ref().filter(|_| kinematic) {
+                write("kinematic", displacement_grid(model, u, contributions))?;
+            }
+            if let Some(s) = p.stress.as_ref().filter(|_| statics) {
+                let yields = model.analysis == AnalysisKind::Elastoplastic;
+                write(
+                    "static",
+                    if yields { yielding_stress_grid(model, s) } else { stress_grid(model, s) },
+                )?;
+            }
+            if !p.shift.faces.is_empty() {
+                write("shift", shift_grid(model, &p.shift))?;
+            }
+        }
+        AnalysisPass::Factor(p) => {
+            if let Some(v) = p.velocity.as_ref().filter(|_| kinematic) {
+                let densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
+                write("kinematic", velocity_grid(model, v, densities))?;
+            }
+            if let Some(free) = &p.free {
+                let densities = vec![0.0; model.mesh.tets.len()];
+                write("kinematic", velocity_grid(model, &free.field, densities))?;
+            }
+            if let Some(u) = &p.unlimited {
+                write(LIVE_FIELD, stress_grid(model, &u.field))?;
+                if let Some(dead) = &u.dead {
+                    write(DEAD_FIELD, lower_grid(model, dead, 0.0))?;
+                }
+            }
+            for (kind, stress, bound) in [
+                ("static", &p.stress, &p.lower),
+                ("static_frictionless", &p.frictionless_stress, &p.frictionless),
+            ] {
+                if let (true, Some(s), Some(b)) = (statics, stress, bound) {
+                    write(kind, lower_grid(model, s, b.certificate().factor))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,37 @@
+//! The hand checks of a connection spec, without mesher or solver.
+
+use crate::checks::verdict::Verdict;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::finish::{Analyses, Finished, finish};
+use crate::driver::spec_checks;
+use crate::driver::spec_context::{self, spec_context};
+use crate::driver::spec_file;
+use crate::report::console::log::Log;
+use crate::result::data::{ResultFile, input_hash};
+use crate::result::folder::ResultFolder;
+use std::path::Path;
+
+/// Checks a spec and writes report and drawings into `folder`. `catalog`: catalogue folder that
+/// wins over the spec's; `quiet`: show nothing on standard error.
+pub fn check_spec(
+    spec: &Path,
+    catalog: Option<&Path>,
+    folder: &Path,
+    quiet: bool,
+) -> Result<Finished, Diagnostics> {
+    let input = spec_file::read(spec, catalog)?;
+    spec_checks::check_input(&input, &[])?;
+    let checks = spec_context::spec_checks(&input);
+    let log = Log::new(quiet);
+    input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
+    let folder = ResultFolder::begin(folder)?;
+    let mut context = spec_context(spec, &input, checks)?;
+    // the end plate as the checks see it holds the values of the catalogue and the template
+    let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
+        Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
+    })?;
+    context.input_hash = input_hash(&[("spec", input.text.as_bytes()), ("joint", seen.as_bytes())]);
+    let mut result = ResultFile::new(context.input_hash.clone(), 1, Verdict::None);
+    result.warnings.clone_from(&context.checks.notes);
+    finish(result, context, Analyses::default(), folder, &log)
+}

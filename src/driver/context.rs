@@ -1,0 +1,50 @@
+//! What a run knows of its input besides the cases: title block, checks, drawings, limits of
+//! adaptation.
+
+use crate::assembly::BoltLine;
+use crate::checks::HandChecks;
+use crate::driver::demands::CaseDemand;
+use crate::refine::plan;
+use crate::report::markdown::page::{CatalogueRow, PictureRef, ResolvedValue, Table};
+use crate::spec::polygon::PolygonSpec;
+
+/// The input of a run as the report presents it.
+#[derive(Clone, Debug, Default)]
+pub struct RunContext {
+    /// Title block.
+    pub project: Vec<(String, String)>,
+    /// Name of the input file.
+    pub input_name: String,
+    /// Text of the input file.
+    pub input_text: String,
+    /// The input as it was read, as YAML.
+    pub input_read: String,
+    /// Hash of everything the result depends on.
+    pub input_hash: String,
+    /// Resolved values.
+    pub resolved: Vec<ResolvedValue>,
+    /// Catalogue rows.
+    pub catalogue_rows: Vec<CatalogueRow>,
+    /// Mesh quality.
+    pub mesh_quality: Table,
+    /// Symmetry planes used (axes).
+    pub mirror: Vec<usize>,
+    /// Where adaptation ends; `None`: one mesh, and no gap is asked for.
+    pub adapt: Option<plan::Limits>,
+    /// How the user gets a finer mesh.
+    pub finer: &'static str,
+    /// How the user gets a coarser mesh.
+    pub coarser: &'static str,
+    /// Hand checks of the code.
+    pub checks: HandChecks,
+    /// The load cases that are demands on the joint; a model file has none.
+    pub demands: Vec<CaseDemand>,
+    /// Drawings as SVG text, with file name and caption.
+    pub drawings: Vec<(PictureRef, String)>,
+    /// Bolts and plates.
+    pub schedule: Table,
+    /// Positions of the bolts.
+    pub bolts: Vec<BoltLine>,
+    /// The polygon asked for.
+    pub polygon: Option<PolygonSpec>,
+}

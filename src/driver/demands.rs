@@ -1,0 +1,41 @@
+//! The load cases that are demands on the joint.
+
+use crate::result::demand::{ActionValue, EndAction};
+use crate::spec::loads::{Action, LoadSpec};
+
+/// A load case with forces or moments at member ends.
+#[derive(Clone, Debug)]
+pub struct CaseDemand {
+    /// Name of the load case.
+    pub case: String,
+    /// Its forces and moments at member ends; at least one.
+    pub actions: Vec<EndAction>,
+}
+
+/// The demands among the loads of a spec, in the order of the loads. The directions of a polygon
+/// are no demands.
+pub fn demands(loads: &[LoadSpec]) -> Vec<CaseDemand> {
+    let mut out: Vec<CaseDemand> = Vec::new();
+    for load in loads.iter().filter(|l| !l.of_polygon) {
+        let actions = end_actions(load);
+        match out.iter_mut().find(|d| d.case == load.name) {
+            _ if actions.is_empty() => {}
+            Some(demand) => demand.actions.extend(actions),
+            None => out.push(CaseDemand { case: load.name.clone(), actions }),
+        }
+    }
+    out
+}
+
+/// The forces and moments of a load at a member end.
+fn end_actions(load: &LoadSpec) -> Vec<EndAction> {
+    let (Some(end), Some(at)) = (&load.end, load.at) else { return Vec::new() };
+    let of = |(action, value): (Action, f64)| EndAction {
+        end: end.clone(),
+        at: at.word().into(),
+        action: action.word().into(),
+        value: ActionValue::of(action, value),
+        factored: load.multiplies(action),
+    };
+    load.actions().into_iter().map(of).collect()
+}

@@ -1,0 +1,210 @@
+//! The end of every command that judges a spec: judge the result, write the folder, choose the exit
+//! status.
+
+use crate::checks::verdict::Verdict;
+use crate::checks::{Analysed, judge};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::driver::context::RunContext;
+use crate::report::console::answer::answer;
+use crate::report::console::log::Log;
+use crate::report::html;
+use crate::report::markdown::compose::report_markdown;
+use crate::report::markdown::page::{ModelTraits, PictureRef, ReportData};
+use crate::result::data::{CaseResult, HistoryRow, ResultFile};
+use crate::result::folder::ResultFolder;
+use crate::spec::analysis::AnalysisKind;
+
+/// What the analyses of a run left behind; the default: there were none.
+#[derive(Default)]
+pub struct Analyses {
+    /// Load case of every analysis asked for; several kinds of analysis repeat it.
+    pub asked: Vec<String>,
+    /// The user ended the run.
+    pub interrupted: bool,
+    /// Pictures in the folder.
+    pub pictures: Vec<PictureRef>,
+    /// Properties of the models.
+    pub traits: ModelTraits,
+    /// Decisions and remarks of the reader of the model.
+    pub notes: Vec<String>,
+}
+
+/// A run that has come to its end.
+pub struct Finished {
+    /// How the process ends.
+    pub status: ExitStatus,
+    /// The result with its verdict.
+    pub result: ResultFile,
+    /// Whether the folder was written; false after an interrupt that left nothing certified and an
+    /// older result in place.
+    pub written: bool,
+}
+
+/// Judges, writes result and report, logs the answer.
+pub fn finish(
+    mut result: ResultFile,
+    mut context: RunContext,
+    analyses: Analyses,
+    folder: ResultFolder,
+    log: &Log,
+) -> Result<Finished, Diagnostics> {
+    judge_result(&mut result, &mut context, &analyses);
+    let status = exit_status(&result, &analyses);
+    let interrupted = analyses.interrupted;
+    let result = write(result, context, analyses, &folder)?;
+    for c in &result.cases {
+        log.line(answer(c));
+    }
+    result.warnings.iter().for_each(|w| log.line(format!("warning: {w}")));
+    let bare = result.cases.iter().all(|c| c.lower.is_none() && c.upper.is_none());
+    if interrupted && bare && folder.target().exists() {
+        log.line(format!(
+            "interrupted before anything was certified: {} stays as it was",
+            folder.target().display()
+        ));
+        return Ok(Finished { status: ExitStatus::Undecided, result, written: false });
+    }
+    // the file holds the last lines as well; the terminal gets them once the folder is complete
+    let path = folder.target().join("report.md");
+    let last = [format!("result: {}", path.display()), verdict_line(&result, status)];
+    last.iter().for_each(|line| log.detail(line));
+    folder.write("log.txt", log.text().as_bytes())?;
+    folder.finish()?;
+    last.iter().for_each(|line| log.say(line));
+    Ok(Finished { status, result, written: true })
+}
+
+/// Writes drawings, `result.json` and the report; returns the result.
+fn write(
+    result: ResultFile,
+    context: RunContext,
+    analyses: Analyses,
+    folder: &ResultFolder,
+) -> Result<ResultFile, Diagnostics> {
+    let json = result.to_json().map_err(Diagnostic::from)?;
+    for (drawing, text) in &context.drawings {
+        folder.write(&drawing.file, text.as_bytes())?;
+    }
+    let data = ReportData {
+        project: context.project,
+        result,
+        input_name: context.input_name,
+        input_text: context.input_text,
+        input_read: context.input_read,
+        resolved: context.resolved,
+        catalogue_rows: context.catalogue_rows,
+        drawings: context.drawings.into_iter().map(|d| d.0).collect(),
+        schedule: context.schedule,
+        pictures: analyses.pictures,
+        mesh_quality: context.mesh_quality,
+        model: analyses.traits,
+        assumptions: Vec::new(),
+        notes: analyses.notes,
+    };
+    folder.write("result.json", json.as_bytes())?;
+    let report = report_markdown(&data);
+    folder.write("report.md", report.as_bytes())?;
+    html::write(folder, &report)?;
+    Ok(data.result)
+}
+
+/// The verdict with the exit code and its meaning, the last line of the log.
+fn verdict_line(result: &ResultFile, status: ExitStatus) -> String {
+    let code = status.code();
+    if let Some(judgement) = &result.judgement {
+        return judgement.line(code);
+    }
+    let meaning = match status {
+        ExitStatus::NotOk => "a check that needs no load fails",
+        ExitStatus::Undecided => "no certificate within the limits",
+        _ if result.cases.is_empty() => "there was nothing to judge",
+        _ => "certified",
+    };
+    format!(
+        "verdict: {} (no load is a demand); exit code {code}: {meaning}",
+        result.verdict.words()
+    )
+}
+
+/// The load cases with a demand; in the order of the analyses, where there are any.
+fn demanded(context: &RunContext, analyses: &Analyses) -> Vec<String> {
+    let demanded = context.demands.iter().map(|d| &d.case);
+    if analyses.asked.is_empty() {
+        return demanded.cloned().collect();
+    }
+    let mut out: Vec<String> = Vec::new();
+    for case in analyses.asked.iter().filter(|a| demanded.clone().any(|d| d == *a)) {
+        if !out.contains(case) {
+            out.push(case.clone());
+        }
+    }
+    out
+}
+
+/// Judges all load cases with a demand: their verdicts, and the checks with the findings of the
+/// analyses.
+fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses) {
+    let of_case = |case: &String| {
+        let entries = || result.cases.iter().filter(|c| c.name == *case);
+        let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
+        let by_analysis =
+            |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
+        // a bracket of the resistance decides; without one, a missing analysis leaves the case
+        // undecided
+        let verdict = match limit {
+            Some(c) => by_analysis(c),
+            None if entries().count() < analyses.asked.iter().filter(|a| *a == case).count() => {
+                Verdict::Undecided
+            }
+            None => Verdict::worst(entries().map(by_analysis)),
+        };
+        let brittle = limit.and_then(|c| c.demand.as_ref()).is_some_and(|d| d.brittle.is_some());
+        Analysed {
+            case: case.clone(),
+            verdict,
+            utilisation: limit.and_then(|c| c.utilisation),
+            brittle,
+        }
+    };
+    let analysed: Vec<Analysed> = demanded(context, analyses).iter().map(of_case).collect();
+    if analysed.is_empty() {
+        result.verdict = if context.checks.failed() { Verdict::NotOk } else { Verdict::None };
+    } else {
+        let (judgement, each) = judge(&mut context.checks, &analysed);
+        for (a, j) in analysed.iter().zip(&each) {
+            let demands = result
+                .cases
+                .iter_mut()
+                .filter(|c| c.name == a.case)
+                .filter_map(|c| c.demand.as_mut());
+            demands.for_each(|d| d.judged(j));
+        }
+        result.verdict = judgement.verdict;
+        result.judgement = Some(judgement);
+    }
+    result.checks.clone_from(&context.checks.checks);
+}
+
+/// The exit status that fits the verdict; without a demand it states whether all analyses are
+/// certified.
+fn exit_status(result: &ResultFile, analyses: &Analyses) -> ExitStatus {
+    let complete = analyses.asked.is_empty() || result.cases.len() == analyses.asked.len();
+    match result.verdict {
+        Verdict::NotOk => ExitStatus::NotOk,
+        Verdict::Undecided => ExitStatus::Undecided,
+        Verdict::Ok => ExitStatus::Ok,
+        Verdict::None if complete && result.cases.iter().all(certified) => ExitStatus::Ok,
+        Verdict::None => ExitStatus::Undecided,
+    }
+}
+
+/// True if every program that ran gave its bound on some mesh, with a strict certificate, and there
+/// is at least one bound.
+pub fn certified(c: &CaseResult) -> bool {
+    let ran = |program: fn(&HistoryRow) -> bool| c.history.iter().any(program);
+    let given = |ran: bool, bound: bool| bound || !ran;
+    c.certificate.is_some_and(|x| x.strict)
+        && (c.upper.is_some() || c.lower.is_some())
+        && given(ran(|h| h.kinematic.is_some()), c.upper.is_some())
+        && given(ran(|h| h.static_.is_some()), c.lower.is_some())
+}

@@ -1,0 +1,46 @@
+//! Solver and limits of a run: time, memory, threads, and the user's interrupt.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::interrupt::Interrupt;
+use crate::driver::memory_limit;
+use crate::solve::Solver;
+
+/// Effect of the first Ctrl-C, as the log announces it.
+pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after their current iteration, \
+                                    and certified results are written";
+
+/// Solver of the conic programs, and the limits that end a run early.
+pub struct Limits {
+    /// The solver asked for.
+    pub solver: Solver,
+    /// Wall time the run may take \[s\].
+    pub time: Option<f64>,
+    /// Memory the process may use \[bytes\].
+    pub memory: Option<u64>,
+    /// The user's wish to stop.
+    pub interrupt: Interrupt,
+}
+
+impl Limits {
+    /// Limits with the text of `--memory-limit`; a wrong text is refused. Call it before any thread
+    /// starts: from here on the user's interrupts are received.
+    pub fn new(solver: Solver, memory_limit: Option<&str>) -> Result<Self, Diagnostics> {
+        let memory = memory_limit.map(memory_limit::parse).transpose()?;
+        Ok(Limits { solver, time: None, memory, interrupt: Interrupt::watch()? })
+    }
+}
+
+/// Sets the number of threads of the process; `None`: one per processor.
+pub fn use_threads(threads: Option<usize>) -> Result<(), Diagnostics> {
+    let Some(n) = threads else { return Ok(()) };
+    if !(1..=1024).contains(&n) {
+        let d = Diagnostic::input(
+            "cli/value",
+            format!("--threads is {n}, it must be between 1 and 1024"),
+        );
+        return Err(d.help("leave the option out to use every processor").into());
+    }
+    // a second call in one process (tests) keeps the first pool
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
+    Ok(())
+}

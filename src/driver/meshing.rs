@@ -1,0 +1,113 @@
+//! The mesh of a spec's joint.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::interrupt::Interrupt;
+use crate::driver::spec_file::SpecFile;
+use crate::mesh::gmsh::Mesher;
+use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
+use crate::mesh::quality::BodyQuality;
+use crate::report::console::log::Log;
+use crate::report::markdown::page::Table;
+use std::path::Path;
+use std::time::Duration;
+
+/// How much of the joint is meshed, and how finely.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The whole joint, even if it is symmetric.
+    pub full: bool,
+    /// Multiplies all element sizes.
+    pub size_factor: f64,
+}
+
+impl Extent {
+    /// Refuses size factors out of range.
+    pub fn check(&self) -> Result<(), Diagnostics> {
+        let factor = self.size_factor;
+        if factor.is_finite() && (0.05..=20.0).contains(&factor) {
+            return Ok(());
+        }
+        let text = format!("--size-factor is {factor}, it must be between 0.05 and 20");
+        let help = "1 is the usual size; 0.7 takes about twice the elements, 1.4 half of them";
+        Err(Diagnostic::input("cli/value", text).help(help).into())
+    }
+}
+
+/// The options of the mesher, which works in a folder of its own below `folder`.
+pub fn mesh_options(
+    Extent { full, size_factor }: Extent,
+    input: &SpecFile,
+    mesher: &Mesher,
+    interrupt: &Interrupt,
+    folder: &Path,
+) -> MeshOptions {
+    let mut options = MeshOptions::new(folder.join("mesher"));
+    options.full = full;
+    options.layers = input.spec.value.analysis.mesh.layers;
+    options.sizes.factor = size_factor;
+    options.mesher = Some(mesher.clone());
+    options.interrupt = Some(interrupt.flag());
+    if let Some(limit) = input.spec.value.analysis.time_limit {
+        options.time_limit = Duration::from_secs_f64(limit.0.min(600.0));
+    }
+    options
+}
+
+/// Meshes the joint of a spec.
+pub fn mesh(options: &MeshOptions, input: &SpecFile, log: &Log) -> Result<JointMesh, Diagnostics> {
+    let meshed = mesh_joint(&input.joint.assembly, options, &mut |stage| log.stage(stage))?;
+    let limit = input.spec.value.analysis.max_macro_tets;
+    if meshed.mesh.tets.len() > limit {
+        let mut d = Diagnostic::undecided(
+            "run/too-large",
+            format!("the mesh has {} tets, the limit is {limit}", meshed.mesh.tets.len()),
+        )
+        .help("raise `analysis.max_macro_tets`, or give a larger `analysis.mesh.size`");
+        d.place = input.spec.index.place("analysis.max_macro_tets");
+        return Err(d.into());
+    }
+    clean(options)?;
+    Ok(meshed)
+}
+
+/// Removes the mesher's working folder. Script and log are of use only when the mesher fails, and
+/// then the message quotes them.
+pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
+    let dir = &options.work_dir;
+    match std::fs::remove_dir_all(dir) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Diagnostic::environment(
+            "run/clean",
+            format!("`{}` cannot be removed: {e}", dir.display()),
+        )
+        .into()),
+        _ => Ok(()),
+    }
+}
+
+/// The mesh quality as a table of the report.
+pub fn quality_table(rows: &[BodyQuality]) -> Table {
+    let columns = [
+        "body",
+        "tets",
+        "volume [mm³]",
+        "worst dihedral angle [°]",
+        "median [°]",
+        "worst aspect ratio",
+        "one-layer tets",
+    ];
+    let rows = rows
+        .iter()
+        .map(|r| {
+            vec![
+                r.body.clone(),
+                r.tets.to_string(),
+                format!("{:.0}", r.volume),
+                format!("{:.1}", r.worst_dihedral),
+                format!("{:.1}", r.median_dihedral),
+                format!("{:.1}", r.worst_aspect),
+                format!("{:.0} %", 100.0 * r.surface_only),
+            ]
+        })
+        .collect();
+    Table { columns: columns.map(String::from).to_vec(), rows }
+}

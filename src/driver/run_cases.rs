@@ -1,0 +1,167 @@
+//! Analyses the cases of a run, writes their files, and finishes the result.
+
+use crate::certify::faces::contact_faces;
+use crate::checks::verdict::{self, Verdict};
+use crate::diag::Diagnostics;
+use crate::driver::adaptive::{self, Adapted, Kept, Share};
+use crate::driver::case::{Case, refuse_idle, stems};
+use crate::driver::case_files::write_passes;
+use crate::driver::context::RunContext;
+use crate::driver::finish::{Analyses, Finished, certified, finish};
+use crate::driver::limits::Limits;
+use crate::driver::pass_entry::lower_stress;
+use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_picture};
+use crate::driver::polygon::Directions;
+use crate::model::AnalysisModel;
+use crate::report::console::log::Log;
+use crate::report::draw::polygon;
+use crate::report::markdown::page::{ModelTraits, PictureRef};
+use crate::result::data::{CaseResult, Quantity, ResultFile};
+use crate::result::demand::Demand;
+use crate::result::folder::ResultFolder;
+use crate::result::forces::static_forces;
+use crate::result::preload::mark_halved;
+use crate::result::stiffness::joint_stiffness;
+use crate::solve::Patterns;
+use std::sync::Arc;
+
+/// Analyses the cases, writes fields, result and report, and logs the answer.
+pub fn run_cases(
+    cases: Vec<Case>,
+    mut context: RunContext,
+    limits: &Limits,
+    folder: ResultFolder,
+    log: &Arc<Log>,
+) -> Result<Finished, Diagnostics> {
+    cases.iter().try_for_each(refuse_idle)?;
+    let symmetry = cases.first().map_or(1, |c| c.model.symmetry);
+    let mut result = ResultFile::new(context.input_hash.clone(), symmetry, Verdict::None);
+    result.warnings.clone_from(&context.checks.notes);
+    let asked: Vec<String> = cases.iter().map(|c| c.name.clone()).collect();
+    let mut analyses = Analyses {
+        asked: asked.clone(),
+        traits: ModelTraits { facets: true, symmetry: symmetry > 1, ..ModelTraits::default() },
+        ..Analyses::default()
+    };
+    let stems = stems(&cases);
+    let mut directions = Directions::among(&cases, context.polygon.as_ref());
+    // the first mesh is the same for all cases
+    let patterns = Patterns::default();
+    for (i, case) in cases.into_iter().enumerate() {
+        if limits.interrupt.asked() && i > 0 {
+            result
+                .warnings
+                .push(format!("interrupted: not analysed were {}", asked[i..].join(", ")));
+            break;
+        }
+        note_traits(&case.model, &mut analyses);
+        let (model_name, first) = case.model_file.clone();
+        let direction = case.direction;
+        let now = log.seconds();
+        let until = limits
+            .time
+            .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
+        let share = Share { until, patterns: &patterns };
+        let Adapted { mut entry, upper, lower } =
+            adaptive::analyse(case, i == 0, &share, &context, limits, log)?;
+        let best = lower.as_ref().unwrap_or(&upper);
+        judge_case(&mut entry, &upper, direction.is_some(), &context);
+        let stem = stems[i].as_str();
+        let maps = add_forces(&mut entry, best, &context, stem, &folder)?;
+        let pictures = &mut analyses.pictures;
+        if pictures.is_empty() {
+            pictures.push(mesh_picture(&upper.model, &context.mirror, &folder)?);
+            if let Some((_, _, quality)) = &upper.made {
+                context.mesh_quality = quality.clone();
+            }
+        }
+        let mesh_name =
+            if asked.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        write_passes(&upper, lower.as_ref(), &first, [&model_name, &mesh_name], stem, &folder)?;
+        pictures.extend(pass_picture(
+            &upper.outcome,
+            &asked[i],
+            &upper.model,
+            &context.mirror,
+            stem,
+            &folder,
+        )?);
+        pictures.extend(maps);
+        pictures.extend(convergence(&entry, context.adapt.map(|a| a.target_gap), stem, &folder)?);
+        if let (Some(directions), Some(direction)) = (&mut directions, direction) {
+            directions.add(direction, &entry, &upper);
+        }
+        result.cases.push(entry);
+    }
+    result.polygon = directions.and_then(Directions::polygon);
+    if let Some(polygon) = &result.polygon {
+        folder.write("polygon.svg", polygon::drawing(polygon).as_bytes())?;
+        let [a, b] = polygon.axes.each_ref().map(|a| a.action.as_str());
+        analyses.pictures.insert(
+            0,
+            PictureRef { file: "polygon.svg".into(), caption: format!("Capacity in {a} and {b}") },
+        );
+    }
+    analyses.interrupted = limits.interrupt.asked();
+    finish(result, context, analyses, folder, log)
+}
+
+/// Adds the traits and notes of a model to those of the run.
+fn note_traits(model: &AnalysisModel, analyses: &mut Analyses) {
+    let contacts = contact_faces(model);
+    let traits = &mut analyses.traits;
+    traits.contact |= !contacts.is_empty();
+    traits.friction |= model.has_friction();
+    traits.coulomb |= model.has_coulomb_friction();
+    traits.preload |= model.has_preload();
+    traits.initial_gap |= contacts.iter().any(|f| !f.law.gap.is_zero());
+    for note in &model.notes {
+        if !analyses.notes.contains(note) {
+            analyses.notes.push(note.clone());
+        }
+    }
+}
+
+/// Adds to an entry: a warning if a program did not fit into the memory, the utilisation, and the
+/// demand of its load case.
+fn judge_case(entry: &mut CaseResult, upper: &Kept, of_polygon: bool, context: &RunContext) {
+    if upper.outcome.runs().iter().any(|(_, run)| run.refusal.is_some()) {
+        entry.warnings.push(format!(
+            "both bounds need {}, or more memory; `bounds` in a model file asks for one of them \
+             alone",
+            context.coarser
+        ));
+    }
+    if entry.quantity == Quantity::LoadFactor {
+        let (lower, upper) = entry.safe_bounds();
+        entry.utilisation = verdict::utilisation(lower, upper);
+    }
+    let demand = context.demands.iter().find(|d| d.case == entry.name && !of_polygon);
+    if let Some(demand) = demand {
+        let actions = demand.actions.clone();
+        entry.demand = Some(Demand::new(entry, certified(entry), actions, &context.checks));
+    }
+}
+
+/// Adds to an entry: preloads of halved bolts, the forces of the static field, and the stiffness of
+/// the joint. Returns the pictures of the contact pressures.
+fn add_forces(
+    entry: &mut CaseResult,
+    best: &Kept,
+    context: &RunContext,
+    stem: &str,
+    folder: &ResultFolder,
+) -> Result<Vec<PictureRef>, Diagnostics> {
+    let RunContext { mirror, bolts, .. } = context;
+    mark_halved(&mut entry.preload, &best.model, mirror);
+    let mut maps = Vec::new();
+    if let Some((stress, factor)) = lower_stress(&best.outcome, entry).filter(|_| !bolts.is_empty())
+    {
+        let forces = static_forces(&best.model, stress, factor, bolts, mirror);
+        let names = (entry.name.as_str(), stem);
+        maps = contact_pictures(&best.model, (stress, factor), &forces, mirror, names, folder)?;
+        entry.static_forces = Some(forces);
+    }
+    entry.joint_stiffness = joint_stiffness(entry, &context.checks.moments);
+    Ok(maps)
+}

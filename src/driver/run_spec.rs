@@ -1,0 +1,150 @@
+//! The analysis of a connection spec: geometry, mesh, cases, result.
+
+use crate::checks::{Analysed, HandChecks, Status, Topic, judge};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::context::RunContext;
+use crate::driver::demands::{CaseDemand, demands};
+use crate::driver::finish::Finished;
+use crate::driver::limits::{Limits, WHEN_INTERRUPTED};
+use crate::driver::meshing::{Extent, mesh, mesh_options, quality_table};
+use crate::driver::run_cases::run_cases;
+use crate::driver::spec_cases::{cases, give_remesh};
+use crate::driver::spec_checks::{analysis_kinds, check_input};
+use crate::driver::spec_context::{own_rows, spec_checks, spec_context};
+use crate::driver::spec_file::{self, SpecFile};
+use crate::mesh::gmsh::Mesher;
+use crate::mesh::joint::JointMesh;
+use crate::mesh::msh_write;
+use crate::refine::plan;
+use crate::report::console::log::Log;
+use crate::result::data::input_hash;
+use crate::result::folder::ResultFolder;
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::yaml;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// The spec to analyse, and the options that override it.
+#[derive(Clone, Debug)]
+pub struct SpecRun {
+    /// The spec's file.
+    pub spec: PathBuf,
+    /// Catalogue folder that wins over the spec's.
+    pub catalog: Option<PathBuf>,
+    /// Folder of the result.
+    pub folder: PathBuf,
+    /// How much is meshed, and how finely.
+    pub extent: Extent,
+    /// Kind of analysis, in place of `analysis.kind`.
+    pub kind: Option<AnalysisKind>,
+    /// Meshes at most, in place of `analysis.max_passes`.
+    pub max_passes: Option<u32>,
+    /// Also write the assembly and the mesher's script.
+    pub keep: bool,
+    /// Show nothing on standard error.
+    pub quiet: bool,
+}
+
+/// Analyses a spec and writes its result folder. The spec sets the time limit.
+pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnostics> {
+    run.extent.check()?;
+    let input = spec_file::read(&run.spec, run.catalog.as_deref())?;
+    let kinds = match run.kind {
+        Some(kind) => vec![kind],
+        None => analysis_kinds(&input)?,
+    };
+    check_input(&input, &kinds)?;
+    let checks = spec_checks(&input);
+    let mesher = Mesher::find()?;
+    let asked = &input.spec.value.analysis;
+    limits.time = asked.time_limit.map(|t| t.0);
+    let log = Arc::new(Log::new(run.quiet));
+    let folder = ResultFolder::begin(&run.folder)?;
+    limits.interrupt.begin(&log, WHEN_INTERRUPTED, folder.give_up());
+    input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
+    report_checks(&checks, &demands(&input.spec.value.loads), &log);
+    let start = Instant::now();
+    let options = mesh_options(run.extent, &input, &mesher, &limits.interrupt, folder.path());
+    let meshed = mesh(&options, &input, &log)?;
+    let mesh_seconds = start.elapsed().as_secs_f64();
+    let mesh_file = folder.path().join("mesh.msh");
+    msh_write::write(&meshed.mesh, &mesh_file)?;
+    if run.keep {
+        keep(&input, &meshed, &folder)?;
+    }
+    let place = |path: &str| input.spec.index.place(path);
+    // a run that leaves out collapse leaves out the polygon
+    let polygon = input
+        .spec
+        .value
+        .polygon
+        .as_ref()
+        .filter(|_| matches!(run.kind, None | Some(AnalysisKind::Limit)));
+    let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
+    let max_passes = run.max_passes.unwrap_or(asked.max_passes);
+    if max_passes > 1 {
+        give_remesh(&mut cases, &input, &options, &meshed, &place);
+    }
+    limits.interrupt.check("meshing")?;
+    let mut context = spec_context(&run.spec, &input, checks)?;
+    context.project.push(("mesher".into(), format!("gmsh {}", meshed.mesher)));
+    let models =
+        cases.iter().map(|c| yaml::to_string(&c.model_file.1)).collect::<Result<Vec<_>, _>>()?;
+    context.input_hash = spec_hash(&input, &meshed, &models, &context);
+    context.mesh_quality = quality_table(&meshed.quality);
+    context.mirror = meshed.symmetry_used.iter().map(|p| p.axis).collect();
+    context.adapt = Some(plan::Limits {
+        target_gap: asked.target_gap,
+        max_passes,
+        max_macro_tets: asked.max_macro_tets,
+    });
+    context.polygon = polygon.cloned();
+    run_cases(cases, context, &limits, folder, &log)
+}
+
+/// Writes the plain data between the stages: the assembly and the mesher's script.
+fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(), Diagnostics> {
+    let text = serde_json::to_string_pretty(&input.joint).map_err(|e| {
+        Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}"))
+    })?;
+    folder.write("joint.json", text.as_bytes())?;
+    folder.write("joint.geo", meshed.geo.as_bytes())?;
+    Ok(())
+}
+
+/// Hash of the input. The models hold the values of the catalogue and the template, the script
+/// those of the mesher.
+fn spec_hash(
+    input: &SpecFile,
+    meshed: &JointMesh,
+    models: &[String],
+    context: &RunContext,
+) -> String {
+    let mut pieces: Vec<(&str, &[u8])> =
+        vec![("spec", input.text.as_bytes()), ("geo", meshed.geo.as_bytes())];
+    pieces.extend(models.iter().map(|m| ("model", m.as_bytes())));
+    let own = own_rows(context);
+    if !own.is_empty() {
+        pieces.push(("catalogue", own.as_bytes()));
+    }
+    input_hash(&pieces)
+}
+
+/// Reports the hand checks before anything is meshed: faults of the detailing, and the verdict by
+/// code alone.
+fn report_checks(hand: &HandChecks, demands: &[CaseDemand], log: &Log) {
+    for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
+        match c.status {
+            Status::Failed => log.line(format!("check failed: {}", c.sentence())),
+            Status::Warning => log.line(format!("detailing: {}", c.sentence())),
+            Status::Ok | Status::Information | Status::Undecided => {}
+        }
+    }
+    if demands.is_empty() {
+        return;
+    }
+    let alone: Vec<Analysed> = demands.iter().map(|d| Analysed::not(d.case.clone())).collect();
+    let (judgement, _) = judge(&mut hand.clone(), &alone);
+    log.line(format!("by code alone: {}: {}", judgement.verdict.words(), judgement.reason));
+}

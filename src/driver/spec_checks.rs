@@ -1,0 +1,134 @@
+//! Checks of a spec that come before the mesher starts.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::spec_file::SpecFile;
+use crate::result::file_names::{file_stem, stem_of};
+use crate::spec::analysis::AnalysisKind;
+use crate::spec::loads::LoadSpec;
+
+/// All checks of a spec that is to be analysed in these ways; none for the hand checks alone.
+pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+    check_names(input, kinds)?;
+    check_preload(input, kinds)?;
+    check_sizes(input)
+}
+
+/// The kinds of analysis that the spec asks for, each once.
+pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
+    let place = |path: &str| input.spec.index.place(path);
+    let kinds = &input.spec.value.analysis.kind.0;
+    let mut wanted = Vec::new();
+    for &kind in kinds {
+        if wanted.contains(&kind) {
+            let mut d =
+                Diagnostic::input("spec/value", "`analysis.kind` names the same kind twice")
+                    .help("name each kind once: `kind: [elastic, limit]`");
+            d.place = place("analysis.kind");
+            return Err(d.into());
+        }
+        wanted.push(kind);
+    }
+    Ok(wanted)
+}
+
+/// Preload and yielding bodies cannot be analysed together yet.
+fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+    if input.joint.assembly.preloads.is_empty() || !kinds.contains(&AnalysisKind::Elastoplastic) {
+        return Ok(());
+    }
+    let message =
+        "preload in an elastic, perfectly plastic analysis is not available yet in this version";
+    let help = "take `kind: elastic`, where the preload acts, or `limit`, where it drops out; or \
+                `preload: none`";
+    let mut d = Diagnostic::input("model/unavailable", message).help(help);
+    d.place = input.spec.index.place("bolts.preload");
+    Err(d.into())
+}
+
+/// Load cases become names of files: each needs a name, and no two the same file.
+fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+    let loads = &input.spec.value.loads;
+    let stems = |name: &str| -> Vec<String> {
+        kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect()
+    };
+    for (i, load) in loads.iter().enumerate() {
+        let (stem, mine) = (file_stem(&load.name), stems(&load.name));
+        let clash =
+            |o: &&LoadSpec| o.name != load.name && stems(&o.name).iter().any(|s| mine.contains(s));
+        let other = loads[..i].iter().find(clash);
+        let message = match other {
+            Some(o) => format!(
+                "the load cases `{}` and `{}` would write the same files `{stem}_…`",
+                o.name, load.name
+            ),
+            None if stem.is_empty() => "the name of a load case is empty".to_string(),
+            None => continue,
+        };
+        let mut d = Diagnostic::input("spec/value", message)
+            .help("give each load case a name of letters and digits");
+        d.place = input.spec.index.place(&format!("loads[{i}].name"));
+        return Err(d.into());
+    }
+    Ok(())
+}
+
+/// Refuses a case without load, and loads whose energy is beyond the range of numbers (1e300 MPa).
+fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
+    let refuse = |path: String, code, message: String, help: &str| {
+        let mut d = Diagnostic::input(code, message).help(help);
+        d.place = input.spec.index.place(&path);
+        Err(d.into())
+    };
+    let loads = &input.spec.value.loads;
+    for (i, load) in loads.iter().enumerate() {
+        for Quantity { key, value, unit, sizes } in quantities(load) {
+            let size = value.abs();
+            if size != 0.0 && !sizes.contains(&size) {
+                let [least, most] = [sizes.start(), sizes.end()].map(|s| format!("{s:e} {unit}"));
+                let message = format!(
+                    "`loads[{i}].{key}` is {value:e} {unit}; allowed: zero, or a size from \
+                     {least} to {most}"
+                );
+                return refuse(
+                    format!("loads[{i}].{key}"),
+                    "spec/range",
+                    message,
+                    "check the number and its unit",
+                );
+            }
+        }
+        let mut case = loads.iter().filter(|l| l.name == load.name).flat_map(quantities);
+        if case.all(|q| q.value == 0.0) {
+            let message =
+                format!("nothing acts in the load case `{}`: every load is zero", load.name);
+            return refuse(
+                format!("loads[{i}]"),
+                "model/no-load",
+                message,
+                "give a load that is not zero",
+            );
+        }
+    }
+    Ok(())
+}
+
+/// A number of a load with its sensible range. Energies are proportional to its square, so the
+/// square must be a number as well.
+struct Quantity {
+    key: &'static str,
+    value: f64,
+    unit: &'static str,
+    sizes: std::ops::RangeInclusive<f64>,
+}
+
+/// The numbers of a load.
+fn quantities(load: &LoadSpec) -> Vec<Quantity> {
+    let stress = |key, value| Quantity { key, value, unit: "MPa", sizes: 1e-9..=1e9 };
+    let mut out: Vec<Quantity> = load.pressure.iter().map(|p| stress("pressure", p.0)).collect();
+    out.extend(load.traction.into_iter().flatten().map(|t| stress("traction", t.0)));
+    out.extend(load.actions().into_iter().map(|(action, value)| match action.direction() {
+        (_, false) => Quantity { key: action.word(), value, unit: "N", sizes: 1e-6..=1e12 },
+        (_, true) => Quantity { key: action.word(), value, unit: "N mm", sizes: 1e-6..=1e15 },
+    }));
+    out
+}

@@ -1,0 +1,249 @@
+//! The context of a connection spec: title block, resolved values, catalogue rows, drawings.
+
+use crate::assembly::assembly::PartRole;
+use crate::checks::check::number;
+use crate::checks::end_plate::{grip, moment_axial, stocked_length};
+use crate::checks::{HandChecks, hand_checks};
+use crate::diag::Diagnostics;
+use crate::driver::context::RunContext;
+use crate::driver::demands::demands;
+use crate::driver::spec_file::SpecFile;
+use crate::report::draw::{drawing, moment_axial};
+use crate::report::markdown::page::{CatalogueRow, PictureRef, ResolvedValue};
+use crate::report::markdown::schedule;
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::yaml;
+use serde_json::json;
+use std::path::Path;
+
+/// The hand checks of a spec, with the notes of its joint.
+pub fn spec_checks(input: &SpecFile) -> HandChecks {
+    let mut checks = input.joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    checks.notes.extend(input.joint.notes.iter().cloned());
+    checks
+}
+
+/// The context of a spec, before anything is meshed.
+pub fn spec_context(
+    path: &Path,
+    input: &SpecFile,
+    checks: HandChecks,
+) -> Result<RunContext, Diagnostics> {
+    let project = &input.spec.value.project;
+    let title = project.title.clone().filter(|t| !t.trim().is_empty());
+    let stem =
+        || path.file_stem().map_or_else(|| "joint".into(), |s| s.to_string_lossy().into_owned());
+    let mut block = vec![("title".to_string(), title.unwrap_or_else(stem))];
+    for (name, value) in [
+        ("number", &project.number),
+        ("author", &project.author),
+        ("checker", &project.checker),
+        ("date", &project.date),
+        ("revision", &project.revision),
+    ] {
+        block.extend(value.clone().map(|v| (name.to_string(), v)));
+    }
+    let end_plate = input.joint.end_plate.as_ref();
+    Ok(RunContext {
+        project: block,
+        input_name: path.file_name().map_or_else(String::new, |s| s.to_string_lossy().into_owned()),
+        input_text: input.text.clone(),
+        input_read: yaml::to_string(&as_read(input))?,
+        resolved: resolved_values(input),
+        catalogue_rows: catalogue_rows(input),
+        finer: "`--size-factor` below 1, or a smaller `analysis.mesh.size`",
+        coarser: "a coarser mesh (`--size-factor` above 1, or a larger `analysis.mesh.size`)",
+        checks,
+        demands: demands(&input.spec.value.loads),
+        drawings: drawings(input),
+        schedule: end_plate.map_or_else(Default::default, |e| {
+            schedule::schedule(e, plates(input), stocked_length(e), grip(e))
+        }),
+        bolts: input.joint.bolts.clone(),
+        ..RunContext::default()
+    })
+}
+
+/// The rows of the user's own tables as text for the input hash: no model holds the values that
+/// only the hand checks read.
+pub fn own_rows(context: &RunContext) -> String {
+    context
+        .catalogue_rows
+        .iter()
+        .filter(|r| r.own)
+        .map(|r| format!("{}: {:?}\n", r.name, r.values))
+        .collect()
+}
+
+/// The spec without the loads that only its polygon made.
+fn as_read(input: &SpecFile) -> ConnectionSpec {
+    let mut spec = input.spec.value.clone();
+    spec.loads.retain(|l| !l.of_polygon);
+    spec
+}
+
+/// End plates of the joint.
+fn plates(input: &SpecFile) -> usize {
+    input.joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count()
+}
+
+/// Drawings of the dimensions that the hand checks read, and of the actions at the member ends.
+fn drawings(input: &SpecFile) -> Vec<(PictureRef, String)> {
+    let Some(e) = &input.joint.end_plate else { return Vec::new() };
+    let picture = |file: &str, caption: &str, text| {
+        (PictureRef { file: file.into(), caption: caption.into() }, text)
+    };
+    let views = drawing::views(e, plates(input), stocked_length(e));
+    let mut out =
+        vec![picture("drawing.svg", "Side view of the joint, front view of the end plate", views)];
+    for (i, diagram) in moment_axial(e).iter().enumerate() {
+        let file =
+            if i == 0 { "moment_axial.svg".into() } else { format!("moment_axial_{}.svg", i + 1) };
+        let beta = if e.column.is_some() {
+            format!(", β = {}", number(diagram.beta))
+        } else {
+            String::new()
+        };
+        let caption =
+            format!("Moment and axial force that the joint carries by the component method{beta}");
+        out.push(picture(&file, &caption, moment_axial::drawing(diagram)));
+    }
+    if !e.actions.is_empty() {
+        let caption =
+            "Actions at the member ends with their positive senses, values at the bolt plane";
+        out.push(picture("actions.svg", caption, drawing::actions(e)));
+    }
+    out
+}
+
+/// The values of the joint with their origin.
+fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
+    input
+        .joint
+        .resolved
+        .iter()
+        .map(|r| {
+            // a list carries a unit at every entry
+            let single = !r.value.starts_with('[');
+            let (value, unit) =
+                r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
+            let origin = match (&r.default, r.given) {
+                _ if r.origin.is_some() => r.origin.clone().unwrap_or_default(),
+                (_, true) => "given".to_string(),
+                (Some(expression), false) => format!("default `{expression}`"),
+                (None, false) => "default".to_string(),
+            };
+            ResolvedValue { name: r.name.clone(), value: value.into(), unit: unit.into(), origin }
+        })
+        .collect()
+}
+
+/// The catalogue rows that the joint takes values from.
+fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
+    let c = &input.catalog;
+    let mut rows: Vec<CatalogueRow> = Vec::new();
+    for (role, name) in &input.joint.catalogue {
+        let (kind, row) = if role.ends_with(".profile") {
+            ("profile", c.profile(name).map(|r| json!(r)))
+        } else if role.ends_with("bolts.size") {
+            ("bolt", c.bolt(name).map(|r| json!(r)))
+        } else if role.ends_with("bolts.grade") {
+            ("bolt grade", c.bolt_grade(name).map(|r| json!(r)))
+        } else {
+            ("steel", c.steel(name).map(|r| json!(r)))
+        };
+        // the joint was built with the same names, so they are all there
+        let Ok(row) = row else { continue };
+        let standard = row["standard"].as_str().unwrap_or_default();
+        let file = row["source"]["file"].as_str().unwrap_or_default();
+        let provenance = c.provenance(file);
+        let builtin = provenance.and_then(|p| p.standard.clone());
+        let own = builtin.is_none();
+        let source = builtin.unwrap_or_else(|| {
+            // the user's own table: the report names file and line, so that the row can be checked
+            let mut words =
+                vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
+            words.extend(provenance.map(|p| p.read_from.clone()));
+            words.retain(|w| !w.is_empty());
+            words.join("; ")
+        });
+        if !rows.iter().any(|r| r.kind == kind && r.name == *name) {
+            rows.push(CatalogueRow { own, ..catalogue_row(kind, name, row, source) });
+        }
+    }
+    rows
+}
+
+/// Values of a catalogue row as the report shows them.
+fn catalogue_row(kind: &str, name: &str, row: serde_json::Value, source: String) -> CatalogueRow {
+    let values = row.as_object().map_or(Vec::new(), |fields| {
+        fields
+            .iter()
+            .filter(|(key, _)| {
+                !["name", "size", "grade", "source", "series", "standard"].contains(&key.as_str())
+            })
+            .filter_map(|(key, v)| match v {
+                serde_json::Value::Number(n) => Some((key.clone(), n.to_string())),
+                serde_json::Value::String(s) => Some((key.clone(), s.clone())),
+                serde_json::Value::Bool(b) => {
+                    Some((key.clone(), if *b { "yes" } else { "no" }.into()))
+                }
+                _ => None,
+            })
+            .collect()
+    });
+    CatalogueRow { kind: kind.into(), name: name.into(), source, values, own: false }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::spec_file;
+
+    #[test]
+    fn rows_of_an_own_table_show_their_file_and_line() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let table = "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,\
+                     alpha_v_shank_in_shear_plane,preloadable\nMY8.8,640,800,0.6,0.6,yes\n";
+        let spec =
+            include_str!("../../examples/paper_joint/joint.yaml").replace("\"8.8\"", "MY8.8");
+        for (name, text) in [("g.csv", table), ("joint.yaml", &spec)] {
+            std::fs::write(dir.path().join(name), text).expect("written");
+        }
+        let input = spec_file::read(&dir.path().join("joint.yaml"), Some(dir.path()))
+            .unwrap_or_else(|e| panic!("{e:#?}"));
+        let rows = catalogue_rows(&input);
+        let own: Vec<&CatalogueRow> = rows.iter().filter(|r| r.own).collect();
+        assert_eq!(own.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["MY8.8"]);
+        assert!(own[0].source.ends_with("g.csv line 2"), "{}", own[0].source);
+        assert!(
+            rows.iter().any(|r| r.name == "HEB200" && r.source.starts_with("EN 10365")),
+            "{rows:#?}"
+        );
+    }
+
+    #[test]
+    fn the_input_as_read_is_the_spec_without_comments_and_polygon_directions_and_reads_back() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let text = "# a comment\ntemplate: beam_to_column_end_plate\nmembers: {column: {profile: \
+                    HEB200, steel: S235}, beam: {profile: IPE300, steel: S235}}\nplate: \
+                    {thickness: 5/8 in}\nbolts: {size: M20, grade: '8.8', rows: [-90, 90, \
+                    190]}\nloads: [{name: ULS1, end: beam_right, at: column_face, My: 80 kN m, \
+                    Vz: -60.5 kN}]\npolygon: {end: beam_right, at: column_face, My: 100 kN m, N: \
+                    200 kN}\nanalysis: {kind: limit}\n";
+        std::fs::write(dir.path().join("joint.yaml"), text).expect("written");
+        let input = spec_file::read(&dir.path().join("joint.yaml"), None)
+            .unwrap_or_else(|e| panic!("{e:#?}"));
+        assert!(input.spec.value.loads.len() > 1, "the polygon has directions");
+        let context = yaml::to_string(&as_read(&input)).expect("YAML");
+        for words in
+            ["My: 80 kN m", "Vz: -60.5 kN", "thickness: 15.875 mm", "polygon:", "target_gap: 0.05"]
+        {
+            assert!(context.contains(words), "{words} in\n{context}");
+        }
+        assert!(!context.contains("comment") && context.matches("name:").count() == 1, "{context}");
+        let again = yaml::parse::<ConnectionSpec>(&context, Path::new("context.yaml"))
+            .unwrap_or_else(|e| panic!("{e:#?}"));
+        assert_eq!(again.value, as_read(&input));
+    }
+}

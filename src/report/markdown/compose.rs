@@ -1,0 +1,71 @@
+//! `report.md`: one page with the answer first and everything that backs it below.
+
+use crate::report::markdown::answer::answer;
+use crate::report::markdown::assumptions::assumptions;
+use crate::report::markdown::certificate::certificates;
+use crate::report::markdown::collapse::mechanism;
+use crate::report::markdown::history::history;
+use crate::report::markdown::joint::joint;
+use crate::report::markdown::markup::{heading, inline, paragraph, table};
+use crate::report::markdown::page::ReportData;
+use crate::report::markdown::title::title_block;
+use crate::report::markdown::warnings::warnings;
+use crate::report::markdown::yielding::yielding;
+use crate::report::markdown::{
+    component_method, demand, forces, hand_checks, input, polygon, stiffness, summary, verdict,
+};
+
+/// The text of `report.md`, the same for the same data.
+pub fn report_markdown(data: &ReportData) -> String {
+    let mut page = String::new();
+    title_block(&mut page, data);
+    heading(&mut page, "Answer");
+    verdict::verdict(&mut page, &data.result);
+    hand_checks::failed(&mut page, &data.result.checks);
+    summary::table_of_checks(&mut page, &data.result);
+    demand::demands(&mut page, &data.result);
+    for case in &data.result.cases {
+        answer(&mut page, case, data);
+        component_method::lines(&mut page, case);
+        stiffness::lines(&mut page, case);
+        forces::tables(&mut page, case, data.result.symmetry);
+    }
+    if data.result.cases.is_empty() {
+        paragraph(&mut page, "By the code's checks alone: no analysis was run.");
+    }
+    polygon::section(&mut page, &data.result);
+    for picture in &data.pictures {
+        paragraph(&mut page, &format!("![{}]({})", inline(&picture.caption), picture.file));
+    }
+    for case in &data.result.cases {
+        mechanism(&mut page, case);
+        yielding(&mut page, case);
+    }
+    warnings(&mut page, data);
+    joint(&mut page, data);
+    input::sections(&mut page, data);
+    hand_checks::checks(&mut page, &data.result.checks);
+    if !data.result.cases.is_empty() {
+        analyses(&mut page, data);
+    }
+    input::file(&mut page, data);
+    page
+}
+
+/// The sections behind the numbers of the analyses.
+fn analyses(page: &mut String, data: &ReportData) {
+    heading(page, "Mesh and history");
+    if !data.mesh_quality.rows.is_empty() {
+        table(page, &data.mesh_quality);
+    }
+    for case in data.result.cases.iter().filter(|c| !c.history.is_empty()) {
+        history(page, case, data.result.symmetry);
+    }
+    heading(page, "Certificate");
+    certificates(page, data);
+    heading(page, "Assumptions and limits");
+    for sentence in assumptions(data) {
+        page.push_str(&format!("- {}\n", inline(&sentence)));
+    }
+    page.push('\n');
+}

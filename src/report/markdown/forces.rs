@@ -1,0 +1,39 @@
+//! Forces of the bolts and between the parts.
+
+use crate::report::figures::{Rounding, significant};
+use crate::report::markdown::markup::{inline, paragraph, strings, table};
+use crate::report::markdown::page::Table;
+use crate::result::data::CaseResult;
+use crate::spec::analysis::AnalysisKind;
+
+/// Tables of bolts and of contacts.
+pub(crate) fn tables(page: &mut String, case: &CaseResult, symmetry: u32) {
+    let Some(s) = case.static_forces.as_ref().filter(|s| !s.bolts.is_empty()) else { return };
+    let kn = |f: f64| significant(1e-3 * f, 3, Rounding::Nearest);
+    let what = match case.analysis {
+        AnalysisKind::Limit => "one of the distributions that plasticity allows",
+        _ => "estimates, not bounds",
+    };
+    let copies = if symmetry > 1 { "; the others are their mirror images" } else { "" };
+    paragraph(
+        page,
+        &inline(&format!(
+            "{}: forces of the bolts at load factor {}, from the stress of the lower bound \
+             ({what}), prying included{copies}:",
+            case.name,
+            significant(s.load_factor, 4, Rounding::Down)
+        )),
+    );
+    let rows = s.bolts.iter().map(|b| vec![inline(&b.bolt), kn(b.tension), kn(b.shear)]).collect();
+    table(page, &Table { columns: strings(["bolt", "tension [kN]", "shear [kN]"]), rows });
+    if s.contacts.is_empty() {
+        return;
+    }
+    let rows = s.contacts.iter().map(|c| {
+        let centre = c.centre.map(|x| format!("{x:.1}")).join(", ");
+        vec![inline(&c.between.join(" on ")), kn(c.compression), centre]
+    });
+    let part = if symmetry > 1 { "contact, of the meshed part" } else { "contact" };
+    let columns = strings([part, "compression [kN]", "centre of pressure x, y, z [mm]"]);
+    table(page, &Table { columns, rows: rows.collect() });
+}

@@ -1,0 +1,274 @@
+//! One load case under one kind of analysis: its entry in `result.json`.
+
+use crate::analysis::cone_shift::FixedPointRun;
+use crate::analysis::preloaded_bolt::PreloadedBolt;
+use crate::checks::verdict::Verdict;
+use crate::checks::{HandChecks, JointStiffness};
+use crate::result::certificate::Certificate;
+use crate::result::demand::{Demand, EndAction};
+use crate::result::forces::StaticForces;
+use crate::result::history::HistoryRow;
+use crate::result::quantity::{FrictionModel, LoadSize, Quantity, RawBracket, Upper};
+use crate::spec::analysis::AnalysisKind;
+use serde::{Deserialize, Serialize};
+
+/// One load case under one kind of analysis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaseResult {
+    /// Name of the load case.
+    pub name: String,
+    /// Kind of analysis.
+    pub analysis: AnalysisKind,
+    /// The bracketed quantity.
+    pub quantity: Quantity,
+    /// The problem whose solution is bracketed.
+    pub problem: FrictionModel,
+    /// Lower bound of the whole structure (−Π_c \[N mm\] or load factor); an estimate unless the
+    /// certificate is strict.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound of the whole structure (Π_p \[N mm\] or load factor); an estimate unless the
+    /// certificate is strict.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+    /// Relative gap, a fraction (docs/theory.md).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Bracket of demand over capacity, lower first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<[f64; 2]>,
+    /// The demand of the load case and the verdict on it, where a demand is judged (`run`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub demand: Option<Demand>,
+    /// Raw bracket of the frictionless problem.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frictionless: Option<RawBracket>,
+    /// Raw bracket of the problem with associated friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub associated: Option<RawBracket>,
+    /// Limit analysis, where asked for: the load factor of the fixed point for Coulomb's law, an
+    /// estimate. That law may have several load factors for one structure; this is one of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coulomb_estimate: Option<f64>,
+    /// The preloaded bolts of an elastic analysis.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub preload: Vec<PreloadedBolt>,
+    /// Coulomb friction: course of the fixed point; in limit analysis that of the estimate, where
+    /// it was reached.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fixed_point: Option<FixedPointRun>,
+    /// The only load, at load factor 1, of the whole structure: the one whose displacement or
+    /// collapse is bracketed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<LoadSize>,
+    /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\],
+    /// lower first; only where it is rigorous.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_displacement: Option<[f64; 2]>,
+    /// Forces of the bolts and between the parts of a joint, from the stress of the lower bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_forces: Option<StaticForces>,
+    /// Elastic analysis of a joint under one moment: the bracket of its initial stiffness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint_stiffness: Option<JointStiffness>,
+    /// Residuals of the two fields.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Certificate>,
+    /// Elastic, perfectly plastic analysis: lower bound of the load's own displacement at load
+    /// factor 1 \[mm; rad for a moment\]; only where it is rigorous.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_displacement_at_least: Option<f64>,
+    /// One row for each mesh.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub history: Vec<HistoryRow>,
+    /// Limit analysis: share of each body in the dissipation of the upper bound's mechanism, in the
+    /// order of the bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dissipation: Vec<PartShare>,
+    /// Elastic, perfectly plastic analysis: plastic state of each body that can yield, in the order
+    /// of the bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub yielding: Vec<PartYield>,
+    /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
+    /// absent where a weld is nearer to its strength.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limiting_part: Option<String>,
+    /// Each weld of finite strength.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub welds: Vec<WeldUse>,
+    /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_contact_pressure: Option<PeakPressure>,
+    /// Warnings about this case.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+}
+
+/// Share of a body in the dissipation of a mechanism.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartShare {
+    /// Name of the body.
+    pub part: String,
+    /// Its share, a fraction.
+    pub share: f64,
+}
+
+/// Use of a weld: its traction over its strength, and its dissipation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WeldUse {
+    /// Name of the weld.
+    pub weld: String,
+    /// Largest traction of the static field over the strength, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Upper bound of the mean magnitude of that traction over the strength, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mean_utilisation: Option<f64>,
+    /// Strength on the throat, to which both utilisations refer \[MPa\]; absent where the model
+    /// gives the strength as a traction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub throat_strength: Option<f64>,
+    /// Limit analysis: its share in the dissipation of the mechanism, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share: Option<f64>,
+    /// Elastic kinds of analysis: the work that the weld of the meshed part dissipates with the
+    /// displacements of the upper bound \[N mm\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub work: Option<f64>,
+}
+
+/// Plastic state of a body that can yield.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartYield {
+    /// Name of the body.
+    pub part: String,
+    /// Largest `‖dev σ‖/(√(2/3) f_y)` of the lower bound's stress.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<f64>,
+    /// Fraction of its volume where the upper bound's field has plastic strain; an estimate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yielded: Option<f64>,
+    /// Plastic work of that field in all copies of the body \[N mm\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dissipation: Option<f64>,
+}
+
+/// Largest contact pressure \[MPa\], positive in compression. Estimates: the bounds do not hold for
+/// local values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PeakPressure {
+    /// Of the displacement's stress at the vertices of contact faces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kinematic: Option<f64>,
+    /// Of the static program's tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none", rename = "static")]
+    pub static_: Option<f64>,
+}
+
+impl CaseResult {
+    /// True when both numbers are bounds: every residual of the certificate is within its
+    /// tolerance.
+    pub fn is_strict(&self) -> bool {
+        self.certificate.is_some_and(|c| c.strict)
+    }
+
+    /// The strict bounds that a verdict is based on. With associated friction the lower bound is
+    /// the one without friction. `None`: no such bound.
+    pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
+        if !self.is_strict() {
+            return (None, None);
+        }
+        let lower = match self.problem {
+            FrictionModel::Associated => self.frictionless.and_then(|f| f.lower),
+            _ => self.lower,
+        };
+        let upper = match self.upper {
+            Some(Upper::Finite(u)) => Some(u),
+            _ => None,
+        };
+        (lower, upper)
+    }
+
+    /// The strict bounds of the load factor, as [`CaseResult::safe_bounds`]; none where an energy
+    /// is bracketed.
+    pub fn factor_bounds(&self) -> (Option<f64>, Option<f64>) {
+        match self.quantity {
+            Quantity::LoadFactor => self.safe_bounds(),
+            Quantity::PotentialEnergy => (None, None),
+        }
+    }
+}
+
+impl Demand {
+    /// The demand of a load case under one kind of analysis. In limit analysis the strict bounds
+    /// decide the verdict; a joint without the rotation capacity that limit analysis assumes is at
+    /// most undecided. `certified`: every program that ran gave a certified bound.
+    pub fn new(
+        entry: &CaseResult,
+        certified: bool,
+        actions: Vec<EndAction>,
+        checks: &HandChecks,
+    ) -> Self {
+        let (lower, upper) = entry.safe_bounds();
+        let by_analysis = match (entry.quantity, Verdict::of(lower, upper)) {
+            (Quantity::LoadFactor, Verdict::Ok) if checks.brittle.is_some() => Verdict::Undecided,
+            (Quantity::LoadFactor, verdict) => verdict,
+            (Quantity::PotentialEnergy, _) if certified => Verdict::None,
+            (Quantity::PotentialEnergy, _) => Verdict::Undecided,
+        };
+        let component_method =
+            checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
+        // rotation capacity matters to limit analysis only
+        let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
+        Self {
+            verdict: by_analysis,
+            by_code: Verdict::None,
+            by_analysis,
+            actions,
+            component_method,
+            brittle,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::result::fixtures::case;
+
+    /// A case of limit analysis with these bounds.
+    fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
+        let mut case = case();
+        case.quantity = Quantity::LoadFactor;
+        (case.problem, case.lower, case.upper) =
+            (FrictionModel::Frictionless, lower, upper.map(Upper::Finite));
+        case
+    }
+
+    /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK;
+    /// bounds below 1 still refuse it. Energies judge nothing, but an analysis without a
+    /// certificate leaves the case open.
+    #[test]
+    fn a_brittle_joint_is_at_most_undecided() {
+        let brittle =
+            HandChecks { brittle: Some("t is too thick".into()), ..HandChecks::default() };
+        let verdict = |checks: &HandChecks, l, u| {
+            Demand::new(&limit_case(Some(l), Some(u)), true, Vec::new(), checks).by_analysis
+        };
+        assert_eq!(verdict(&HandChecks::default(), 1.1, 1.2), Verdict::Ok);
+        assert_eq!(verdict(&brittle, 1.1, 1.2), Verdict::Undecided);
+        assert_eq!(verdict(&brittle, 0.8, 0.9), Verdict::NotOk);
+        let elastic = |certified| {
+            let case = CaseResult {
+                quantity: Quantity::PotentialEnergy,
+                ..limit_case(Some(1.1), Some(1.2))
+            };
+            Demand::new(&case, certified, Vec::new(), &brittle)
+        };
+        assert_eq!(
+            [true, false].map(|c| elastic(c).by_analysis),
+            [Verdict::None, Verdict::Undecided]
+        );
+        assert_eq!(elastic(true).brittle, None);
+    }
+}

@@ -1,0 +1,127 @@
+//! Recomputation of the certificate of a finished result from its stored fields and meshes alone.
+
+mod case_files;
+mod derived;
+mod differences;
+mod energy;
+mod factor;
+mod finding;
+
+use crate::certify::UpperFactor;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::model::resolve::load_model;
+use crate::result::case::energy_bounds;
+use crate::result::combine::{PassResult, join};
+use crate::result::data::{CaseResult, FrictionModel, RESULT_FILE, ResultFile};
+use crate::result::file_names::entry_stem;
+use crate::result::limit_case::factor_bounds;
+use crate::spec::analysis::AnalysisKind;
+use case_files::{CaseFiles, read};
+use derived::{Proved, case_differences, polygon_differences};
+use differences::derived_differences;
+pub use finding::Finding;
+use std::path::Path;
+
+/// The outcome of a verification.
+pub struct Verification {
+    /// Every claimed bound.
+    pub findings: Vec<Finding>,
+    /// Sentences for the other claims that are refuted.
+    pub refuted: Vec<String>,
+}
+
+impl Verification {
+    /// Whether every claim is confirmed.
+    pub fn confirmed(&self) -> bool {
+        self.findings.iter().all(|f| f.confirmed) && self.refuted.is_empty()
+    }
+}
+
+/// Verifies the result in a folder.
+pub fn verify(folder: &Path) -> Result<Verification, Diagnostics> {
+    let text = read(&folder.join(RESULT_FILE))?;
+    let result =
+        ResultFile::from_json(&String::from_utf8_lossy(&text)).map_err(Diagnostic::from)?;
+    let mut findings = Vec::new();
+    let mut refuted = Vec::new();
+    let mut proved = Vec::new();
+    for (i, case) in result.cases.iter().enumerate() {
+        let stem = entry_stem(&result.cases[..i], case);
+        let (found, (other, of_case)) = verify_case(folder, case, &stem, result.symmetry)?;
+        findings.extend(found);
+        refuted.extend(other);
+        if let Some(of_case) = of_case {
+            refuted.extend(case_differences(case, &of_case));
+            proved.extend(result.polygon.is_some().then_some(of_case));
+        }
+    }
+    refuted.extend(result.polygon.iter().flat_map(|claimed| polygon_differences(claimed, &proved)));
+    Ok(Verification { findings, refuted })
+}
+
+/// Sentences for the disagreements, and what the files of a case have proved.
+type Confirmed = (Vec<String>, Option<Proved>);
+
+/// Recomputes the bounds of a case, and everything that follows from them.
+fn verify_case(
+    folder: &Path,
+    case: &CaseResult,
+    stem: &str,
+    symmetry: u32,
+) -> Result<(Vec<Finding>, Confirmed), Diagnostics> {
+    let own = folder.join(format!("model_{stem}.yaml"));
+    let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
+    // if the better lower bound is on another mesh, that mesh is beside its field
+    let beside = folder.join("fields").join(format!("{stem}_static.yaml"));
+    let other = if beside.exists() { Some(load_model(&beside)?) } else { None };
+    let mut refuted = Vec::new();
+    let mut findings = Vec::new();
+    let mut found: Option<PassResult> = None;
+    let (mut mechanism, mut carried) = (None, None);
+    let sides = match &other {
+        None => vec![(&model, [true, true])],
+        Some(other) => vec![(&model, [true, false]), (other, [false, true])],
+    };
+    for (model, wanted) in sides {
+        if symmetry != model.symmetry {
+            refuted.push(format!(
+                "the result claims symmetry {symmetry}, its model has {}",
+                model.symmetry
+            ));
+        }
+        let files = CaseFiles { model, case, folder, stem, wanted };
+        let (new, side) = match model.analysis {
+            AnalysisKind::Limit => {
+                let (new, entry, pass) = files.factors(&mut refuted)?;
+                let bounds = factor_bounds(&pass, entry.problem);
+                let answers = pass.carried(case.problem == FrictionModel::Coulomb);
+                let of_answer =
+                    answers.map(|(s, b)| (model.clone(), s.clone(), b.certificate().factor));
+                carried = of_answer.or(carried);
+                let free = pass.free.map(|f| (f.field, UpperFactor::new(f.certificate)));
+                mechanism = pass.velocity.zip(pass.upper).or(free).or(mechanism);
+                (new, PassResult { entry, bounds })
+            }
+            _ => {
+                let (new, entry, pass) = files.energies(&mut refuted)?;
+                let bounds = energy_bounds(&pass);
+                carried = pass.stress.map(|s| (model.clone(), s, 1.0)).or(carried);
+                (new, PassResult { entry, bounds })
+            }
+        };
+        findings.extend(new);
+        found = Some(match found {
+            None => side,
+            Some(mut upper) => {
+                match join(upper.clone(), side) {
+                    Ok(joined) => upper.entry = joined,
+                    Err(e) => refuted.push(format!("{}: {e}", case.name)),
+                }
+                upper
+            }
+        });
+    }
+    let Some(PassResult { entry, .. }) = found else { return Ok((findings, (refuted, None))) };
+    refuted.extend(derived_differences(case, &entry));
+    Ok((findings, (refuted, Some(Proved { entry, model, mechanism, stress: carried }))))
+}

@@ -1,0 +1,90 @@
+//! The values that a result derives from its bounds, claimed against recomputed.
+
+use crate::result::data::{CaseResult, RawBracket, Upper};
+
+/// Sentences for the derived values that do not agree.
+pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> {
+    let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs().max(b.abs()) + 1e-12,
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let end = |c: &CaseResult, i: usize| c.load_displacement.map(|d| d[i]);
+    let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
+    // the answer is the best of its history: each bound is in a row, both with their gap where one
+    // mesh gave both
+    let upper = |u: Option<Upper>| u.and_then(|u| u.finite());
+    let row = |l: bool, u: bool| {
+        claimed.history.iter().any(|h| {
+            let both = near(h.lower, found.lower) && near(upper(h.upper), upper(found.upper));
+            (!l || near(h.lower, found.lower))
+                && (!u || near(upper(h.upper), upper(found.upper)))
+                && (!both || near(h.gap, found.gap))
+        })
+    };
+    let history = row(true, false) && row(false, true);
+    let raw = |a: Option<RawBracket>, b: Option<RawBracket>| {
+        let numbers =
+            |r: Option<RawBracket>| (r.and_then(|r| r.lower), r.and_then(|r| r.upper?.finite()));
+        let (a, b) = (numbers(a), numbers(b));
+        near(a.0, b.0) && near(a.1, b.1)
+    };
+    let bolts = claimed.preload.iter().zip(&found.preload);
+    let preload = claimed.preload.len() == found.preload.len()
+        && bolts.into_iter().all(|(a, b)| near(a.tension, b.tension));
+    let shares = claimed.dissipation.len() == found.dissipation.len()
+        && claimed
+            .dissipation
+            .iter()
+            .zip(&found.dissipation)
+            .all(|(a, b)| a.part == b.part && near(Some(a.share), Some(b.share)));
+    let welds = claimed.welds.len() == found.welds.len()
+        && claimed.welds.iter().zip(&found.welds).all(|(a, b)| {
+            a.weld == b.weld
+                && near(a.utilisation, b.utilisation)
+                // results of earlier versions do not have it
+                && (a.mean_utilisation.is_none() || near(a.mean_utilisation, b.mean_utilisation))
+                && near(a.share, b.share)
+                && near(a.work, b.work)
+        });
+    let yielding = claimed.yielding.len() == found.yielding.len()
+        && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
+            a.part == b.part
+                && near(a.utilisation, b.utilisation)
+                && near(a.yielded, b.yielded)
+                && near(a.dissipation, b.dissipation)
+        });
+    let agree = [
+        ("gap", near(claimed.gap, found.gap)),
+        // results of earlier versions do not have it
+        (
+            "load",
+            claimed.load.is_none_or(|a| {
+                found
+                    .load
+                    .is_some_and(|b| a.unit() == b.unit() && near(Some(a.value()), Some(b.value())))
+            }),
+        ),
+        ("load_displacement", (0..2).all(|i| near(end(claimed, i), end(found, i)))),
+        ("problem", claimed.problem == found.problem),
+        ("analysis", claimed.analysis == found.analysis),
+        ("quantity", claimed.quantity == found.quantity),
+        ("frictionless", raw(claimed.frictionless, found.frictionless)),
+        ("associated", raw(claimed.associated, found.associated)),
+        ("preload", preload),
+        ("dissipation", shares),
+        ("welds", welds),
+        (
+            "load_displacement_at_least",
+            near(claimed.load_displacement_at_least, found.load_displacement_at_least),
+        ),
+        ("yielding", yielding),
+        ("limiting_part", claimed.limiting_part == found.limiting_part),
+        ("certificate.strict", !strict(claimed) || strict(found)),
+        ("history", history),
+    ];
+    agree
+        .into_iter()
+        .filter(|(_, agrees)| !agrees)
+        .map(|(what, _)| format!("{}: {what} is not what the fields give", claimed.name))
+        .collect()
+}

@@ -1,0 +1,125 @@
+//! Recomputation of the bounds of the energy.
+
+use super::case_files::{CaseFiles, POINTS};
+use super::finding::{Finding, Numbers};
+use crate::analysis::energy_pass::EnergyPass;
+use crate::analysis::preloaded_bolt::preloaded_bolts;
+use crate::certify::bracket::{Bracket, LowerBound, UpperBound};
+use crate::certify::certificate::{certify_displacement, certify_stress};
+use crate::certify::plastic_certificate::{certify_plastic_motion, certify_yielding_stress};
+use crate::certify::sampling::{sample, sample_lower};
+use crate::certify::slip::distance_from_coulomb;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::model::AnalysisModel;
+use crate::model::loads::Loads;
+use crate::result::case::case_result;
+use crate::result::data::CaseResult;
+use crate::result::fields::field_files::{read_displacement, read_shift, read_stress};
+use crate::result::fields::plastic_file::read_plastic;
+use crate::spec::analysis::AnalysisKind;
+
+/// Largest distance of the shift of the contact cones from the slips of the displacement, as a
+/// fraction of the largest slip. The fixed point ends far below; a shift that contradicts Coulomb's
+/// law is above.
+const FAR_FROM_COULOMB: f64 = 0.02;
+
+impl CaseFiles<'_> {
+    /// The bounds of the energy, and the entry they make.
+    pub fn energies(
+        &self,
+        refuted: &mut Vec<String>,
+    ) -> Result<(Vec<Finding>, CaseResult, EnergyPass), Diagnostics> {
+        let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
+        let claims_strict = case.certificate.is_some_and(|c| c.strict);
+        let yields = given.analysis == AnalysisKind::Elastoplastic;
+        let mut findings = Vec::new();
+        let mut pass =
+            EnergyPass { fixed_point: case.fixed_point.clone(), ..EnergyPass::default() };
+        let bounded = case.lower.is_some() || case.upper.is_some();
+        if given.has_coulomb_friction() && bounded {
+            pass.shift = read_shift(given, &self.field("shift")?).map_err(Diagnostic::from)?;
+        }
+        let mut model = AnalysisModel { shift: pass.shift.clone(), ..given.clone() };
+        for bolt in &mut model.preload {
+            let claimed = case.preload.iter().find(|t| t.body == bolt.body && t.cut == bolt.cut);
+            bolt.closure = claimed.map(|t| t.closure);
+            if bounded && claimed.is_none_or(|t| t.force != bolt.force) {
+                refuted.push(format!(
+                    "{}: the preload of `{}` is not that of the model",
+                    case.name, bolt.body
+                ));
+            }
+        }
+        let model = &model;
+        if let Some(claimed) = case.lower.filter(|_| statics) {
+            let stress = read_stress(model, &self.field("static")?).map_err(Diagnostic::from)?;
+            let mut random = sample(model, None, Some(&stress), POINTS);
+            let certificate = match yields {
+                true => {
+                    let inside = sample_lower(model, &stress, 1.0, POINTS);
+                    random.traction_jump = random.traction_jump.max(inside.utilisation - 1.0);
+                    certify_yielding_stress(model, &stress)
+                }
+                false => certify_stress(model, &stress, Loads::ALL),
+            };
+            let bound = LowerBound::new(certificate, model.symmetry);
+            let c = bound.certificate();
+            let over = c.weld.map_or(0.0, |used| used - 1.0).max(c.yields.unwrap_or(0.0));
+            let worst = c.equilibrium.max(c.traction_jump).max(c.contact.unwrap_or(0.0)).max(over);
+            let random = random.traction_jump.max(random.traction_cone).max(random.weld - 1.0);
+            let numbers = Numbers {
+                claimed,
+                recomputed: bound.value(),
+                residual: worst,
+                at_random_points: random,
+            };
+            findings.push(Finding::new(case, "lower", numbers, bound.is_strict(), claims_strict));
+            pass.lower = Some(bound);
+            pass.stress = Some(stress);
+        }
+        if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
+            let bytes = self.field("kinematic")?;
+            let (displacement, certificate) = if yields {
+                let field = read_plastic(model, &bytes).map_err(Diagnostic::from)?;
+                let certificate = certify_plastic_motion(model, &field);
+                let nodes = field.nodes.clone();
+                pass.plastic = Some(field);
+                (nodes, certificate)
+            } else {
+                let u = read_displacement(model, &bytes).map_err(Diagnostic::from)?;
+                let certificate = certify_displacement(model, &u);
+                (u, certificate)
+            };
+            let off = distance_from_coulomb(model, &pass.shift, &displacement);
+            if off > FAR_FROM_COULOMB {
+                refuted.push(format!(
+                    "{}: the shift of the contact cones is off the slips of Coulomb's law by \
+                     {off:.1e} of the largest",
+                    case.name
+                ));
+            }
+            let random = sample(model, Some(&displacement), None, POINTS).gap_cone;
+            let bound = UpperBound::new(certificate, model.symmetry);
+            let c = bound.certificate();
+            let worst = c.compatibility.max(c.contact.unwrap_or(0.0));
+            let numbers = Numbers {
+                claimed,
+                recomputed: bound.value(),
+                residual: worst,
+                at_random_points: random,
+            };
+            findings.push(Finding::new(case, "upper", numbers, bound.is_strict(), claims_strict));
+            pass.upper = Some(bound);
+        }
+        pass.preload =
+            preloaded_bolts(model, pass.lower.as_ref().map(|l| &l.certificate().tensions[..]));
+        if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
+            match Bracket::new(l.clone(), u.clone()) {
+                Ok(b) => pass.bracket = Some(b),
+                Err(e) => refuted.push(format!("{}: {e}", case.name)),
+            }
+        }
+        let entry = case_result(&case.name, given, &pass, None);
+        Ok((findings, entry, pass))
+    }
+}

@@ -1,0 +1,180 @@
+//! Recomputation of the bounds of the load factor.
+
+use super::case_files::{CaseFiles, POINTS};
+use super::finding::{Finding, Numbers};
+use crate::analysis::limit::{self, LimitPass};
+use crate::certify::fields::StressField;
+use crate::certify::flow::VelocityField;
+use crate::certify::limit_certificate::{certify_lower, certify_upper};
+use crate::certify::sampling::{sample_live, sample_lower, sample_upper};
+use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::model::AnalysisModel;
+use crate::certify::free_mechanism::FreeMechanism;
+use crate::certify::free_mechanism::certify_free;
+use crate::certify::free_mechanism::is_free;
+use crate::certify::unlimited::Unlimited;
+use crate::certify::unlimited::certify_unlimited;
+use crate::result::data::{CaseResult, FrictionModel, Upper};
+use crate::result::fields::field_files::{read_lower, read_stress, read_velocity};
+use crate::result::file_names::{DEAD_FIELD, LIVE_FIELD};
+use crate::result::limit_case::limit_case_result;
+
+impl CaseFiles<'_> {
+    /// The bounds of the load factor, and the entry they make.
+    pub fn factors(
+        &self,
+        refuted: &mut Vec<String>,
+    ) -> Result<(Vec<Finding>, CaseResult, LimitPass), Diagnostics> {
+        let Self { model, case, wanted: [kinematic, statics], .. } = *self;
+        let claims_strict = case.certificate.is_some_and(|c| c.strict);
+        let coulomb = case.problem == FrictionModel::Coulomb;
+        let mut findings = Vec::new();
+        let mut pass = LimitPass::default();
+        let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
+        if let Some(claimed) = raw.filter(|_| statics) {
+            // a raw bound beside the answer is reported only where it is strict
+            let (mut found, bound, stress) =
+                self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
+            found.bound = if coulomb { "lower, associated" } else { "lower" };
+            findings.push(found);
+            pass.lower = Some(bound);
+            pass.stress = Some(stress);
+        }
+        let smooth =
+            case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
+        if let Some(claimed) = smooth.filter(|_| statics) {
+            let without = model.without_friction();
+            let strict = claims_strict || !coulomb;
+            let (mut found, bound, stress) =
+                self.lower_factor(&without, "static_frictionless", claimed, strict)?;
+            found.bound = if coulomb { "lower" } else { "lower, frictionless" };
+            findings.push(found);
+            pass.frictionless = Some(bound);
+            pass.frictionless_stress = Some(stress);
+        }
+        if let Some(claimed) = case.upper.and_then(|u| u.finite()).filter(|_| kinematic) {
+            let nodes =
+                read_velocity(model, &self.field("kinematic")?).map_err(Diagnostic::from)?;
+            let field = limit::velocity(nodes);
+            if claimed == 0.0 {
+                let certificate = certify_free(model, &field);
+                let free = is_free(&certificate);
+                let worst = certificate
+                    .rigid
+                    .max(certificate.compatibility)
+                    .max(certificate.contact.unwrap_or(0.0));
+                // velocities that are no free mechanism do not prove the bound zero
+                let recomputed = if free { 0.0 } else { f64::INFINITY };
+                let random = sample_upper(model, &field, POINTS).gap_cone;
+                findings.push(Finding::new(
+                    case,
+                    "upper",
+                    Numbers { claimed, recomputed, residual: worst, at_random_points: random },
+                    free,
+                    claims_strict,
+                ));
+                pass.free = free.then_some(FreeMechanism { field, certificate });
+            } else {
+                let (found, bound) = self.upper_factor(&field, claimed, claims_strict);
+                findings.push(found);
+                pass.upper = Some(bound);
+                pass.velocity = Some(field);
+            }
+        }
+        for (lower, bracket) in
+            [(&pass.lower, &mut pass.bracket), (&pass.frictionless, &mut pass.coulomb)]
+        {
+            let (Some(l), Some(u)) = (lower, &pass.upper) else { continue };
+            match FactorBracket::new(l.clone(), u.clone()) {
+                Ok(b) => *bracket = Some(b),
+                Err(e) => refuted.push(format!("{}: {e}", case.name)),
+            }
+        }
+        if let Some(Upper::Unbounded(_)) = case.upper
+            && claims_strict
+        {
+            let (found, unlimited) = self.no_limit()?;
+            findings.push(found);
+            pass.unlimited = Some(unlimited);
+        }
+        let mut found = limit_case_result(&case.name, model, &pass, None);
+        // without strict proof the claim remains an estimate
+        if let Some(Upper::Unbounded(_)) = case.upper {
+            found.upper = case.upper;
+        }
+        Ok((findings, found, pass))
+    }
+
+    /// The upper bound of stored velocities.
+    fn upper_factor(
+        &self,
+        field: &VelocityField,
+        claimed: f64,
+        claims_strict: bool,
+    ) -> (Finding, UpperFactor) {
+        let sampled = sample_upper(self.model, field, POINTS);
+        let bound = UpperFactor::new(certify_upper(self.model, field, limit::SUBDIVISIONS));
+        let c = bound.certificate();
+        let worst = [c.volume, c.rigid, c.compatibility, c.contact.unwrap_or(0.0)]
+            .into_iter()
+            .fold(0.0, f64::max);
+        let numbers = Numbers {
+            claimed,
+            recomputed: bound.value(),
+            residual: worst,
+            at_random_points: sampled.strain.max(sampled.gap_cone),
+        };
+        (Finding::new(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
+    }
+
+    /// Proof from the stored fields that the load factor has no limit. The finding's numbers are
+    /// the remaining deviator: nothing else is claimed.
+    fn no_limit(&self) -> Result<(Finding, Unlimited), Diagnostics> {
+        let model = self.model;
+        let field = read_stress(model, &self.field(LIVE_FIELD)?).map_err(Diagnostic::from)?;
+        let dead = match model.has_dead_loads() {
+            true => Some(read_lower(model, &self.field(DEAD_FIELD)?).map_err(Diagnostic::from)?.0),
+            false => None,
+        };
+        let certificate = certify_unlimited(model, &field, dead.as_ref());
+        let c = &certificate;
+        let residuals = [c.equilibrium, c.traction_jump, c.deviator, c.contact.unwrap_or(0.0)];
+        let worst = residuals.into_iter().fold(0.0, f64::max);
+        let sampled = sample_live(model, &field, POINTS);
+        let numbers =
+            Numbers { claimed: 0.0, recomputed: 0.0, residual: worst, at_random_points: sampled };
+        let found = Finding::new(self.case, "no limit", numbers, certificate.is_strict(), true);
+        Ok((found, Unlimited { field, dead, certificate }))
+    }
+
+    /// The lower bound of a stored stress field of `model`.
+    fn lower_factor(
+        &self,
+        model: &AnalysisModel,
+        kind: &str,
+        claimed: f64,
+        claims_strict: bool,
+    ) -> Result<(Finding, LowerFactor, StressField), Diagnostics> {
+        let (stress, factor) = read_lower(model, &self.field(kind)?).map_err(Diagnostic::from)?;
+        let sampled = sample_lower(model, &stress, factor, POINTS);
+        let bound = LowerFactor::new(certify_lower(model, &stress, factor));
+        let c = bound.certificate();
+        let outside = (c.worst() + c.cover - 1.0).max(0.0);
+        let residuals = [c.equilibrium, c.traction_jump, c.contact.unwrap_or(0.0), outside];
+        let worst = residuals.into_iter().fold(0.0, f64::max);
+        let random =
+            sampled.traction_jump.max(sampled.traction_cone).max(sampled.utilisation - 1.0);
+        let numbers = Numbers {
+            claimed,
+            recomputed: bound.value(),
+            residual: worst,
+            at_random_points: random,
+        };
+        Ok((
+            Finding::new(self.case, "lower", numbers, bound.is_strict(), claims_strict),
+            bound,
+            stress,
+        ))
+    }
+}
