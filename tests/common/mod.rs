@@ -2,7 +2,9 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
 pub mod grid;
+pub mod limit;
 pub mod oracle;
+pub mod plastic;
 pub mod points;
 pub mod prism;
 pub mod solved;

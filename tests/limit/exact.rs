@@ -3,8 +3,8 @@
 //!
 //! Tolerance 1e-6 relative: the solver is asked for a gap of 1e-7; pure bending 1e-5.
 
-use crate::certified::{run, sharp_factors};
 use crate::common::Block;
+use crate::common::limit::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
 use bracket::certify::limit_certificate::certify_upper;
 use bracket::elements::hencky_kinematic::Flow;

@@ -10,7 +10,7 @@
 //!   ///////
 //! ```
 
-use crate::certified::{run, sharp_factors, strict};
+use crate::common::limit::{run, sharp_factors, strict};
 use crate::common::yielding::FY;
 use crate::common::{Block, mapped, solved};
 use bracket::mesh::TetMesh;

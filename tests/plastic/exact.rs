@@ -13,7 +13,7 @@
 //! Tolerance 1e-6 relative (BENCHMARKS): the solver stops at 1e-7, and the lower bound leaves 2e-7
 //! of the yield strength unused.
 
-use crate::certified::{plastic_model, run, strict};
+use crate::common::plastic::{plastic_model, run, strict};
 use crate::common::yielding::{E, FY, NU};
 use crate::common::{Block, beside};
 use bracket::mesh::TetMesh;

@@ -9,7 +9,7 @@
 //!   ///////
 //! ```
 
-use crate::certified::{run, strict, strict_pass};
+use crate::common::plastic::{run, strict, strict_pass};
 use crate::common::yielding::{E, FY};
 use crate::common::{Block, solved};
 use bracket::mesh::TetMesh;

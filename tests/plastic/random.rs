@@ -1,6 +1,6 @@
 //! Random small assemblies beyond first yield: no wrong number.
 
-use crate::certified::{plastic_model, run, strict_pass};
+use crate::common::plastic::{plastic_model, run, strict_pass};
 use crate::common::yielding::FY;
 use crate::common::{Block, Random};
 use bracket::model::AnalysisModel;

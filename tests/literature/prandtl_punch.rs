@@ -3,8 +3,8 @@
 //! Slip-line solutions hold for the slice as well: its stress does not vary along y and its y
 //! component is the mean of the others, its velocity lies in the plane. k = s0/√3.
 
-use crate::certified::factors;
 use crate::common::grid::{Grid, even, finer_at_end, finer_at_start, joined, name};
+use crate::common::limit::factors;
 use crate::common::yielding::model;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;

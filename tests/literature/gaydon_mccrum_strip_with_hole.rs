@@ -14,7 +14,7 @@
 //! facetted body itself. Tolerance: below 0.8 by what a mesh without the plane y = D/2 loses, above
 //! by the necking bands that continuous velocities smear over a cell.
 
-use crate::certified::factors;
+use crate::common::limit::factors;
 use crate::common::yielding::model;
 use crate::common::{Block, mapped, triangles_where};
 use bracket::mesh::NamedFaces;

@@ -15,7 +15,7 @@
 //! on meshes of the same fineness, as in the elastic test of the same sphere. Coarse layers need no
 //! widening: both numbers are strict for the mesh's body.
 
-use crate::certified::{plastic_model, strict};
+use crate::common::plastic::{plastic_model, strict};
 use crate::common::prism::{Prism, facetted_direction};
 use crate::common::yielding::{E, FY, NU};
 use std::f64::consts::PI;

@@ -10,8 +10,8 @@
 //!   n  |  m |   |
 //! ```
 
-use crate::certified::{run, strict};
 use crate::common::grid::{Grid, even, joined, name};
+use crate::common::limit::{run, strict};
 use crate::common::solved;
 use crate::common::yielding::FY;
 use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};

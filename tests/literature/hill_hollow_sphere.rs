@@ -14,7 +14,7 @@
 //! difference of the two brackets' middles is what is left at 2N. The bracket at 2N is widened by
 //! half the difference (the middles are no exact factors).
 
-use crate::certified::factors;
+use crate::common::limit::factors;
 use crate::common::prism::{Prism, facetted_direction};
 use crate::common::yielding::model;
 
