@@ -130,14 +130,14 @@ impl Modules {
         if of.path == module.path {
             return None;
         }
-        let child = self.0.get(&joined(&target, &[word.clone()]));
+        let child = self.0.get(&joined(&target, std::slice::from_ref(word)));
         let bound = of.imports.iter().any(|i| i.name.as_ref() == Some(word));
         if of.items.contains(word) {
             Some(of)
         } else if child.is_some() {
             child
         } else if bound && depth > 0 {
-            self.resolve(&joined(&target, &[word.clone()]), depth - 1)
+            self.resolve(&joined(&target, std::slice::from_ref(word)), depth - 1)
         } else {
             let globs = of.imports.iter().filter(|i| i.name.is_none() && depth > 0);
             globs.into_iter().find_map(|g| self.through(of, g, word, depth - 1))
@@ -177,7 +177,7 @@ impl Modules {
         for glob in module.imports.iter().filter(|i| i.name.is_none() && !i.public) {
             for word in module.words.iter().filter(|w| !own(w)) {
                 if let Some(target) = self.through(module, glob, word, 8) {
-                    found.push((joined(&target.path, &[word.clone()]), target));
+                    found.push((joined(&target.path, std::slice::from_ref(word)), target));
                 }
             }
         }

@@ -147,7 +147,7 @@ fn costs_are_told_before_and_kept_after() {
         );
         assert!(run["forecast_seconds"].as_f64() > Some(0.0));
     }
-    // the general solver cannot tell
+    // the general solver has no forecast
     let (_, err) = expect(&bench, &["analyse", "block.yaml", "--solver", "clarabel"], 0);
     assert!(err.contains("unknowns") && !err.contains("GiB"), "{err}");
     let run = &case(&bench)["history"][0]["static"];

@@ -1,7 +1,7 @@
 //! Bodies in plane strain: a slice one cell thick between frictionless faces that hold y.
 //!
-//! Slip-line solutions hold for the slice as well: its stress does not vary along y, its y component
-//! is the mean of the other two, and its velocity lies in the plane. k = s0/√3.
+//! Slip-line solutions hold for the slice as well: its stress does not vary along y, its y
+//! component is the mean of the other two, and its velocity lies in the plane. k = s0/√3.
 
 use super::grid::{Grid, name};
 use super::limit::factors;
@@ -49,7 +49,8 @@ pub fn platens(half: f64, x: Vec<f64>, z: Vec<f64>) -> AnalysisModel {
     )
 }
 
-/// The strict bracket contains the known factor and is at most `width` wide (relative); both over k.
+/// The strict bracket contains the known factor and is at most `width` wide (relative); both over
+/// k.
 pub fn contains(name: &str, m: &AnalysisModel, exact: f64, width: f64) {
     let [low, up] = factors(&format!("{name}, {} tets", m.mesh.tets.len()), m).map(|f| f / K);
     println!(

@@ -109,8 +109,8 @@ pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
 
 /// The radius that gives the polyhedron of [`facetted_direction`] the volume of the unit ball.
 ///
-/// To first order in the depth of the facets, the energy of a hollow sphere changes with the volumes
-/// of its two surfaces only, for its strain energy density is uniform on each.
+/// To first order in the depth of the facets, the energy of a hollow sphere changes with the
+/// volumes of its two surfaces only, for its strain energy density is uniform on each.
 pub fn radius_of_equal_volume(n: usize) -> f64 {
     let shell = Prism { n, layers: 1 }.mesh(|l, t| facetted_direction(l, n).map(|c| (1.0 + t) * c));
     // from radius 1 to 2: seven times the volume of the polyhedron's octant

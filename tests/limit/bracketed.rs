@@ -1,4 +1,4 @@
-//! Bodies whose limit load the literature brackets: ours must overlap it.
+//! Bodies whose limit load is known only as a bracket: the computed one must overlap it.
 
 use crate::common::Block;
 use crate::common::grid::{Grid, even, finer_at_start, name};

@@ -3,10 +3,10 @@
 //! ```text
 //!             ↑ F
 //!           | |
-//!   [head]  | |  [head]        IPE300, b_f 150, t_f 10.7, t_w 7.1, r 15, length 80; four M12 8.8 at
-//!  +-[  ]---+ +---[  ]-+       gauge 90, pitch 40. A quarter: symmetry planes x = 0 (web) and y = 0;
-//!  |_[  ]_________[  ]_|       the flange rests on rigid ground without friction (the plane between
-//!  ~~~~~~~~~~~~~~~~~~~~~       two such T-stubs), the bolts are held at their feet
+//!   [head]  | |  [head]     IPE300, b_f 150, t_f 10.7, t_w 7.1, r 15, length 80; four M12 8.8 at
+//!  +-[  ]---+ +---[  ]-+    gauge 90, pitch 40. A quarter: symmetry planes x = 0 (web) and y = 0;
+//!  |_[  ]_________[  ]_|    the flange rests on rigid ground without friction (the plane between
+//!  ~~~~~~~~~~~~~~~~~~~~~    two such T-stubs), the bolts are held at their feet
 //! ```
 //! Source: O. S. Bursi, J. P. Jaspart, Benchmarks for finite element modelling of bolted steel
 //! connections, J. Construct. Steel Research 43 (1997): flange f_y 431 (measured); the limit load

@@ -9,15 +9,15 @@
 //!  ~~~~~~~~~~~~~~~~~~~~~       at their feet
 //!   n  |  m |   |
 //! ```
-//! Source: EN 1993-1-8:2005, 6.2.4, table 6.2. Gauge 100, web 10, no fillet, width 160, length 100, m
-//! = 45, n = 30, f_y = 235, 100 kN a bolt: 75.2 (mode 1, t = 12), 177.9 (mode 2, t = 25) and 200 kN
-//! (mode 3, t = 40).
+//! Source: EN 1993-1-8:2005, 6.2.4, table 6.2. Gauge 100, web 10, no fillet, width 160, length 100,
+//! m = 45, n = 30, f_y = 235, 100 kN a bolt: 75.2 (mode 1, t = 12), 177.9 (mode 2, t = 25) and 200
+//! kN (mode 3, t = 40).
 //!
 //! Tolerance: solids carry 1.00 to 1.35 times the beam model in modes 1 and 2 (a wide flange cannot
 //! contract sideways, up to 2/√3; a head holds the flange nearer to the web than the bolt's axis,
 //! table 6.2, method 2), the same in mode 3, where shanks yield in plain tension. The bracket must
-//! overlap that range, and it must be as narrow as the mesh gave when it was measured, with a little
-//! room.
+//! overlap that range, and it must be as narrow as the mesh gave when it was measured, with a
+//! little room.
 
 use crate::common::grid::{Grid, even, joined, name};
 use crate::common::solved;
@@ -81,8 +81,8 @@ fn modes(t: f64) -> [f64; 3] {
 /// The force in the mode that governs at flange thickness `t`; the bracket is at most `width` wide.
 ///
 /// The loads have the order of the modes. The mechanisms are not distinguished: at t = 25 the bolts
-/// dissipate all the work, as in mode 3; at t = 12 the effects named above bring mode 1 (up to 99 kN)
-/// near mode 2 (102.6), and the mechanism found may be either.
+/// dissipate all the work, as in mode 3; at t = 12 the effects named above bring mode 1 (up to 99
+/// kN) near mode 2 (102.6), and the mechanism found may be either.
 fn mode(number: usize, t: f64, model: &AnalysisModel, width: f64) -> [f64; 2] {
     let beam = modes(t)[number - 1];
     assert!(modes(t).iter().all(|f| *f >= beam), "mode {number} governs at t = {t}");

@@ -12,8 +12,8 @@
 //! nothing unloads, so Hencky's material is the one of flow; −Π is the integral of 4πa² u_a(p) dp.
 //!
 //! The body of the mesh is facetted; its two surfaces enclose the volumes of the spheres. To first
-//! order in the depth of the facets its energy is that of the sphere, see Lamé's cylinder and sphere,
-//! where facets of as many segments change the elastic energy by less than 1 %.
+//! order in the depth of the facets its energy is that of the sphere, see Lamé's cylinder and
+//! sphere, where facets of as many segments change the elastic energy by less than 1 %.
 //!
 //! Tolerance: none, the closed form lies in the strict bracket of the facetted body.
 

@@ -11,10 +11,10 @@
 //! (sphere). With ν = 0.3, b/a = 2: sphere u_a = 0.8 p a/E, cylinder u_a = 1.906667 p a/E; energy
 //! −½ p u_a × (bore area).
 //!
-//! The body of the mesh is facetted. Its facets are moved outward until its two surfaces enclose the
-//! volumes of the smooth ones: the energy density is uniform on each surface, so the energy changes
-//! with these volumes only, to first order in the depth of the facets. What is left is of second
-//! order, 1/N⁴ with N segments per quarter.
+//! The body of the mesh is facetted. Its facets are moved outward until its two surfaces enclose
+//! the volumes of the smooth ones: the energy density is uniform on each surface, so the energy
+//! changes with these volumes only, to first order in the depth of the facets. What is left is of
+//! second order, 1/N⁴ with N segments per quarter.
 //!
 //! Tolerance: none, the closed form lies in the strict bracket of the facetted body. Brackets of
 //! bodies with N/2 and N segments on the same mesh differ by less than 1 %.
@@ -34,7 +34,7 @@ fn check(name: &str, coarse: [f64; 2], fine: [f64; 2], exact: f64, width: f64) {
     let middle = |b: [f64; 2]| 0.5 * (b[0] + b[1]);
     let facets = (middle(coarse) / middle(fine) - 1.0).abs();
     println!(
-        "{name}: exact {exact:.8e}, bracket {:+.2e} {:+.2e} (relative), facet difference {facets:.2e}",
+        "{name}: exact {exact:.8e}, bracket {:+.2e} {:+.2e} (relative), facets {facets:.2e}",
         fine[0] / exact - 1.0,
         fine[1] / exact - 1.0
     );

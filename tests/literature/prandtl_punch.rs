@@ -11,9 +11,9 @@
 //! ```
 //! Source: L. Prandtl, Nachr. Ges. Wiss. Göttingen (1920): (2 + π) k = 5.141593 k, rough or smooth.
 //!
-//! Tolerance: none, the bracket contains the value. Its width: the corner of the punch is a singular
-//! point, where a fan of stresses meets; the bracket closes with the mesh size there. The width on
-//! the mesh used (7.0 % on 546 tets, 3.8 % on 1 584) is limited against regression.
+//! Tolerance: none, the bracket contains the value. Its width: the corner of the punch is a
+//! singular point, where a fan of stresses meets; the bracket closes with the mesh size there. The
+//! width on the mesh used (7.0 % on 546 tets, 3.8 % on 1 584) is limited against regression.
 
 use crate::common::grid::{finer_at_end, finer_at_start, joined, name};
 use crate::common::plane_strain::{PLANE_STRAIN, contains, slice};

@@ -1,5 +1,5 @@
 //! Hard cases of elastic, perfectly plastic analysis: the same two blocks as in limit analysis. A
-//! strict bracket of the known energy, or no equilibrium told as such.
+//! strict bracket of the known energy, or no equilibrium reported as such.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen:

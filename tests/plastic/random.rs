@@ -58,7 +58,7 @@ fn random_assemblies() {
             assert_eq!(r.trouble, None, "seed {seed}");
         }
         if pass.bracket.is_none() {
-            // a load that cannot be carried is a result, and told as one
+            // a load that cannot be carried is a result, and reported as one
             assert!(
                 pass.runs().any(|(_, r)| r.mechanism.is_some()),
                 "seed {seed}: {:?}",
