@@ -1,6 +1,7 @@
 //! Elastic, perfectly plastic programs with von Mises cones in every element: a block and a plate.
 //!
-//! `cargo bench --bench yielding -- [block|plate] [plain|split|static] [clarabel|condensed|factor|build] [CELLS] [FACTOR]`
+//! `cargo bench --bench yielding -- [block|plate] [plain|split|static]
+//! [clarabel|condensed|factor|build] [CELLS] [FACTOR]`
 //!
 //! CELLS: cells along a side of the block or plate; FACTOR of the load. `build` only builds the
 //! programs, `factor` only factors and solves once. One row each: tets, shared and own unknowns,

@@ -14,6 +14,8 @@ mod coulomb;
 mod interrupts;
 #[path = "cli/limit_analysis.rs"]
 mod limit_analysis;
+#[path = "cli/limit_verify.rs"]
+mod limit_verify;
 #[path = "cli/limits.rs"]
 mod limits;
 #[path = "cli/plastic_analysis.rs"]

@@ -14,8 +14,8 @@ mod invariance;
 mod preload;
 #[path = "joints/stiffness.rs"]
 mod stiffness;
-#[path = "joints/t_stubs.rs"]
-mod t_stubs;
+#[path = "joints/t_stubs_by_template.rs"]
+mod t_stubs_by_template;
 #[path = "joints/verdicts.rs"]
 mod verdicts;
 #[path = "joints/welds.rs"]

@@ -4,8 +4,6 @@
 
 #[path = "limit/bracketed.rs"]
 mod bracketed;
-#[path = "limit/certified.rs"]
-mod certified;
 mod common;
 #[path = "limit/coulomb.rs"]
 mod coulomb;
@@ -13,12 +11,8 @@ mod coulomb;
 mod exact;
 #[path = "limit/hard.rs"]
 mod hard;
-#[path = "limit/hollow_sphere.rs"]
-mod hollow_sphere;
 #[path = "limit/interaction.rs"]
 mod interaction;
-#[path = "limit/plane_strain.rs"]
-mod plane_strain;
 #[path = "limit/random.rs"]
 mod random;
 #[path = "limit/random_joints.rs"]
@@ -27,9 +21,5 @@ mod random_joints;
 mod rigid_bodies;
 #[path = "limit/shared_patterns.rs"]
 mod shared_patterns;
-#[path = "limit/strip_with_hole.rs"]
-mod strip_with_hole;
-#[path = "limit/t_stubs.rs"]
-mod t_stubs;
 #[path = "limit/welds.rs"]
 mod welds;

@@ -4,8 +4,6 @@
 
 #[path = "plastic/adaptive.rs"]
 mod adaptive;
-#[path = "plastic/certified.rs"]
-mod certified;
 mod common;
 #[path = "plastic/coulomb.rs"]
 mod coulomb;
@@ -15,7 +13,5 @@ mod exact;
 mod hard;
 #[path = "plastic/random.rs"]
 mod random;
-#[path = "plastic/sphere.rs"]
-mod sphere;
 #[path = "plastic/welds.rs"]
 mod welds;

@@ -1,10 +1,10 @@
 //! Equilibrium of the stress in slivers, restored after its loss to rounding.
 
+use crate::elements::geometry::centroid;
+use crate::elements::geometry::gradients;
 use crate::elements::stress_basis::equilibrium_rows;
 use crate::elements::super_element::PointStress;
 use crate::elements::super_element::SuperElement;
-use crate::elements::geometry::centroid;
-use crate::elements::geometry::gradients;
 use crate::math::dense::{Mat, ThinQr};
 use crate::math::mandel;
 use crate::math::vec3::{self, V3};

@@ -65,7 +65,7 @@ fn limit() -> String {
     MODEL.replace("analysis: elastic", "analysis: limit").replace("nu: 0.3}", "nu: 0.3, fy: 235}")
 }
 
-/// What ends it is told, and the best of what there is stays.
+/// The reason for stopping is reported, and the best result so far is kept.
 #[test]
 fn limits_are_told() {
     for (adapt, why) in [

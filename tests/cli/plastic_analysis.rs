@@ -1,10 +1,10 @@
-//! `analysis: elastoplastic` through the real program: what it answers, what it leaves, what
-//! `verify` says of it, what it refuses.
+//! `analysis: elastoplastic` through the real program: its answers, its files, what `verify`
+//! reports on them, and the inputs that it refuses.
 //!
 //! ```text
 //!    ↓→↓→↓→↓
-//!   +-------+    a cube of 100 mm, clamped at its foot, pressed and sheared at its top by two thirds of what it can carry:
-//!   |       |    the edges of the foot yield
+//!   +-------+    a cube of 100 mm, clamped at its foot, pressed and sheared at its top by two
+//!   |       |    thirds of its limit load: the edges of the foot yield
 //!   +-------+
 //!   /////////
 //! ```

@@ -115,7 +115,7 @@ fn both_bounds_of_refined_meshes_are_of_one_of_them() {
     assert_eq!(out.matches("confirmed").count(), 2, "{out}");
 }
 
-/// F1: the load at collapse does not know of the preload.
+/// B12: the load at collapse does not depend on the preload.
 #[test]
 fn in_limit_analysis_preload_drops_out() {
     let limit = SLEEVE.replace("analysis: elastic", "analysis: limit");

@@ -80,7 +80,7 @@ fn the_result_holds_what_the_contract_promises() {
     // 40 MPa on 400 mm² shortens 60 mm by 11 µm: −Π is near ½ · 16 kN · 11 µm = 91 N mm; the side
     // push adds to it
     assert!(lower < upper && upper < -85.0 && lower > -110.0, "{lower} {upper}");
-    // MECHANICS: (Π_p + Π_c) over the larger size
+    // the gap: (Π_p + Π_c) over the larger magnitude (docs/theory.md)
     let gap = number(&case["gap"]);
     assert!(
         gap > 0.0

@@ -1,8 +1,9 @@
 //! Verdict and exit code of a joint whose demand lies below, above and within its bracket.
 //!
 //! ```text
-//!  #=====================  ⟳ My, ↓ Vz    an arm of 60 × 20 × 20 mm, S235, on a wall: by hand its hinge carries
-//!  #                                     f_y b h²/4 = 470 N m, up to 2/√3 of it where the wall holds its width
+//!  #=====================  ⟳ My, ↓ Vz    an arm of 60 × 20 × 20 mm, S235, on a wall: by hand its
+//!  #                                     hinge carries f_y b h²/4 = 470 N m, up to 2/√3 times
+//!  #                                     that where the wall prevents lateral contraction
 //! ```
 
 use crate::bench::Bench;

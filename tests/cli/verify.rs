@@ -81,7 +81,7 @@ fn a_changed_load_is_refuted() {
     };
     refuted(&|r| r["cases"][0]["load"]["force"] = (1.001 * force(r)).into(), 1);
     refuted(&|r| r["cases"][0]["load"] = serde_json::json!({"moment": force(r)}), 1);
-    // a result of an earlier version does not tell its load
+    // a result of an earlier version does not state its load
     refuted(&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 0);
 }
 
@@ -199,7 +199,7 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         let (out, _) = expect(&bench, &["verify", "joint"], 1);
         assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
     }
-    // a result of an earlier version does not tell where its bolts are
+    // a result of an earlier version does not state where its bolts are
     let mut older = result.clone();
     for bolt in older["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
         bolt.as_object_mut().expect("a bolt").remove("place").expect("its place");

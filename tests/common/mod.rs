@@ -2,10 +2,14 @@
 #![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
 pub mod grid;
+pub mod limit;
 pub mod oracle;
+pub mod plane_strain;
+pub mod plastic;
 pub mod points;
 pub mod prism;
 pub mod solved;
+pub mod t_stub;
 pub mod yielding;
 
 use bracket::mesh::{NamedFaces, TetMesh};

@@ -1,6 +1,8 @@
 //! A structured mesh of a triangle times layers: triangular prisms and octants of spheres.
 
+use bracket::math::vec3::{cross, dot, sub};
 use bracket::mesh::{NamedFaces, TetMesh};
+use std::f64::consts::PI;
 
 /// `n` segments along each side of the triangle, `layers` layers.
 pub struct Prism {
@@ -79,10 +81,11 @@ impl Prism {
     }
 }
 
-/// Direction of barycentric `l` on the octahedron-based sphere of `n` segments a quarter, flat
-/// between its vertices.
+/// Point of barycentric `l` on a polyhedron inscribed in the unit sphere, `n` segments a quarter
+/// circle, all of the same angle: an octant of it.
 pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
     let vertex = |v: [f64; 3]| {
+        let v = v.map(|c| (0.5 * PI * c / n as f64).sin());
         let size = v.iter().map(|c| c * c).sum::<f64>().sqrt();
         v.map(|c| c / size)
     };
@@ -102,4 +105,28 @@ pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
         (0..3).for_each(|i| x[i] += w * corner[i]);
     }
     x
+}
+
+/// The radius that gives the polyhedron of [`facetted_direction`] the volume of the unit ball.
+///
+/// To first order in the depth of the facets, the energy of a hollow sphere changes with the
+/// volumes of its two surfaces only, for its strain energy density is uniform on each.
+pub fn radius_of_equal_volume(n: usize) -> f64 {
+    let shell = Prism { n, layers: 1 }.mesh(|l, t| facetted_direction(l, n).map(|c| (1.0 + t) * c));
+    // from radius 1 to 2: seven times the volume of the polyhedron's octant
+    let volume: f64 = (0..shell.tets.len()).map(|e| shell.volume(e)).sum();
+    (PI / 6.0 / (volume / 7.0)).cbrt()
+}
+
+/// Radius of the sphere inscribed in the polyhedron of [`facetted_direction`], or a little less.
+pub fn inscribed_radius(n: usize) -> f64 {
+    let shell = Prism { n, layers: 1 }.mesh(|l, t| facetted_direction(l, n).map(|c| (1.0 + t) * c));
+    let bottom = shell.faces.iter().find(|f| f.name == "BOTTOM").unwrap();
+    let distance = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| shell.nodes[i as usize]);
+        let (u, v) = (sub(b, a), sub(c, a));
+        let normal = cross(u, v);
+        dot(normal, a).abs() / dot(normal, normal).sqrt()
+    };
+    bottom.triangles.iter().map(distance).fold(1.0, f64::min)
 }

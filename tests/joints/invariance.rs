@@ -3,9 +3,9 @@
 //!
 //! ```text
 //!            N ↑ ⟳ My → Vz
-//!          |   |           a pair of T-stubs with one bolt on either side of the web, pulled, sheared and bent: it is symmetric in
-//!      [H] |   | [H]       its length only, and every support, contact and load has a direction that must follow
-//!     +-----------+
+//!          |   |           a pair of T-stubs with one bolt on either side of the web, pulled,
+//!      [H] |   | [H]       sheared and bent: it is symmetric in its length only, and every
+//!     +-----------+        support, contact and load has a direction that must follow
 //!     +-----------+
 //! ```
 //!

@@ -1,8 +1,8 @@
-//! Bodies whose limit load the literature brackets: ours must overlap it.
+//! Bodies whose limit load is known only as a bracket: the computed one must overlap it.
 
-use crate::certified::factors;
 use crate::common::Block;
 use crate::common::grid::{Grid, even, finer_at_start, name};
+use crate::common::limit::factors;
 use crate::common::yielding::{block, model};
 use bracket::mesh::TetMesh;
 

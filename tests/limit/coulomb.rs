@@ -1,7 +1,7 @@
 //! Coulomb's law in limit analysis: what the fixed point finds, beside load factors known in closed
 //! form and beside its bounds.
 
-use crate::certified::run;
+use crate::common::limit::run;
 use crate::common::yielding::model;
 use crate::common::{Block, solved};
 use crate::random::assembly;

@@ -1,10 +1,10 @@
 //! Bodies whose limit load is known exactly, with fields that both elements hold on any mesh
-//! (BENCHMARKS A1–A5, A7).
+//! (docs/benchmarks.md, A1–A5, A7).
 //!
 //! Tolerance 1e-6 relative: the solver is asked for a gap of 1e-7; pure bending 1e-5.
 
-use crate::certified::{run, sharp_factors};
 use crate::common::Block;
+use crate::common::limit::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
 use bracket::certify::free_mechanism::{certify_free, is_free};
 use bracket::certify::limit_certificate::certify_upper;
@@ -171,8 +171,7 @@ fn all_round_pressure_beside_a_dead_pull() {
     assert!(pass.unlimited.is_none() && pass.bracket.is_none() && pass.lower.is_none());
 }
 
-/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, numbers that
-/// are none.
+/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, NaN.
 #[test]
 fn what_proves_no_load_without_limit() {
     let m = pressed_all_round(1, "");
@@ -257,7 +256,7 @@ fn mechanisms_at_zero_load() {
     }
 }
 
-/// A dead load beyond what the structure carries: no load factor at all, and it says so.
+/// A dead load beyond the limit load: there is no load factor, and both programs report it.
 #[test]
 fn dead_load_beyond_the_limit() {
     let m = model(

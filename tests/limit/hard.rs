@@ -10,12 +10,11 @@
 //!   ///////
 //! ```
 
-use crate::certified::{run, sharp_factors, strict};
+use crate::common::limit::{run, sharp_factors, strict};
 use crate::common::yielding::FY;
 use crate::common::{Block, mapped, solved};
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
-use bracket::solve::SolveStatus;
 
 const P: f64 = 60.0;
 const SIZE: [f64; 3] = [10.0, 8.0, 12.0];
@@ -86,7 +85,8 @@ fn slivers() {
     };
     let shape = Block { cells: [2, 2, 4], min: [0.0; 3], max: SIZE, jitter: 0.0, seed: 1 };
     let mesh = mapped(shape.mesh(&["A", "B"], |c| usize::from(c[2] > 6.0), |_, _| true), squash);
-    let pass = run(&pressed(mesh, &contact(0.3, 0.0), P, FY));
+    let model = pressed(mesh, &contact(0.3, 0.0), P, FY);
+    let pass = run(&model);
     for (program, r) in pass.runs() {
         println!(
             "slivers, {}: {} after {} iterations",
@@ -95,26 +95,10 @@ fn slivers() {
             r.iterations
         );
     }
-    // a static program that ends without an answer has no bound; what there is encloses the load
-    let upper = pass.upper.as_ref().expect("an upper bound");
-    assert!(
-        upper.is_strict()
-            && upper.value() * P / FY >= 1.0 - 1e-9
-            && upper.value() * P / FY < 1.0 + 1e-3
-    );
-    match &pass.lower {
-        Some(lower) if lower.is_strict() => {
-            let factor = lower.value() * P / FY;
-            // 0.867: making the field balance across slivers, and then scaling it, costs an eighth
-            assert!(factor <= 1.0 + 1e-9 && factor > 0.8, "{factor}");
-        }
-        Some(lower) => {
-            println!("slivers: the lower bound is told as an estimate: {:?}", lower.certificate())
-        }
-        None => assert!(
-            pass.statics.is_some_and(|r| r.status != SolveStatus::Optimal || r.trouble.is_some())
-        ),
-    }
+    let [lower, upper] = strict("slivers", &model, &pass).map(|factor| factor * P);
+    assert!((1.0 - 1e-9..1.0 + 1e-3).contains(&upper), "{upper}");
+    // 0.867: making the field balance across slivers, and then scaling it, costs an eighth
+    assert!(lower <= 1.0 + 1e-9 && lower > 0.8, "{lower}");
 }
 
 /// A thin strip, clamped and bent by a force on its rigid end, cut across at `cuts` \[mm\]: both

@@ -1,7 +1,7 @@
 //! Random stacks of three blocks that yield or are rigid, tied, welded or in contact: whatever
 //! comes, no wrong number.
 
-use crate::certified::run;
+use crate::common::limit::run;
 use crate::common::yielding::MATERIALS;
 use crate::common::{Block, Random, solved};
 use bracket::certify::sampling::{sample_lower, sample_upper};

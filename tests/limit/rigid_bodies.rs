@@ -1,7 +1,7 @@
 //! Bodies without a yield strength are rigid: platens, punches, blocks and plates, tied or in
 //! contact.
 
-use crate::certified::{factors, sharp_factors};
+use crate::common::limit::{factors, sharp_factors};
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, solved, triangles_where};
 use bracket::elements::hencky_kinematic::Flow;

@@ -1,7 +1,7 @@
 //! Welds of finite strength in limit analysis: joints whose limit load is the strength of the weld,
 //! or of what it joins.
 
-use crate::certified::{run, sharp_factors};
+use crate::common::limit::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, triangles_where};
 use bracket::certify::StressField;

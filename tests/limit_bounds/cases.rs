@@ -1,12 +1,17 @@
 //! Limit states whose stress is linear and whose mechanism both elements hold exactly, on any mesh.
 //!
 //! ```text
-//!   bar                 cube            box, lid rigid     pressed by         sliding under dead N    sliding under own
-//!                        t→             t→ [======]        rigid block         N, t                   weight (ground)
-//!  |[=======]→ N      t↑[   ]↑t        t↑[       ]↑t     |[=====|▓▓▓]← N      v→v→v→v                  →→→→
-//!                        ←t             ///////////        μ = 0            t↓[ block ]↑t             [ block ]
-//!                                                                             [ base  ]               ~~~~~~~~~
-//!                                                                             /////////
+//!   bar                 cube            box, lid rigid     pressed by
+//!                        t→             t→ [======]        rigid block
+//!  |[=======]→ N      t↑[   ]↑t        t↑[       ]↑t     |[=====|▓▓▓]← N
+//!                        ←t             ///////////        μ = 0
+//!
+//!   sliding under dead N    sliding under own
+//!         N, t              weight (ground)
+//!      v→v→v→v                  →→→→
+//!    t↓[ block ]↑t             [ block ]
+//!      [ base  ]               ~~~~~~~~~
+//!      /////////
 //! ```
 //! N = f_y A; t = k = f_y/√3; T = μN. Shear on the side faces keeps the stress uniform (or linear,
 //! under body forces), so that the limit state is exact; being normal to the slip plane on both

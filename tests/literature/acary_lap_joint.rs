@@ -5,7 +5,7 @@
 //!              N₀ = 100 (dead)
 //!                 v
 //!     ==================== rigid: moves along x and z only
-//!     [   plate    ] [b] [ spring ]|        k_n = 500 (bolt), k_t (spring); N₀ also as the bolt's preload
+//!     [   plate    ] [b] [ spring ]|   k_n = 500 (bolt), k_t (spring); N₀ also as preload
 //!  T→ [            ] [o]
 //!     ~~~~~~~~~~~~~~ [l]   plate: 1e3 times as stiff, μ = 0.3 on the ground
 //!                    [t]

@@ -15,7 +15,7 @@
 //! a square of side c, mean settlement of a half-space 2.973210/π · p c (1 − ν²)/E (the mean of 1/r
 //! over the square; Love, Phil. Trans. R. Soc. A 228 (1929)). Then −Π = ⅗ F δ + ½ F² D.
 //!
-//! Tolerance: δ 1 %, a and p₀ 5 % (BENCHMARKS): energies converge with the square of stresses.
+//! Tolerance: δ 1 %, a and p₀ 5 %: energies converge with the square of stresses.
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, graded, mapped};

@@ -4,7 +4,7 @@
 //!   bent                 pressed                peeled off the ground      pressed onto the ground
 //!  |==============) m   | v v v v v v v p       v v v v v v v p  __-- F    |=__ v v v v v v v p
 //!  |                    |===============       ========____----            |  ---=============
-//!   ν = 0: exact        |                      ~~~~~~~~~~~~~~~ μ            ~~~~~~~~~~~~~~~~~~ μ, gap g
+//!   ν = 0: exact        |                      ~~~~~~~~~~~~~~~ μ          ~~~~~~~~~ μ, gap g
 //! ```
 //! Source: G. Kirchhoff, J. reine angew. Math. 40 (1850); S. P. Timoshenko, S. Woinowsky-Krieger,
 //! Theory of Plates and Shells, 2nd ed., article 2 (cylindrical bending, D = Et³/12(1 − ν²)). Per

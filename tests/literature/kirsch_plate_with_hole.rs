@@ -2,9 +2,9 @@
 //!
 //! ```text
 //!   +-------------+       quarter analysed: symmetry planes x = 0 and y = 0, tension s along x,
-//!   |      _      |       half-width W = 10 a, half-length W; ends held along z: the stresses in the plane do not depend
-//! <-|     (_)     |-> s   on ν nor on plane stress or strain (tractions only, hole free of load)
-//!   +-------------+
+//!   |      _      |       half-width W = 10 a, half-length W; ends held along z: the stresses in
+//! <-|     (_)     |-> s   the plane depend neither on ν nor on plane stress or strain (tractions
+//!   +-------------+       only, hole free of load)
 //! ```
 //! Source: G. Kirsch, VDI-Z. 42 (1898): K_t = 3 in a wide plate; finite width: R. B. Heywood,
 //! Designing by Photoelasticity (1952), K_tn = 2 + (1 − d/D)³ on the net section (Peterson's Stress

@@ -3,8 +3,8 @@
 //!
 //! ```text
 //!      | 45 MPa          quarter of the joint: column flange, end plate, three bolts, half a beam;
-//!      v                 friction 0.3 between plate, column, nuts and shanks; symmetry planes x = 0, y = 0
-//!   [  ]|==========
+//!      v                 friction 0.3 between plate, column, nuts and shanks; symmetry planes
+//!   [  ]|==========      x = 0, y = 0;
 //!   [  ]|====^=====      the beam's support is fixed
 //! ```
 //! Source: the reference implementation's figures (9k: −79 722.936 / −83 550.428 N mm; 33k: −80

@@ -3,8 +3,8 @@
 //!
 //! ```text
 //!    v v v v v v p
-//!   [  slivers  ] <- t     inner nodes moved along random lines until a tet at them is nearly flat; nodes of
-//!   ------------- μ        the contact plane the same way, within the plane
+//!   [  slivers  ] <- t     inner nodes moved along random lines until a tet at them is nearly
+//!   ------------- μ        flat; nodes of the contact plane the same way, within the plane
 //!   [  slivers  ]
 //!   /////////////
 //! ```

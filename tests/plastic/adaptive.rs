@@ -1,8 +1,8 @@
 //! Yield conditions only where they are needed: below first yield the elastic analysis, beyond it
 //! what all conditions give, beyond the limit load no equilibrium.
 
-use crate::certified::{plastic_model, run, strict, strict_pass};
 use crate::common::Block;
+use crate::common::plastic::{plastic_model, run, strict, strict_pass};
 use crate::common::yielding::{self, FY};
 use bracket::analysis::energy_pass::EnergyPass;
 use bracket::analysis::event::silent;

@@ -15,7 +15,7 @@
 //! Tolerances: 1e-3 of the friction force, what the fixed point is asked for; energies below first
 //! yield 1e-4 of the elastic ones.
 
-use crate::certified::{run, strict_pass};
+use crate::common::plastic::{run, strict_pass};
 use crate::common::solved::{resolve_as, solve_to};
 use crate::common::{Block, beside, triangles_where};
 use bracket::analysis::energy_pass::EnergyPass;

@@ -10,10 +10,10 @@
 //! Energies per volume: ½Ee² and f_y²/(2E) + f_y (e − f_y/E); in shear ½Gγ² and k²/(2G) + k (γ −
 //! k/G) with k = f_y/√3.
 //!
-//! Tolerance 1e-6 relative (BENCHMARKS): the solver stops at 1e-7, and the lower bound leaves 2e-7
-//! of the yield strength unused.
+//! Tolerance 1e-6 relative (docs/benchmarks.md): the solver stops at 1e-7, and the lower bound
+//! leaves 2e-7 of the yield strength unused.
 
-use crate::certified::{plastic_model, run, strict};
+use crate::common::plastic::{plastic_model, run, strict};
 use crate::common::yielding::{E, FY, NU};
 use crate::common::{Block, beside};
 use bracket::mesh::TetMesh;

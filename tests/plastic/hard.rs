@@ -1,5 +1,5 @@
 //! Hard cases of elastic, perfectly plastic analysis: the same two blocks as in limit analysis. A
-//! strict bracket of the known energy, or no equilibrium told as such.
+//! strict bracket of the known energy, or no equilibrium reported as such.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen:
@@ -9,7 +9,7 @@
 //!   ///////
 //! ```
 
-use crate::certified::{run, strict, strict_pass};
+use crate::common::plastic::{run, strict, strict_pass};
 use crate::common::yielding::{E, FY};
 use crate::common::{Block, solved};
 use bracket::mesh::TetMesh;

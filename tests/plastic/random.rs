@@ -1,6 +1,6 @@
 //! Random small assemblies beyond first yield: no wrong number.
 
-use crate::certified::{plastic_model, run, strict_pass};
+use crate::common::plastic::{plastic_model, run, strict_pass};
 use crate::common::yielding::FY;
 use crate::common::{Block, Random};
 use bracket::model::AnalysisModel;
@@ -58,7 +58,7 @@ fn random_assemblies() {
             assert_eq!(r.trouble, None, "seed {seed}");
         }
         if pass.bracket.is_none() {
-            // a load that cannot be carried is a result, and told as one
+            // a load that cannot be carried is a result, and reported as one
             assert!(
                 pass.runs().any(|(_, r)| r.mechanism.is_some()),
                 "seed {seed}: {:?}",

@@ -8,7 +8,7 @@
 //! s; what its strain s/E leaves of e L opens in the weld, or is plastic strain:
 //! `s²/(2E) L + s (e − s/E) L` for each mm² either way.
 
-use crate::certified::{plastic_model, run, strict_pass};
+use crate::common::plastic::{plastic_model, run, strict_pass};
 use crate::common::yielding::{E, FY};
 use crate::common::{Block, beside};
 use bracket::model::AnalysisModel;

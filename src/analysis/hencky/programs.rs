@@ -11,9 +11,9 @@ use crate::certify::plastic_certificate::{
     certify_plastic_motion, certify_yielding_stress, dissipation, trial_utilisations, utilisations,
 };
 use crate::certify::plastic_field::PlasticField;
-use crate::elements::yielding_element::YIELD_ROWS;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::hencky_static::YIELD_POINTS;
+use crate::elements::yielding_element::YIELD_ROWS;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::{Kinematic, Static};
 use crate::recover::elastic::RecoverError;

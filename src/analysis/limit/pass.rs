@@ -8,10 +8,10 @@ use crate::analysis::program_outcome::{ProgramOutcome, outcomes};
 use crate::certify::contributions::{Contributions, LimitPair, limit_contributions};
 use crate::certify::fields::StressField;
 use crate::certify::flow::VelocityField;
-use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
-use crate::model::AnalysisModel;
 use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::unlimited::Unlimited;
+use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
+use crate::model::AnalysisModel;
 
 /// How far an estimate may lie beyond a bound, over the bound: the open error of the fixed point
 /// and of the quadrature of the dissipation (measured on coarse stacks of blocks: up to 0.3 %).

@@ -30,22 +30,25 @@ fn beam_model(t: f64) -> (f64, usize) {
 /// Modes 1, 2, 3 as the flange gets thicker. Solids carry 1.00 to 1.35 times the beam model in
 /// modes 1 and 2 (sideways contraction held, up to 2/√3; the head holds the flange nearer to the
 /// web than the bolt's axis), the same in mode 3, where shanks yield in plain tension; the brackets
-/// must overlap that range and keep the order.
+/// must overlap that range and keep the order. Their measured widths are 55.5, 39.3 and 14.4 % on
+/// 1 013, 729 and 1 091 tets.
 #[test]
 #[ignore = "heavy: a minute"]
 fn three_thicknesses_have_the_order_of_the_three_modes() {
-    let [one, two, three] = [(12.0, 1), (25.0, 2), (40.0, 3)].map(|(t, mode)| {
-        let ([low, up], (beam, governs)) = (b15(t, 1.5), beam_model(t));
-        assert_eq!(governs, mode);
-        println!(
-            "t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN",
-            low / beam,
-            up / beam
-        );
-        let most = if mode < 3 { 1.35 } else { 1.0 };
-        assert!(low <= most * beam && up >= beam, "t = {t}: [{low}, {up}] against {beam}");
-        [low, up]
-    });
+    let [one, two, three] =
+        [(12.0, 1, 0.6), (25.0, 2, 0.43), (40.0, 3, 0.16)].map(|(t, mode, width)| {
+            let ([low, up], (beam, governs)) = (b15(t, 1.5), beam_model(t));
+            assert_eq!(governs, mode);
+            println!(
+                "t = {t}: {:.3} … {:.3} times the beam model's {beam:.1} kN",
+                low / beam,
+                up / beam
+            );
+            let most = if mode < 3 { 1.35 } else { 1.0 };
+            assert!(low <= most * beam && up >= beam, "t = {t}: [{low}, {up}] against {beam}");
+            assert!(up / low - 1.0 < width, "t = {t}: [{low}, {up}]");
+            [low, up]
+        });
     assert!(
         one[1] < two[0] && two[0] < three[0] && two[1] < 1.02 * three[1],
         "{one:?} {two:?} {three:?}"
@@ -56,7 +59,8 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
 
 /// F1: T-stub T1 of Bursi and Jaspart (J. Construct. Steel Research 43, 1997): IPE300, length 80, 4
 /// M12 8.8 at gauge 90 and pitch 40, flange f_y 431 (measured), bolts 640 MPa on the shank. Its
-/// limit load lies within 134 (mode 1 of the beam model, m = 29.45) and 160 kN.
+/// limit load lies within 134 (mode 1 of the beam model, m = 29.45) and 160 kN. Measured bracket:
+/// [149.4, 192.8] kN on 2 804 tets, 29.0 % wide.
 #[test]
 #[ignore = "heavy: a minute"]
 fn t_stub_t1() {
@@ -68,9 +72,8 @@ fn t_stub_t1() {
     for (name, m) in &mut joint.assembly.materials {
         m.fy = Some(if name.to_lowercase().contains("bolt") { 640.0 } else { 431.0 });
     }
-    let names: Vec<_> = joint.assembly.materials.keys().collect();
-    println!("{names:?}");
     let (file, mesh) = model(&joint, 0.9, false, AnalysisKind::Limit);
     let [low, up] = bounds("F1", &file, &mesh);
     assert!(low <= 160.0 && up >= 134.0, "[{low}, {up}]");
+    assert!(up / low - 1.0 < 0.33, "[{low}, {up}]");
 }

@@ -1,6 +1,6 @@
 //! A pass of limit analysis, and what every one must satisfy.
 
-use crate::common::yielding::FY;
+use super::yielding::FY;
 use bracket::analysis::event::silent;
 use bracket::analysis::limit;
 use bracket::analysis::limit::LimitPass;

@@ -1,20 +1,22 @@
 //! A28: a thin strip with a central hole, D/L = 0.2, in tension.
 //!
 //! ```text
-//!   +-------------+       quarter, symmetry planes x = 0 and y = 0, half the thickness; the end x = L/2 is pulled as a whole
-//!   |      _      |  L    (its points keep one x), free to contract
+//!   +-------------+       quarter, symmetry planes x = 0 and y = 0, half the thickness; the end
+//!   |      _      |  L    x = L/2 is pulled as a whole (its points keep one x), free to contract
 //! <-|     (_) D   |-> N
 //!   +-------------+
 //! ```
-//! Source: the net section at yield and nothing else stressed is in equilibrium: N ≥ (1 − D/L) L t
-//! s0, whatever the thickness. In plane stress no more: H. Gaydon, A. McCrum, J. Mech. Phys. Solids
-//! 2 (1954). A plate as thin as here (t = 0.05 D) is close to it from above.
+//! Source: H. Gaydon, A. McCrum, J. Mech. Phys. Solids 2 (1954): in plane stress N = (1 − D/L) L t
+//! s0. For any thickness this is a lower bound: a net section at yield, with no other stress, is in
+//! equilibrium. A plate as thin as here (t = 0.05 D) exceeds it slightly.
 //!
 //! The facetted hole lies inside the circle, with a vertex at the net section: 0.8 holds for the
-//! facetted body itself. Tolerance: below 0.8 by what a mesh without the plane y = D/2 loses, above
-//! by the necking bands that continuous velocities smear over a cell.
+//! facetted body itself.
+//!
+//! Tolerance: 3 % below 0.8, because the mesh has no plane y = D/2; 8 % above, because continuous
+//! velocities smear the necking bands over a cell. Measured on 384 tets: [0.7987, 0.8154].
 
-use crate::certified::factors;
+use crate::common::limit::factors;
 use crate::common::yielding::model;
 use crate::common::{Block, mapped, triangles_where};
 use bracket::mesh::NamedFaces;

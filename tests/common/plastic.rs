@@ -1,7 +1,7 @@
 //! A pass of elastic, perfectly plastic analysis, and what every one must satisfy.
 
-use crate::common::yielding::model;
-use crate::common::{Random, points};
+use super::yielding::model;
+use super::{Random, points};
 use bracket::analysis::energy_pass::EnergyPass;
 use bracket::analysis::event::silent;
 use bracket::analysis::hencky;
