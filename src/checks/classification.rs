@@ -1,6 +1,7 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
 /// Whether bracing takes 80 % of the sway of the frame.
@@ -148,5 +149,38 @@ pub fn strength_class(joint: f64, beam: f64, column: f64, storeys: u32) -> Stren
         StrengthClass::NominallyPinned
     } else {
         StrengthClass::PartialStrength
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 5.2.2.5: braced frames need 8 E I/L, others 25 E I/L.
+    #[test]
+    fn clause_5_2_2_5_classes_by_stiffness() {
+        let of =
+            |frame, s: f64| stiffness_limits(frame, false, 210_000.0, 1e8, 7000.0).class(s * 3e9);
+        for (frame, s, class) in [
+            (Frame::Braced, 8.0, StiffnessClass::Rigid),
+            (Frame::Braced, 7.9, StiffnessClass::SemiRigid),
+            (Frame::Unbraced, 8.0, StiffnessClass::SemiRigid),
+            (Frame::Unbraced, 25.0, StiffnessClass::Rigid),
+            (Frame::Unbraced, 0.51, StiffnessClass::SemiRigid),
+            (Frame::Braced, 0.5, StiffnessClass::NominallyPinned),
+        ] {
+            assert_eq!(of(frame, s), class, "{frame:?} {s}");
+        }
+        // columns much softer than the beams: no joint of an unbraced frame is rigid
+        let soft = stiffness_limits(Frame::Unbraced, true, 210_000.0, 1e8, 7000.0);
+        assert_eq!(soft.class(1e30), StiffnessClass::SemiRigid);
+    }
+
+    #[test]
+    fn clause_5_2_3_classes_by_strength() {
+        assert_eq!(strength_class(100.0, 100.0, 80.0, 2), StrengthClass::FullStrength);
+        assert_eq!(strength_class(80.0, 100.0, 80.0, 1), StrengthClass::FullStrength);
+        assert_eq!(strength_class(80.0, 100.0, 80.0, 2), StrengthClass::PartialStrength);
+        assert_eq!(strength_class(25.0, 100.0, 80.0, 2), StrengthClass::NominallyPinned);
     }
 }

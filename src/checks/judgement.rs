@@ -5,9 +5,9 @@
 //! verdict is the worse of the two, so that a bound never overrules a check of what limit analysis
 //! does not know: buckling, fracture, slenderness.
 
-use super::check::number;
+use super::check::{Check, Status, Topic, Unit, number};
+use super::end_plate::HandChecks;
 use super::verdict::Verdict;
-use super::{Check, HandChecks, Status, Topic, Unit};
 use serde::{Deserialize, Serialize};
 
 /// What the analyses of a load case say.

@@ -5,8 +5,10 @@ use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{beam, stiffness};
-use crate::checks::check::{Unit, Worked, number};
+use crate::checks::check::{Unit, number};
 use crate::checks::error::CheckError;
+use crate::checks::eurocode::section::{Class, epsilon};
+use crate::checks::worked::Worked;
 
 /// Part of the tension resistance of a row's bolts above which the rows below may not be plastic,
 /// 6.2.7.2(9).
@@ -147,7 +149,7 @@ impl Assessment {
 pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
     let beam = &joint.beam;
-    let beam_moment = beam::moment_resistance(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
+    let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
     let panel = panel(joint, &rows).map(|p| (p.resistance(), p));
     let (resistance, panel) = panel.unzip();
     let limits = limits(joint, &rows, beam_moment.value, resistance.as_ref());
@@ -268,21 +270,6 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
     })
 }
 
-/// Width of the compressed zone of the column web, the column continuing \[mm\].
-pub(super) fn zone_width(joint: &EndPlateJoint, c: &Column) -> f64 {
-    let (s, b) = (&c.section, &joint.beam);
-    // the plate reaches below the compressed flange
-    let overhang = -0.5 * b.section.h - joint.plate.bottom;
-    column_web::compressed_width(
-        b.section.tf,
-        b.flange_throat,
-        s.tf,
-        s.root,
-        joint.plate.thickness,
-        overhang,
-    )
-}
-
 /// A zone of the column web in compression, `width` \[mm\].
 pub(super) fn zone(
     joint: &EndPlateJoint,
@@ -315,7 +302,7 @@ pub(super) fn compressed(zone: &CompressedWeb, c: &Column) -> Worked {
 
 /// The zone below the compressed flange, cut where the column ends.
 fn cut_zone(joint: &EndPlateJoint, c: &Column, shear_area: f64) -> CompressedWeb {
-    let (width, b) = (zone_width(joint, c), &joint.beam.section);
+    let (width, b) = (column_web::compressed_width(joint, c), &joint.beam.section);
     let centre = 0.5 * (b.h - b.tf);
     let half = c.below.map_or(0.5 * width, |end| (0.5 * width).min(end - centre).max(0.0));
     zone(joint, c, half + 0.5 * width, shear_area)
@@ -363,15 +350,15 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
         }
         let of_cross = compressed(&web, c);
-        if let Some(chi) = of_cross.steps.iter().find(|s| s.symbol == "χ" && s.value < 1.0) {
+        if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
             let why = format!(
                 "the stiffened column web buckles under the compressed flange: χ = {}",
-                number(chi.value)
+                number(chi)
             );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2(4)", covered: true });
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);
-        let limit = column_web::STIFFENER_SLENDERNESS * column_web::epsilon(c.fy);
+        let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
         if c.stiffener > 0.0 && outstand > limit * c.stiffener {
             let ratio = number(outstand / c.stiffener);
             let why = format!(
@@ -390,7 +377,7 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.1(1)", covered: false });
         }
     }
-    if beam::class(&joint.beam.section, joint.beam.fy) == beam::Class::Slender {
+    if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
         let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
                    it yields"
             .into();

@@ -6,8 +6,9 @@
 //! and N together is a linear program. Its solution is in equilibrium with both, so that every row
 //! has the force it really gets.
 
-use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
+use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone};
 use super::beam;
+use super::column_web::compressed_width;
 use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use crate::checks::check::number as n;
@@ -301,7 +302,7 @@ impl Compression {
     /// Whether the web between the flanges, with their zones where no stiffener parts them, buckles
     /// under a push.
     fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<String> {
-        let (b, width) = (&joint.beam.section, zone_width(joint, c));
+        let (b, width) = (&joint.beam.section, compressed_width(joint, c));
         let depth = b.h - b.tf;
         let width = if c.stiffener > 0.0 { depth - width } else { depth + width };
         let web = zone(joint, c, width.max(0.0), 1.0);
@@ -323,7 +324,7 @@ impl Compression {
         let Some(c) = &joint.column else {
             return Self { flange: of_beam, web: web_of_beam, total: f64::INFINITY, lever };
         };
-        let width = zone_width(joint, c);
+        let width = compressed_width(joint, c);
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
         // half a zone beyond either flange, as far as the column reaches
         let beyond = [c.above, c.below]

@@ -1,59 +1,9 @@
 //! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain
 //! data.
 
-use crate::catalog::IProfile;
 use crate::checks::error::{CheckError, not_negative, positive};
+use crate::checks::eurocode::i_section::Section;
 use serde::{Deserialize, Serialize};
-
-/// A rolled I or H section \[mm, mm², mm³, mm⁴\].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Section {
-    /// Depth.
-    pub h: f64,
-    /// Flange width.
-    pub b: f64,
-    /// Web thickness.
-    pub tw: f64,
-    /// Flange thickness.
-    pub tf: f64,
-    /// Root radius that belongs to the area: of A_vc alone.
-    pub r: f64,
-    /// Root radius of the geometry (m, s, clear depths). W shapes: that of k_des, for the fillet
-    /// their area implies is not the one that is rolled; otherwise `r`.
-    pub root: f64,
-    /// Area.
-    pub area: f64,
-    /// Plastic section modulus about the strong axis.
-    pub w_pl: f64,
-    /// Elastic section modulus about the strong axis.
-    pub w_el: f64,
-    /// Second moment of area about the strong axis.
-    pub i: f64,
-}
-
-impl Section {
-    /// Clear depth of the web between the roots, d = h − 2 (t_f + r) \[mm\].
-    pub fn clear_depth(&self) -> f64 {
-        self.h - 2.0 * (self.tf + self.root)
-    }
-}
-
-impl From<&IProfile> for Section {
-    fn from(p: &IProfile) -> Self {
-        Self {
-            h: p.h,
-            b: p.b,
-            tw: p.tw,
-            tf: p.tf,
-            r: p.r,
-            root: p.r_detailing.unwrap_or(p.r),
-            area: 1e2 * p.area,
-            w_pl: 1e3 * p.w_pl_y,
-            w_el: 1e3 * p.w_el_y,
-            i: 1e4 * p.i_y,
-        }
-    }
-}
 
 /// The column. Strengths are nominal, of the thickness of the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

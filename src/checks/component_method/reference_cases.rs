@@ -38,7 +38,7 @@ pub(super) fn bolts(size: &str, grip: f64, gauge: f64, rows: &[f64]) -> Bolts {
     Bolts {
         gauge,
         rows: rows.to_vec(),
-        tension: tension_resistance(bolt, grade, false, 1.25).value,
+        tension: tension_resistance(bolt, grade, 1.25).value,
         stress_area: bolt.stress_area,
         elongation: elongation_length(bolt, grip, 2),
         washer: None,

@@ -8,8 +8,9 @@ use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
-use crate::checks::check::{Worked, number as n};
+use crate::checks::check::number as n;
 use crate::checks::error::CheckError;
+use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
 /// Part of a fillet weld's leg in which no plastic hinge forms, figures 6.8 and 6.10: 0.8 a √2.
@@ -84,11 +85,7 @@ impl<'a> Rows<'a> {
             });
         }
         let lever = z.iter().map(|z| z - centre).collect();
-        let shear_area = joint.column.as_ref().map_or(0.0, |c| {
-            let s = &c.section;
-            let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
-            column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler)
-        });
+        let shear_area = joint.column.as_ref().map_or(0.0, column_web::shear_area);
         let rows = Self { joint, flanges, z, lever, shear_area };
         rows.covered()?;
         Ok(rows)
@@ -329,7 +326,6 @@ impl<'a> Rows<'a> {
                 } else {
                     prying(j.bolts.elongation, m, j.bolts.stress_area, rows, length1, thickness)
                 },
-                backing: 0.0,
                 washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
             };
             let r = stub.resistance();

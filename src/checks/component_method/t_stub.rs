@@ -1,6 +1,7 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// How a T-stub fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,9 +64,6 @@ pub struct TStub {
     pub gamma_m0: f64,
     /// Whether prying forces develop.
     pub prying: Prying,
-    /// Plastic moment of the backing plates over the rows, Σ ℓ_eff,1 t_bp² f_y,bp/(4 γ_M0) \[N
-    /// mm\]; 0 without.
-    pub backing: f64,
     /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the
     /// width across points of head or nut; `None` for the first method.
     pub washer_quarter: Option<f64>,
@@ -91,33 +89,27 @@ pub struct Resistance {
 impl TStub {
     /// Design tension resistance.
     ///
-    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, with backing plates
-    /// `(4 M_pl,1 + 2 M_bp)/m`, by the alternative method
-    /// `((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n))`; mode 2
-    /// `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3 `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of
-    /// modes 1 and 2.
+    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, by the alternative method
+    /// `(8n − 2e_w) M_pl,1/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3
+    /// `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of modes 1 and 2.
     ///
     /// # Source
-    /// EN 1993-1-8:2005 Table 6.2 and 6.2.4.3 (backing plates).
+    /// EN 1993-1-8:2005 Table 6.2, without backing plates (6.2.4.3).
     pub fn resistance(&self) -> Resistance {
         let plastic =
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        // the formula is written for the mode that decides alone: writing takes longer than
-        // reckoning
+        // the formula is written only for the mode that decides: writing takes longer than computing
         let mut candidates: Vec<(Mode, f64)> = Vec::new();
         match (self.prying, self.washer_quarter) {
             (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
             (Prying::Develops, None) => {
-                candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m))
+                candidates.push((Mode::Flange, 4.0 * mpl1 / m));
             }
             (Prying::Develops, Some(ew)) => {
                 let below = 2.0 * m * e - ew * (m + e);
-                candidates.push((
-                    Mode::Flange,
-                    ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below,
-                ));
+                candidates.push((Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below));
             }
         }
         if self.prying == Prying::Develops {
@@ -172,23 +164,12 @@ impl TStub {
         let kn = |x: f64| n(x * 1e-3);
         match (mode, self.washer_quarter) {
             (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
-            (Mode::Flange, None) if self.backing > 0.0 => {
-                format!(
-                    "(4 M_pl,1 + 2 M_bp)/m = (4 · {} + 2 · {})/{}",
-                    kn(mpl1),
-                    kn(self.backing),
-                    n(m)
-                )
-            }
             (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
             (Mode::Flange, Some(ew)) => format!(
-                "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 \
-                 · {} · {})/{}",
+                "(8n − 2e_w) M_pl,1/(2mn − e_w(m + n)) = (8 · {} − 2 · {}) · {}/{}",
                 n(e),
                 n(ew),
                 kn(mpl1),
-                n(e),
-                kn(self.backing),
                 n(2.0 * m * e - ew * (m + e))
             ),
             (Mode::FlangeAndBolts, _) => format!(

@@ -1,9 +1,10 @@
 //! The component method beside the bracket of a limit analysis.
 
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
+use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
 /// Resistance of a joint by the component method, for the sense of bending of a load case.

@@ -1,8 +1,8 @@
 //! Initial stiffness of a joint from the rotation that an elastic analysis brackets, and its class.
 
-use super::{Assessment, EndPlate};
-use crate::assembly::PlaneActions;
+use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::classification::{Frame, StiffnessClass, stiffness_limits};
+use crate::checks::component_method::Assessment;
 use serde::{Deserialize, Serialize};
 
 /// Actions below this part of the moment (forces by the depth of the beam) are rounding.

@@ -1,7 +1,8 @@
 //! The length of a bolt from what it clamps.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Stocked lengths of hexagon bolts \[mm\].
 ///

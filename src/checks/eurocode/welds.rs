@@ -1,6 +1,7 @@
-//! Fillet welds: EN 1993-1-8:2005 4.5.3, 4.5.1, 4.5.2, 4.11.
+//! Fillet welds: EN 1993-1-8:2005 4.5.
 
-use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;
@@ -141,28 +142,6 @@ pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &Weld
         "throat of a double fillet weld of full strength",
         value,
         Unit::Length,
-        formula,
-    )
-}
-
-/// Reduction β_Lw of long lap welds; `length` overall \[mm\].
-///
-/// `β_Lw = 1.2 − 0.2 L_j/(150 a) ≤ 1`.
-///
-/// # Source
-/// EN 1993-1-8:2005 4.11(3), formula 4.9.
-pub fn long_weld_factor(length: f64, throat: f64) -> Worked {
-    let value = (1.2 - 0.2 * length / (150.0 * throat)).min(1.0);
-    let formula = format!(
-        "β_Lw = 1.2 − 0.2 L_j/(150 a) = 1.2 − 0.2 · {}/(150 · {}), at most 1",
-        n(length),
-        n(throat)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 4.11(3)",
-        "reduction of long lap welds",
-        value,
-        Unit::Number,
         formula,
     )
 }
