@@ -4,11 +4,11 @@ use crate::checks::check::{Unit, number as n};
 use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
-/// Whether bracing takes 80 % of the sway of the frame.
+/// Whether bracing reduces the sway of the frame by 80 %.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Frame {
-    /// Bracing cuts the sway by 80 % or more: k_b = 8.
+    /// Bracing reduces the horizontal displacement by 80 % or more: k_b = 8.
     Braced,
     /// Any other frame with K_b/K_c ≥ 0.1 in every storey: k_b = 25.
     Unbraced,
@@ -36,12 +36,12 @@ pub enum StiffnessClass {
     NominallyPinned,
 }
 
-/// The limits of the classes for one beam \[N mm/rad\].
+/// Limits of the classes by stiffness for one beam \[N mm/rad\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessLimits {
-    /// From here on rigid.
+    /// Least stiffness of a rigid joint.
     pub rigid: Worked,
-    /// Up to here nominally pinned.
+    /// Greatest stiffness of a nominally pinned joint.
     pub pinned: Worked,
 }
 
@@ -49,7 +49,7 @@ pub struct StiffnessLimits {
 /// `inertia` I_b \[mm⁴\].
 ///
 /// Rigid: `S_j,ini ≥ k_b E I_b/L_b`; nominally pinned: `S_j,ini ≤ 0.5 E I_b/L_b`. An unbraced frame
-/// with K_b/K_c < 0.1 has no rigid joints: `stiff_columns` says so.
+/// with K_b/K_c < 0.1 has no rigid joints: `stiff_columns`.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), figure 5.4.
@@ -84,7 +84,7 @@ pub fn stiffness_limits(
 }
 
 impl StiffnessClass {
-    /// As a report says it.
+    /// The class as a report prints it.
     pub fn words(self) -> &'static str {
         match self {
             StiffnessClass::Rigid => "rigid",
@@ -120,7 +120,7 @@ pub enum StrengthClass {
 }
 
 impl StrengthClass {
-    /// As a report says it.
+    /// The class as a report prints it.
     pub fn words(self) -> &'static str {
         match self {
             StrengthClass::FullStrength => "full strength",

@@ -3,7 +3,7 @@
 use crate::checks::check::{Check, Status, Topic, Unit, number as n};
 use crate::checks::eurocode::section::epsilon;
 
-/// The bolt and the plate or flange it clamps.
+/// A bolt and the plate or flange that it clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clamped {
     /// Diameter of the bolt \[mm\].
@@ -16,8 +16,8 @@ pub struct Clamped {
     pub fy: f64,
 }
 
-/// Whether bending of a plate or flange that governs gives enough rotation for plastic analysis;
-/// not followed: a warning.
+/// Whether a plate or flange whose bending governs gives enough rotation for plastic analysis; a
+/// warning where it does not.
 ///
 /// `t ≤ 0.36 d √(f_ub/f_y)`.
 ///
@@ -37,7 +37,7 @@ pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
     )
 }
 
-/// Whether the rows may carry their plastic forces side by side; not followed: a warning.
+/// Whether the rows may reach their plastic forces side by side; a warning where they may not.
 ///
 /// `t ≤ (d/1.9) √(f_ub/f_y)` for the end plate or the column flange.
 ///
@@ -57,8 +57,8 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
     )
 }
 
-/// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed:
-/// a warning.
+/// Whether a web panel that governs in shear gives enough rotation, `d_c/t_w ≤ 69 ε`; a warning
+/// where it does not.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(1).

@@ -1,10 +1,10 @@
 //! Hand checks of a bolted end plate, computed from the values of a resolved spec.
 //!
 //! Detailing is always checked and can fail. Where a load case has actions at member ends, the
-//! forces in bolts, plates and welds are checked as well (`load_cases.rs`), and the component method
-//! is compared with the analysis (`comparison.rs`). Without such actions the resistances, the
-//! component method and the stiffness are information: pressures on sections do not determine the
-//! force of a bolt.
+//! forces in bolts, plates and welds are checked as well (`load_cases.rs`), and the component
+//! method is compared with the analysis (`comparison.rs`). Without such actions the resistances,
+//! the component method and the stiffness are information: pressures on sections do not determine
+//! the force of a bolt.
 
 mod assumptions;
 mod beam_checks;

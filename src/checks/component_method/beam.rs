@@ -7,7 +7,7 @@ use crate::checks::eurocode::section::{
 };
 use crate::checks::worked::Worked;
 
-/// Depth of a beam above which its web may take no more than a fifth of the compression \[mm\],
+/// Depth of a beam above which its web may contribute at most a fifth of the compression \[mm\],
 /// 6.2.6.7(1).
 const DEEP: f64 = 600.0;
 
@@ -94,7 +94,7 @@ pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Work
 
 /// Design resistance of flange and web of the beam in compression \[N\].
 ///
-/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web's share is 20 % at most: F ≤ b
+/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web contributes at most 20 %: F ≤ b
 /// t_f f_y/(0.8 γ_M0).
 ///
 /// # Source

@@ -53,7 +53,7 @@ pub struct ShearPanel {
     pub web_depth: f64,
     /// t_wc.
     pub web: f64,
-    /// What transverse stiffeners add, see [`stiffened_panel`] \[N\].
+    /// Contribution of transverse stiffeners, see [`stiffened_panel`] \[N\].
     pub stiffeners: f64,
     /// γ_M0.
     pub gamma_m0: f64,
@@ -78,8 +78,8 @@ impl ShearPanel {
 
     /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` and what stiffeners
     /// add. Beyond d_c/t_w = 69 ε it is no more than 0.9 times the shear buckling resistance of the
-    /// web, `χ_w h_w t_w f_y/(√3 γ_M1)`: a limit that a verdict of refusal may stand on, not one
-    /// that 6.2.6.1 allows to design with.
+    /// web, `χ_w h_w t_w f_y/(√3 γ_M1)`: exceeding this limit justifies NOT OK, but 6.2.6.1 does
+    /// not allow it as a design resistance.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1
@@ -122,8 +122,8 @@ impl ShearPanel {
     }
 }
 
-/// What transverse stiffeners in tension and compression zone add to the shear resistance of the
-/// panel \[N\]; moments of the column flange and the stiffener \[N mm\], `distance` d_s of the
+/// Contribution of transverse stiffeners in tension and compression zone to the shear resistance of
+/// the panel \[N\]; moments of the column flange and the stiffener \[N mm\], `distance` d_s of the
 /// stiffeners \[mm\].
 ///
 /// `V_wp,add,Rd = 4 M_pl,fc,Rd/d_s ≤ (2 M_pl,fc,Rd + 2 M_pl,st,Rd)/d_s`.

@@ -10,7 +10,7 @@ use crate::checks::worked::Worked;
 /// ψ of Table 6.8 for welded joints and bolted end plates.
 const PSI: f64 = 2.7;
 
-/// Stiffness coefficients and what they make.
+/// Stiffness coefficients and initial stiffness of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stiffness {
     /// k1, column web panel in shear \[mm\]; `None` where it does not deform (β = 0).
@@ -128,8 +128,8 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
         terms.join(" + ")
     );
     if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
-        // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to
-        // shear
+        // Table 6.11 has k1 = ∞ for a stiffened panel; with transverse stiffeners alone the panel
+        // still deforms in shear
         formula += ", k1 kept finite beside transverse stiffeners";
     }
     let title = "initial rotational stiffness";
@@ -163,7 +163,7 @@ pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
     )
 }
 
-/// What a connection joins, for the factor η of elastic analysis.
+/// Members that a connection joins, for the factor η of elastic analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joins {
     /// A beam and a column.

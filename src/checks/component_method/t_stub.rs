@@ -3,7 +3,7 @@
 use crate::checks::check::{Unit, number as n};
 use crate::checks::worked::Worked;
 
-/// How a T-stub fails.
+/// Failure mode of a T-stub.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Complete yielding of the flange.
@@ -27,7 +27,7 @@ impl Mode {
         }
     }
 
-    /// Whether bending of the flange decides, alone or with the bolts.
+    /// Whether bending of the flange takes part in the failure.
     pub fn bends(self) -> bool {
         self != Mode::Bolts
     }
@@ -36,10 +36,10 @@ impl Mode {
 /// Whether prying forces develop.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Prying {
-    /// The flange bears at its edges.
+    /// They develop: the flange bears at its edges.
     #[default]
     Develops,
-    /// The bolts are so long that the flange lifts off.
+    /// They do not: the bolts are so long that the flange lifts off.
     Absent,
 }
 
@@ -100,7 +100,8 @@ impl TStub {
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        // the formula is written only for the mode that decides: writing takes longer than computing
+        // the formula is written only for the mode that decides: writing takes longer than
+        // computing
         let mut candidates: Vec<(Mode, f64)> = Vec::new();
         match (self.prying, self.washer_quarter) {
             (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
@@ -121,7 +122,7 @@ impl TStub {
         };
         let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
         let mode2 = of(&|c| c == Mode::FlangeAndBolts);
-        // the first of equal ones decides
+        // of equal modes the first decides
         let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
         let formula =
             format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
@@ -185,7 +186,8 @@ impl TStub {
     }
 }
 
-/// Whether prying forces develop in a T-stub of `rows` rows: bolts no longer than L_b* do it.
+/// Whether prying forces develop in a T-stub of `rows` rows: where the bolts are no longer than
+/// L_b*.
 ///
 /// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one
 /// bolt \[mm²\].

@@ -1,5 +1,5 @@
 //! Classes of the joint by strength and stiffness under each load case, and its stiffness under the
-//! moment. Information: what they decide is the model of the frame.
+//! moment. They are information, because they only determine how the frame is modelled.
 
 use super::member_end::MemberEnd;
 use crate::assembly::EndPlate;
@@ -8,13 +8,12 @@ use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, stre
 use crate::checks::component_method::stiffness::at_moment;
 use crate::checks::worked::Worked;
 
-/// Columns that meet at a joint within the height of a column; templates have columns that go on
-/// above and below.
+/// Columns that meet at the joint: in the templates the column continues above and below.
 const COLUMNS: u32 = 2;
-/// Of classes by stiffness.
+/// Clause of the classes by stiffness.
 const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
 
-/// All of them for a member end under a load case, whatever acts beside the moment.
+/// All classes for a member end under a load case, whatever acts beside the moment.
 pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
     let mut out = vec![strength(end), stiffness(end)];
     if end.e.column.is_some() {
@@ -23,6 +22,8 @@ pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
     out
 }
 
+/// Class by strength.
+///
 /// # Source
 /// EN 1993-1-8:2005 5.2.3.
 fn strength(end: &MemberEnd<'_>) -> Check {
@@ -53,7 +54,7 @@ fn strength(end: &MemberEnd<'_>) -> Check {
         .information(Topic::ComponentMethod, end.subject())
 }
 
-/// S_j at the moment of the case; above M_j,Rd the formula has ended, and the check says so.
+/// S_j at the moment of the case. Above M_j,Rd the formula does not apply, which the check notes.
 fn stiffness(end: &MemberEnd<'_>) -> Check {
     let demand = end.a.at(1.0)[1][1].abs();
     let (initial, joint) = (end.assessment.stiffness.initial.value, end.assessment.moment.value);
@@ -68,15 +69,15 @@ fn stiffness(end: &MemberEnd<'_>) -> Check {
     worked.information(Topic::Stiffness, end.subject())
 }
 
-/// K_b/K_c of the beam and the column at the joint; the code takes means over the storey.
+/// K_b/K_c of the beam and the column at the joint; the code uses the means over the storey.
 fn slender_columns(e: &EndPlate) -> Option<f64> {
     let column = e.column.as_ref()?;
     let of = |i: f64, length: f64| 1e4 * i / length;
     Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
 }
 
-/// The class for both kinds of frame where the length of the beam is known, else the length from
-/// which on it is rigid.
+/// The class for both kinds of frame where the length of the beam is known, otherwise the length
+/// from which the joint is rigid.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.

@@ -1,9 +1,10 @@
-//! One member end under one load case: the forces that its actions put into rows, bolts and flanges.
+//! One member end under one load case: the forces that its actions put into rows, bolts and
+//! flanges.
 //!
 //! The component method spreads the moment over its rows. A row takes the share of its resistance
-//! that the joint takes of M_j,Rd, prying included (`RowForce::bolt_force`), also where that exceeds
-//! its resistance: no demand is capped silently. Beside an axial force that counts, the rows have
-//! the forces of the plastic equilibrium (`component_method::equilibrium`).
+//! that the joint takes of M_j,Rd, prying included (`RowForce::bolt_force`), also where that
+//! exceeds its resistance: no demand is capped silently. Beside an axial force that counts, the
+//! rows have the forces of the plastic equilibrium (`component_method::equilibrium`).
 
 use super::comparison::Method;
 use super::component_joint::component_joint;
@@ -138,8 +139,8 @@ impl<'a> LoadedEnd<'a> {
 /// Largest compression of a flange of the beam under the actions \[N\].
 fn push(end: &MemberEnd<'_>, method: &Method) -> f64 {
     let at = end.a.at(1.0);
-    // a small axial compression that does not count for the joint still presses the flanges, half of
-    // it each
+    // a small axial compression that does not count for the joint still presses the flanges, half
+    // of it each
     let bending = at[1][1].abs() / method.moment * end.assessment.tension();
     let plain = bending + 0.5 * (-at[0][0]).max(0.0);
     let together = method.with_axial(at).filter(|c| c.factor > 0.0);

@@ -41,8 +41,8 @@ impl Sense {
     }
 }
 
-/// Senses of bending with their β: those of the load cases, and the template's β for a sense that no
-/// load case has.
+/// Senses of bending with their β: those of the load cases, and the template's β for a sense that
+/// no load case has.
 pub(super) fn senses(e: &EndPlate) -> Vec<(Sense, f64)> {
     let mut out: Vec<(Sense, f64)> = Vec::new();
     for a in &e.actions {

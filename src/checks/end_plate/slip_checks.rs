@@ -40,9 +40,9 @@ fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'stat
 }
 
 /// Slip of all preloaded bolts of a plate. The compression of a moment balances the clamping force
-/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts. The check binds where
-/// the spec names category B or C. Otherwise the joint need not resist slip, and exceeding the
-/// resistance is a warning.
+/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts. The check binds
+/// where the spec names category B or C. Otherwise the joint need not resist slip, and exceeding
+/// the resistance is a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.

@@ -1,7 +1,7 @@
 //! Stiffeners of the column on their net section, and the welds of stiffeners, web plate and rib.
 //!
-//! The meshed stiffeners are whole and one body with the column; what is cut off at the root and
-//! the size of welds is checked here.
+//! The mesh has whole stiffeners that are one body with the column; the checks here cover the part
+//! that is cut off at the root, and the size of the welds.
 
 use super::component_joint::component_joint;
 use super::doubler::doubler_fault;
@@ -17,7 +17,7 @@ use crate::checks::eurocode::welds::{full_strength_throat, least_size, simplifie
 use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
-/// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and
+/// Fraction of a weld leg and of a root radius in which no plastic hinge forms, figures 6.8 and
 /// 6.11.
 const HINGE: f64 = 0.8;
 
@@ -28,7 +28,7 @@ struct Stiffeners<'a> {
 }
 
 impl Stiffeners<'_> {
-    /// Width of one stiffener that is left at the flange of the column \[mm\].
+    /// Width of one stiffener in contact with the flange of the column \[mm\].
     fn contact(&self) -> f64 {
         0.5 * (self.c.section.b - self.c.section.tw) - self.c.stiffener_clip
     }
@@ -38,7 +38,7 @@ impl Stiffeners<'_> {
         2.0 * self.contact() * self.c.stiffener * self.c.steel.fy / self.gamma_m0
     }
 
-    /// The same with its numbers.
+    /// The formula of the resistance with its numbers.
     fn formula(&self) -> String {
         format!(
             "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
@@ -51,13 +51,13 @@ impl Stiffeners<'_> {
     }
 }
 
-/// What a web carries itself, and what the stiffeners beside it take \[N\].
+/// Force of a pair of stiffeners beside the web \[N\].
 struct Share {
-    /// Which side, in words.
+    /// `compressed stiffeners` or `stiffeners in tension`.
     side: &'static str,
     /// Force of the stiffeners on both sides of the web.
     force: f64,
-    /// How it is found, with numbers.
+    /// Its formula with numbers.
     formula: String,
 }
 
@@ -68,7 +68,7 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     let beta = beta(e, loaded.end.a);
     let mut without = component_joint(e, beta);
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
-    // with stiffeners the joint was assessed; without them the same geometry is covered
+    // the tables covered the joint with stiffeners, so they cover it without them
     let Ok(bare) = assess(&loaded.end.sense.of(&without)) else { return Vec::new() };
     let s = Stiffeners { c, gamma_m0: e.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
@@ -88,9 +88,9 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     out
 }
 
-/// Crushing of web and net section of the stiffeners under the beam's compressed flange. The
-/// stiffeners' part goes by what both can carry, so that it reaches the strength of the net section
-/// when the web has reached its own.
+/// Crushing of the web and of the net section of the stiffeners under the compressed flange of the
+/// beam. The force is shared in proportion to the two resistances, so that both are reached
+/// together.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the
@@ -125,8 +125,9 @@ fn compression(
     Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
 }
 
-/// Net section of the stiffeners at the flange in tension, under the rows above and below: what the
-/// column web does not carry without them, and what the column flange bends into them.
+/// Net section of the stiffeners at the flange in tension, under the rows above and below: the
+/// force beyond the resistance of the column web without them, or the share that bending of the
+/// column flange brings into them, whichever is larger.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.3 for the web; the share m/(m + m2) of a row as in SCI/BCSA, Joints in
@@ -178,8 +179,8 @@ fn tension(
     Some((check, Share { side: "stiffeners in tension", force, formula }))
 }
 
-/// Fillet welds of the stiffeners: to the flange of the column for the force they take there, to
-/// its web for the part of it that no beam on the other side balances, β of it.
+/// Fillet welds of the stiffeners: to the flange of the column for the force of the stiffeners, to
+/// its web for the share β of it that no beam on the other side balances.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of
@@ -197,7 +198,7 @@ fn stiffener_welds(
     let flange = 0.5 * (c.section.b - c.section.tw) - c.stiffener_clip - 2.0 * a;
     let web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip) - 2.0 * a;
     let four = |force: f64, length: f64, formula: &str, subject: String| {
-        // as a force, so that welds without any length left fail
+        // compared as forces, so that welds without any effective length fail
         let each = simplified(a, &steel);
         let formula = format!(
             "{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}",
@@ -231,8 +232,8 @@ fn stiffener_welds(
     out
 }
 
-/// Fillet welds round the web plate: the shear flow of its part of the panel, and the throat from
-/// which on it counts in tension.
+/// Fillet welds round the web plate: the shear flow of its share of the panel, and the throat from
+/// which the plate counts in tension.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them;
@@ -272,7 +273,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     out
 }
 
-/// Fillet welds of the rib: as strong as the rib, for no formula tells what it takes.
+/// Fillet welds of the rib: as strong as the rib, because no formula gives its force.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6).

@@ -1,5 +1,5 @@
-//! Welds of the beam: the web's beside the rows in tension, and the strength that all of them owe
-//! the joint.
+//! Welds of the beam: under the actions, beside the rows in tension, and the strength they need so
+//! as not to limit the joint.
 
 use super::member_end::LoadedEnd;
 use super::sense::Sense;
@@ -68,18 +68,18 @@ pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     out
 }
 
-/// A stretch of the beam web's welds and the rows that pull at it.
+/// A stretch of the welds of the beam web, and the rows whose force it takes.
 struct Stretch {
     /// Rows from the tension side.
     first: usize,
     last: usize,
-    /// b_eff of the beam web, that of the end plate's T-stub; no more than the web's welds are long
-    /// \[mm\].
+    /// b_eff of the beam web, that of the T-stub of the end plate, at most the length of the welds
+    /// of the web \[mm\].
     width: f64,
 }
 
-/// The stretches of the web's welds that rows pull at: of every row alone and of every group
-/// between the flanges. A row outside the flange pulls at the flange.
+/// Stretches of the welds of the web that take the force of rows: of every row alone and of every
+/// group between the flanges. A row outside the flange acts on the flange.
 fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     let mut out = Vec::new();
     for (last, row) in a.rows.iter().enumerate() {
@@ -98,8 +98,8 @@ fn web_run(e: &EndPlate) -> f64 {
     e.beam.h - 2.0 * (e.beam.tf + e.beam.r) - 2.0 * e.web_throat
 }
 
-/// The stretch of the beam web's welds that is used most, under row forces \[N\] and a shear force
-/// over the whole web.
+/// The stretch of the welds of the beam web with the largest utilisation, under row forces \[N\]
+/// and a shear force over the whole web \[N\].
 fn web_welds(
     e: &EndPlate,
     a: &Assessment,
@@ -128,11 +128,12 @@ fn web_welds(
     each.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
 }
 
-/// The welds of the beam web beside the rows in tension: they bring the force of a row into the web
-/// and take their part of the shear force at the same time. The one that is used most.
+/// The welds of the beam web beside the rows in tension: they carry the force of a row into the web
+/// and their share of the shear force at the same time. The stretch with the largest utilisation.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length a row pulls at; SCI P398 takes the same length.
+/// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length of web per row; SCI P398 uses the same
+/// length.
 pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
     let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
     let [_, vy, vz] = loaded.end.a.at(1.0)[0];
@@ -144,21 +145,21 @@ pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
 
 /// Clause of the rule that welds do not limit a joint.
 const NOT_THE_WEAKEST: &str = "EN 1993-1-8:2005 6.2.3(4)";
-/// Factors α on M_j,Rd where a plastic hinge forms in the joint and turns: with bracing, without.
+/// Factors α on M_j,Rd where a plastic hinge rotates in the joint: with bracing, without.
 const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other frames")];
-/// Strength against that of the beam from which on the hinge forms in the beam, 6.4.1(1).
+/// M_j,Rd/M_pl,Rd of the beam from which the plastic hinge forms in the beam, 6.4.1(1).
 const HINGE_IN_BEAM: f64 = 1.2;
 
-/// What the welds of a flange carry across it.
+/// Resistance of the welds of a flange across it.
 struct FlangeWelds {
     /// F_Rd \[N\].
     worked: Worked,
-    /// b t_f f_y/γ_M0, all that the flange can bring \[N\].
+    /// b t_f f_y/γ_M0, the largest force of the flange \[N\].
     flange: f64,
 }
 
-/// By the directional method, `a l_eff f_u/(√2 β_w γ_M2)`; welds that are as strong as the flange's
-/// thickness carry all of the flange.
+/// Resistance by the directional method, `a l_eff f_u/(√2 β_w γ_M2)`. Welds as strong as the
+/// thickness of the flange carry the whole flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
     let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
@@ -190,10 +191,10 @@ fn flange_run(e: &EndPlate) -> f64 {
     2.0 * e.beam.b - e.beam.tw - 2.0 * e.beam.r - 2.0 * SQRT_2 * e.flange_throat
 }
 
-/// Welds that do not limit the joint: what carries M_j,Rd is some other component; and what the
-/// welds must carry where a plastic hinge forms in the joint and turns, a warning, for Bracket does
-/// not know the analysis of the frame. Of a sense of bending that no load case has, all of it is a
-/// warning.
+/// Whether the welds are strong enough that another component limits M_j,Rd; and whether they carry
+/// the overstrength of a plastic hinge that rotates in the joint, which is a warning, because the
+/// analysis of the frame is not known. For a sense of bending that no load case has, both are
+/// warnings.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.
@@ -229,6 +230,7 @@ pub(super) fn not_the_weakest(
     out
 }
 
+/// The part of [`not_the_weakest`] for the welds of the flange in tension.
 fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
     let place = format!("beam flange, {subject}");
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
@@ -263,7 +265,8 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
     let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
-    // no hinge turns where the beam yields first, or in a sense that no load case has
+    // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
+    // has
     if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {
         return out;
     }

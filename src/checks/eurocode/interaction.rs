@@ -3,7 +3,7 @@
 use crate::checks::check::{Unit, number as n};
 use crate::checks::worked::Worked;
 
-/// Forces of one bolt and what it can carry of each \[N\].
+/// Forces and resistances of one bolt \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// F_v,Ed ≥ 0.

@@ -205,9 +205,9 @@ impl CrossSection {
     /// Resistance to bending about the strong axis beside a shear force along the web and an axial
     /// force \[N mm\]. Class 4 is refused.
     ///
-    /// Plastic: `(W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0`, times `(1 − n)/(1 − 0.5 a)` where N counts; n is
-    /// N over the axial force that shear leaves. Elastic: `W_el ((1 − ρ) f_y/γ_M0 − N/A)`. ρ is not
-    /// limited to 1, so that shear beyond V_pl,Rd goes on reducing the resistance.
+    /// Plastic: `(W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0`, times `(1 − n)/(1 − 0.5 a)` where N counts; n
+    /// is N over the axial force that shear leaves. Elastic: `W_el ((1 − ρ) f_y/γ_M0 − N/A)`. ρ is
+    /// not limited to 1, so that shear beyond V_pl,Rd reduces the resistance further.
     ///
     /// This is the check of the beam itself. The component method takes M_c,Rd beside shear alone
     /// from `component_method::beam::bending_6_2_8`, which covers class 4 as well.

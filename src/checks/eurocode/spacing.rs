@@ -26,9 +26,9 @@ pub struct Pattern {
 
 /// Checks of a pattern; `subject` names the plate.
 ///
-/// The least values are binding: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e ≤
-/// 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) apply to exposed and to compressed plates only (note 1
-/// of the table): exceeding one is a warning.
+/// The least values are binding: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e
+/// ≤ 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) apply to exposed and to compressed plates only (note
+/// 1 of the table): exceeding one is a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.3.
@@ -79,11 +79,11 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
     Check::at_least(what, (PRACTICE, "room for a wrench"), "c", rule, distance, Status::Warning)
 }
 
-/// Whether a washer of outer diameter `washer` lies on the flat: the distance of the bolt's axis
-/// from the face of the web must reach over root radius and half of the washer \[mm\].
+/// Whether a washer of outer diameter `washer` bears on a plane surface: the distance of the bolt
+/// axis from the face of the web must be at least the root radius and half of the washer \[mm\].
 ///
-/// Washers and nuts bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes do without
-/// washers (8.2.4), so a shorter distance is a warning.
+/// Washers and nuts must bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes need
+/// no washers (8.2.4), so a shorter distance is a warning.
 pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));

@@ -99,11 +99,11 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
 /// Design resistance of a fillet weld per length under a force across it by the directional method
 /// \[N/mm\]; `throat` a \[mm\].
 ///
-/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) of what the simplified method
-/// gives.
+/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) times the value of the
+/// simplified method.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, for β_w ≥ 0.56.
+/// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, because β_w ≥ 0.56.
 pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     let value = throat * steel.fu / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
     let formula = format!(
@@ -117,7 +117,7 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
 }
 
-/// Throat of each of two fillet welds that carry all that the plate between them carries in tension
+/// Throat of each of two fillet welds that are as strong as the plate between them in tension
 /// \[mm\].
 ///
 /// Each weld takes half of `t f_y/γ_M0` across its length, σ⊥ = τ⊥, so that

@@ -80,7 +80,7 @@ fn table_6_2_bolt_forces_with_prying() {
     let plastic = 0.25 * 200.0 * 100.0 * 235.0;
     let one = stub(200.0, Prying::Develops).resistance();
     assert_eq!(one.mode, Mode::Flange);
-    // on either side the bolt takes the pull and the prying force M_pl/n
+    // on either side the bolt takes half of the tension and the prying force M_pl/n
     near(one.bolts, 4.0 * plastic / 40.0 + 2.0 * plastic / 50.0);
     let two = stub(800.0, Prying::Develops).resistance();
     assert_eq!((two.mode, two.bolts), (Mode::FlangeAndBolts, 282e3));

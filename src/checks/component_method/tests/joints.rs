@@ -46,9 +46,9 @@ fn clause_6_2_6_4_2_stiffened_column_flange() {
     );
 }
 
-/// A splice of four rows, two beside either flange and mirror images of each other: pulled without
-/// moment every row has what it carries alone or in its group, by hand with the tables; pushed it
-/// carries N_pl,Rd; and both grow from the axis without a jump.
+/// A splice of four rows, two beside either flange and mirror images of each other: in tension
+/// without moment every row reaches its resistance alone or in its group, by hand with the tables;
+/// in compression the splice carries N_pl,Rd; the curve is continuous at the axis.
 #[test]
 fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     let mut joint = one_sided();
@@ -111,7 +111,7 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     }
 }
 
-/// What the formulas have no meaning for is refused by name.
+/// Values for which the formulas have no meaning are refused by name.
 #[test]
 fn wrong_joints_are_refused_by_quantity() {
     type Change = fn(&mut EndPlateJoint);

@@ -96,8 +96,8 @@ fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     );
 }
 
-/// The sense of the moment, the part of M_j,Rd it asks, and the load factor at which nothing is
-/// left; fixed actions stay.
+/// The sense of the moment, its fraction of M_j,Rd, and the load factor at which the resistance is
+/// reached; fixed actions stay constant.
 #[test]
 fn clause_6_2_7_1_moment_and_axial_force() {
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, My: -30 kN m}");
@@ -153,7 +153,7 @@ fn clause_6_2_7_1_moment_and_axial_force() {
         "{bolts:#?}"
     );
     assert!(h.failed());
-    // three times what the beam itself carries is most likely a unit
+    // three times the resistance of the beam itself is most likely a wrong unit
     assert!(
         h.notes.iter().any(|n| n.contains("My = 300 kN m") && n.contains("M_pl,Rd")),
         "{:?}",

@@ -4,9 +4,9 @@ use super::fixture::{ONE, bolted, checks, find, joint, near};
 use crate::checks::check::Status;
 use crate::checks::end_plate::HandChecks;
 
-/// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each, a pull takes 0.8 of its share off, a moment
-/// nothing (3.9.2(3)). More than that is a warning, for slip is not said to be prevented; without
-/// preload or friction there is no such check.
+/// Six preloaded bolts: F_s,Rd = μ F_p,C/γ_M3 each; an axial tension reduces it by 0.8 of its
+/// share, a moment by nothing (3.9.2(3)). Exceeding it is a warning, because the spec does not
+/// require slip to be prevented. Without preload or friction there is no such check.
 #[test]
 fn clause_3_9_slip_of_preloaded_bolts() {
     let title = "slip of the preloaded bolts at the ultimate limit state (category C)";
@@ -69,10 +69,10 @@ fn clause_3_4_categories_b_and_c_bind_in_their_limit_state() {
         assert!(has(&of(category, "ULS", 100.0), ultimate).is_none(), "{category}");
     }
     assert!(has(&of(c, "SLS", 100.0), service).is_none());
-    // nothing else is asked at serviceability, even of loads that bolts and beam cannot carry
+    // nothing else is checked at serviceability, even for loads that bolts and beam cannot carry
     let h = of(c, "SLS", 4000.0);
     assert!(!h.failed() && h.checks.iter().all(|c| c.case.is_none()), "{:#?}", h.checks);
-    // without a load case at serviceability category B is not checked, and told
+    // without a load case at serviceability category B is not checked, which is reported
     let words = "category B: no load case has";
     assert!(
         of(b, "ULS", 1.0)
@@ -120,12 +120,12 @@ fn tables_3_4_and_3_6_oversize_holes() {
     );
 }
 
-/// Preloaded bolts that are no assembly of EN 14399 are a warning; those of the HR and HV systems
-/// are none.
+/// Preloaded bolts that are not an assembly of EN 14399 are a warning; those of the HR and HV
+/// systems are not.
 #[test]
 fn clause_3_1_2_preloaded_bolts_are_assemblies_of_en_14399() {
     let title = "preloaded bolts are assemblies of EN 14399: take a size `HR …` or `HV …`";
-    for (bolts, told) in [
+    for (bolts, warned) in [
         ("size: M20, grade: \"8.8\", preload: 0.7", true),
         ("size: M20, grade: \"8.8\"", false),
         ("size: HR M20, grade: \"8.8\", preload: 0.7", false),
@@ -134,15 +134,15 @@ fn clause_3_1_2_preloaded_bolts_are_assemblies_of_en_14399() {
         let h = checks(&bolted(bolts, "", ONE));
         assert_eq!(
             h.checks.iter().any(|c| c.title == title && c.status == Status::Warning),
-            told,
+            warned,
             "{bolts}"
         );
     }
 }
 
-/// A category that is preloaded asks for a preload, the loads of a case for one limit state.
+/// A preloaded category needs a preload, and the loads of a case need one limit state.
 #[test]
-fn table_3_2_wrong_categories_and_states_are_told() {
+fn table_3_2_wrong_categories_and_states_are_reported() {
     let fault = |text: &str| {
         let parsed = crate::spec::yaml::parse::<crate::spec::ConnectionSpec>(
             text,

@@ -76,7 +76,7 @@ fn the_component_method_answers_for_both_senses() {
     }
 }
 
-/// Wrong detailing that the templates let pass is told by distance, limit and clause.
+/// Wrong detailing that the templates accept is reported with distance, limit and clause.
 #[test]
 fn wrong_detailing_fails_with_its_clause() {
     let wrong = [
@@ -104,9 +104,9 @@ fn wrong_detailing_fails_with_its_clause() {
     assert_eq!(find(&h, "end plate", "end distance").demand, Some(1.2 * 28.0));
 }
 
-/// Two rows outside the flange: the code's tables end, the rest of the checks stands.
+/// Two rows outside the flange: the tables of the code do not cover them; the other checks remain.
 #[test]
-fn what_the_code_does_not_cover_is_said() {
+fn joints_that_the_code_does_not_cover_are_reported() {
     let h = checks(
         &with("z: [-250, 200]", "z: [-300, 200]")
             .replace("[-215, -125, 110]", "[-270, -215, -125, 110]"),
@@ -121,9 +121,9 @@ fn what_the_code_does_not_cover_is_said() {
     assert!(h.checks.iter().any(|c| c.subject == "tension at the top"));
 }
 
-/// A template's `hand_checks` that make no sense are told by key.
+/// Wrong values in the `hand_checks` of a template are reported by key.
 #[test]
-fn wrong_hand_checks_of_a_template_are_told_by_key() {
+fn wrong_hand_checks_of_a_template_are_reported_by_key() {
     let folder = tempfile::tempdir().expect("a folder");
     let spec = with("template: double_sided_end_plate", "template: mine.yaml");
     let fault = |old: &str, new: &str| -> Diagnostic {
@@ -294,10 +294,10 @@ fn thick_plates_and_soft_bolts_are_brittle() {
     );
 }
 
-/// A doubler thinner than the web does not count and is told; one that counts adds b_s t_w to the
-/// shear area.
+/// A doubler thinner than the web does not count and is reported; one that counts adds b_s t_w to
+/// the shear area.
 #[test]
-fn clause_6_2_6_1_a_doubler_counts_or_is_told() {
+fn clause_6_2_6_1_a_doubler_counts_or_is_reported() {
     let load = "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}";
     let area = |h: &HandChecks| {
         let panel = find(h, "tension at the top", "column web panel in shear");
@@ -316,7 +316,7 @@ fn clause_6_2_6_1_a_doubler_counts_or_is_told() {
     assert!((area(&counts) - area(&bare) - 134.0 * 9.0).abs() < 1e-9 && counts.notes.is_empty());
 }
 
-/// A plate wider than the column's flange is told with both numbers; columns of bolts outside of
+/// A plate wider than the column flange is reported with both numbers; columns of bolts outside of
 /// the flange are refused before.
 #[test]
 fn a_plate_wider_than_the_flange_is_a_warning_and_bolts_beside_it_an_error() {

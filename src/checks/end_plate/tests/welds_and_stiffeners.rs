@@ -24,9 +24,9 @@ fn clause_4_5_3_3_welds_with_a_throat() {
     assert_eq!(find(&h, "beam_right, beam web", "least throat").status, Status::Failed);
 }
 
-/// A row below the flange pulls at b_eff of the web's welds. By hand, from the force of its table:
-/// F/(2 √2 · 4 · b_eff), no more of b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 = 240.6
-/// mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows on.
+/// A row below the flange acts on b_eff of the welds of the web. By hand, from the force of its
+/// table: F/(2 √2 · 4 · b_eff), no more of b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 =
+/// 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows on.
 #[test]
 fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     let title = "web weld beside the rows in tension, directional method";
@@ -87,7 +87,7 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     let top = find(&thin, "beam flange, tension at the top", title);
     near(top.resistance.unwrap_or(f64::NAN), 194.3e3, 1e-3);
     assert_eq!((top.status, thin.failed()), (Status::Failed, true), "{top:#?}");
-    // no load bends it the other way: told, not binding
+    // no load bends it the other way: reported, not binding
     assert_ne!(find(&thin, "beam flange, tension at the bottom", title).status, Status::Failed);
     // butt welds say why they hold
     let butt = loaded(load);
@@ -153,14 +153,14 @@ fn clause_6_2_6_2_stiffeners_on_their_net_section() {
     let sum: f64 = rows.filter_map(|c| c.resistance).sum();
     let share = used(find(&h, "beam_right", "moment and axial force of the joint"));
     near(check.demand.unwrap_or(f64::NAN), share * sum, 1e-9);
-    // half of a push comes on top: 20 kN; a greater cut leaves less: 2 · 45.5 · 10.7 · 235 = 228.8
-    // kN
+    // half of an axial compression is added: 20 kN; a larger clip leaves less: 2 · 45.5 · 10.7 ·
+    // 235 = 228.8 kN
     let pushed = of(&loaded(&ONE.replace("My", "N: -40 kN, My")));
     near(pushed.demand.unwrap_or(f64::NAN), share * sum + 20e3, 1e-9);
     let cut = of(&checks(&joint("stiffener_clip: 50", ONE)));
     near(cut.resistance.unwrap_or(f64::NAN), 228.8e3 + 331.5e3, 1e-3);
-    // a push that counts, 5 % of N_pl are 63 kN, comes from the equilibrium of the components: all
-    // of it at most in one flange
+    // with a compression that counts (5 % of N_pl are 63 kN) the equilibrium of the components
+    // decides: all of it at most in one flange
     for push in [100.0, 200.0, 400.0] {
         let check = of(&loaded(&ONE.replace("My", &format!("N: -{push} kN, My"))));
         let force = check.demand.unwrap_or(f64::NAN);
@@ -233,7 +233,7 @@ fn clause_4_5_3_3_welds_of_stiffeners() {
     assert!(loaded(ONE).checks.iter().all(|c| c.title != title), "butt welds have none");
 }
 
-/// A plate of 9 mm asks for 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear
+/// A plate of 9 mm needs 9/√2 = 6.364 mm; its part of the panel, 9/(2483 + 134 · 9) of the shear
 /// force a mm, runs along its welds.
 #[test]
 fn clause_6_2_6_1_welds_of_a_doubler() {
