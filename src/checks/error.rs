@@ -1,7 +1,5 @@
 //! Reasons why a hand check cannot be made.
 
-use crate::diag::Diagnostic;
-
 /// A quantity for which the formulas have no meaning, or a joint that the tables of the code do not
 /// cover.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -24,18 +22,6 @@ pub enum CheckError {
         /// The clause whose limits are exceeded.
         clause: &'static str,
     },
-}
-
-impl From<CheckError> for Diagnostic {
-    fn from(e: CheckError) -> Self {
-        let text = e.to_string();
-        match e {
-            CheckError::OutOfRange { .. } => Diagnostic::input("checks/range", text)
-                .help("correct the quantity; lengths are in mm, strengths in MPa"),
-            CheckError::NotCovered { .. } => Diagnostic::input("checks/not-covered", text)
-                .help("the analysis covers this joint, the hand checks of the code do not"),
-        }
-    }
 }
 
 /// Refuses a value that is not positive and finite.

@@ -312,7 +312,7 @@ mod tests {
 
     use Verdict::{None as Nothing, NotOk, Ok as Fine, Undecided};
 
-    /// Strength by the component method decides where no limit analysis does.
+    /// Strength by the component method decides where no limit analysis decides.
     #[test]
     fn the_component_method_decides_where_no_bracket_does() {
         let over =
@@ -329,7 +329,7 @@ mod tests {
         assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
     }
 
-    /// Where a component may buckle the component method binds; no bracket overrules it, or any
+    /// Where a component may buckle the component method binds; no bracket overrules it or any
     /// other binding check.
     #[test]
     fn no_bracket_overrules_what_limit_analysis_does_not_know() {
@@ -345,21 +345,20 @@ mod tests {
             verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine),
             [NotOk, NotOk, Fine]
         );
-        // what the method does not cover is no strength that a bracket answers: its checks are
-        // missing
+        // a bracket does not replace the checks of a joint that the component method does not cover
         let missing =
             Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
                 .of_case("A");
         assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
-        // a distance that is missed needs no load
+        // a distance that is too small fails without a load
         assert_eq!(
             verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine),
             [NotOk, NotOk, Fine]
         );
     }
 
-    /// Another case's check decides nothing here; without checks and without a bracket nothing is
-    /// decided.
+    /// A check of another case does not affect this one; without checks and without a bracket the
+    /// verdict is undecided.
     #[test]
     fn a_demand_always_ends_with_a_verdict() {
         assert_eq!(
@@ -373,7 +372,8 @@ mod tests {
         );
     }
 
-    /// A case at serviceability without a check does not vote; alone it decides nothing.
+    /// A case at serviceability without a check does not affect the verdict; alone it leaves the
+    /// verdict undecided.
     #[test]
     fn a_case_at_serviceability_does_not_stand_for_the_ultimate_one() {
         let mut h = hand(&[check(Topic::Bolts, 0.9, Some("A"))], &[]);
@@ -384,7 +384,7 @@ mod tests {
         assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
     }
 
-    /// The line names what governs: the failed check of the worst case, with clause and
+    /// The line names the governing check: the failed check of the worst case, with clause and
     /// utilisation.
     #[test]
     fn the_last_line_names_what_governs() {
@@ -406,7 +406,7 @@ mod tests {
             assert!(line.contains(words), "{line}");
         }
         assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
-        // where all is well, what is used most
+        // where all checks hold, the largest utilisation governs
         let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
         assert!(j.line(0).contains("utilisation 0.9 (6.2)"), "{}", j.line(0));
         let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);

@@ -76,10 +76,10 @@ impl ShearPanel {
         slenderness > limit
     }
 
-    /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` and what stiffeners
-    /// add. Beyond d_c/t_w = 69 ε it is no more than 0.9 times the shear buckling resistance of the
-    /// web, `χ_w h_w t_w f_y/(√3 γ_M1)`: exceeding this limit justifies NOT OK, but 6.2.6.1 does
-    /// not allow it as a design resistance.
+    /// Design resistance in shear \[N\]: `V_wp,Rd = 0.9 f_y,wc A_vc/(√3 γ_M0)` plus the
+    /// contribution of stiffeners. Beyond d_c/t_w = 69 ε it is no more than 0.9 times the shear
+    /// buckling resistance of the web, `χ_w h_w t_w f_y/(√3 γ_M1)`: exceeding this limit justifies
+    /// NOT OK, but 6.2.6.1 does not allow it as a design resistance.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.6.1(1) to (4), formula 6.7; EN 1993-1-5:2006 5.2 and 5.3, Table 5.1

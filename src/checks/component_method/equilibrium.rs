@@ -332,7 +332,7 @@ impl Compression {
         let flange = compressed(&zone(joint, c, least, shear_area), c).value;
         let between = (2.0 * lever - width).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
-        // without stiffeners the two zones and what lies between buckle together
+        // without stiffeners the two zones and the web between them buckle together
         let total = if c.stiffener > 0.0 {
             f64::INFINITY
         } else {

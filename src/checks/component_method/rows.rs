@@ -1,7 +1,7 @@
 //! The rows of bolts in tension: their T-stubs alone and in groups, on the side of the column and
 //! on that of the beam.
 //!
-//! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN
+//! Tension is at the top; [`EndPlateJoint::mirrored`] converts the other sense to this one. EN
 //! 1993-1-8:2005 6.2.4 to 6.2.6.
 
 use super::effective_lengths::{self as lengths, Lengths};

@@ -69,20 +69,14 @@ pub struct TStub {
     pub washer_quarter: Option<f64>,
 }
 
-/// Resistances of a T-stub by mode \[N\].
+/// Resistance of a T-stub \[N\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resistance {
-    /// F_T,1,Rd, or F_T,1-2,Rd without prying.
-    pub mode1: f64,
-    /// F_T,2,Rd; infinite without prying.
-    pub mode2: f64,
-    /// F_T,3,Rd.
-    pub mode3: f64,
     /// The mode that decides.
     pub mode: Mode,
-    /// Force of all bolts at that resistance, prying included; at most `mode3`.
+    /// Force of all bolts at that resistance, prying included; at most ΣF_t,Rd.
     pub bolts: f64,
-    /// The least of the three, with its derivation.
+    /// The least of the modes, with its derivation; each mode is a step of it.
     pub worked: Worked,
 }
 
@@ -100,30 +94,21 @@ impl TStub {
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        // the formula is written only for the mode that decides: writing takes longer than
-        // computing
-        let mut candidates: Vec<(Mode, f64)> = Vec::new();
-        match (self.prying, self.washer_quarter) {
-            (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
-            (Prying::Develops, None) => {
-                candidates.push((Mode::Flange, 4.0 * mpl1 / m));
-            }
+        let mut modes = match (self.prying, self.washer_quarter) {
+            (Prying::Absent, _) => vec![(Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)],
+            (Prying::Develops, None) => vec![(Mode::Flange, 4.0 * mpl1 / m)],
             (Prying::Develops, Some(ew)) => {
                 let below = 2.0 * m * e - ew * (m + e);
-                candidates.push((Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below));
+                vec![(Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below)]
             }
-        }
-        if self.prying == Prying::Develops {
-            candidates.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
-        }
-        candidates.push((Mode::Bolts, self.bolts));
-        let of = |mode: &dyn Fn(Mode) -> bool| {
-            candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1)
         };
-        let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
-        let mode2 = of(&|c| c == Mode::FlangeAndBolts);
+        if self.prying == Prying::Develops {
+            modes.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
+        }
+        modes.push((Mode::Bolts, self.bolts));
         // of equal modes the first decides
-        let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
+        let least = modes.iter().fold(&modes[0], |a, b| if b.1 < a.1 { b } else { a });
+        // writing a formula takes longer than computing it: only that of the mode that decides
         let formula =
             format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
         let mut worked = Worked::new(
@@ -139,7 +124,7 @@ impl TStub {
         .with("Σℓ_eff,2", self.length2, Unit::Length)
         .with("M_pl,1", mpl1, Unit::Moment)
         .with("M_pl,2", mpl2, Unit::Moment);
-        for (mode, value) in &candidates {
+        for (mode, value) in &modes {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
         // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
@@ -149,14 +134,7 @@ impl TStub {
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
             Mode::FlangeWithoutPrying => least.1,
         };
-        Resistance {
-            mode1,
-            mode2,
-            mode3: self.bolts,
-            mode: least.0,
-            bolts: bolts.min(self.bolts),
-            worked,
-        }
+        Resistance { mode: least.0, bolts: bolts.min(self.bolts), worked }
     }
 
     /// The formula of a mode with its numbers.

@@ -1,7 +1,7 @@
 //! Forces of the bolts under the actions of a load case, and their checks.
 //!
 //! Shear goes to the bolts in proportion to the share that tension leaves of their shear
-//! resistance, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt that no moment pulls, 0.4/1.4 for a bolt at
+//! resistance, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt without tension, 0.4/1.4 for a bolt at
 //! F_t,Rd, the two values of 6.2.2(2).
 
 use super::bolt_checks::bearing;

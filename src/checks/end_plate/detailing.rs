@@ -11,9 +11,16 @@ use crate::checks::eurocode::section::epsilon;
 use crate::checks::eurocode::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use std::f64::consts::SQRT_2;
 
-/// All checks of detailing, and the length of the bolts.
+/// All checks of detailing.
 pub(super) fn detailing(e: &EndPlate) -> Vec<Check> {
-    let (b, d) = (&e.bolt, e.bolt.d);
+    let mut out = spacing(e);
+    out.extend(room(e));
+    out.extend(length_of_bolts(e));
+    out
+}
+
+/// Spacing, end and edge distances of end plate and column flange.
+fn spacing(e: &EndPlate) -> Vec<Check> {
     let columns = e.columns();
     let across = columns.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
     let (p1, p2) = (pitches(e), Some(across));
@@ -38,6 +45,12 @@ pub(super) fn detailing(e: &EndPlate) -> Vec<Check> {
         out.extend(pattern_checks("column flange", &flange));
         out.extend(overhang(e, c));
     }
+    out
+}
+
+/// Room for wrenches and washers, and the outstand of stiffeners.
+fn room(e: &EndPlate) -> Vec<Check> {
+    let (d, mut out) = (e.bolt.d, Vec::new());
     let stiffener = e.column.as_ref().map_or(0.0, |c| c.stiffener);
     let leg = |throat: f64| SQRT_2 * throat;
     let (outer, inner) = (0.5 * e.beam.h, 0.5 * e.beam.h - e.beam.tf);
@@ -53,12 +66,17 @@ pub(super) fn detailing(e: &EndPlate) -> Vec<Check> {
     if let Some(c) = &e.column {
         let to_web = 0.5 * (e.gauge - c.section.tw);
         out.push(wrench_check("column web", to_web, d));
-        out.push(washer_check("column flange", to_web, b.washer_outer, c.section.r));
+        out.push(washer_check("column flange", to_web, e.bolt.washer_outer, c.section.r));
         if c.stiffener > 0.0 {
             out.push(stiffener_slenderness(c));
         }
     }
-    let grip = grip(e);
+    out
+}
+
+/// Length of the bolts, and their free thread.
+fn length_of_bolts(e: &EndPlate) -> Vec<Check> {
+    let (b, grip, mut out) = (&e.bolt, grip(e), Vec::new());
     let least = bolt_length::least_length(b, grip, WASHERS);
     let stocked = stocked_length(e);
     let subject = format!("{} {}, {} washers", b.size, e.grade.grade, WASHERS);

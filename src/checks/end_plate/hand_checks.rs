@@ -1,7 +1,7 @@
 //! Result of the hand checks of a connection.
 
 use super::comparison::Comparison;
-use super::rotation::PureMoment;
+use super::joint_stiffness::PureMoment;
 use crate::checks::check::{Check, Status};
 
 /// The checks of a connection, and the reasons why some of them are missing.

@@ -3,7 +3,7 @@
 
 use super::member_end::{LoadedEnd, MemberEnd};
 use super::transformation::other_ends;
-use crate::checks::check::{Check, Status, Step, Topic, Unit};
+use crate::checks::check::{Check, Status, Topic, Unit};
 use crate::checks::component_method::Summed;
 use crate::checks::worked::Worked;
 
@@ -16,13 +16,13 @@ pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
                    N_pl,Rd is covered";
         return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
     };
-    check.steps.push(step("M_j,Rd", method.moment, Unit::Moment));
+    check = check.with("M_j,Rd", method.moment, Unit::Moment);
     if let Some(e) = &method.equilibrium {
-        check.steps.push(step("N_j,Rd in tension", e.tension, Unit::Force));
-        check.steps.push(step("N_j,Rd in compression", e.compression, Unit::Force));
+        check = check.with("N_j,Rd in tension", e.tension, Unit::Force);
+        check = check.with("N_j,Rd in compression", e.compression, Unit::Force);
     }
     if end.e.column.is_some() {
-        check.steps.push(step("β", method.beta, Unit::Number));
+        check = check.with("β", method.beta, Unit::Number);
     }
     check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed)
 }
@@ -76,7 +76,7 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
     }
     let lever = end.assessment.stiffness.lever;
     let relief = end.e.column.as_ref().map_or(0.0, |c| c.shear);
-    // V_Ed is positive against what a positive moment at an end along +x brings
+    // V_Ed is positive against the shear of a positive moment at an end along +x
     let shear = end.a.outward * (own - other) / lever;
     let demand = (shear - relief).abs();
     let mut check = resistance;
@@ -100,8 +100,4 @@ pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
     );
     check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
     Some(check.against(Topic::ComponentMethod, end.subject(), demand, Status::Failed))
-}
-
-fn step(symbol: &str, value: f64, unit: Unit) -> Step {
-    Step { symbol: symbol.into(), value, unit }
 }

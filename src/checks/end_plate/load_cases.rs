@@ -6,8 +6,8 @@ use super::class_checks::classes;
 use super::comparison::Comparison;
 use super::hand_checks::HandChecks;
 use super::joint_checks;
+use super::joint_stiffness::PureMoment;
 use super::member_end::{LoadedEnd, MemberEnd, subject};
-use super::rotation::PureMoment;
 use super::sense::Sense;
 use super::slip_checks::slip;
 use super::stiffener_checks::{doubler_welds, stiffeners};
@@ -68,7 +68,7 @@ pub(super) fn checks(e: &EndPlate, out: &mut HandChecks) {
 }
 
 /// Torsion, weak-axis moment and horizontal shear: the hand checks of bolts, plates and welds leave
-/// them out, and no bracket covers what they leave out.
+/// them out, and a bracket does not replace them.
 fn no_formula(a: &PlaneActions) -> Option<Check> {
     let [[_, vy, _], [torsion, _, mz]] = a.at(1.0);
     let moments = [("T", torsion, Unit::Moment), ("Mz", mz, Unit::Moment), ("Vy", vy, Unit::Force)];

@@ -89,7 +89,7 @@ fn clause_6_2_7_1_plastic_equilibrium_of_moment_and_axial_force() {
     );
     let bent = e.at(0.0, a.moment.value).expect("a moment acts");
     assert!((bent.factor - 1.0).abs() < 1e-6, "{}", bent.factor);
-    // equilibrium with what acts, and a border that no ray leaves twice
+    // equilibrium with what acts, and an interaction curve that each ray crosses once
     for (n, m) in [(300e3, 40e6), (-800e3, 30e6), (100e3, -20e6), (-50e3, 60e6)] {
         let c = e.at(n, m).expect("they act");
         let pull: f64 = c.rows.iter().map(|r| r.force).sum();

@@ -40,7 +40,7 @@ fn en_1993_1_1_6_2_the_beam_at_the_joint() {
         assert!(left <= last * (1.0 + 1e-12), "{i}: {left} {last}");
         last = left;
     }
-    // where the component method has no answer the beam has
+    // the beam is checked where the component method does not cover the joint
     let rows = joint("", &ONE.replace("My: 40", "My: -40"))
         .replace("rows: [-90, 90, 190]", "rows: [-260, -190, 90]");
     let h = checks(&rows.replace("thickness: 15", "thickness: 15, z: [-300, 230]"));

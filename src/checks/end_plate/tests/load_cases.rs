@@ -54,8 +54,8 @@ fn clause_5_3_8_beta_of_two_beams() {
 }
 
 /// Without a moment every bolt carries the shear force; with one, bolts in tension carry what Table
-/// 3.4 leaves, so that every bolt of a row meets the interaction exactly where the sum of them
-/// does.
+/// 3.4 allows, so that every bolt of a row reaches the interaction exactly where the sum of all
+/// bolts does.
 #[test]
 fn clause_6_2_2_shear_goes_where_tension_leaves_room() {
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, Vz: -100 kN}");
@@ -137,7 +137,7 @@ fn clause_6_2_7_1_moment_and_axial_force() {
         );
         assert!(axial > 100e3 && axial <= plastic * 1.001, "{axial}");
     }
-    // what exceeds M_j,Rd fails, whatever its bolts carry: nothing is clipped
+    // a moment above M_j,Rd fails whatever the bolts carry: no demand is capped
     let h = loaded("{name: A, end: beam_right, at: bolt_plane, My: 300 kN m}");
     assert_eq!(
         find(&h, "beam_right", "moment and axial force of the joint").status,

@@ -276,7 +276,7 @@ fn a_splice_has_no_column() {
     );
 }
 
-/// Where neither plate nor flange is thin enough for its bolts, the numbers say so.
+/// Where neither plate nor flange is thin enough for its bolts, the reason states the numbers.
 #[test]
 fn thick_plates_and_soft_bolts_are_brittle() {
     let text = joint("", "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}");

@@ -26,7 +26,7 @@ fn clause_4_5_3_3_welds_with_a_throat() {
 
 /// A row below the flange acts on b_eff of the welds of the web. By hand, from the force of its
 /// table: F/(2 √2 · 4 · b_eff), no more of b_eff than the weld is long, 300 − 2 (10.7 + 15) − 8 =
-/// 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows on.
+/// 240.6 mm; 40 kN of shear make 40e3/(2 · 4 · 240.6) = 20.78 MPa. Beyond M_j,Rd it grows further.
 #[test]
 fn clause_4_5_3_2_web_weld_beside_the_rows_in_tension() {
     let title = "web weld beside the rows in tension, directional method";
@@ -89,7 +89,7 @@ fn clause_6_2_3_4_welds_are_not_the_weakest() {
     assert_eq!((top.status, thin.failed()), (Status::Failed, true), "{top:#?}");
     // no load bends it the other way: reported, not binding
     assert_ne!(find(&thin, "beam flange, tension at the bottom", title).status, Status::Failed);
-    // butt welds say why they hold
+    // butt welds state why they suffice
     let butt = loaded(load);
     let check = find(&butt, "beam flange, tension at the top", title);
     assert!(
