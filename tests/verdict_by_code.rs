@@ -20,7 +20,7 @@ fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     assembly::build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
 }
 
-/// The verdict on the case `A`, with what an analysis of it says.
+/// The verdict on the case `A`, given the verdict of an analysis of it.
 fn verdict(hand: &HandChecks, analysis: Verdict) -> (Judgement, Vec<Check>) {
     let mut hand = hand.clone();
     let a = Analysed { verdict: analysis, ..Analysed::not("A") };
@@ -33,7 +33,7 @@ fn builtin() -> Catalog {
 }
 
 /// UB457x191x67 of S460M between two beams: the web buckles, ρ = 0.645, at F_c,wc,Rd = 406 kN.
-/// Whatever a bracket says, 142 kNm are refused, and the check of buckling is what it stands on.
+/// Whatever the bracket, 142 kNm are NOT OK by the check of buckling.
 #[test]
 fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
     let of = |my: f64| {
@@ -67,14 +67,13 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
         .and_then(|c| c.utilisation);
     assert!(share.is_some_and(|u| (u - 1.05).abs() < 0.01), "{share:?}");
     assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
-    // by code alone the same; with the web strong enough for the load it is the analysis that is
-    // asked
+    // by code alone the same; where the web is strong enough for the load the analysis decides
     assert_eq!(verdict(&hand, Verdict::None).0.verdict, Verdict::NotOk);
     assert_eq!(verdict(&of(120.0), Verdict::Ok).0.verdict, Verdict::Ok);
 }
 
 /// HEB140 and IPE270 with M16 under 2.3 times M_j,Rd: without a limit analysis the component method
-/// refuses, and the tension of the bolts is not clipped at what they carry.
+/// gives NOT OK, and the tension of the bolts is not capped at their resistance.
 #[test]
 fn an_overload_is_refused_without_an_analysis() {
     let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB140, steel: \
@@ -94,8 +93,8 @@ fn an_overload_is_refused_without_an_analysis() {
     }
 }
 
-/// A web panel beyond 69 ε keeps its checks: refused where the load exceeds even its buckling,
-/// undecided below.
+/// A web panel beyond 69 ε keeps its checks: NOT OK where the load exceeds even its buckling
+/// resistance, undecided below.
 #[test]
 fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
     let of = |my: f64| {
@@ -223,7 +222,7 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
             }
             seen[rank(j.verdict)] += 1;
             assert!(rank(j.verdict) >= before, "{:?} after {before}: {}", j.verdict, place());
-            // without a number nothing is left, or the code gives no resistance
+            // no number: the resistance is 0, or the code gives none
             let of = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
             let used = binding().filter(|c| c.case.is_some()).map(of).fold(0.0, f64::max);
             assert!(used >= used_before - 1e-9, "{used} after {used_before}: {}", place());
@@ -248,8 +247,8 @@ fn one_sided(more: &str, members: &str, rows: &str, actions: &str) -> Option<Han
 
 const ROWS: &str = "[-90, 90, 190]";
 
-/// What no bracket may stand for: checks that a hand check cannot make are missing, and the verdict
-/// is open however much a limit analysis carries.
+/// A bracket does not replace hand checks that cannot be made: the verdict is undecided, whatever
+/// load the limit analysis carries.
 #[test]
 fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     let open = |hand: &HandChecks, words: &str| {
@@ -269,7 +268,7 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
         &one_sided("", "", "[-90, 90, 190, 260]", small).expect("a joint"),
         "outside the tension flange",
     );
-    // what presses the column beside the moment
+    // compression of the column beside the moment
     let pressed = "My: 20 kN m}, {name: A, section: column_top, pressure: 50 MPa";
     open(&one_sided("", "", ROWS, pressed).expect("a joint"), "members.column.N_Ed");
     assert_eq!(
@@ -288,8 +287,8 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     open(&checks(text, &builtin()).expect("a joint"), "Table 4.1 has no β_w");
 }
 
-/// 5 % of N_pl,Rd of the beam are left out beside a moment, not on a joint that carries less than
-/// that.
+/// 5 % of N_pl,Rd of the beam are neglected beside a moment, but not on a joint whose resistance is
+/// smaller.
 #[test]
 fn a_small_axial_force_is_held_against_a_weak_joint() {
     let text = |n: f64, m: f64| {
@@ -318,7 +317,8 @@ fn a_small_axial_force_is_held_against_a_weak_joint() {
     assert_eq!(of(30.0, 1.0).0.verdict, Verdict::Ok);
 }
 
-/// A push over the depth of the beam: the unstiffened web buckles, and that binds beside a bracket.
+/// Compression over the depth of the beam: the unstiffened web buckles, which binds beside a
+/// bracket.
 #[test]
 fn a_push_that_makes_the_web_buckle_binds() {
     let of = |n: f64| {
@@ -335,7 +335,8 @@ fn a_push_that_makes_the_web_buckle_binds() {
     assert_eq!(of(-50.0).verdict, Verdict::Ok, "{}", of(-50.0).reason);
 }
 
-/// The shear of the column takes off or adds, by its sign and that of the moment.
+/// The shear of the column reduces or increases the shear of the panel, by its sign and that of the
+/// moment.
 #[test]
 fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
     let panel = |v: &str, my: f64| {
@@ -353,7 +354,7 @@ fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
         assert!((panel(v, 30.0) - (up - sign * 40e3)).abs() < 1.0, "{v}");
         assert!((panel(v, -30.0) - (down + sign * 40e3)).abs() < 1.0, "{v}");
     }
-    // more than the moment brings turns the panel the other way
+    // a column shear larger than that of the moment reverses the shear of the panel
     assert!((panel(", V_Ed: 1000 kN", 30.0) - (1000e3 - up)).abs() < 1.0);
 }
 
@@ -383,8 +384,8 @@ fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     assert_eq!(of(1750.0).status, Status::Failed);
 }
 
-/// Four bolts in a row: geometry, drawing and list have all of them, the checks the inner two and
-/// say so; spacing is that of all.
+/// Four bolts in a row: geometry, drawing and list have all of them; the checks count the inner two
+/// and state it; spacing is checked for all.
 #[test]
 fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     let spec = |outer: &str, gauge: f64| {

@@ -6,7 +6,7 @@ use std::fmt;
 /// Relative slack of a comparison: decimal input such as 1.2 · 20 mm must equal 24 mm.
 const ROUNDING: f64 = 1e-9;
 
-/// Unit of a value of a check; values are always in the internal units.
+/// Unit of a value of a check. Values are always in the internal units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Unit {
     /// A pure number.
@@ -37,8 +37,8 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The unit of a printed page and the factor from the internal unit to it: forces in kN,
-    /// moments in kN m.
+    /// Factor from the internal unit to the printed one, and the name of the printed one: forces in
+    /// kN, moments in kN m.
     pub fn printed(self) -> (f64, &'static str) {
         match self {
             Unit::Number => (1.0, ""),
@@ -52,7 +52,7 @@ impl Unit {
         }
     }
 
-    /// A value as a page prints it, with its unit.
+    /// A value as a report prints it, with its unit.
     pub fn show(self, value: f64) -> String {
         let (factor, name) = self.printed();
         let text = number(value * factor);
@@ -60,7 +60,7 @@ impl Unit {
     }
 }
 
-/// Four significant digits, all digits of whole numbers, no trailing zeros.
+/// A number with four significant digits, all digits of whole numbers, no trailing zeros.
 pub fn number(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return if x == 0.0 { "0".into() } else { x.to_string() };
@@ -79,94 +79,15 @@ pub fn number(x: f64) -> String {
 /// An intermediate value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
-    /// The code's symbol.
+    /// Symbol of the code.
     pub symbol: String,
-    /// Its value, internal unit.
+    /// Value, internal unit.
     pub value: f64,
-    /// Its unit.
+    /// Unit.
     pub unit: Unit,
 }
 
-/// A value of the code with its derivation.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Worked {
-    /// Clause the formula stands in.
-    pub clause: &'static str,
-    /// What it is, in words.
-    pub title: &'static str,
-    /// The formula, then the same with numbers, then the result.
-    pub formula: String,
-    /// Intermediate values.
-    pub steps: Vec<Step>,
-    /// The value, internal unit.
-    pub value: f64,
-    /// Its unit.
-    pub unit: Unit,
-}
-
-impl Worked {
-    /// A value with its clause; `formula` is the formula with its numbers, the result is added to
-    /// it.
-    pub fn new(
-        clause: &'static str,
-        title: &'static str,
-        value: f64,
-        unit: Unit,
-        formula: impl fmt::Display,
-    ) -> Self {
-        let formula = format!("{formula} = {}", unit.show(value));
-        Self { clause, title, formula, steps: Vec::new(), value, unit }
-    }
-
-    /// Adds an intermediate value.
-    #[must_use]
-    pub fn with(mut self, symbol: &str, value: f64, unit: Unit) -> Self {
-        self.steps.push(Step { symbol: symbol.into(), value, unit });
-        self
-    }
-
-    /// The value as information, without a demand.
-    pub fn information(self, topic: Topic, subject: impl Into<String>) -> Check {
-        Check {
-            topic,
-            case: None,
-            subject: subject.into(),
-            clause: self.clause.into(),
-            title: self.title.into(),
-            formula: self.formula,
-            values: self.steps,
-            demand: None,
-            resistance: Some(self.value),
-            utilisation: None,
-            unit: self.unit,
-            status: Status::Information,
-        }
-    }
-
-    /// The value as a resistance against a demand ≥ 0 in the same unit; `otherwise` is the status
-    /// where it does not suffice.
-    pub fn against(
-        self,
-        topic: Topic,
-        subject: impl Into<String>,
-        demand: f64,
-        otherwise: Status,
-    ) -> Check {
-        let mut check = self.information(topic, subject);
-        check.judge(demand, check.resistance.unwrap_or(0.0), otherwise);
-        check
-    }
-
-    /// The value as a utilisation, to be at most 1; `otherwise` is the status where it is more.
-    pub fn utilised(self, topic: Topic, subject: impl Into<String>, otherwise: Status) -> Check {
-        let demand = self.value;
-        let mut check = self.information(topic, subject);
-        check.judge(demand, 1.0, otherwise);
-        check
-    }
-}
-
-/// What a check is about; the report has a table for each.
+/// Topic of a check; the report has a table for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Topic {
@@ -179,9 +100,9 @@ pub enum Topic {
     /// The beam's cross-section and the column's stiffeners at the joint.
     Member,
     /// Component method of EN 1993-1-8 section 6: strength, which a limit analysis of the same case
-    /// answers as well.
+    /// determines as well.
     ComponentMethod,
-    /// Buckling and slenderness, which no limit analysis sees.
+    /// Buckling and slenderness, which no limit analysis models.
     Stability,
     /// Stiffness of the component method.
     Stiffness,
@@ -189,7 +110,7 @@ pub enum Topic {
     Ductility,
 }
 
-/// How a check ended.
+/// Result of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -197,12 +118,12 @@ pub enum Status {
     Ok,
     /// The demand exceeds the limit.
     Failed,
-    /// The code gives no resistance here: it is neither allowed nor refused.
+    /// The code gives no resistance: neither satisfied nor failed.
     Undecided,
-    /// A recommendation is not followed, or strength by the component method where a limit analysis
-    /// decides; it does not decide the verdict.
+    /// A recommendation is not followed, or strength by the component method does not suffice where
+    /// a limit analysis decides. It does not affect the verdict.
     Warning,
-    /// A value without demand.
+    /// A value without a demand.
     Information,
 }
 
@@ -210,26 +131,26 @@ pub enum Status {
 /// mm).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
-    /// What it is about.
+    /// Topic.
     pub topic: Topic,
-    /// The load case whose demand it is; absent where no load is needed.
+    /// The load case of the demand; absent for a check that needs no load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case: Option<String>,
-    /// Which part, row or sense of bending.
+    /// Part, row or sense of bending.
     pub subject: String,
     /// Clause.
     pub clause: String,
-    /// What is checked, in words.
+    /// Name of the check.
     pub title: String,
     /// The formula with its numbers.
     pub formula: String,
     /// Intermediate values.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub values: Vec<Step>,
-    /// Demand: the force, or the length that is asked for.
+    /// Demand: the force, or the required length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub demand: Option<f64>,
-    /// Resistance: the force that is carried, or the length that is there.
+    /// Resistance: the force that can be carried, or the provided length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub resistance: Option<f64>,
     /// Demand over resistance.
@@ -237,12 +158,12 @@ pub struct Check {
     pub utilisation: Option<f64>,
     /// Unit of demand and resistance.
     pub unit: Unit,
-    /// How it ended.
+    /// Result.
     pub status: Status,
 }
 
 impl Check {
-    /// What the code gives no resistance for, in words.
+    /// A check for which the code gives no resistance, with the reason.
     pub fn undecided(
         topic: Topic,
         subject: impl Into<String>,
@@ -253,7 +174,7 @@ impl Check {
         Self { status: Status::Undecided, ..Self::assumption(topic, subject, clause, title, why) }
     }
 
-    /// What the checks take to be so, in words.
+    /// An assumption of the checks, in words.
     pub fn assumption(
         topic: Topic,
         subject: impl Into<String>,
@@ -277,8 +198,8 @@ impl Check {
         }
     }
 
-    /// A length that must reach a least value: demand is what is asked for, resistance what is
-    /// there. `otherwise` is the status when it does not.
+    /// A length that must reach a least value: the demand is the required length, the resistance
+    /// the provided one. `otherwise` is the status where it is too small.
     pub fn at_least(
         (topic, subject): (Topic, impl Into<String>),
         (clause, title): (&str, &str),
@@ -292,8 +213,8 @@ impl Check {
         Self::limit(topic, subject.into(), clause, title, formula, (required, provided), otherwise)
     }
 
-    /// A length that must not exceed a greatest value: demand is what is there, resistance what is
-    /// allowed.
+    /// A length that must not exceed a greatest value: the demand is the provided length, the
+    /// resistance the allowed one. `otherwise` is the status where it is too large.
     pub fn at_most(
         (topic, subject): (Topic, impl Into<String>),
         (clause, title): (&str, &str),
@@ -334,16 +255,16 @@ impl Check {
         check
     }
 
-    fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
+    pub(super) fn judge(&mut self, demand: f64, resistance: f64, otherwise: Status) {
         let number = |x: f64| Some(x).filter(|x| x.is_finite());
         self.demand = number(demand);
         self.resistance = number(resistance);
-        // without any resistance there is no number for the utilisation
+        // a utilisation needs a positive resistance
         self.utilisation = if resistance > 0.0 { number(demand / resistance) } else { None };
         self.status = if holds(demand, resistance) { Status::Ok } else { otherwise };
     }
 
-    /// The same as one of a load case.
+    /// The check with its load case.
     #[must_use]
     pub fn of_case(mut self, case: &str) -> Self {
         self.case = Some(case.into());
@@ -359,7 +280,7 @@ impl Check {
     pub fn sentence(&self) -> String {
         let case = self.case.as_ref().map_or(String::new(), |c| format!("{c}, "));
         let demand = match (&self.case, self.demand) {
-            // a formula that begins with the demand says it itself
+            // a formula that begins with the demand already has it
             (Some(_), Some(ed)) if self.unit != Unit::Number && !self.formula_has_demand() => {
                 format!("{} against ", self.unit.show(ed))
             }
@@ -372,7 +293,8 @@ impl Check {
     }
 }
 
-/// `e1 = 23 mm < 1.2 d0 = 24 mm`; a rule that is a plain length is not repeated: `a = 6 mm ≥ 3 mm`.
+/// Comparison of a length with its limit, `e1 = 23 mm < 1.2 d0 = 24 mm`. A rule that is a plain
+/// length is not repeated: `a = 6 mm ≥ 3 mm`.
 fn comparison(
     symbol: &str,
     provided: f64,
@@ -386,7 +308,7 @@ fn comparison(
     format!("{symbol} = {provided} {sign} {end}")
 }
 
-/// Whether a demand is within a resistance; never true of what is not a number.
+/// Whether a demand is within a resistance; never true of NaN.
 fn holds(demand: f64, resistance: f64) -> bool {
     demand <= resistance + ROUNDING * resistance.abs()
 }
@@ -433,40 +355,5 @@ mod tests {
         let throat = Check::at_least(topic, what, "a", (3.0, "3 mm"), 6.0, Status::Failed);
         assert_eq!(throat.formula, "a = 6 mm ≥ 3 mm");
         assert_eq!(check(-3.0).utilisation, None, "no finite utilisation where nothing is there");
-    }
-
-    #[test]
-    fn a_resistance_becomes_a_check() {
-        let worked = || {
-            Worked::new("3.6.1", "tension", 90e3, Unit::Force, "F").with("k2", 0.9, Unit::Number)
-        };
-        let check = worked().against(Topic::Bolts, "row 1", 99e3, Status::Failed);
-        assert_eq!((check.status, check.utilisation), (Status::Failed, Some(1.1)));
-        assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 90e3, Status::Failed).status,
-            Status::Ok
-        );
-        assert_eq!(
-            worked().against(Topic::Bolts, "row 1", 99e3, Status::Warning).status,
-            Status::Warning
-        );
-        let share = |value| Worked::new("6.2.7.1", "moment", value, Unit::Number, "M");
-        assert_eq!(
-            share(0.9).utilised(Topic::Bolts, "row 1", Status::Failed).utilisation,
-            Some(0.9)
-        );
-        assert_eq!(
-            share(1.01).utilised(Topic::Bolts, "row 1", Status::Failed).status,
-            Status::Failed
-        );
-        assert_eq!(
-            share(f64::NAN).utilised(Topic::Bolts, "row 1", Status::Failed).status,
-            Status::Failed
-        );
-        let check = worked().information(Topic::Bolts, "row 1");
-        assert_eq!(
-            (check.status, check.demand, check.resistance),
-            (Status::Information, None, Some(90e3))
-        );
     }
 }

@@ -1,13 +1,14 @@
 //! Classification of joints by stiffness and by strength: EN 1993-1-8:2005 5.2.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
-/// Whether bracing takes 80 % of the sway of the frame.
+/// Whether bracing reduces the sway of the frame by 80 %.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Frame {
-    /// Bracing cuts the sway by 80 % or more: k_b = 8.
+    /// Bracing reduces the horizontal displacement by 80 % or more: k_b = 8.
     Braced,
     /// Any other frame with K_b/K_c ≥ 0.1 in every storey: k_b = 25.
     Unbraced,
@@ -35,12 +36,12 @@ pub enum StiffnessClass {
     NominallyPinned,
 }
 
-/// The limits of the classes for one beam \[N mm/rad\].
+/// Limits of the classes by stiffness for one beam \[N mm/rad\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessLimits {
-    /// From here on rigid.
+    /// Least stiffness of a rigid joint.
     pub rigid: Worked,
-    /// Up to here nominally pinned.
+    /// Greatest stiffness of a nominally pinned joint.
     pub pinned: Worked,
 }
 
@@ -48,7 +49,7 @@ pub struct StiffnessLimits {
 /// `inertia` I_b \[mm⁴\].
 ///
 /// Rigid: `S_j,ini ≥ k_b E I_b/L_b`; nominally pinned: `S_j,ini ≤ 0.5 E I_b/L_b`. An unbraced frame
-/// with K_b/K_c < 0.1 has no rigid joints: `stiff_columns` says so.
+/// with K_b/K_c < 0.1 has no rigid joints: `stiff_columns`.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), figure 5.4.
@@ -83,7 +84,7 @@ pub fn stiffness_limits(
 }
 
 impl StiffnessClass {
-    /// As a report says it.
+    /// The class as a report prints it.
     pub fn words(self) -> &'static str {
         match self {
             StiffnessClass::Rigid => "rigid",
@@ -119,7 +120,7 @@ pub enum StrengthClass {
 }
 
 impl StrengthClass {
-    /// As a report says it.
+    /// The class as a report prints it.
     pub fn words(self) -> &'static str {
         match self {
             StrengthClass::FullStrength => "full strength",
@@ -148,5 +149,38 @@ pub fn strength_class(joint: f64, beam: f64, column: f64, storeys: u32) -> Stren
         StrengthClass::NominallyPinned
     } else {
         StrengthClass::PartialStrength
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 5.2.2.5: braced frames need 8 E I/L, others 25 E I/L.
+    #[test]
+    fn clause_5_2_2_5_classes_by_stiffness() {
+        let of =
+            |frame, s: f64| stiffness_limits(frame, false, 210_000.0, 1e8, 7000.0).class(s * 3e9);
+        for (frame, s, class) in [
+            (Frame::Braced, 8.0, StiffnessClass::Rigid),
+            (Frame::Braced, 7.9, StiffnessClass::SemiRigid),
+            (Frame::Unbraced, 8.0, StiffnessClass::SemiRigid),
+            (Frame::Unbraced, 25.0, StiffnessClass::Rigid),
+            (Frame::Unbraced, 0.51, StiffnessClass::SemiRigid),
+            (Frame::Braced, 0.5, StiffnessClass::NominallyPinned),
+        ] {
+            assert_eq!(of(frame, s), class, "{frame:?} {s}");
+        }
+        // columns much softer than the beams: no joint of an unbraced frame is rigid
+        let soft = stiffness_limits(Frame::Unbraced, true, 210_000.0, 1e8, 7000.0);
+        assert_eq!(soft.class(1e30), StiffnessClass::SemiRigid);
+    }
+
+    #[test]
+    fn clause_5_2_3_classes_by_strength() {
+        assert_eq!(strength_class(100.0, 100.0, 80.0, 2), StrengthClass::FullStrength);
+        assert_eq!(strength_class(80.0, 100.0, 80.0, 1), StrengthClass::FullStrength);
+        assert_eq!(strength_class(80.0, 100.0, 80.0, 2), StrengthClass::PartialStrength);
+        assert_eq!(strength_class(25.0, 100.0, 80.0, 2), StrengthClass::NominallyPinned);
     }
 }

@@ -1,9 +1,9 @@
 //! Rotation capacity: EN 1993-1-8:2005 6.4.2 and the rule of UK practice.
 
 use crate::checks::check::{Check, Status, Topic, Unit, number as n};
-use crate::checks::component_method::column_web::epsilon;
+use crate::checks::eurocode::section::epsilon;
 
-/// The bolt and the plate or flange it clamps.
+/// A bolt and the plate or flange that it clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clamped {
     /// Diameter of the bolt \[mm\].
@@ -16,8 +16,8 @@ pub struct Clamped {
     pub fy: f64,
 }
 
-/// Whether bending of a plate or flange that governs gives enough rotation for plastic analysis;
-/// not followed: a warning.
+/// Whether a plate or flange whose bending governs gives enough rotation for plastic analysis; a
+/// warning where it does not.
 ///
 /// `t ≤ 0.36 d √(f_ub/f_y)`.
 ///
@@ -37,7 +37,7 @@ pub fn rotation_capacity(subject: &str, c: &Clamped) -> Check {
     )
 }
 
-/// Whether the rows may carry their plastic forces side by side; not followed: a warning.
+/// Whether the rows may reach their plastic forces side by side; a warning where they may not.
 ///
 /// `t ≤ (d/1.9) √(f_ub/f_y)` for the end plate or the column flange.
 ///
@@ -57,8 +57,8 @@ pub fn plastic_distribution(subject: &str, c: &Clamped) -> Check {
     )
 }
 
-/// Whether a web panel that governs in shear gives enough rotation: `d_c/t_w ≤ 69 ε`; not followed:
-/// a warning.
+/// Whether a web panel that governs in shear gives enough rotation, `d_c/t_w ≤ 69 ε`; a warning
+/// where it does not.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.4.2(1).
@@ -76,4 +76,22 @@ pub fn panel_in_shear(subject: &str, clear_depth: f64, web: f64, fy: f64) -> Che
     check.unit = Unit::Number;
     check.formula = check.formula.replace(" mm", "");
     check
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clause_6_4_2_rotation_capacity() {
+        // M20 8.8 on S235: 0.36 · 20 · √(800/235) = 13.28 mm; (20/1.9) √(800/235) = 19.42 mm
+        let clamped = |thickness| Clamped { d: 20.0, fub: 800.0, thickness, fy: 235.0 };
+        let status = |c: Check| c.status;
+        assert_eq!(status(rotation_capacity("end plate", &clamped(13.2))), Status::Ok);
+        assert_eq!(status(rotation_capacity("end plate", &clamped(13.3))), Status::Warning);
+        assert_eq!(status(plastic_distribution("end plate", &clamped(19.4))), Status::Ok);
+        assert_eq!(status(plastic_distribution("end plate", &clamped(19.5))), Status::Warning);
+        assert_eq!(status(panel_in_shear("column", 690.0, 10.0, 235.0)), Status::Ok);
+        assert_eq!(status(panel_in_shear("column", 691.0, 10.0, 235.0)), Status::Warning);
+    }
 }

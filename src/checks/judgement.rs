@@ -1,26 +1,26 @@
-//! The verdict on the demands of a spec: by code, by analysis, and the joint one with its reason.
+//! The verdict on the demands of a spec: by code, by analysis, and the two combined with a reason.
 //!
 //! By code: every binding check, and the strength part of the component method where no limit
-//! analysis of the case decides. By analysis: the strict bracket of the load factor. The joint
+//! analysis decides the case. By analysis: the strict bracket of the load factor. The combined
 //! verdict is the worse of the two, so that a bound never overrules a check of what limit analysis
-//! does not know: buckling, fracture, slenderness.
+//! does not model: buckling, fracture, slenderness.
 
-use super::check::number;
+use super::check::{Check, Status, Topic, Unit, number};
+use super::end_plate::HandChecks;
 use super::verdict::Verdict;
-use super::{Check, HandChecks, Status, Topic, Unit};
 use serde::{Deserialize, Serialize};
 
-/// What the analyses of a load case say.
+/// Result of the analyses of a load case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Analysed {
     /// Load case with a demand.
     pub case: String,
-    /// From strict bounds of limit analysis; `None` of an analysis that brackets no resistance,
-    /// undecided where an analysis that was asked for gave no certificate.
+    /// Verdict by strict bounds of limit analysis: `None` for an analysis that brackets no
+    /// resistance, undecided where the requested analysis gave no certificate.
     pub verdict: Verdict,
     /// Bracket of demand over capacity.
     pub utilisation: Option<[f64; 2]>,
-    /// Why bounds that would decide do not: no rule of rotation capacity holds.
+    /// Whether bounds that would decide do not, because no rule of rotation capacity holds.
     pub brittle: bool,
 }
 
@@ -31,18 +31,18 @@ impl Analysed {
     }
 }
 
-/// What decides a verdict.
+/// Check or bound that decides a verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Governing {
-    /// The load case; absent where no load is needed.
+    /// The load case; absent for a check that needs no load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub case: Option<String>,
     /// Check and place, in words.
     pub what: String,
     /// Clause, or `limit analysis`.
     pub clause: String,
-    /// Demand over resistance, lower and upper bound; equal for a hand check, absent without a
-    /// number.
+    /// Demand over resistance, lower and upper bound; both equal for a hand check, absent where
+    /// there is no number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<[f64; 2]>,
 }
@@ -50,21 +50,21 @@ pub struct Governing {
 /// The verdict on a load case, or on all of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Judgement {
-    /// The worse of the two.
+    /// The worse of the two verdicts.
     pub verdict: Verdict,
     /// By the code's checks.
     pub by_code: Verdict,
-    /// By strict bounds; `none` where no analysis brackets a resistance.
+    /// By strict bounds; none where no analysis brackets a resistance.
     pub by_analysis: Verdict,
-    /// Why, in a sentence.
+    /// Reason, in a sentence.
     pub reason: String,
-    /// What governs; absent where nothing has a utilisation.
+    /// Check or bound that governs; absent where none has a utilisation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub governing: Option<Governing>,
 }
 
-/// Judges the load cases and all of them together. Strength by the component method becomes
-/// information in `checks` where a limit analysis decides the case and nothing may buckle.
+/// Judges each load case, and all of them together. Where a limit analysis decides a case and no
+/// component may buckle, strength by the component method becomes information in `checks`.
 pub fn judge(checks: &mut HandChecks, cases: &[Analysed]) -> (Judgement, Vec<Judgement>) {
     for a in cases.iter().filter(|a| matches!(a.verdict, Verdict::Ok | Verdict::NotOk)) {
         checks.beside_analysis(&a.case);
@@ -87,8 +87,8 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         .iter()
         .filter(|c| c.case.as_ref().is_none_or(|case| *case == a.case) && binds(c))
         .collect();
-    // without any check of the load there is no verdict by code, but what fails without a load
-    // fails
+    // without any check of the load there is no verdict by code, but a check that fails without a
+    // load still fails
     let loaded = binding.iter().any(|c| c.case.is_some());
     let word = |c: &&Check| match c.status {
         Status::Failed => Verdict::NotOk,
@@ -101,7 +101,7 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
     };
     let service = checks.serviceability.contains(&a.case);
     let verdict = match Verdict::worst([by_code, a.verdict]) {
-        // a case at serviceability has slip to check, or nothing
+        // of a case at serviceability only slip is checked, if anything
         Verdict::None if service => Verdict::None,
         Verdict::None => Verdict::Undecided,
         verdict => verdict,
@@ -113,9 +113,9 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
         clause: "limit analysis".into(),
         utilisation: a.utilisation,
     });
-    // where both say the same, what is used more
+    // where both verdicts are equal, the larger utilisation governs
     let used = |g: &Option<Governing>| g.as_ref().and_then(|g| g.utilisation).map_or(0.0, |u| u[1]);
-    // a bracket that the rule of rotation capacity holds back governs nothing by its numbers
+    // the numbers of a bracket that rotation capacity rules out govern nothing
     let more = used(&analysis) > used(&code) && !a.brittle;
     let by_bracket = by_code != verdict || (a.verdict == verdict && more);
     let governing = if by_bracket { analysis.clone().or(code.clone()) } else { code.clone() };
@@ -123,7 +123,7 @@ fn of_case(checks: &HandChecks, a: &Analysed) -> Judgement {
     Judgement { verdict, by_code, by_analysis: a.verdict, reason, governing }
 }
 
-/// The worst case speaks for all of them.
+/// The verdict on all cases, with the reason of the worst one.
 fn together(each: &[Judgement]) -> Judgement {
     let worst = |of: fn(&Judgement) -> Verdict| Verdict::worst(each.iter().map(of));
     let verdict = worst(|j| j.verdict);
@@ -148,15 +148,15 @@ fn binds(c: &Check) -> bool {
     !matches!(c.status, Status::Information | Status::Warning)
 }
 
-/// The check that stands for a verdict by code: a strength before a least length, the more used
-/// before the less.
+/// The check that governs a verdict by code: a strength rather than a least length, with the
+/// largest utilisation.
 fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     let status = match by_code {
         Verdict::NotOk => Status::Failed,
         Verdict::Undecided => Status::Undecided,
         Verdict::Ok | Verdict::None => Status::Ok,
     };
-    // a least distance that is kept says nothing of strength
+    // a least distance that is kept does not describe the strength
     let speaks = |c: &&&Check| {
         c.status == status && (status != Status::Ok || (c.case.is_some() && c.unit != Unit::Length))
     };
@@ -170,6 +170,7 @@ fn governing_check(binding: &[&Check], by_code: Verdict) -> Option<Governing> {
     })
 }
 
+/// The reason of a verdict, in a sentence.
 fn reason(
     a: &Analysed,
     by_code: Verdict,
@@ -223,7 +224,7 @@ fn reason(
 }
 
 impl Governing {
-    /// What governs, with its utilisation and clause.
+    /// The governing check with its utilisation and clause.
     pub fn words(&self) -> String {
         let used = match self.utilisation {
             Some([l, u]) if l == u => format!(", utilisation {}", number(u)),
@@ -235,7 +236,7 @@ impl Governing {
 }
 
 impl Judgement {
-    /// The answer of a run in one line.
+    /// The verdict of a run in one line.
     pub fn line(&self, code: u8) -> String {
         let governs = self.governing.as_ref().map_or_else(
             || format!("; {}", self.reason),
@@ -254,7 +255,7 @@ impl Judgement {
     }
 }
 
-/// What an exit code of a run with a verdict says (CONTRACT: exit codes).
+/// Meaning of an exit code of a run with a verdict (docs/contract.md).
 fn exit_meaning(code: u8) -> &'static str {
     match code {
         0 => "verified",
@@ -265,8 +266,8 @@ fn exit_meaning(code: u8) -> &'static str {
 }
 
 impl HandChecks {
-    /// Makes strength by the component method information in a case that a limit analysis decides;
-    /// not where a component may buckle.
+    /// Turns strength by the component method into information in a case that a limit analysis
+    /// decides, unless a component may buckle.
     fn beside_analysis(&mut self, case: &str) {
         if self.unstable.iter().any(|c| c == case) {
             return;
@@ -311,7 +312,7 @@ mod tests {
 
     use Verdict::{None as Nothing, NotOk, Ok as Fine, Undecided};
 
-    /// Strength by the component method decides where no limit analysis does.
+    /// Strength by the component method decides where no limit analysis decides.
     #[test]
     fn the_component_method_decides_where_no_bracket_does() {
         let over =
@@ -328,7 +329,7 @@ mod tests {
         assert_eq!(verdicts(&over[1..], &[], Undecided), [Undecided, Fine, Undecided]);
     }
 
-    /// Where a component may buckle the component method binds; no bracket overrules it, or any
+    /// Where a component may buckle the component method binds; no bracket overrules it or any
     /// other binding check.
     #[test]
     fn no_bracket_overrules_what_limit_analysis_does_not_know() {
@@ -344,21 +345,20 @@ mod tests {
             verdicts(&[unknown, check(Topic::Bolts, 1.01, Some("A"))], &["A"], Fine),
             [NotOk, NotOk, Fine]
         );
-        // what the method does not cover is no strength that a bracket answers: its checks are
-        // missing
+        // a bracket does not replace the checks of a joint that the component method does not cover
         let missing =
             Check::undecided(Topic::ComponentMethod, "rows", "Table 6.6", "rows", "two outside")
                 .of_case("A");
         assert_eq!(verdicts(&[missing], &[], Fine), [Undecided, Undecided, Fine]);
-        // a distance that is missed needs no load
+        // a distance that is too small fails without a load
         assert_eq!(
             verdicts(&[check(Topic::Detailing, 1.1, None)], &[], Fine),
             [NotOk, NotOk, Fine]
         );
     }
 
-    /// Another case's check decides nothing here; without checks and without a bracket nothing is
-    /// decided.
+    /// A check of another case does not affect this one; without checks and without a bracket the
+    /// verdict is undecided.
     #[test]
     fn a_demand_always_ends_with_a_verdict() {
         assert_eq!(
@@ -372,7 +372,8 @@ mod tests {
         );
     }
 
-    /// A case at serviceability without a check does not vote; alone it decides nothing.
+    /// A case at serviceability without a check does not affect the verdict; alone it leaves the
+    /// verdict undecided.
     #[test]
     fn a_case_at_serviceability_does_not_stand_for_the_ultimate_one() {
         let mut h = hand(&[check(Topic::Bolts, 0.9, Some("A"))], &[]);
@@ -383,7 +384,7 @@ mod tests {
         assert_eq!(judge(&mut h, &[limit]).0.verdict, Undecided);
     }
 
-    /// The line names what governs: the failed check of the worst case, with clause and
+    /// The line names the governing check: the failed check of the worst case, with clause and
     /// utilisation.
     #[test]
     fn the_last_line_names_what_governs() {
@@ -405,7 +406,7 @@ mod tests {
             assert!(line.contains(words), "{line}");
         }
         assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
-        // where all is well, what is used most
+        // where all checks hold, the largest utilisation governs
         let (j, _) = judge(&mut hand(&checks[..1], &[]), &[case("A")]);
         assert!(j.line(0).contains("utilisation 0.9 (6.2)"), "{}", j.line(0));
         let (j, _) = judge(&mut hand(&[check(Topic::Bolts, 0.7, Some("A"))], &[]), &[case("A")]);

@@ -1,8 +1,8 @@
-//! What a code asks for beyond the model: the hand checks of EN 1993-1-8:2005 as pure functions
-//! over plain data.
+//! Checks of the code that the model does not cover: the hand checks of EN 1993-1-8:2005 as pure
+//! functions over plain data, and the verdict that joins them with the analysis.
 //!
-//! Every function is one formula of the code: its clause stands in the doc comment, its result is a
-//! [`Worked`] value that carries the formula with its numbers, and [`Worked::against`] makes it a
+//! Every function is one formula of the code. Its clause stands in the doc comment. Its result is a
+//! [`Worked`] value, which carries the formula with its numbers, and [`Worked::against`] makes it a
 //! [`Check`]. Units: mm, N, MPa, N mm, rad.
 
 pub mod check;
@@ -14,8 +14,10 @@ pub mod error;
 pub mod eurocode;
 pub mod judgement;
 pub mod verdict;
+pub mod worked;
 
-pub use check::{Check, Status, Step, Topic, Unit, Worked};
+pub use check::{Check, Status, Step, Topic, Unit};
 pub use end_plate::{Comparison, HandChecks, JointStiffness, MomentAxial, PureMoment, hand_checks};
 pub use error::CheckError;
 pub use judgement::{Analysed, Judgement, judge};
+pub use worked::Worked;

@@ -1,9 +1,9 @@
-//! The three values of a verdict, and the one of strict bounds; `judgement` joins it with the
-//! code's checks.
+//! The values of a verdict, and the verdict by strict bounds; `judgement` joins it with the checks
+//! of the code.
 
 use serde::{Deserialize, Serialize};
 
-/// The answer in one word.
+/// Answer to whether the demand is carried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -11,18 +11,18 @@ pub enum Verdict {
     Ok,
     /// The demand is not carried: by an upper bound or by a check.
     NotOk,
-    /// Neither is known.
+    /// Neither is certain.
     Undecided,
     /// There is no demand to judge.
     None,
 }
 
 impl Verdict {
-    /// The verdict on loads of factor 1, from strict bounds of the load factor at collapse; `None`:
-    /// no strict bound.
+    /// Verdict on loads of factor 1, from strict bounds of the load factor at collapse; `None`: no
+    /// strict bound.
     ///
-    /// With friction, `lower` is the bound without it: associated friction dilates and is not safe
-    /// for a real joint (MECHANICS section 4: Radenkovic, Drucker).
+    /// With friction, `lower` is the bound without friction: associated friction dilates, so its
+    /// lower bound is not safe for a real joint (docs/theory.md; Radenkovic, Drucker).
     pub fn of(lower: Option<f64>, upper: Option<f64>) -> Self {
         match (lower, upper) {
             (Some(l), _) if l >= 1.0 => Verdict::Ok,
@@ -31,7 +31,7 @@ impl Verdict {
         }
     }
 
-    /// Of several load cases the worst counts; no case: nothing to judge.
+    /// The worst verdict of several load cases; [`Verdict::None`] without any.
     pub fn worst(verdicts: impl IntoIterator<Item = Self>) -> Self {
         let rank = |v: &Verdict| match v {
             Verdict::None => 0,
@@ -42,7 +42,7 @@ impl Verdict {
         verdicts.into_iter().max_by_key(rank).unwrap_or(Verdict::None)
     }
 
-    /// As a report says it.
+    /// The verdict as a report prints it.
     pub fn words(self) -> &'static str {
         match self {
             Verdict::Ok => "OK",
@@ -53,8 +53,8 @@ impl Verdict {
     }
 }
 
-/// Demand over capacity, lower first: the reciprocals of strict bounds of the load factor. `None`
-/// unless both are there and positive.
+/// Bracket of demand over capacity, lower first: the reciprocals of strict bounds of the load
+/// factor, rounded outwards. `None` unless both bounds exist and are positive.
 pub fn utilisation(lower: Option<f64>, upper: Option<f64>) -> Option<[f64; 2]> {
     let (l, u) = (lower.filter(|l| *l > 0.0)?, upper.filter(|u| *u > 0.0)?);
     Some([(1.0 / u).next_down(), (1.0 / l).next_up()])

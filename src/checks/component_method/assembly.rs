@@ -5,14 +5,15 @@ use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use super::t_stub::Mode;
 use super::{beam, stiffness};
-use crate::checks::check::{Unit, Worked, number};
+use crate::checks::check::{Unit, number};
 use crate::checks::error::CheckError;
+use crate::checks::eurocode::section::{Class, epsilon};
+use crate::checks::worked::Worked;
 
-/// Part of the tension resistance of a row's bolts above which the rows below may not be plastic,
-/// 6.2.7.2(9).
+/// Force of a row over F_t,Rd of one bolt above which the rows below stay elastic, 6.2.7.2(9).
 pub(super) const NEARLY_BOLTS: f64 = 1.9;
 
-/// A component that the rows `first..=row` share, row counted from 0.
+/// A component that the rows `first..=row` share; rows are counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The first row of the group.
@@ -21,7 +22,7 @@ pub struct Group {
     pub component: Component,
 }
 
-/// What limits a row.
+/// Force of a row and the components that limit it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowForce {
     /// z from the beam's axis, tension at the top \[mm\].
@@ -38,15 +39,15 @@ pub struct RowForce {
     pub grouped: f64,
     /// F_tr,Rd, after compression and shear as well \[N\].
     pub force: f64,
-    /// What limits it, in words.
+    /// The limiting component, in words.
     pub limited_by: String,
     /// The mode of the T-stub that limits it, if one does.
     pub mode: Option<Mode>,
-    /// Whether 6.2.7.2(9) limits it.
+    /// Whether 6.2.7.2(9) reduces it.
     pub elastic: bool,
 }
 
-/// Which component limits the sum of the rows.
+/// A component that limits the sum of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Summed {
     /// Column web in compression.
@@ -60,22 +61,22 @@ pub enum Summed {
 /// A limit of the sum of the rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// Which component.
+    /// The component.
     pub of: Summed,
     /// Its resistance \[N\].
     pub worked: Worked,
 }
 
-/// A component whose resistance, or whose place in the code, hangs on buckling.
+/// A component whose resistance, or whose coverage by the code, depends on buckling.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stability {
-    /// What may buckle, with the number and the limit it exceeds.
+    /// The component that may buckle, with its slenderness and the limit that it exceeds.
     pub why: String,
     /// Clause.
     pub clause: &'static str,
-    /// True: the component's resistance holds the reduction, so that the component method answers.
-    /// False: the code gives no resistance to design with, and the component method alone cannot
-    /// say OK.
+    /// True: the resistance of the component contains the reduction, so the component method covers
+    /// it. False: the code gives no design resistance, and the component method alone cannot
+    /// conclude OK.
     pub covered: bool,
 }
 
@@ -93,23 +94,23 @@ pub struct Assessment {
     pub moment: Worked,
     /// M_c,Rd of the beam.
     pub beam_moment: Worked,
-    /// Parts that may buckle, which a limit analysis does not see.
+    /// Components that may buckle, which a limit analysis does not model.
     pub stability: Vec<Stability>,
     /// Stiffness coefficients and S_j,ini.
     pub stiffness: stiffness::Stiffness,
 }
 
 impl RowForce {
-    /// The part whose bending, alone or with the bolts, limits the row; `None` where something else
-    /// does.
+    /// The part whose bending, alone or with the bolts, limits the row; `None` where another
+    /// component does.
     pub fn bending_of(&self) -> Option<&'static str> {
         self.mode.filter(|m| m.bends() && self.force > 0.0)?;
         ["end plate", "column flange"].into_iter().find(|part| self.limited_by.starts_with(part))
     }
 
-    /// Force of one bolt of the row, prying included, under a part `share` of F_tr,Rd \[N\]: the
-    /// plastic state of the row's T-stubs in proportion, which is in equilibrium and nowhere above
-    /// its resistance.
+    /// Force of one bolt of the row, prying included, under a fraction `share` of F_tr,Rd \[N\]:
+    /// the plastic state of the row's T-stubs scaled down, which is in equilibrium and nowhere
+    /// above its resistance.
     pub fn bolt_force(&self, share: f64) -> f64 {
         let force = share * self.force;
         let stubs = self.alone.iter().filter_map(|c| Some(c.bolts? / c.worked.value));
@@ -130,7 +131,7 @@ impl Assessment {
         self.limits.iter().any(|l| l.of == Summed::Panel && l.worked.value <= total * (1.0 + 1e-9))
     }
 
-    /// The resistance of a component that limits the sum \[N\].
+    /// Resistance of a component that limits the sum \[N\].
     pub fn limit(&self, of: Summed) -> Option<&Worked> {
         self.limits.iter().find(|l| l.of == of).map(|l| &l.worked)
     }
@@ -138,16 +139,16 @@ impl Assessment {
 
 /// Row forces, moment resistance and stiffness of a joint with the tension at the top.
 ///
-/// From the outermost row on, each row carries what it can alone, what the groups leave it, what
-/// compression and shear leave of the sum, and in proportion to its lever arm where a row above
-/// carries more than 1.9 F_t,Rd. `M_j,Rd = Σ h_r F_tr,Rd`.
+/// From the outermost row on, the force of each row is the least of: its own resistance, the rest
+/// of each group, the rest of the sum that compression and shear allow, and a force in proportion
+/// to its lever arm where a row above has more than 1.9 F_t,Rd. `M_j,Rd = Σ h_r F_tr,Rd`.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.7.2(1) to (9), formula 6.25.
 pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     let rows = Rows::new(joint)?;
     let beam = &joint.beam;
-    let beam_moment = beam::moment_resistance(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
+    let beam_moment = beam::bending_6_2_8(&beam.section, beam.fy, beam.shear, joint.gamma_m0);
     let panel = panel(joint, &rows).map(|p| (p.resistance(), p));
     let (resistance, panel) = panel.unzip();
     let limits = limits(joint, &rows, beam_moment.value, resistance.as_ref());
@@ -183,8 +184,8 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
                 limit.lower(proportional, || "6.2.7.2(9), lever arms".into(), None);
             }
         }
-        // what the rows above carry in a group does not depend on compression: once that limits a
-        // row, none is left below
+        // the forces of the rows in a group do not depend on compression: once compression limits a
+        // row, nothing remains for the rows below
         let grouped = limit.force.max(0.0);
         limit.lower(left, || least.into(), None);
         let force = limit.force.max(0.0);
@@ -215,7 +216,7 @@ pub fn assess(joint: &EndPlateJoint) -> Result<Assessment, CheckError> {
     })
 }
 
-/// The least limit so far and what it is.
+/// The least limit so far and its component.
 struct Least {
     force: f64,
     words: String,
@@ -234,6 +235,7 @@ impl Least {
     }
 }
 
+/// M_j,Rd.
 fn moment(rows: &[RowForce]) -> Worked {
     let value = rows.iter().map(|r| r.lever * r.force).sum();
     let terms: Vec<String> = rows
@@ -246,7 +248,7 @@ fn moment(rows: &[RowForce]) -> Worked {
     Worked::new("EN 1993-1-8:2005 6.2.7.2(1)", title, value, Unit::Moment, formula)
 }
 
-/// The column web panel; `None` where there is none or nothing shears it.
+/// The column web panel; `None` without a column or where β = 0.
 fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
     let c = joint.column.as_ref().filter(|_| joint.beta > 0.0)?;
     let (s, b) = (&c.section, &joint.beam.section);
@@ -266,21 +268,6 @@ fn panel(joint: &EndPlateJoint, rows: &Rows<'_>) -> Option<ShearPanel> {
         gamma_m0: joint.gamma_m0,
         gamma_m1: joint.gamma_m1,
     })
-}
-
-/// Width of the compressed zone of the column web, the column continuing \[mm\].
-pub(super) fn zone_width(joint: &EndPlateJoint, c: &Column) -> f64 {
-    let (s, b) = (&c.section, &joint.beam);
-    // the plate reaches below the compressed flange
-    let overhang = -0.5 * b.section.h - joint.plate.bottom;
-    column_web::compressed_width(
-        b.section.tf,
-        b.flange_throat,
-        s.tf,
-        s.root,
-        joint.plate.thickness,
-        overhang,
-    )
 }
 
 /// A zone of the column web in compression, `width` \[mm\].
@@ -315,13 +302,13 @@ pub(super) fn compressed(zone: &CompressedWeb, c: &Column) -> Worked {
 
 /// The zone below the compressed flange, cut where the column ends.
 fn cut_zone(joint: &EndPlateJoint, c: &Column, shear_area: f64) -> CompressedWeb {
-    let (width, b) = (zone_width(joint, c), &joint.beam.section);
+    let (width, b) = (column_web::compressed_width(joint, c), &joint.beam.section);
     let centre = 0.5 * (b.h - b.tf);
     let half = c.below.map_or(0.5 * width, |end| (0.5 * width).min(end - centre).max(0.0));
     zone(joint, c, half + 0.5 * width, shear_area)
 }
 
-/// What the compressed and the sheared components leave of the sum of the rows.
+/// Limits of the sum of the rows by the components in compression and in shear.
 fn limits(
     joint: &EndPlateJoint,
     rows: &Rows<'_>,
@@ -348,7 +335,7 @@ fn limits(
     out
 }
 
-/// The parts that may buckle before they yield.
+/// The components that may buckle before they yield.
 fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>) -> Vec<Stability> {
     let mut out = Vec::new();
     if let Some(c) = &joint.column {
@@ -363,15 +350,15 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2", covered: true });
         }
         let of_cross = compressed(&web, c);
-        if let Some(chi) = of_cross.steps.iter().find(|s| s.symbol == "χ" && s.value < 1.0) {
+        if let Some(chi) = of_cross.step("χ").filter(|chi| *chi < 1.0) {
             let why = format!(
                 "the stiffened column web buckles under the compressed flange: χ = {}",
-                number(chi.value)
+                number(chi)
             );
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.2(4)", covered: true });
         }
         let outstand = 0.5 * (c.section.b - c.section.tw);
-        let limit = column_web::STIFFENER_SLENDERNESS * column_web::epsilon(c.fy);
+        let limit = column_web::STIFFENER_SLENDERNESS * epsilon(c.fy);
         if c.stiffener > 0.0 && outstand > limit * c.stiffener {
             let ratio = number(outstand / c.stiffener);
             let why = format!(
@@ -390,7 +377,7 @@ fn stability(joint: &EndPlateJoint, rows: &Rows<'_>, panel: Option<&ShearPanel>)
             out.push(Stability { why, clause: "EN 1993-1-8:2005 6.2.6.1(1)", covered: false });
         }
     }
-    if beam::class(&joint.beam.section, joint.beam.fy) == beam::Class::Slender {
+    if beam::class(&joint.beam.section, joint.beam.fy) == Class::Slender {
         let why = "the beam is of class 4 in bending: its compressed flange or web buckles before \
                    it yields"
             .into();

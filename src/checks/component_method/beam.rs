@@ -1,66 +1,44 @@
 //! The beam: flange and web in compression, web in tension. EN 1993-1-8:2005 6.2.6.7 and 6.2.6.8.
 
-use super::column_web::{epsilon, shear_area};
-use super::joint::Section;
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::eurocode::i_section::Section;
+use crate::checks::eurocode::section::{
+    Class, Slenderness, epsilon, plastic_shear, reduced_modulus, shear_reduction,
+};
+use crate::checks::worked::Worked;
 
-/// Depth of a beam above which its web may take no more than a fifth of the compression \[mm\],
+/// Depth of a beam above which its web may contribute at most a fifth of the compression \[mm\],
 /// 6.2.6.7(1).
 const DEEP: f64 = 600.0;
 
-/// Class of a cross-section in bending.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Class {
-    /// 1 or 2: the plastic moment is reached.
-    Plastic,
-    /// 3: the outermost fibre yields.
-    Elastic,
-    /// 4: it buckles before.
-    Slender,
+/// Slenderness of the beam for the component method: the outstand of the flange counts from the
+/// root radius of the geometry.
+pub fn slenderness(beam: &Section) -> Slenderness {
+    Slenderness::new(beam, beam.root)
 }
 
-/// Slenderness of the compressed flange and of the web in bending over ε: c/(t ε).
-fn outstands(beam: &Section, fy: f64) -> (f64, f64) {
-    let eps = epsilon(fy);
-    let flange = (0.5 * (beam.b - beam.tw) - beam.root) / beam.tf;
-    (flange / eps, beam.clear_depth() / beam.tw / eps)
-}
-
-/// Class of the beam in bending.
+/// Class of the beam in pure bending.
 ///
 /// # Source
-/// EN 1993-1-1:2005 Table 5.2: flange c/t ≤ 10 ε and web c/t ≤ 83 ε class 2, 14 ε and 124 ε class
-/// 3.
+/// EN 1993-1-1:2005 Table 5.2.
 pub fn class(beam: &Section, fy: f64) -> Class {
-    let (flange, web) = outstands(beam, fy);
-    if flange <= 10.0 && web <= 83.0 {
-        Class::Plastic
-    } else if flange <= 14.0 && web <= 124.0 {
-        Class::Elastic
-    } else {
-        Class::Slender
-    }
+    slenderness(beam).class(beam, fy, 0.0)
 }
 
-/// V_pl,Rd of the beam \[N\].
+/// Design resistance M_c,Rd of the beam to bending beside a shear force \[N\], without axial force
+/// \[N mm\]: plastic in classes 1 and 2, elastic in class 3; in class 4 with the stress up to which
+/// the section is still of class 3.
 ///
-/// # Source
-/// EN 1993-1-1:2005 6.2.6(2) and (3), formula 6.18.
-pub fn plastic_shear(beam: &Section, fy: f64, gamma_m0: f64) -> f64 {
-    shear_area(beam.area, beam.b, beam.h, beam.tf, beam.tw, beam.r, 0.0) * fy
-        / (3f64.sqrt() * gamma_m0)
-}
-
-/// Design moment resistance of the beam's cross-section \[N mm\] beside a shear force \[N\]:
-/// plastic in classes 1 and 2, elastic in class 3; in class 4 the stress up to which the section is
-/// still of class 3.
+/// This is M_c,Rd of the component beam flange in compression. The check of the beam itself, with
+/// its axial force, is `eurocode::section::CrossSection::bending_6_2_10`. Here ρ is limited to 1.
 ///
 /// # Source
 /// EN 1993-1-1:2005 6.2.5, Table 5.2; 5.5.2(9) for class 4: c/t ≤ 14 ε √(f_y/σ) and 124 ε √(f_y/σ);
 /// 6.2.8(2) to (5) for V_Ed > 0.5 V_pl,Rd (classes 3 and 4: the whole moment is reduced by 1 − ρ,
 /// on the safe side).
-pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Worked {
-    let (flange, web) = outstands(beam, fy);
+pub fn bending_6_2_8(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> Worked {
+    let (c, eps) = (slenderness(beam), epsilon(fy));
+    let (flange, web) = (c.flange / eps, c.web / eps);
     let class = class(beam, fy);
     let stress = match class {
         Class::Slender => fy * (14.0 / flange).powi(2).min((124.0 / web).powi(2)).min(1.0),
@@ -76,24 +54,22 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
         n(stress),
         n(gamma_m0)
     );
-    let ratio = shear / plastic_shear(beam, fy, gamma_m0);
+    let ratio = shear / plastic_shear(beam.shear_area(), fy, gamma_m0);
     let mut value = whole;
     if ratio > 0.5 {
-        let rho = (2.0 * ratio - 1.0).powi(2).min(1.0);
-        let web_area = (beam.h - 2.0 * beam.tf) * beam.tw;
+        let rho = shear_reduction(ratio).min(1.0);
         value = match class {
             Class::Plastic => {
-                let reduced = modulus - rho * web_area * web_area / (4.0 * beam.tw);
                 formula = format!(
                     "M_V,Rd = (W_pl − ρ A_w²/(4 t_w)) f_y/γ_M0 = ({} − {} · {}²/(4 · {})) · {}/{}",
                     n(modulus),
                     n(rho),
-                    n(web_area),
+                    n(beam.web_depth() * beam.tw),
                     n(beam.tw),
                     n(fy),
                     n(gamma_m0)
                 );
-                (reduced * fy / gamma_m0).clamp(0.0, whole)
+                (reduced_modulus(beam, rho) * fy / gamma_m0).clamp(0.0, whole)
             }
             Class::Elastic | Class::Slender => {
                 formula += &format!(" · (1 − ρ = {})", n(1.0 - rho));
@@ -118,7 +94,7 @@ pub fn moment_resistance(beam: &Section, fy: f64, shear: f64, gamma_m0: f64) -> 
 
 /// Design resistance of flange and web of the beam in compression \[N\].
 ///
-/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web's share is 20 % at most: F ≤ b
+/// `F_c,fb,Rd = M_c,Rd/(h − t_fb)`; above 600 mm of depth the web contributes at most 20 %: F ≤ b
 /// t_f f_y/(0.8 γ_M0).
 ///
 /// # Source

@@ -89,7 +89,7 @@ pub fn outside_flange(mx: f64, ex: f64, e: f64, w: f64, bp: f64) -> Lengths {
     Lengths { circular, straight }
 }
 
-/// What an inner row adds to a group, with the pitches to its two neighbours.
+/// Contribution of an inner row to a group, with the pitches to its two neighbours.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Tables 6.4 to 6.6: 2p; p, with half of each pitch where they differ.
@@ -97,8 +97,8 @@ pub fn inner_of_group(above: f64, below: f64) -> Lengths {
     Lengths { circular: above + below, straight: 0.5 * (above + below) }
 }
 
-/// What the first or last row adds to a group, with the pitch `p` to its neighbour; `e1` only at an
-/// end of the flange.
+/// Contribution of the first or last row to a group, with the pitch `p` to its neighbour; `e1` only
+/// at an end of the flange.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Tables 6.4 to 6.6, "other end bolt-row": min(πm + p, 2e1 + p); min(2m + 0.625e
@@ -111,7 +111,7 @@ pub fn end_of_group(m: f64, e: f64, p: f64, e1: Option<f64>) -> Lengths {
     }
 }
 
-/// What the first or last row adds to a group when it stands next to a stiffener.
+/// Contribution of the first or last row to a group where it is next to a stiffener.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Tables 6.5 and 6.6: πm + p; 0.5p + αm − (2m + 0.625e).
@@ -124,7 +124,7 @@ pub fn beside_stiffener_of_group(m: f64, e: f64, p: f64, alpha: f64) -> Lengths 
 ///
 /// λ1 = m/(m + e), λ2 = m2/(m + e). A curve of constant α is the straight line λ1 = L1 for λ2 ≥ L2,
 /// and below λ1 = L1 + (1 − L1) ((L2 − λ2)/L2)^(0.185 α^1.785), with L1 = 1.25/(α − 2.75) and L2 =
-/// α L1/2. Along the straight line αm is 4m + 1.25e: a stiffener far away is none.
+/// α L1/2. Along the straight line αm is 4m + 1.25e: a stiffener far away has no effect.
 ///
 /// # Source
 /// EN 1993-1-8:2005 figure 6.11; the closed form of its curves as published with the code's

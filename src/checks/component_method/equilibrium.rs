@@ -1,29 +1,29 @@
 //! Moment and axial force together: the plastic equilibrium of rows in tension and flanges in
 //! compression.
 //!
-//! 6.2.7.1(2) leaves an axial force of up to 5 % of N_pl,Rd out. Beyond it the rows, the two
-//! flanges and the web of the beam are springs with a resistance each, and the largest factor on M
-//! and N together is a linear program. Its solution is in equilibrium with both, so that every row
-//! has the force it really gets.
+//! By 6.2.7.1(2) an axial force of up to 5 % of N_pl,Rd is neglected. Beyond it each row, the two
+//! flanges and the web of the beam have a resistance, and the largest factor on M and N together is
+//! the solution of a linear program. Its row forces are in equilibrium with M and N.
 
-use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone, zone_width};
+use super::assembly::{NEARLY_BOLTS, RowForce, assess, compressed, zone};
 use super::beam;
+use super::column_web::compressed_width;
 use super::joint::{Column, EndPlateJoint};
 use super::rows::{Component, Rows};
 use crate::checks::check::number as n;
 use crate::checks::error::CheckError;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Solution, Variable};
 
-/// Part of the plastic axial force of the beam up to which its effect is left out.
+/// Fraction of the plastic axial force of the beam up to which its effect is neglected.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.7.1(2).
 pub const SMALL_AXIAL: f64 = 0.05;
 
-/// The programs count in kN and m, so that their numbers are near 1.
+/// The linear programs are in kN and m, so that their numbers are near 1.
 const KILO: f64 = 1e-3;
 
-/// A row and what it carries.
+/// A row and its force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowPull {
     /// z from the beam's axis \[mm\].
@@ -34,29 +34,29 @@ pub struct RowPull {
     pub bolt: f64,
 }
 
-/// The largest multiple of an axial force and a moment that the components carry.
+/// The largest multiple of an axial force and a moment that the components can carry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carried {
     /// The multiple.
     pub factor: f64,
-    /// Rows in tension at that multiple; rows that are not listed carry nothing.
+    /// Rows in tension at that multiple; rows that are not listed have no force.
     pub rows: Vec<RowPull>,
     /// Compression of the upper flange, the web and the lower flange at that multiple \[N\].
     pub compression: [f64; 3],
 }
 
-/// Rows that are pulled together, and what may be compressed beside them. z as in the joint that
-/// the set was made from.
+/// Rows in tension together, and the parts that may be in compression beside them. z is in the axes
+/// of the joint that the set was made from.
 #[derive(Clone, Debug)]
 struct RowSet {
-    /// -1: made from the joint upside down.
+    /// −1 for a set made from the mirrored joint, otherwise 1.
     sign: f64,
     z: Vec<f64>,
     /// Bolt force over half of the row's force.
     prying: Vec<f64>,
     /// Resistance of the rows `first..=last` together \[N\].
     limits: Vec<(usize, usize, f64)>,
-    /// What 6.2.7.2(9) leaves to a row \[N\].
+    /// Largest force of a row by 6.2.7.2(9) \[N\].
     elastic: Vec<f64>,
     compression: Option<Compression>,
     /// V_wp,Rd/β \[N\].
@@ -76,7 +76,7 @@ struct Compression {
     lever: f64,
 }
 
-/// Which rule of 6.2.7.2 the rows of a program follow.
+/// Rule of 6.2.7.2 that the rows of a program follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Rule {
     /// All components yield.
@@ -85,7 +85,7 @@ enum Rule {
     NearlyBolts,
 }
 
-/// Moment and axial force that a joint carries.
+/// Resistance of a joint to moment and axial force together.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
     sets: Vec<RowSet>,
@@ -95,13 +95,13 @@ pub struct Equilibrium {
     pub tension: f64,
     /// N_j,Rd of compression, without moment \[N\].
     pub compression: f64,
-    /// Why compression may make the column web buckle over the depth of the beam, which N_j,Rd
-    /// holds; `None`: it does not.
+    /// Reason why the column web may buckle under compression over the depth of the beam, which
+    /// N_j,Rd includes; `None` where it does not buckle.
     pub buckles: Option<String>,
 }
 
 impl Equilibrium {
-    /// Of a joint; rows that no table of effective lengths covers are an error.
+    /// The resistance of a joint; rows that no table of effective lengths covers are an error.
     pub fn new(joint: &EndPlateJoint) -> Result<Self, CheckError> {
         let (upper, lower) = (RowSet::bent(joint, 1.0), RowSet::bent(&joint.mirrored(), -1.0));
         // one sense is enough: the other may have no row in tension
@@ -127,13 +127,13 @@ impl Equilibrium {
         self.carried(axial, moment, Rule::NearlyBolts)
     }
 
-    /// Whether an axial force is left out.
+    /// Whether an axial force is small enough to be neglected beside a moment.
     pub fn small(&self, axial: f64) -> bool {
         axial.abs() <= SMALL_AXIAL * self.plastic
     }
 
-    /// The border of what is carried, `count` points (N, M) in the order of their angle, N and M in
-    /// parts of the largest \[N, N mm\].
+    /// The interaction curve: `count` points (N, M) in the order of their angle, measured with N
+    /// and M as fractions of their largest values \[N, N mm\].
     pub fn diagram(&self, moment: f64, count: usize) -> Vec<[f64; 2]> {
         let axial = self.tension.max(self.compression);
         let angle = |i: usize| std::f64::consts::TAU * i as f64 / count as f64;
@@ -156,8 +156,8 @@ impl Equilibrium {
 }
 
 impl RowSet {
-    /// The joint bent with tension at the top: what the component method found of each row and
-    /// group.
+    /// The joint bent with tension at the top: resistances of each row and group by the component
+    /// method.
     fn bent(joint: &EndPlateJoint, sign: f64) -> Result<Self, CheckError> {
         let found = assess(joint)?;
         let shear_area = Rows::new(joint)?.shear_area();
@@ -172,7 +172,7 @@ impl RowSet {
         let mut limits = Vec::new();
         for (r, row) in found.rows.iter().enumerate() {
             limits.push((r, r, row.single.max(0.0)));
-            // rows so close that the lengths of a group turn negative carry nothing
+            // the lengths of a group of very close rows can turn negative: no resistance
             limits
                 .extend(row.groups.iter().map(|g| (g.first, r, g.component.worked.value.max(0.0))));
         }
@@ -181,8 +181,8 @@ impl RowSet {
         Ok(Self { sign, z, prying, limits: tightest(limits), elastic, compression, panel })
     }
 
-    /// The joint pulled as a whole, `panel` as when it is bent; `None` where the tables do not
-    /// cover its rows.
+    /// The whole joint in tension, `panel` as in bending; `None` where the tables do not cover its
+    /// rows.
     fn pulled(joint: &EndPlateJoint, panel: Option<f64>) -> Option<Self> {
         let rows = Rows::all(joint).ok()?;
         let count = rows.count();
@@ -212,7 +212,7 @@ impl RowSet {
     fn solve(&self, axial: f64, moment: f64, most: f64, rule: Rule) -> Option<Carried> {
         let moment = self.sign * moment;
         let mut p = Problem::new(OptimizationDirection::Maximize);
-        // the factor on a load of this size; the force at the level of the axis stands for both
+        // scale of the load as a force, so that the factor is of order 1
         let size = axial.abs().max(moment.abs() / self.depth());
         let factor = p.add_var(1.0, (0.0, most * size * KILO));
         let rows: Vec<Variable> = (0..self.z.len())
@@ -298,10 +298,10 @@ fn solved(p: &Problem) -> Option<Solution> {
 }
 
 impl Compression {
-    /// Whether the web between the flanges, with their zones where no stiffener parts them, buckles
-    /// under a push.
+    /// Reason why the web between the flanges buckles under compression; without stiffeners it
+    /// includes the zones of the flanges. `None` where it does not buckle.
     fn buckles(joint: &EndPlateJoint, c: &Column) -> Option<String> {
-        let (b, width) = (&joint.beam.section, zone_width(joint, c));
+        let (b, width) = (&joint.beam.section, compressed_width(joint, c));
         let depth = b.h - b.tf;
         let width = if c.stiffener > 0.0 { depth - width } else { depth + width };
         let web = zone(joint, c, width.max(0.0), 1.0);
@@ -323,7 +323,7 @@ impl Compression {
         let Some(c) = &joint.column else {
             return Self { flange: of_beam, web: web_of_beam, total: f64::INFINITY, lever };
         };
-        let width = zone_width(joint, c);
+        let width = compressed_width(joint, c);
         let bare = |width: f64| zone(joint, c, width, shear_area).resistance().value;
         // half a zone beyond either flange, as far as the column reaches
         let beyond = [c.above, c.below]
@@ -332,7 +332,7 @@ impl Compression {
         let flange = compressed(&zone(joint, c, least, shear_area), c).value;
         let between = (2.0 * lever - width).max(0.0);
         let between = if between > 0.0 { bare(between) } else { 0.0 };
-        // without stiffeners the two zones and what lies between buckle together
+        // without stiffeners the two zones and the web between them buckle together
         let total = if c.stiffener > 0.0 {
             f64::INFINITY
         } else {

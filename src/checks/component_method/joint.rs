@@ -1,59 +1,9 @@
-//! A bolted end-plate joint, between a beam and a column flange or between two beams, as plain
-//! data.
+//! Dimensions and steels of a bolted end-plate joint, between a beam and a column flange or between
+//! two beams.
 
-use crate::catalog::IProfile;
 use crate::checks::error::{CheckError, not_negative, positive};
+use crate::checks::eurocode::i_section::Section;
 use serde::{Deserialize, Serialize};
-
-/// A rolled I or H section \[mm, mm², mm³, mm⁴\].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Section {
-    /// Depth.
-    pub h: f64,
-    /// Flange width.
-    pub b: f64,
-    /// Web thickness.
-    pub tw: f64,
-    /// Flange thickness.
-    pub tf: f64,
-    /// Root radius that belongs to the area: of A_vc alone.
-    pub r: f64,
-    /// Root radius of the geometry (m, s, clear depths). W shapes: that of k_des, for the fillet
-    /// their area implies is not the one that is rolled; otherwise `r`.
-    pub root: f64,
-    /// Area.
-    pub area: f64,
-    /// Plastic section modulus about the strong axis.
-    pub w_pl: f64,
-    /// Elastic section modulus about the strong axis.
-    pub w_el: f64,
-    /// Second moment of area about the strong axis.
-    pub i: f64,
-}
-
-impl Section {
-    /// Clear depth of the web between the roots, d = h − 2 (t_f + r) \[mm\].
-    pub fn clear_depth(&self) -> f64 {
-        self.h - 2.0 * (self.tf + self.root)
-    }
-}
-
-impl From<&IProfile> for Section {
-    fn from(p: &IProfile) -> Self {
-        Self {
-            h: p.h,
-            b: p.b,
-            tw: p.tw,
-            tf: p.tf,
-            r: p.r,
-            root: p.r_detailing.unwrap_or(p.r),
-            area: 1e2 * p.area,
-            w_pl: 1e3 * p.w_pl_y,
-            w_el: 1e3 * p.w_el_y,
-            i: 1e4 * p.i_y,
-        }
-    }
-}
 
 /// The column. Strengths are nominal, of the thickness of the flange.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -80,7 +30,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// Refuses what the formulas have no meaning for.
+    /// Refuses values for which the formulas have no meaning.
     fn check(&self) -> Result<(), CheckError> {
         not_negative("root radius of the column [mm]", self.section.r)?;
         not_negative("design root radius of the column [mm]", self.section.root)?;
@@ -120,7 +70,7 @@ pub struct Beam {
     pub flange_throat: f64,
     /// Throat of the fillet welds of its web \[mm\]; 0 for a butt weld.
     pub web_throat: f64,
-    /// Shear force beside the moment \[N\]: above half of V_pl,Rd it takes from M_c,Rd.
+    /// Shear force beside the moment \[N\]; above half of V_pl,Rd it reduces M_c,Rd.
     pub shear: f64,
 }
 
@@ -150,11 +100,11 @@ pub struct Bolts {
     pub tension: f64,
     /// Stress area of one bolt \[mm²\].
     pub stress_area: f64,
-    /// L_b, the length its elongation is counted on \[mm\].
+    /// L_b, elongation length of the bolts \[mm\].
     pub elongation: f64,
     /// d_w of the alternative method for mode 1 \[mm\]; `None` for the first method.
     pub washer: Option<f64>,
-    /// True: prying forces are taken to develop whatever the length of the bolts, as SCI P398 does;
+    /// True: prying forces are assumed to develop whatever the length of the bolts, as in SCI P398;
     /// false: Table 6.2 decides by L_b*.
     pub always_prying: bool,
 }
@@ -183,7 +133,8 @@ pub struct EndPlateJoint {
 }
 
 impl EndPlateJoint {
-    /// The joint upside down: what was tension at the bottom is tension at the top.
+    /// The joint mirrored at the axis of the beam: tension at the bottom becomes tension at the
+    /// top.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut j = self.clone();
@@ -195,7 +146,7 @@ impl EndPlateJoint {
         j
     }
 
-    /// Refuses what the formulas have no meaning for.
+    /// Refuses values for which the formulas have no meaning.
     pub fn check(&self) -> Result<(), CheckError> {
         let (c, b, p, k) = (self.column.as_ref(), &self.beam, &self.plate, &self.bolts);
         let sections = c.map(|c| (&c.section, COLUMN)).into_iter().chain([(&b.section, BEAM)]);

@@ -1,5 +1,5 @@
-//! Two joints worked by hand in public: SCI P398's double-sided joint, and a one-sided joint with
-//! its row forces.
+//! Published worked examples: the double-sided joint of SCI P398, and one-sided joints with their
+//! row forces.
 
 use super::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
 use super::t_stub::Mode;
@@ -38,7 +38,7 @@ pub(super) fn bolts(size: &str, grip: f64, gauge: f64, rows: &[f64]) -> Bolts {
     Bolts {
         gauge,
         rows: rows.to_vec(),
-        tension: tension_resistance(bolt, grade, false, 1.25).value,
+        tension: tension_resistance(bolt, grade, 1.25).value,
         stress_area: bolt.stress_area,
         elongation: elongation_length(bolt, grip, 2),
         washer: None,
@@ -215,8 +215,8 @@ fn one_sided_hea_300_and_ipe_400_extended_and_flush() {
     close("M_j,Rd, flush", done(&joint(220.0, [77.0, 157.0, 237.0])).moment.value, 154.3e6, 0.002);
 }
 
-/// The sense of bending: upside down, the joint answers for the other sense; twice upside down it
-/// is itself.
+/// The mirrored joint has the resistance of the other sense of bending; mirrored twice it is the
+/// same joint.
 #[test]
 fn mirrored_joints_answer_alike() {
     let joint = one_sided();

@@ -1,36 +1,38 @@
 //! The rows of bolts in tension: their T-stubs alone and in groups, on the side of the column and
 //! on that of the beam.
 //!
-//! Tension is at the top; [`EndPlateJoint::mirrored`] turns the other sense into this one. EN
+//! Tension is at the top; [`EndPlateJoint::mirrored`] converts the other sense to this one. EN
 //! 1993-1-8:2005 6.2.4 to 6.2.6.
 
 use super::effective_lengths::{self as lengths, Lengths};
 use super::joint::{Column, EndPlateJoint};
 use super::t_stub::{Mode, Prying, TStub, prying};
 use super::{beam, column_web};
-use crate::checks::check::{Worked, number as n};
+use crate::checks::check::number as n;
 use crate::checks::error::CheckError;
+use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
-/// Part of a fillet weld's leg in which no plastic hinge forms, figures 6.8 and 6.10: 0.8 a √2.
+/// Fraction of the leg of a fillet weld in which no plastic hinge forms, figures 6.8 and 6.10: 0.8
+/// a √2.
 const WELD: f64 = 0.8 * SQRT_2;
-/// Part of a root radius in which no plastic hinge forms, figure 6.8.
+/// Fraction of a root radius in which no plastic hinge forms, figure 6.8.
 const ROOT: f64 = 0.8;
 
-/// One component of the joint and what it carries.
+/// One component of the joint and its resistance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Component {
     /// `column flange`, `column web`, `end plate`, `beam web`.
     pub name: &'static str,
     /// Its resistance.
     pub worked: Worked,
-    /// How it fails, if it is a T-stub.
+    /// Failure mode, if it is a T-stub.
     pub mode: Option<Mode>,
     /// Force of its bolts at the resistance, prying included, if it is a T-stub \[N\].
     pub bolts: Option<f64>,
 }
 
-/// Whose T-stub a group is.
+/// Side of the joint whose T-stub a group forms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Column,
@@ -64,8 +66,8 @@ impl<'a> Rows<'a> {
         Self::of(joint, Flanges::Upper)
     }
 
-    /// All rows of a joint that a force pulls off as a whole: both flanges of the beam are tension
-    /// flanges, nothing is compressed.
+    /// All rows of a joint in axial tension: both flanges of the beam are tension flanges, nothing
+    /// is compressed.
     pub fn all(joint: &'a EndPlateJoint) -> Result<Self, CheckError> {
         Self::of(joint, Flanges::Both)
     }
@@ -84,17 +86,13 @@ impl<'a> Rows<'a> {
             });
         }
         let lever = z.iter().map(|z| z - centre).collect();
-        let shear_area = joint.column.as_ref().map_or(0.0, |c| {
-            let s = &c.section;
-            let doubler = if c.doublers > 0 { c.doubler_width * s.tw } else { 0.0 };
-            column_web::shear_area(s.area, s.b, s.h, s.tf, s.tw, s.r, doubler)
-        });
+        let shear_area = joint.column.as_ref().map_or(0.0, column_web::shear_area);
         let rows = Self { joint, flanges, z, lever, shear_area };
         rows.covered()?;
         Ok(rows)
     }
 
-    /// Refuses rows that the tables of effective lengths do not know.
+    /// Refuses rows that the tables of effective lengths do not cover.
     fn covered(&self) -> Result<(), CheckError> {
         let not = |what: String, clause| Err(CheckError::NotCovered { what, clause });
         let outside =
@@ -136,7 +134,7 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// How many rows are in tension.
+    /// Number of rows in tension.
     pub fn count(&self) -> usize {
         self.z.len()
     }
@@ -200,7 +198,7 @@ impl<'a> Rows<'a> {
         [above.filter(|_| first), below.filter(|_| last)]
     }
 
-    /// Which stretch of the column flange between stiffeners a row lies on: 0 above, 1 between, 2
+    /// Stretch of the column flange on which a row lies: 0 above the stiffeners, 1 between, 2
     /// below.
     fn stretch(&self, row: usize) -> usize {
         let stiffened = self.joint.column.as_ref().is_some_and(|c| c.stiffener > 0.0);
@@ -241,7 +239,7 @@ impl<'a> Rows<'a> {
         let beside = self.stiffeners(row);
         let alpha = |m2: Option<f64>| m2.map(|m2| lengths::alpha(m, e, m2));
         let up = column.above.filter(|_| row == 0).map(|end| end - self.z[row]);
-        // the lower end matters where the lowest row is pulled too
+        // the lower end matters only where the lowest row is in tension
         let lowest = self.flanges == Flanges::Both && row + 1 == self.count();
         let down = column.below.filter(|_| lowest).map(|end| end + self.z[row]);
         let Some((first, last)) = group else {
@@ -266,7 +264,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The same on the end plate; a row outside the flange has no group.
+    /// Effective lengths of one row on the end plate, alone or within a group; a row outside the
+    /// flange has no group.
     fn on_plate(&self, row: usize, group: Option<(usize, usize)>) -> Lengths {
         let (j, z) = (self.joint, self.z[row]);
         if self.outside(z) {
@@ -297,8 +296,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Whether the rows `first..=last` can form a group on a side: no stiffener, no flange between
-    /// them.
+    /// Whether the rows `first..=last` can form a group on a side: no stiffener and no flange lies
+    /// between them.
     fn joined(&self, side: Side, first: usize, last: usize) -> bool {
         match side {
             Side::Column => self.stretch(first) == self.stretch(last),
@@ -306,7 +305,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The components that the rows `first..=last` share; one row: the components it has alone.
+    /// The components that the rows `first..=last` share; for one row the components of the row
+    /// alone.
     pub fn components(&self, first: usize, last: usize) -> Vec<Component> {
         let j = self.joint;
         let rows = last + 1 - first;
@@ -329,7 +329,6 @@ impl<'a> Rows<'a> {
                 } else {
                     prying(j.bolts.elongation, m, j.bolts.stress_area, rows, length1, thickness)
                 },
-                backing: 0.0,
                 washer_quarter: j.bolts.washer.map(|d| 0.25 * d),
             };
             let r = stub.resistance();
@@ -368,8 +367,8 @@ impl<'a> Rows<'a> {
     }
 
     /// Smallest effective lengths of a row, alone or in any group of consecutive rows, and m, on
-    /// column and plate \[mm\]: those of the stiffness coefficients; nothing on the side of a
-    /// column that is not there.
+    /// column and plate \[mm\]: those of the stiffness coefficients; `None` for the column of a
+    /// splice.
     ///
     /// # Source
     /// EN 1993-1-8:2005 Table 6.11: "the smallest of the effective lengths (individually or as part

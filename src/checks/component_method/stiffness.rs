@@ -3,13 +3,14 @@
 use super::column_web;
 use super::joint::EndPlateJoint;
 use super::rows::Rows;
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
 use crate::checks::error::CheckError;
+use crate::checks::worked::Worked;
 
 /// ψ of Table 6.8 for welded joints and bolted end plates.
 const PSI: f64 = 2.7;
 
-/// Stiffness coefficients and what they make.
+/// Stiffness coefficients and initial stiffness of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stiffness {
     /// k1, column web panel in shear \[mm\]; `None` where it does not deform (β = 0).
@@ -84,7 +85,7 @@ pub fn bolts_in_tension(stress_area: f64, elongation: f64) -> f64 {
 /// EN 1993-1-8:2005 6.3.1(4), 6.3.3.1, formulas 6.27, 6.29 to 6.31; Table 6.10: a splice counts k5
 /// of both plates and k10.
 pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, CheckError> {
-    let (c, b) = (joint.column.as_ref(), &joint.beam);
+    let c = joint.column.as_ref();
     let each = |r: usize| {
         let (on_column, (on_plate, m_plate)) = rows.stiffness_lengths(r);
         let of_column = c.zip(on_column).map(|(c, (length, m))| {
@@ -107,11 +108,8 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
     let equivalent = first / lever;
     let sheared = c.is_some() && joint.beta > 0.0;
     let panel = sheared.then(|| panel_in_shear(rows.shear_area(), joint.beta, lever));
-    let overhang = -0.5 * b.section.h - joint.plate.bottom;
     let compression = c.filter(|c| c.stiffener == 0.0).map(|c| {
-        let (s, t) = (&c.section, joint.plate.thickness);
-        let width =
-            column_web::compressed_width(b.section.tf, b.flange_throat, s.tf, s.root, t, overhang);
+        let (s, width) = (&c.section, column_web::compressed_width(joint, c));
         web_across(width, column_web::compressed_thickness(s.tw, c.doublers), s.clear_depth())
     });
     let flexibility: f64 =
@@ -123,16 +121,15 @@ pub fn initial(joint: &EndPlateJoint, rows: &Rows<'_>) -> Result<Stiffness, Chec
         .chain([equivalent])
         .map(|k| format!("1/{}", n(k)))
         .collect();
-    let formula = format!(
+    let mut formula = format!(
         "S_j,ini = E z²/Σ(1/k) = {} · {}²/({})",
         n(joint.young),
         n(lever),
         terms.join(" + ")
     );
-    let mut formula = formula;
     if panel.is_some() && c.is_some_and(|c| c.stiffener > 0.0) {
-        // Table 6.11 has k1 = ∞ for a stiffened panel; transverse stiffeners alone leave it to
-        // shear
+        // Table 6.11 has k1 = ∞ for a stiffened panel; with transverse stiffeners alone the panel
+        // still deforms in shear
         formula += ", k1 kept finite beside transverse stiffeners";
     }
     let title = "initial rotational stiffness";
@@ -166,7 +163,7 @@ pub fn at_moment(initial: f64, demand: f64, resistance: f64) -> Worked {
     )
 }
 
-/// What a connection joins, for the factor η of elastic analysis.
+/// Members that a connection joins, for the factor η of elastic analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joins {
     /// A beam and a column.

@@ -1,8 +1,9 @@
 //! The equivalent T-stub in tension: EN 1993-1-8:2005 Table 6.2.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 
-/// How a T-stub fails.
+/// Failure mode of a T-stub.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Complete yielding of the flange.
@@ -26,7 +27,7 @@ impl Mode {
         }
     }
 
-    /// Whether bending of the flange decides, alone or with the bolts.
+    /// Whether bending of the flange takes part in the failure.
     pub fn bends(self) -> bool {
         self != Mode::Bolts
     }
@@ -35,10 +36,10 @@ impl Mode {
 /// Whether prying forces develop.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Prying {
-    /// The flange bears at its edges.
+    /// They develop: the flange bears at its edges.
     #[default]
     Develops,
-    /// The bolts are so long that the flange lifts off.
+    /// They do not: the bolts are so long that the flange lifts off.
     Absent,
 }
 
@@ -63,74 +64,51 @@ pub struct TStub {
     pub gamma_m0: f64,
     /// Whether prying forces develop.
     pub prying: Prying,
-    /// Plastic moment of the backing plates over the rows, Σ ℓ_eff,1 t_bp² f_y,bp/(4 γ_M0) \[N
-    /// mm\]; 0 without.
-    pub backing: f64,
     /// e_w = d_w/4 of the alternative method for mode 1, with d_w the diameter of the washer or the
     /// width across points of head or nut; `None` for the first method.
     pub washer_quarter: Option<f64>,
 }
 
-/// Resistances of a T-stub by mode \[N\].
+/// Resistance of a T-stub \[N\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resistance {
-    /// F_T,1,Rd, or F_T,1-2,Rd without prying.
-    pub mode1: f64,
-    /// F_T,2,Rd; infinite without prying.
-    pub mode2: f64,
-    /// F_T,3,Rd.
-    pub mode3: f64,
     /// The mode that decides.
     pub mode: Mode,
-    /// Force of all bolts at that resistance, prying included; at most `mode3`.
+    /// Force of all bolts at that resistance, prying included; at most ΣF_t,Rd.
     pub bolts: f64,
-    /// The least of the three, with its derivation.
+    /// The least of the modes, with its derivation; each mode is a step of it.
     pub worked: Worked,
 }
 
 impl TStub {
     /// Design tension resistance.
     ///
-    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, with backing plates
-    /// `(4 M_pl,1 + 2 M_bp)/m`, by the alternative method
-    /// `((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n))`; mode 2
-    /// `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3 `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of
-    /// modes 1 and 2.
+    /// `M_pl = 0.25 Σℓ_eff t_f² f_y/γ_M0`; mode 1 `4 M_pl,1/m`, by the alternative method
+    /// `(8n − 2e_w) M_pl,1/(2mn − e_w(m + n))`; mode 2 `(2 M_pl,2 + n ΣF_t,Rd)/(m + n)`; mode 3
+    /// `ΣF_t,Rd`; without prying `2 M_pl,1/m` in place of modes 1 and 2.
     ///
     /// # Source
-    /// EN 1993-1-8:2005 Table 6.2 and 6.2.4.3 (backing plates).
+    /// EN 1993-1-8:2005 Table 6.2, without backing plates (6.2.4.3).
     pub fn resistance(&self) -> Resistance {
         let plastic =
             |length: f64| 0.25 * length * self.thickness * self.thickness * self.fy / self.gamma_m0;
         let (mpl1, mpl2) = (plastic(self.length1), plastic(self.length2));
         let (m, e) = (self.m, self.n);
-        // the formula is written for the mode that decides alone: writing takes longer than
-        // reckoning
-        let mut candidates: Vec<(Mode, f64)> = Vec::new();
-        match (self.prying, self.washer_quarter) {
-            (Prying::Absent, _) => candidates.push((Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)),
-            (Prying::Develops, None) => {
-                candidates.push((Mode::Flange, (4.0 * mpl1 + 2.0 * self.backing) / m))
-            }
+        let mut modes = match (self.prying, self.washer_quarter) {
+            (Prying::Absent, _) => vec![(Mode::FlangeWithoutPrying, 2.0 * mpl1 / m)],
+            (Prying::Develops, None) => vec![(Mode::Flange, 4.0 * mpl1 / m)],
             (Prying::Develops, Some(ew)) => {
                 let below = 2.0 * m * e - ew * (m + e);
-                candidates.push((
-                    Mode::Flange,
-                    ((8.0 * e - 2.0 * ew) * mpl1 + 4.0 * e * self.backing) / below,
-                ));
+                vec![(Mode::Flange, (8.0 * e - 2.0 * ew) * mpl1 / below)]
             }
-        }
-        if self.prying == Prying::Develops {
-            candidates.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
-        }
-        candidates.push((Mode::Bolts, self.bolts));
-        let of = |mode: &dyn Fn(Mode) -> bool| {
-            candidates.iter().find(|c| mode(c.0)).map_or(f64::INFINITY, |c| c.1)
         };
-        let mode1 = of(&|c| matches!(c, Mode::Flange | Mode::FlangeWithoutPrying));
-        let mode2 = of(&|c| c == Mode::FlangeAndBolts);
-        // the first of equal ones decides
-        let least = candidates.iter().fold(&candidates[0], |a, b| if b.1 < a.1 { b } else { a });
+        if self.prying == Prying::Develops {
+            modes.push((Mode::FlangeAndBolts, (2.0 * mpl2 + e * self.bolts) / (m + e)));
+        }
+        modes.push((Mode::Bolts, self.bolts));
+        // of equal modes the first decides
+        let least = modes.iter().fold(&modes[0], |a, b| if b.1 < a.1 { b } else { a });
+        // writing a formula takes longer than computing it: only that of the mode that decides
         let formula =
             format!("F_T,Rd ({}) = {}", least.0.name(), self.formula(least.0, mpl1, mpl2));
         let mut worked = Worked::new(
@@ -146,7 +124,7 @@ impl TStub {
         .with("Σℓ_eff,2", self.length2, Unit::Length)
         .with("M_pl,1", mpl1, Unit::Moment)
         .with("M_pl,2", mpl2, Unit::Moment);
-        for (mode, value) in &candidates {
+        for (mode, value) in &modes {
             worked = worked.with(mode.name(), *value, Unit::Force);
         }
         // mode 1: the prying force Q = M_pl/n of either edge beside the hinge at the bolts; mode 2:
@@ -156,14 +134,7 @@ impl TStub {
             Mode::FlangeAndBolts | Mode::Bolts => self.bolts,
             Mode::FlangeWithoutPrying => least.1,
         };
-        Resistance {
-            mode1,
-            mode2,
-            mode3: self.bolts,
-            mode: least.0,
-            bolts: bolts.min(self.bolts),
-            worked,
-        }
+        Resistance { mode: least.0, bolts: bolts.min(self.bolts), worked }
     }
 
     /// The formula of a mode with its numbers.
@@ -172,23 +143,12 @@ impl TStub {
         let kn = |x: f64| n(x * 1e-3);
         match (mode, self.washer_quarter) {
             (Mode::FlangeWithoutPrying, _) => format!("2 M_pl,1/m = 2 · {}/{}", kn(mpl1), n(m)),
-            (Mode::Flange, None) if self.backing > 0.0 => {
-                format!(
-                    "(4 M_pl,1 + 2 M_bp)/m = (4 · {} + 2 · {})/{}",
-                    kn(mpl1),
-                    kn(self.backing),
-                    n(m)
-                )
-            }
             (Mode::Flange, None) => format!("4 M_pl,1/m = 4 · {}/{}", kn(mpl1), n(m)),
             (Mode::Flange, Some(ew)) => format!(
-                "((8n − 2e_w) M_pl,1 + 4n M_bp)/(2mn − e_w(m + n)) = ((8 · {} − 2 · {}) · {} + 4 \
-                 · {} · {})/{}",
+                "(8n − 2e_w) M_pl,1/(2mn − e_w(m + n)) = (8 · {} − 2 · {}) · {}/{}",
                 n(e),
                 n(ew),
                 kn(mpl1),
-                n(e),
-                kn(self.backing),
                 n(2.0 * m * e - ew * (m + e))
             ),
             (Mode::FlangeAndBolts, _) => format!(
@@ -204,7 +164,8 @@ impl TStub {
     }
 }
 
-/// Whether prying forces develop in a T-stub of `rows` rows: bolts no longer than L_b* do it.
+/// Whether prying forces develop in a T-stub of `rows` rows: where the bolts are no longer than
+/// L_b*.
 ///
 /// `L_b ≤ L_b* = 8.8 m³ A_s n_b/(Σℓ_eff,1 t_f³)`; `elongation` L_b \[mm\], `stress_area` A_s of one
 /// bolt \[mm²\].

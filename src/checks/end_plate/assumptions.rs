@@ -1,8 +1,16 @@
-//! What the checks take to be so where the spec is silent, and what of the input the code does not
-//! stand behind.
+//! Assumptions of the checks where the spec gives no value, and input that the code does not cover.
 
-use super::{EndPlate, Topic, Unit};
-use crate::checks::check::Check;
+use crate::assembly::EndPlate;
+use crate::checks::check::{Check, Topic, Unit};
+
+/// Loads that the checks leave out.
+pub(super) fn unseen_loads(e: &EndPlate) -> Vec<Check> {
+    let unseen = |(case, why): &(String, String)| {
+        let (clause, title) = ("EN 1993-1-8:2005 6.2", "loads that the checks do not hold");
+        Check::undecided(Topic::ComponentMethod, "joint", clause, title, why.clone()).of_case(case)
+    };
+    e.unseen.iter().map(unseen).collect()
+}
 
 /// Fillet welds of steels for which Table 4.1 has no β_w: the code gives them no strength.
 pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
@@ -26,7 +34,7 @@ pub(super) fn no_weld_strength(e: &EndPlate) -> Vec<Check> {
         .collect()
 }
 
-/// What the component method takes to be so, where the spec does not say it.
+/// Assumptions of the component method where the spec gives no value.
 pub(super) fn assumptions(e: &EndPlate) -> Vec<Check> {
     let topic = Topic::ComponentMethod;
     let (clause, title) = ("EN 1993-1-8:2005 Table 6.2", "prying forces");

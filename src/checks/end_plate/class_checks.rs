@@ -1,36 +1,34 @@
 //! Classes of the joint by strength and stiffness under each load case, and its stiffness under the
-//! moment. Information: what they decide is the model of the frame.
+//! moment. They are information, because they only determine how the frame is modelled.
 
-use super::case::Case;
-use super::{EndPlate, Topic, Unit, Worked, n};
-use crate::checks::check::Check;
+use super::member_end::MemberEnd;
+use crate::assembly::EndPlate;
+use crate::checks::check::{Check, Topic, Unit, number as n};
 use crate::checks::classification::{Frame, STIFF_COLUMNS, stiffness_limits, strength_class};
 use crate::checks::component_method::stiffness::at_moment;
+use crate::checks::worked::Worked;
 
-/// Columns that meet at a joint within the height of a column; templates have columns that go on
-/// above and below.
+/// Columns that meet at the joint: in the templates the column continues above and below.
 const COLUMNS: u32 = 2;
-/// Of classes by stiffness.
+/// Clause of the classes by stiffness.
 const STIFFNESS: &str = "EN 1993-1-8:2005 5.2.2.5(1)";
 
-/// All of them for a member end under a load case, whatever acts beside the moment.
-pub(super) fn classes(case: &Case<'_>) -> Vec<Check> {
-    let mut out = vec![strength(case), stiffness(case)];
-    if case.e.column.is_some() {
-        out.extend(stiffness_classes(case));
+/// All classes for a member end under a load case, whatever acts beside the moment.
+pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
+    let mut out = vec![strength(end), stiffness(end)];
+    if end.e.column.is_some() {
+        out.extend(stiffness_classes(end));
     }
     out
 }
 
-fn place(case: &Case<'_>) -> String {
-    case.place(case.sense.words())
-}
-
+/// Class by strength.
+///
 /// # Source
 /// EN 1993-1-8:2005 5.2.3.
-fn strength(case: &Case<'_>) -> Check {
-    let e = case.e;
-    let joint = case.assessment.moment.value;
+fn strength(end: &MemberEnd<'_>) -> Check {
+    let e = end.e;
+    let joint = end.assessment.moment.value;
     let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
     let column = e
         .column
@@ -53,13 +51,13 @@ fn strength(case: &Case<'_>) -> Check {
         Unit::Moment.show(joint)
     );
     Worked::new("EN 1993-1-8:2005 5.2.3", "class by strength", joint / full, Unit::Number, formula)
-        .information(Topic::ComponentMethod, place(case))
+        .information(Topic::ComponentMethod, end.subject())
 }
 
-/// S_j at the moment of the case; above M_j,Rd the formula has ended, and the check says so.
-fn stiffness(case: &Case<'_>) -> Check {
-    let demand = case.a.at(1.0)[1][1].abs();
-    let (initial, joint) = (case.assessment.stiffness.initial.value, case.assessment.moment.value);
+/// S_j at the moment of the case. Above M_j,Rd the formula does not apply, which the check notes.
+fn stiffness(end: &MemberEnd<'_>) -> Check {
+    let demand = end.a.at(1.0)[1][1].abs();
+    let (initial, joint) = (end.assessment.stiffness.initial.value, end.assessment.moment.value);
     let mut worked = at_moment(initial, demand, joint);
     worked.formula += &format!(" at M_j,Ed = {}", Unit::Moment.show(demand));
     if demand > joint {
@@ -68,24 +66,24 @@ fn stiffness(case: &Case<'_>) -> Check {
             Unit::Moment.show(joint)
         );
     }
-    worked.information(Topic::Stiffness, place(case))
+    worked.information(Topic::Stiffness, end.subject())
 }
 
-/// K_b/K_c of the beam and the column at the joint; the code takes means over the storey.
+/// K_b/K_c of the beam and the column at the joint; the code uses the means over the storey.
 fn slender_columns(e: &EndPlate) -> Option<f64> {
     let column = e.column.as_ref()?;
     let of = |i: f64, length: f64| 1e4 * i / length;
     Some(of(e.beam.i_y, e.system_length?) / of(column.section.i_y, column.system_length?))
 }
 
-/// The class for both kinds of frame where the length of the beam is known, else the length from
-/// which on it is rigid.
+/// The class for both kinds of frame where the length of the beam is known, otherwise the length
+/// from which the joint is rigid.
 ///
 /// # Source
 /// EN 1993-1-8:2005 5.2.2.5(1), Figure 5.4.
-fn stiffness_classes(case: &Case<'_>) -> Vec<Check> {
-    let e = case.e;
-    let initial = case.assessment.stiffness.initial.value;
+fn stiffness_classes(end: &MemberEnd<'_>) -> Vec<Check> {
+    let e = end.e;
+    let initial = end.assessment.stiffness.initial.value;
     let inertia = 1e4 * e.beam.i_y;
     let ratio = slender_columns(e);
     let storey = match ratio {
@@ -107,7 +105,7 @@ fn stiffness_classes(case: &Case<'_>) -> Vec<Check> {
         (Frame::Unbraced, "other frames", format!("; {storey}")),
     ];
     let class = |(frame, words, note): (Frame, &'static str, String)| {
-        let place = format!("{}, {words}", place(case));
+        let place = format!("{}, {words}", end.subject());
         let Some(length) = e.system_length else {
             let rigid = frame.factor() * e.beam_steel.e * inertia / initial;
             let formula = format!(

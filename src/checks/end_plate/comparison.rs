@@ -1,9 +1,10 @@
-//! The component method beside the bracket of a limit analysis.
+//! Resistance of a joint by the component method, to compare with the bracket of a limit analysis.
 
 use crate::assembly::{EndPlate, PlaneActions};
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
 use crate::checks::component_method::Assessment;
 use crate::checks::component_method::equilibrium::{Carried, Equilibrium, SMALL_AXIAL};
+use crate::checks::worked::Worked;
 use serde::{Deserialize, Serialize};
 
 /// Resistance of a joint by the component method, for the sense of bending of a load case.
@@ -11,7 +12,8 @@ use serde::{Deserialize, Serialize};
 pub(super) struct Method {
     /// M_j,Rd \[N mm\].
     pub moment: f64,
-    /// Moment and axial force together; `None` where the tables do not cover it.
+    /// Moment and axial force together; `None` without an axial force, or where the tables do not
+    /// cover the joint.
     pub equilibrium: Option<Equilibrium>,
     /// β.
     pub beta: f64,
@@ -20,12 +22,12 @@ pub(super) struct Method {
 }
 
 impl Method {
-    /// Whether an axial force is left out.
+    /// Whether an axial force is small enough to be neglected beside a moment.
     fn small(&self, axial: f64) -> bool {
         axial == 0.0 || self.equilibrium.as_ref().is_some_and(|e| e.small(axial))
     }
 
-    /// The rows' equilibrium with an axial force that counts.
+    /// Plastic equilibrium of the rows, where the axial force counts.
     pub(super) fn with_axial(&self, [force, moment]: [[f64; 3]; 2]) -> Option<Carried> {
         let (axial, my) = (force[0], moment[1]);
         self.equilibrium.as_ref().filter(|_| !self.small(axial))?.at(axial, my)
@@ -35,12 +37,12 @@ impl Method {
     ///
     /// M_j,Ed/M_j,Rd, and N_j,Ed/N_j,Rd where that is more; beyond |N_Ed| = 5 % of N_pl,Rd at least
     /// the reciprocal of the largest factor on M and N together, by the plastic equilibrium of the
-    /// components. A pull relieves the compressed side: that is not counted.
+    /// components. Tension relieves the compressed side, which is not counted.
+    ///
+    /// `None` where an axial force counts and the tables do not cover it.
     ///
     /// # Source
     /// EN 1993-1-8:2005 6.2.7.1(2) and (3).
-    ///
-    /// `None` where an axial force counts that the tables do not cover.
     pub(super) fn share(&self, at: [[f64; 3]; 2]) -> Option<Worked> {
         const CLAUSE: &str = "EN 1993-1-8:2005 6.2.7.1";
         let (axial, my) = (at[0][0], at[1][1].abs());
@@ -51,8 +53,8 @@ impl Method {
         let mut value = bending;
         if self.small(axial) {
             if axial != 0.0 {
-                // beside a moment a small force is left out, by itself it is held against the joint
-                // all the same
+                // a small force is neglected beside the moment, but by itself it is still compared
+                // with the resistance of the joint
                 let resistance = self
                     .equilibrium
                     .as_ref()
@@ -90,7 +92,7 @@ impl Method {
     }
 }
 
-/// What the component method says of a load case at one member end.
+/// Result of the component method for a load case at one member end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// Load case.
@@ -106,13 +108,13 @@ pub struct Comparison {
     pub demand: f64,
     /// M_j,Rd \[N mm\].
     pub resistance: f64,
-    /// The load factor at which moment and axial force reach the resistance; absent where the loads
-    /// never do.
+    /// The load factor at which moment and axial force reach the resistance; absent where they
+    /// never reach it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
-    /// What limits the rows, from the tension side: a sentence.
+    /// Components that limit the rows, from the tension side: a sentence.
     pub limited_by: String,
-    /// What may buckle, a sentence each: the component method then binds the verdict.
+    /// Components that may buckle, a sentence each: the component method then binds the verdict.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stability: Vec<String>,
     /// Lever arm M_j,Rd/ΣF_tr,Rd \[mm\].
@@ -162,13 +164,13 @@ impl Comparison {
     }
 }
 
-/// The least load factor at which the utilisation by moment and axial force reaches 1; `None` where
-/// it never does.
+/// Least load factor at which the utilisation by moment and axial force reaches 1; `None` where it
+/// never does.
 fn factor(a: &PlaneActions, method: &Method) -> Option<f64> {
     if a.dead.iter().flatten().all(|x| *x == 0.0) {
         let [[axial, ..], [_, my, _]] = a.at(1.0);
         let bending = method.moment / my.abs();
-        // where the axial force begins to count
+        // load factor from which the axial force counts
         let plastic = method.equilibrium.as_ref().map_or(f64::INFINITY, |e| e.plastic);
         let counts = SMALL_AXIAL * plastic / axial.abs();
         let together =

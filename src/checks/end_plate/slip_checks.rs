@@ -1,29 +1,29 @@
-//! Preloaded bolts by their category, and what holes and bolt assemblies ask.
+//! Slip of preloaded bolts by their category, and the kind of holes and bolt assemblies.
 
-use super::{EndPlate, Status, Topic, Unit, Worked, n};
-use crate::assembly::PlaneActions;
-use crate::checks::check::Check;
+use crate::assembly::{EndPlate, PlaneActions};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
 use crate::checks::eurocode::bearing::Hole;
 use crate::checks::eurocode::slip::{SlipHole, preload, slip_resistance};
+use crate::checks::worked::Worked;
 use crate::spec::connection::BoltCategory;
 use crate::spec::loads::LimitState;
 
-/// A hole is wider than another beyond this \[mm\].
+/// Tolerance of the comparison of hole diameters \[mm\].
 const WIDER: f64 = 1e-6;
 
-/// Kind of the holes, for bearing and for slip: wider than normal is oversize.
+/// Kind of the holes for bearing and for slip: a hole wider than normal is oversize.
 ///
 /// # Source
 /// EN 1993-1-8:2005 Table 3.4 note 1 and Table 3.6; EN 1090-2 Table 11 for the clearances.
 pub(super) fn hole(e: &EndPlate) -> (Hole, SlipHole) {
     if e.hole > e.bolt.hole_normal + WIDER {
-        (Hole::Oversize, SlipHole::OversizeOrShortSlotAcross)
+        (Hole::Oversize, SlipHole::Oversize)
     } else {
         (Hole::Normal, SlipHole::Normal)
     }
 }
 
-/// What slip must not happen under, and how a check of it ends that does not hold.
+/// Limit state in which slip is checked, as the title of the check, and its status where it fails.
 fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'static str, Status)> {
     const ULTIMATE: &str = "slip of the preloaded bolts at the ultimate limit state (category C)";
     const SERVICEABILITY: &str = "slip of the preloaded bolts at serviceability (category B)";
@@ -33,22 +33,23 @@ fn demanded(category: Option<BoltCategory>, state: LimitState) -> Option<(&'stat
         }
         (Some(BoltCategory::C), LimitState::Ultimate) => Some((ULTIMATE, Status::Failed)),
         (Some(_), _) => None,
-        // no category is named, so that slip need not be prevented
+        // no category is given, so slip need not be prevented
         (None, LimitState::Serviceability) => Some((SERVICEABILITY, Status::Warning)),
         (None, LimitState::Ultimate) => Some((ULTIMATE, Status::Warning)),
     }
 }
 
-/// Slip of all preloaded bolts of a plate. Compression makes up for what a moment takes off the
-/// clamping (3.9.2(3)); a pull is shared by the bolts. Binding where the spec names category B or
-/// C; else a joint need not resist slip, and more than the resistance is a warning.
+/// Slip of all preloaded bolts of a plate. The compression of a moment balances the clamping force
+/// that its tension takes (3.9.2(3)); an axial tension is shared by the bolts. The check binds
+/// where the spec names category B or C. Otherwise the joint need not resist slip, and exceeding
+/// the resistance is a warning.
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.4.1, Table 3.2, 3.9.
 pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     let (title, otherwise) = demanded(e.category, a.state)?;
-    // a category that must not slip has no resistance without friction; without a category there is
-    // nothing to say
+    // with a category that must not slip, no friction means no resistance; without a category there
+    // is nothing to check
     let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
     let gamma = if a.state.is_ultimate() { e.gamma_m3 } else { e.gamma_m3_ser };
     let [axial, vy, vz] = a.at(1.0)[0];
@@ -64,7 +65,7 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     Some(worked.against(Topic::Bolts, a.end.clone(), shear / bolts, otherwise))
 }
 
-/// Kind of the holes, preloaded assemblies and the load cases a category asks for.
+/// Kind of the holes, preloaded assemblies, and the load cases that a category requires.
 pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
     let subject = format!("{} {}", e.bolt.size, e.grade.grade);
     let mut out = holes(e);
@@ -105,6 +106,7 @@ pub(super) fn assembly(e: &EndPlate) -> Vec<Check> {
     out
 }
 
+/// Kind of the holes with its factors, and a warning where they are wider than oversize.
 fn holes(e: &EndPlate) -> Vec<Check> {
     const CLAUSE: &str = "EN 1090-2:2008 Table 11";
     let b = &e.bolt;

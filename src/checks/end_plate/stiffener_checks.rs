@@ -1,20 +1,23 @@
 //! Stiffeners of the column on their net section, and the welds of stiffeners, web plate and rib.
 //!
-//! The meshed stiffeners are whole and one body with the column; what is cut off at the root and
-//! the size of welds is checked here.
+//! The mesh has whole stiffeners that are one body with the column; the checks here cover the part
+//! that is cut off at the root, and the size of the welds.
 
-use super::case::{Case, value};
-use super::{
-    ColumnSide, EndPlate, Status, Topic, Unit, Worked, assess, doubler_fault, joint, loaded, n,
-};
-use crate::checks::check::Check;
+use super::component_joint::component_joint;
+use super::doubler::doubler_fault;
+use super::member_end::{LoadedEnd, MemberEnd};
+use super::transformation::{beta, other_ends};
+use super::welded_steel;
+use crate::assembly::{ColumnSide, EndPlate};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
 use crate::checks::component_method::assembly::Group;
 use crate::checks::component_method::column_web::compressed_thickness;
-use crate::checks::component_method::{Assessment, Summed};
-use crate::checks::eurocode::welds::{WeldedSteel, full_strength_throat, least_size, simplified};
+use crate::checks::component_method::{Assessment, Summed, assess};
+use crate::checks::eurocode::welds::{full_strength_throat, least_size, simplified};
+use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
-/// Parts of a weld's leg and of a root radius in which no plastic hinge forms, figures 6.8 and
+/// Fraction of a weld leg and of a root radius in which no plastic hinge forms, figures 6.8 and
 /// 6.11.
 const HINGE: f64 = 0.8;
 
@@ -25,7 +28,7 @@ struct Stiffeners<'a> {
 }
 
 impl Stiffeners<'_> {
-    /// Width of one stiffener that is left at the flange of the column \[mm\].
+    /// Width of one stiffener in contact with the flange of the column \[mm\].
     fn contact(&self) -> f64 {
         0.5 * (self.c.section.b - self.c.section.tw) - self.c.stiffener_clip
     }
@@ -35,7 +38,7 @@ impl Stiffeners<'_> {
         2.0 * self.contact() * self.c.stiffener * self.c.steel.fy / self.gamma_m0
     }
 
-    /// The same with its numbers.
+    /// The formula of the resistance with its numbers.
     fn formula(&self) -> String {
         format!(
             "A_net f_y/γ_M0 = 2 · {} · {} · {}/{} = {}",
@@ -48,66 +51,60 @@ impl Stiffeners<'_> {
     }
 }
 
-/// Steel of the column for the welds on it.
-fn welded(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
-    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.gamma_m2 })
-}
-
-/// What a web carries itself, and what the stiffeners beside it take \[N\].
+/// Force of a pair of stiffeners beside the web \[N\].
 struct Share {
-    /// Which side, in words.
+    /// `compressed stiffeners` or `stiffeners in tension`.
     side: &'static str,
     /// Force of the stiffeners on both sides of the web.
     force: f64,
-    /// How it is found, with numbers.
+    /// Its formula with numbers.
     formula: String,
 }
 
 /// Net section and welds of the stiffeners under a load case.
-pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
-    let e = case.e;
+pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
+    let e = loaded.end.e;
     let Some(c) = e.column.as_ref().filter(|c| c.stiffener > 0.0) else { return Vec::new() };
-    let beta = loaded::beta(e, case.a);
-    let mut without = joint(e, beta);
+    let beta = beta(e, loaded.end.a);
+    let mut without = component_joint(e, beta);
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
-    // with stiffeners the joint was assessed; without them the same geometry is covered
-    let Ok(bare) = assess(&case.sense.of(&without)) else { return Vec::new() };
+    // the tables covered the joint with stiffeners, so they cover it without them
+    let Ok(bare) = assess(&loaded.end.sense.of(&without)) else { return Vec::new() };
     let s = Stiffeners { c, gamma_m0: e.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
     let mut shares = Vec::new();
     if let Some((check, share)) =
-        compression(case, &s, &bare, compressed_thickness(c.section.tw, doublers))
+        compression(loaded, &s, &bare, compressed_thickness(c.section.tw, doublers))
     {
         out.push(check);
         shares.push(share);
     }
-    if let Some((check, share)) = tension(case, &s, &bare) {
+    if let Some((check, share)) = tension(loaded, &s, &bare) {
         out.push(check);
         shares.push(share);
     }
-    out.extend(stiffener_welds(case, c, &shares, beta));
+    out.extend(stiffener_welds(loaded, c, &shares, beta));
     out
 }
 
-/// Crushing of web and net section of the stiffeners under the beam's compressed flange. The
-/// stiffeners' part goes by what both can carry, so that it reaches the strength of the net section
-/// when the web has reached its own.
+/// Crushing of the web and of the net section of the stiffeners under the compressed flange of the
+/// beam. The force is shared in proportion to the two resistances, so that both are reached
+/// together.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.2(1) and (4) without buckling, which the component method checks on the
 /// whole section; net section where the stiffener is cut, as in SCI P398.
 fn compression(
-    case: &Case<'_>,
+    loaded: &LoadedEnd<'_>,
     s: &Stiffeners<'_>,
     bare: &Assessment,
     web: f64,
 ) -> Option<(Check, Share)> {
     let limit = bare.limit(Summed::ColumnWeb)?;
-    let of = |symbol: &str| limit.steps.iter().find(|s| s.symbol == symbol).map(|s| s.value);
-    let (width, kwc, omega) = (of("b_eff")?, of("k_wc")?, of("ω")?);
+    let (width, kwc, omega) = (limit.step("b_eff")?, limit.step("k_wc")?, limit.step("ω")?);
     let alone = omega * kwc * width * web * s.c.steel.fy / s.gamma_m0;
-    let force = case.push;
+    let force = loaded.push;
     let both = alone + s.resistance();
     let formula = format!(
         "ω k_wc b_eff t_wc f_y/γ_M0 + A_net f_y/γ_M0 with {}: {} + {}",
@@ -121,22 +118,27 @@ fn compression(
             .with("b_eff", width, Unit::Length)
             .with("ω", omega, Unit::Number);
     let check =
-        worked.against(Topic::Member, case.place("compressed stiffeners"), force, Status::Failed);
+        worked.against(Topic::Member, loaded.place("compressed stiffeners"), force, Status::Failed);
     let part = s.resistance() / both;
     let formula =
         format!("F_Ed = F_c,Ed A_net f_y/(…) = {} · {}", Unit::Force.show(force), n(part));
     Some((check, Share { side: "compressed stiffeners", force: part * force, formula }))
 }
 
-/// Net section of the stiffeners at the flange in tension, under the rows above and below: what the
-/// column web does not carry without them, and what the column flange bends into them.
+/// Net section of the stiffeners at the flange in tension, under the rows above and below: the
+/// force beyond the resistance of the column web without them, or the share that bending of the
+/// column flange brings into them, whichever is larger.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.3 for the web; the share m/(m + m2) of a row as in SCI/BCSA, Joints in
 /// Steel Construction: Moment Connections.
-fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Check, Share)> {
-    let (e, c) = (case.e, s.c);
-    let rows = &case.assessment.rows;
+fn tension(
+    loaded: &LoadedEnd<'_>,
+    s: &Stiffeners<'_>,
+    bare: &Assessment,
+) -> Option<(Check, Share)> {
+    let (e, c) = (loaded.end.e, s.c);
+    let rows = &loaded.end.assessment.rows;
     let level = 0.5 * (e.beam.h - e.beam.tf);
     let below = rows.iter().position(|r| r.z < level);
     let above = rows.iter().rposition(|r| r.z > level);
@@ -151,7 +153,7 @@ fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Ch
     let m = 0.5 * (e.gauge - c.section.tw) - HINGE * c.section.r;
     let (mut pull, mut bent, mut terms) = (0.0, 0.0, Vec::new());
     for (at, row) in near.iter().filter_map(|r| Some((*r, rows.get(*r)?))) {
-        let force = case.row_demand(at);
+        let force = loaded.row_force(at);
         let m2 = (row.z - level).abs() - 0.5 * c.stiffener - HINGE * SQRT_2 * c.stiffener_throat;
         pull += force;
         bent += force * m / (m + m2);
@@ -169,27 +171,34 @@ fn tension(case: &Case<'_>, s: &Stiffeners<'_>, bare: &Assessment) -> Option<(Ch
     let clause = "EN 1993-1-8:2005 6.2.6.3, SCI P398";
     let mut worked = Worked::new(clause, title, s.resistance(), Unit::Force, s.formula());
     worked.formula = format!("{formula}; {}", s.formula());
-    if let Some(width) = value(web, "b_eff") {
+    if let Some(width) = web.worked.step("b_eff") {
         worked = worked.with("b_eff of the web", width, Unit::Length);
     }
     let check =
-        worked.against(Topic::Member, case.place("stiffeners in tension"), force, Status::Failed);
+        worked.against(Topic::Member, loaded.place("stiffeners in tension"), force, Status::Failed);
     Some((check, Share { side: "stiffeners in tension", force, formula }))
 }
 
-/// Fillet welds of the stiffeners: to the flange of the column for the force they take there, to
-/// its web for the part of it that no beam on the other side balances, β of it.
+/// Fillet welds of the stiffeners: to the flange of the column for the force of the stiffeners, to
+/// its web for the share β of it that no beam on the other side balances.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.3, 4.5.1(1) for the effective length; four welds, one on either side of
 /// each stiffener.
-fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64) -> Vec<Check> {
+fn stiffener_welds(
+    loaded: &LoadedEnd<'_>,
+    c: &ColumnSide,
+    shares: &[Share],
+    beta: f64,
+) -> Vec<Check> {
     let (a, mut out) = (c.stiffener_throat, Vec::new());
-    let Some(steel) = welded(case.e, c).filter(|_| a > 0.0) else { return out };
+    let Some(steel) = welded_steel::of_the_column(loaded.end.e, c).filter(|_| a > 0.0) else {
+        return out;
+    };
     let flange = 0.5 * (c.section.b - c.section.tw) - c.stiffener_clip - 2.0 * a;
     let web = c.section.h - 2.0 * (c.section.tf + c.stiffener_clip) - 2.0 * a;
     let four = |force: f64, length: f64, formula: &str, subject: String| {
-        // as a force, so that welds without any length left fail
+        // compared as forces, so that welds without any effective length fail
         let each = simplified(a, &steel);
         let formula = format!(
             "{formula}; {}; F_Rd = 4 l_eff F_w,Rd = 4 · {} · {}",
@@ -207,7 +216,7 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
             s.force,
             flange,
             &s.formula,
-            case.place(&format!("{} to the column flange", s.side)),
+            loaded.place(&format!("{} to the column flange", s.side)),
         ));
     }
     if let Some(s) = shares.iter().reduce(|a, b| if b.force > a.force { b } else { a }) {
@@ -216,36 +225,39 @@ fn stiffener_welds(case: &Case<'_>, c: &ColumnSide, shares: &[Share], beta: f64)
             beta * s.force,
             web,
             &formula,
-            case.place(&format!("{} to the column web", s.side)),
+            loaded.place(&format!("{} to the column web", s.side)),
         ));
     }
-    out.extend(least_size(&case.place("column stiffeners"), a, flange.min(web)));
+    out.extend(least_size(&loaded.place("column stiffeners"), a, flange.min(web)));
     out
 }
 
-/// Fillet welds round the web plate: the shear flow of its part of the panel, and the throat from
-/// which on it counts in tension.
+/// Fillet welds round the web plate: the shear flow of its share of the panel, and the throat from
+/// which the plate counts in tension.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.6.1, welds of supplementary web plates for the forces that act on them;
 /// 6.2.6.3: fillet welds with a ≥ t_s/√2.
-pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
+pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
     let mut out = Vec::new();
-    let e = case.e;
+    let e = end.e;
     let counts =
         |c: &&ColumnSide| c.doubler > 0.0 && c.doubler_throat > 0.0 && doubler_fault(c).is_none();
     let Some(c) = e.column.as_ref().filter(counts) else { return out };
-    let (subject, a) = (case.place("web doubler"), c.doubler_throat);
+    let (subject, a) = (format!("{}, web doubler", end.a.end), c.doubler_throat);
     let what = ("EN 1993-1-8:2005 6.2.6.3", "throat of the welds of a web doubler");
     let rule = (c.doubler / SQRT_2, format!("t_s/√2 = {}/√2", n(c.doubler)));
     out.push(Check::at_least((Topic::Welds, subject.as_str()), what, "a", rule, a, Status::Failed));
-    let (Some(steel), Some(panel)) = (welded(e, c), &case.assessment.panel) else { return out };
-    let Some(area) = panel.steps.iter().find(|s| s.symbol == "A_vc").map(|s| s.value) else {
+    let (Some(steel), Some(panel)) = (welded_steel::of_the_column(e, c), &end.assessment.panel)
+    else {
         return out;
     };
-    let own = case.a.at(1.0)[1][1];
-    let other: f64 = loaded::others(e, case.a).map(|o| o.at(1.0)[1][1]).sum();
-    let shear = (own - other).abs() / case.assessment.stiffness.lever;
+    let Some(area) = panel.step("A_vc") else {
+        return out;
+    };
+    let own = end.a.at(1.0)[1][1];
+    let other: f64 = other_ends(e, end.a).map(|o| o.at(1.0)[1][1]).sum();
+    let shear = (own - other).abs() / end.assessment.stiffness.lever;
     let flow = shear * c.section.tw / area;
     let mut worked = simplified(a, &steel);
     worked.formula = format!(
@@ -261,12 +273,12 @@ pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
     out
 }
 
-/// Fillet welds of the rib: as strong as the rib, for no formula tells what it takes.
+/// Fillet welds of the rib: as strong as the rib, because no formula gives its force.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(6).
 pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
-    let steel = super::welded(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
+    let steel = welded_steel::of_the_beam(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
     let full = full_strength_throat(e.rib, e.beam_steel.fy, e.gamma_m0, &steel);
     let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
     let rule = (full.value, full.formula.split(" = ").nth(1).unwrap_or_default().to_owned());

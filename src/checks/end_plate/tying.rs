@@ -1,41 +1,38 @@
-//! Tying resistance of the plate, information for structural integrity.
+//! Tying resistance of the end plate: information for structural integrity.
 
-use super::{
-    EndPlate, Sense, Topic, Unit, Worked, assess, bearing_parts, from_top, joint, mean_diameter, n,
-    punching_resistance, tension_resistance,
-};
-use crate::checks::check::Check;
-use crate::checks::component_method::Assessment;
+use super::bolt_checks::bolt_tension;
+use super::bolt_rows::from_top;
+use super::component_joint::component_joint;
+use super::sense::Sense;
+use crate::assembly::EndPlate;
+use crate::checks::check::{Check, Topic, Unit, number as n};
 use crate::checks::component_method::assembly::RowForce;
+use crate::checks::component_method::{Assessment, assess};
+use crate::checks::worked::Worked;
 
-/// γ_Mu of tying resistances, as SCI P358 takes it.
+/// γ_Mu of tying resistances in SCI P358.
 const GAMMA_MU: f64 = 1.1;
 
-/// Sum of the rows under a pull along the beam, with ultimate strengths and γ_Mu, at most what the
-/// beam's area carries; nothing where the component method has no answer. Large deformations are
-/// allowed, so that the rows need not keep to the lever arms of 6.2.7.2(9); welds are left out.
+/// Tying resistance: sum of the rows under a tension along the beam, with ultimate strengths and
+/// γ_Mu, at most that of the beam's area; `None` where the component method does not cover the
+/// joint. Large deformations are allowed, so that the lever arms of 6.2.7.2(9) do not limit the
+/// rows. Welds are left out.
 ///
 /// # Source
 /// EN 1991-1-7:2006 A.5; SCI P358, tying resistance of end plates: T-stubs of EN 1993-1-8:2005
 /// Table 6.2 with f_u and γ_Mu = 1.1.
 pub(super) fn tying(e: &EndPlate) -> Option<Check> {
-    let mut j = joint(e, 0.0);
+    let mut j = component_joint(e, 0.0);
     j.plate.fy = e.plate_steel.fu;
     j.beam.fy = e.beam_steel.fu;
     if let (Some(c), Some(side)) = (&mut j.column, &e.column) {
         c.fy = side.steel.fu;
     }
     (j.gamma_m0, j.gamma_m1) = (GAMMA_MU, GAMMA_MU);
-    let dm = mean_diameter(&e.bolt);
-    let punching = bearing_parts(e)
-        .into_iter()
-        .map(|(_, t, fu, _)| punching_resistance(dm, t, fu, GAMMA_MU).value);
-    j.bolts.tension =
-        punching.fold(tension_resistance(&e.bolt, &e.grade, false, GAMMA_MU).value, f64::min);
+    j.bolts.tension = bolt_tension(e, GAMMA_MU);
     let of = |sense: Sense| {
-        let sign = if sense == Sense::Bottom { -1.0 } else { 1.0 };
         let found = assess(&sense.of(&j)).ok()?;
-        Some(forces(&found).into_iter().map(|(z, force)| (sign * z, force)).collect::<Vec<_>>())
+        Some(forces(&found).into_iter().map(|(z, force)| (sense.z(z), force)).collect::<Vec<_>>())
     };
     let both = [of(Sense::Top)?, of(Sense::Bottom)?];
     let each: Vec<f64> = from_top(e)
@@ -65,17 +62,18 @@ pub(super) fn tying(e: &EndPlate) -> Option<Check> {
     Some(worked.information(Topic::Member, "end plate"))
 }
 
-/// z and force of the rows by what they carry alone and in groups \[mm, N\].
+/// z and force of the rows \[mm, N\], limited by each row alone and by the groups.
 fn forces(a: &Assessment) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = Vec::new();
     for row in &a.rows {
-        let force = left(row, &out).max(0.0);
+        let force = beside(row, &out).max(0.0);
         out.push((row.z, force));
     }
     out
 }
 
-fn left(row: &RowForce, above: &[(f64, f64)]) -> f64 {
+/// Force of a row beside the forces of the rows above \[N\].
+fn beside(row: &RowForce, above: &[(f64, f64)]) -> f64 {
     let of_group =
         |first: usize, whole: f64| whole - above.iter().skip(first).map(|r| r.1).sum::<f64>();
     row.groups

@@ -1,27 +1,85 @@
-//! Welds of the beam: the web's beside the rows in tension, and the strength that all of them owe
-//! the joint.
+//! Welds of the beam: under the actions, beside the rows in tension, and the strength they need so
+//! as not to limit the joint.
 
-use super::case::{Case, value};
-use super::{EndPlate, Sense, Status, Topic, Unit, Worked, n, welded};
-use crate::checks::check::Check;
+use super::member_end::LoadedEnd;
+use super::sense::Sense;
+use super::welded_steel;
+use crate::assembly::{EndPlate, PlaneActions};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
 use crate::checks::component_method::Assessment;
 use crate::checks::eurocode::welds::{
-    across_and_along, directional, full_strength_throat, transverse,
+    across_and_along, directional, full_strength_throat, least_size, simplified, transverse,
 };
+use crate::checks::worked::Worked;
 use std::f64::consts::SQRT_2;
 
-/// A stretch of the beam web's welds and the rows that pull at it.
+/// Throats of double fillet welds that are as strong as flange and web of the beam.
+pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
+    let Some(steel) = welded_steel::of_the_beam(e) else { return Vec::new() };
+    [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
+        .into_iter()
+        .map(|(part, t)| {
+            full_strength_throat(t, e.beam_steel.fy, e.gamma_m0, &steel)
+                .information(Topic::Welds, part)
+        })
+        .collect()
+}
+
+/// Fillet welds under the actions of a load case: those of the flanges take moment and axial force,
+/// those of the web the shear force.
+pub(super) fn under_load(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
+    let (b, mut out) = (&e.beam, Vec::new());
+    let Some(steel) = welded_steel::of_the_beam(e) else { return out };
+    let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
+    if e.flange_throat > 0.0 {
+        let subject = format!("{}, beam flange", a.end);
+        let length = flange_run(e);
+        let force = my.abs() / (b.h - b.tf) + 0.5 * axial.max(0.0);
+        let mut worked = simplified(e.flange_throat, &steel).with("l_eff", length, Unit::Length);
+        worked.formula = format!(
+            "F_w,Ed = (|My|/(h − t_f) + N/2)/l_eff = ({} + {})/{}; {}",
+            Unit::Force.show(my.abs() / (b.h - b.tf)),
+            Unit::Force.show(0.5 * axial.max(0.0)),
+            Unit::Length.show(length),
+            worked.formula
+        );
+        out.push(worked.against(Topic::Welds, subject.clone(), force / length, Status::Failed));
+        out.extend(least_size(&subject, e.flange_throat, b.b - 2.0 * e.flange_throat));
+    }
+    if e.web_throat > 0.0 {
+        let subject = format!("{}, beam web", a.end);
+        let length = web_run(e);
+        let force = vz.hypot(vy);
+        let mut worked = simplified(e.web_throat, &steel).with("l_eff", length, Unit::Length);
+        worked.formula = format!(
+            "F_w,Ed = V/(2 l_eff) = {}/(2 · {}); {}",
+            Unit::Force.show(force),
+            Unit::Length.show(length),
+            worked.formula
+        );
+        out.push(worked.against(
+            Topic::Welds,
+            subject.clone(),
+            0.5 * force / length,
+            Status::Failed,
+        ));
+        out.extend(least_size(&subject, e.web_throat, length));
+    }
+    out
+}
+
+/// A stretch of the welds of the beam web, and the rows whose force it takes.
 struct Stretch {
     /// Rows from the tension side.
     first: usize,
     last: usize,
-    /// b_eff of the beam web, that of the end plate's T-stub; no more than the web's welds are long
-    /// \[mm\].
+    /// b_eff of the beam web, that of the T-stub of the end plate, at most the length of the welds
+    /// of the web \[mm\].
     width: f64,
 }
 
-/// The stretches of the web's welds that rows pull at: of every row alone and of every group
-/// between the flanges. A row outside the flange pulls at the flange.
+/// Stretches of the welds of the web that take the force of rows: of every row alone and of every
+/// group between the flanges. A row outside the flange acts on the flange.
 fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
     let mut out = Vec::new();
     for (last, row) in a.rows.iter().enumerate() {
@@ -29,19 +87,19 @@ fn stretches(a: &Assessment, run: f64) -> Vec<Stretch> {
         let all = alone.chain(row.groups.iter().map(|g| (g.first, &g.component)));
         let web = all.filter(|(_, c)| c.name == "beam web");
         out.extend(web.filter_map(|(first, c)| {
-            Some(Stretch { first, last, width: value(c, "b_eff")?.min(run) })
+            Some(Stretch { first, last, width: c.worked.step("b_eff")?.min(run) })
         }));
     }
     out
 }
 
 /// Effective length of each of the two welds of the beam web \[mm\].
-pub(super) fn web_run(e: &EndPlate) -> f64 {
+fn web_run(e: &EndPlate) -> f64 {
     e.beam.h - 2.0 * (e.beam.tf + e.beam.r) - 2.0 * e.web_throat
 }
 
-/// The stretch of the beam web's welds that is used most, under row forces \[N\] and a shear force
-/// over the whole web.
+/// The stretch of the welds of the beam web with the largest utilisation, under row forces \[N\]
+/// and a shear force over the whole web \[N\].
 fn web_welds(
     e: &EndPlate,
     a: &Assessment,
@@ -49,7 +107,7 @@ fn web_welds(
     shear: f64,
 ) -> Option<(Stretch, Worked)> {
     let (throat, run) = (e.web_throat, web_run(e));
-    let steel = welded(e).filter(|_| throat > 0.0 && run > 0.0)?;
+    let steel = welded_steel::of_the_beam(e).filter(|_| throat > 0.0 && run > 0.0)?;
     let parallel = shear / (2.0 * throat * run);
     let each = stretches(a, run).into_iter().map(|s| {
         let pull: f64 = (s.first..=s.last).map(&force).sum();
@@ -70,41 +128,42 @@ fn web_welds(
     each.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
 }
 
-/// The welds of the beam web beside the rows in tension: they bring the force of a row into the web
-/// and take their part of the shear force at the same time. The one that is used most.
+/// The welds of the beam web beside the rows in tension: they carry the force of a row into the web
+/// and their share of the shear force at the same time. The stretch with the largest utilisation.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length a row pulls at; SCI P398 takes the same length.
-pub(super) fn tension_zone(c: &Case<'_>) -> Option<Check> {
-    let [_, vy, vz] = c.a.at(1.0)[0];
-    let force = |r: usize| c.row_demand(r);
-    let (stretch, mut worked) = web_welds(c.e, c.assessment, force, vy.hypot(vz))?;
+/// EN 1993-1-8:2005 4.5.3.2, 6.2.6.8 for the length of web per row; SCI P398 uses the same
+/// length.
+pub(super) fn tension_zone(loaded: &LoadedEnd<'_>) -> Option<Check> {
+    let (e, assessment) = (loaded.end.e, &loaded.end.assessment);
+    let [_, vy, vz] = loaded.end.a.at(1.0)[0];
+    let (stretch, mut worked) = web_welds(e, assessment, |r| loaded.row_force(r), vy.hypot(vz))?;
     worked.title = "web weld beside the rows in tension, directional method";
-    let place = c.place(&format!("beam web, {}", c.rows(stretch.first, stretch.last)));
+    let place = loaded.place(&format!("beam web, {}", loaded.rows(stretch.first, stretch.last)));
     Some(worked.utilised(Topic::Welds, place, Status::Failed))
 }
 
 /// Clause of the rule that welds do not limit a joint.
 const NOT_THE_WEAKEST: &str = "EN 1993-1-8:2005 6.2.3(4)";
-/// Factors α on M_j,Rd where a plastic hinge forms in the joint and turns: with bracing, without.
+/// Factors α on M_j,Rd where a plastic hinge rotates in the joint: with bracing, without.
 const OVERSTRENGTH: [(f64, &str); 2] = [(1.4, "braced frame"), (1.7, "other frames")];
-/// Strength against that of the beam from which on the hinge forms in the beam, 6.4.1(1).
+/// M_j,Rd/M_pl,Rd of the beam from which the plastic hinge forms in the beam, 6.4.1(1).
 const HINGE_IN_BEAM: f64 = 1.2;
 
-/// What the welds of a flange carry across it.
+/// Resistance of the welds of a flange across it.
 struct FlangeWelds {
     /// F_Rd \[N\].
     worked: Worked,
-    /// b t_f f_y/γ_M0, all that the flange can bring \[N\].
+    /// b t_f f_y/γ_M0, the largest force of the flange \[N\].
     flange: f64,
 }
 
-/// By the directional method, `a l_eff f_u/(√2 β_w γ_M2)`; welds that are as strong as the flange's
-/// thickness carry all of the flange.
+/// Resistance by the directional method, `a l_eff f_u/(√2 β_w γ_M2)`. Welds as strong as the
+/// thickness of the flange carry the whole flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
     let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
-    let steel = welded(e)?;
+    let steel = welded_steel::of_the_beam(e)?;
     let full = full_strength_throat(b.tf, e.beam_steel.fy, e.gamma_m0, &steel);
     let length = flange_run(e);
     let each = transverse(a, &steel);
@@ -128,14 +187,14 @@ fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
 
 /// Effective length of the welds of one flange, outside along its width, inside up to the root
 /// fillets \[mm\].
-pub(super) fn flange_run(e: &EndPlate) -> f64 {
+fn flange_run(e: &EndPlate) -> f64 {
     2.0 * e.beam.b - e.beam.tw - 2.0 * e.beam.r - 2.0 * SQRT_2 * e.flange_throat
 }
 
-/// Welds that do not limit the joint: what carries M_j,Rd is some other component; and what the
-/// welds must carry where a plastic hinge forms in the joint and turns, a warning, for Bracket does
-/// not know the analysis of the frame. Of a sense of bending that no load case has, all of it is a
-/// warning.
+/// Whether the welds are strong enough that another component limits M_j,Rd; and whether they carry
+/// the overstrength of a plastic hinge that rotates in the joint, which is a warning, because the
+/// analysis of the frame is not known. For a sense of bending that no load case has, both are
+/// warnings.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.3(4) and (5); 4.7.1(1) for butt welds.
@@ -164,14 +223,14 @@ pub(super) fn not_the_weakest(
         worked.clause = NOT_THE_WEAKEST;
         worked.title = "web weld no weaker than the rows in tension";
         let each = a.rows.get(stretch.first..=stretch.last).unwrap_or_default().iter();
-        let each: Vec<String> =
-            each.map(|r| n(if sense == Sense::Bottom { -r.z } else { r.z })).collect();
+        let each: Vec<String> = each.map(|r| n(sense.z(r.z))).collect();
         let place = format!("beam web, {subject}, z = {} mm", each.join(" and "));
         out.push(worked.utilised(Topic::Welds, place, otherwise));
     }
     out
 }
 
+/// The part of [`not_the_weakest`] for the welds of the flange in tension.
 fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status) -> Vec<Check> {
     let place = format!("beam flange, {subject}");
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
@@ -206,7 +265,8 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
     let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
-    // no hinge turns where the beam yields first, or in a sense that no load case has
+    // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
+    // has
     if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {
         return out;
     }

@@ -1,6 +1,7 @@
-//! Bearing of plates against bolts, and groups of fasteners: EN 1993-1-8:2005 Table 3.4 and 3.7.
+//! Bearing of plates against bolts: EN 1993-1-8:2005 Table 3.4.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Position of a bolt in the direction of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,24 +18,6 @@ pub enum Along {
     },
 }
 
-/// Position of a bolt across the force.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Across {
-    /// An edge bolt with the edge distance e2, and the pitch p2 to the next column if there is one
-    /// \[mm\].
-    Edge {
-        /// Edge distance.
-        e2: f64,
-        /// Pitch across the force.
-        p2: Option<f64>,
-    },
-    /// An inner bolt with the pitch p2 \[mm\].
-    Inner {
-        /// Pitch across the force.
-        p2: f64,
-    },
-}
-
 /// Kind of a hole, for bearing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hole {
@@ -43,17 +26,17 @@ pub enum Hole {
     Normal,
     /// An oversize round hole: 0.8 of the resistance.
     Oversize,
-    /// A slot across the force: 0.6 of the resistance.
-    Slotted,
 }
 
-/// A plate that bears on a bolt.
+/// A plate that bears on an edge bolt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearing {
     /// Position along the force.
     pub along: Along,
-    /// Position across the force.
-    pub across: Across,
+    /// Edge distance across the force \[mm\].
+    pub e2: f64,
+    /// Pitch across the force to the next column of bolts \[mm\].
+    pub p2: f64,
     /// Kind of hole.
     pub hole: Hole,
     /// Diameter of the bolt \[mm\].
@@ -83,19 +66,14 @@ impl Bearing {
             Along::Inner { p1 } => p1 / (3.0 * self.d0) - 0.25,
         };
         let alpha_b = alpha_d.min(self.fub / self.fu).min(1.0);
-        let edge = |e2: f64| 2.8 * e2 / self.d0 - 1.7;
-        let inner = |p2: f64| 1.4 * p2 / self.d0 - 1.7;
-        let k1 = match self.across {
-            Across::Edge { e2, p2 } => edge(e2).min(p2.map_or(f64::INFINITY, inner)),
-            Across::Inner { p2 } => inner(p2),
-        }
-        .min(2.5);
+        let edge = 2.8 * self.e2 / self.d0 - 1.7;
+        let inner = 1.4 * self.p2 / self.d0 - 1.7;
+        let k1 = edge.min(inner).min(2.5);
         let factor = match self.hole {
             Hole::Normal => 1.0,
             Hole::Oversize => 0.8,
-            Hole::Slotted => 0.6,
         };
-        // bolts nearer than the least distances of Table 3.3 carry nothing
+        // below the least distances of Table 3.3 the factors can turn negative
         let value = (factor * k1 * alpha_b * self.fu * self.d * self.thickness / gamma_m2).max(0.0);
         let (words, hole) =
             if factor == 1.0 { (String::new(), "") } else { (format!("{} · ", n(factor)), "β ") };
@@ -119,33 +97,4 @@ impl Bearing {
         .with("α_b", alpha_b, Unit::Number)
         .with("k1", k1, Unit::Number)
     }
-}
-
-/// One fastener of a group: its shear and its bearing resistance \[N\].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fastener {
-    /// F_v,Rd.
-    pub shear: f64,
-    /// F_b,Rd.
-    pub bearing: f64,
-}
-
-/// Design resistance of a group of fasteners \[N\].
-///
-/// The sum of F_b,Rd where every F_v,Rd ≥ its F_b,Rd; otherwise the number of fasteners times the
-/// smallest resistance of any. An empty group carries nothing.
-///
-/// # Source
-/// EN 1993-1-8:2005 3.7(1).
-pub fn group_resistance(group: &[Fastener]) -> Worked {
-    const CLAUSE: &str = "EN 1993-1-8:2005 3.7(1)";
-    const TITLE: &str = "resistance of a group of fasteners";
-    if group.iter().all(|f| f.shear >= f.bearing) {
-        let sum = group.iter().map(|f| f.bearing).sum();
-        return Worked::new(CLAUSE, TITLE, sum, Unit::Force, "Σ F_b,Rd, every F_v,Rd ≥ F_b,Rd");
-    }
-    let least = group.iter().map(|f| f.shear.min(f.bearing)).fold(f64::INFINITY, f64::min);
-    let value = group.len() as f64 * least;
-    let formula = format!("n min(F_v,Rd, F_b,Rd) = {} · {}", group.len(), Unit::Force.show(least));
-    Worked::new(CLAUSE, TITLE, value, Unit::Force, formula)
 }

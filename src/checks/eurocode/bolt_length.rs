@@ -1,7 +1,8 @@
-//! The length of a bolt from what it clamps.
+//! Length of a bolt for the thickness that it clamps.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Stocked lengths of hexagon bolts \[mm\].
 ///
@@ -13,8 +14,7 @@ const LENGTHS: [f64; 34] = [
     340.0, 360.0, 380.0, 400.0, 420.0, 440.0,
 ];
 
-/// Length of the bolt the elongation of a bolt is counted on \[mm\]: `L_b` = grip + washers + half
-/// of head and nut.
+/// Elongation length of a bolt \[mm\]: `L_b` = grip + washers + half of head and nut.
 ///
 /// # Source
 /// EN 1993-1-8:2005 6.2.4 (Table 6.2, note on L_b) and Table 6.11 (k10).
@@ -44,8 +44,8 @@ pub fn stocked_length(least: f64) -> Option<f64> {
     LENGTHS.into_iter().find(|l| *l >= least)
 }
 
-/// Length of thread of a bolt `length` long \[mm\]: b up to 125 mm, b + 6 mm up to 200 mm, b + 19
-/// mm above; never more than the bolt.
+/// Thread length of a bolt of the given length \[mm\]: b up to 125 mm, b + 6 mm up to 200 mm, b +
+/// 19 mm above; never more than the bolt.
 ///
 /// # Source
 /// ISO 4014, reference length of thread b; `BoltSize::thread_length` is that up to 125 mm.
@@ -58,8 +58,8 @@ pub fn thread_length(bolt: &BoltSize, length: f64) -> f64 {
     (bolt.thread_length + more).min(length)
 }
 
-/// Whether the nut tightens before it meets the unthreaded shank: grip and washers must reach over
-/// the shank.
+/// Whether the nut tightens before it reaches the unthreaded shank: grip and washers must cover the
+/// shank.
 ///
 /// # Source
 /// EN 1090-2 8.2.2: one full thread at least stays free between the bearing face of the nut and the

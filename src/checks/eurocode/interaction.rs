@@ -1,8 +1,9 @@
 //! Shear and tension together: EN 1993-1-8:2005 Table 3.4.
 
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 
-/// Forces of one bolt and what it can carry of each \[N\].
+/// Forces and resistances of one bolt \[N\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// F_v,Ed ≥ 0.

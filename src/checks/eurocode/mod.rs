@@ -1,8 +1,10 @@
-//! Bolts, bearing, slip, spacing and welds of EN 1993-1-8:2005, sections 3 and 4.
+//! Bolts, bearing, slip, spacing and welds of EN 1993-1-8:2005, sections 3 and 4; cross-sections of
+//! EN 1993-1-1:2005, 6.2.
 
 pub mod bearing;
 pub mod bolt_length;
 pub mod bolts;
+pub mod i_section;
 pub mod interaction;
 pub mod punching;
 pub mod section;

@@ -1,7 +1,8 @@
 //! Punching of a bolt head or nut through a plate: EN 1993-1-8:2005 Table 3.4.
 
 use crate::catalog::BoltSize;
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 use std::f64::consts::PI;
 
 /// Mean diameter d_m of the head or the nut, whichever is smaller \[mm\]: mean of the distances

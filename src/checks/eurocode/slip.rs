@@ -1,7 +1,8 @@
-//! Preload and slip: EN 1993-1-8:2005 3.6.1(2) and 3.9.
+//! Preload and slip: EN 1993-1-8:2005 3.9.
 
 use crate::catalog::{BoltGrade, BoltSize};
-use crate::checks::check::{Unit, Worked, number as n};
+use crate::checks::check::{Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Holes of a slip-resistant connection, Table 3.6.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -9,14 +10,8 @@ pub enum SlipHole {
     /// Normal holes.
     #[default]
     Normal,
-    /// Oversize holes, or short slots across the force.
-    OversizeOrShortSlotAcross,
-    /// Long slots across the force.
-    LongSlotAcross,
-    /// Short slots along the force.
-    ShortSlotAlong,
-    /// Long slots along the force.
-    LongSlotAlong,
+    /// Oversize holes.
+    Oversize,
 }
 
 impl SlipHole {
@@ -27,10 +22,7 @@ impl SlipHole {
     pub fn ks(self) -> f64 {
         match self {
             SlipHole::Normal => 1.0,
-            SlipHole::OversizeOrShortSlotAcross => 0.85,
-            SlipHole::LongSlotAcross => 0.7,
-            SlipHole::ShortSlotAlong => 0.76,
-            SlipHole::LongSlotAlong => 0.63,
+            SlipHole::Oversize => 0.85,
         }
     }
 }
@@ -48,34 +40,11 @@ pub fn preload(bolt: &BoltSize, grade: &BoltGrade) -> Worked {
     Worked::new("EN 1993-1-8:2005 3.9.1(2)", "preload of a bolt", value, Unit::Force, formula)
 }
 
-/// Design preload F_p,Cd \[N\].
-///
-/// `F_p,Cd = 0.7 f_ub A_s / γ_M7`.
-///
-/// # Source
-/// EN 1993-1-8:2005 3.6.1(2), formula 3.1.
-pub fn design_preload(bolt: &BoltSize, grade: &BoltGrade, gamma_m7: f64) -> Worked {
-    let value = 0.7 * grade.fub * bolt.stress_area / gamma_m7;
-    let formula = format!(
-        "F_p,Cd = 0.7 f_ub A_s / γ_M7 = 0.7 · {} · {} / {}",
-        n(grade.fub),
-        n(bolt.stress_area),
-        n(gamma_m7)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 3.6.1(2)",
-        "design preload of a bolt",
-        value,
-        Unit::Force,
-        formula,
-    )
-}
-
 /// Design slip resistance of one preloaded bolt \[N\], under a tension `tension` ≥ 0 \[N\] of the
 /// bolt (F_t,Ed with γ_M3 in category C, F_t,Ed,ser with γ_M3,ser in category B); never below 0.
 ///
-/// `F_s,Rd = k_s n μ (F_p,C − 0.8 F_t,Ed) / γ_M3`. In a moment end plate the compression side makes
-/// up for the tension: there the tension is 0 (3.9.2(3)).
+/// `F_s,Rd = k_s n μ (F_p,C − 0.8 F_t,Ed) / γ_M3`. In a moment end plate the contact force on the
+/// compression side balances the tension, which then counts as 0 (3.9.2(3)).
 ///
 /// # Source
 /// EN 1993-1-8:2005 3.9.1(1), formula 3.6; 3.9.2(1), formulas 3.8a and 3.8b.

@@ -3,11 +3,11 @@
 use crate::checks::check::{Check, Status, Topic, number as n};
 
 const TABLE: &str = "EN 1993-1-8:2005 Table 3.3";
-/// What has no clause: what a socket wrench needs.
+/// In place of a clause: the room that a socket wrench needs.
 const PRACTICE: &str = "practice";
 
-/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where there is no such
-/// distance.
+/// Distances of one rectangular pattern of bolts in one plate \[mm\]; `None` where a distance does
+/// not exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
     /// Hole diameter.
@@ -18,7 +18,7 @@ pub struct Pattern {
     pub e1: Option<f64>,
     /// Smallest edge distance.
     pub e2: Option<f64>,
-    /// Smallest pitch along the rows.
+    /// Smallest and largest pitch of the rows.
     pub p1: Option<[f64; 2]>,
     /// Distance between the columns.
     pub p2: Option<f64>,
@@ -26,12 +26,12 @@ pub struct Pattern {
 
 /// Checks of a pattern; `subject` names the plate.
 ///
-/// Least values fail the check: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e ≤
-/// 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) are asked of exposed and of compressed plates alone
-/// (note 1 of the table): passing one is a warning.
+/// The least values are binding: e1, e2 ≥ 1.2 d0, p1 ≥ 2.2 d0, p2 ≥ 2.4 d0. The greatest values (e
+/// ≤ 4 t + 40 mm; p1, p2 ≤ min(14 t, 200 mm)) apply to exposed and to compressed plates only (note
+/// 1 of the table): exceeding one is a warning.
 ///
 /// # Source
-/// EN 1993-1-8:2005 Table 3.3; `p1` holds the smallest and the largest pitch.
+/// EN 1993-1-8:2005 Table 3.3.
 pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
     let least = |title: &str, symbol: &str, factor: f64, provided: f64| {
         let rule = format!("{} d0 = {} · {}", n(factor), n(factor), n(p.d0));
@@ -69,23 +69,6 @@ pub fn pattern_checks(subject: &str, p: &Pattern) -> Vec<Check> {
     out
 }
 
-/// Least distance of the centre of a slot from any edge or end.
-///
-/// # Source
-/// EN 1993-1-8:2005 Table 3.3: e3, e4 ≥ 1.5 d0.
-pub fn slot_check(subject: &str, distance: f64, d0: f64) -> Check {
-    let what = (Topic::Detailing, subject);
-    let title = (TABLE, "distance of a slot from the edge");
-    Check::at_least(
-        what,
-        title,
-        "e3, e4",
-        (1.5 * d0, format!("1.5 d0 = 1.5 · {}", n(d0))),
-        distance,
-        Status::Failed,
-    )
-}
-
 /// Room for a socket wrench between the axis of a bolt and a web, a flange or the toe of its weld
 /// \[mm\].
 ///
@@ -96,11 +79,11 @@ pub fn wrench_check(subject: &str, distance: f64, d: f64) -> Check {
     Check::at_least(what, (PRACTICE, "room for a wrench"), "c", rule, distance, Status::Warning)
 }
 
-/// Whether a washer of outer diameter `washer` lies on the flat: the distance of the bolt's axis
-/// from the face of the web must reach over root radius and half of the washer \[mm\].
+/// Whether a washer of outer diameter `washer` bears on a plane surface: the distance of the bolt
+/// axis from the face of the web must be at least the root radius and half of the washer \[mm\].
 ///
-/// Washers and nuts bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes do without
-/// washers (8.2.4), so a shorter distance is a warning.
+/// Washers and nuts must bear on plane surfaces (EN 1090-2 8.2). Plain bolts in normal holes need
+/// no washers (8.2.4), so a shorter distance is a warning.
 pub fn washer_check(subject: &str, distance: f64, washer: f64, root: f64) -> Check {
     let what = (Topic::Detailing, subject);
     let rule = (root + 0.5 * washer, format!("r + d_w/2 = {} + {}/2", n(root), n(washer)));

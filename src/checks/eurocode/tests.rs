@@ -1,11 +1,9 @@
 //! Each formula of sections 3 and 4 against printed values, named after its clause.
 
-use super::bearing::{Across, Along, Bearing, Fastener, Hole, group_resistance};
-use super::bolts::{
-    ShearPlane, long_joint_factor, packing_factor, shear_resistance, tension_resistance,
-};
-use super::slip::{SlipHole, design_preload, preload, slip_resistance};
-use super::spacing::{Pattern, pattern_checks, slot_check, washer_check, wrench_check};
+use super::bearing::{Along, Bearing, Hole};
+use super::bolts::{shear_resistance, tension_resistance};
+use super::slip::{SlipHole, preload, slip_resistance};
+use super::spacing::{Pattern, pattern_checks, washer_check, wrench_check};
 use super::welds::{self, ThroatStress, WeldedSteel};
 use super::{bolt_length, interaction, punching};
 use crate::catalog::{BoltGrade, BoltSize, Catalog};
@@ -38,27 +36,20 @@ fn table_3_4_tension_shear_and_3_9_1_preload_of_usual_bolts() {
     ];
     for (size, grade, ft, fv, fp) in table {
         let (b, g) = bolt(size, grade);
-        printed(size, tension_resistance(&b, &g, false, 1.25).value, ft);
-        printed(size, shear_resistance(&b, &g, ShearPlane::Thread, 1.0, 1.25).value, fv);
+        printed(size, tension_resistance(&b, &g, 1.25).value, ft);
+        printed(size, shear_resistance(&b, &g, 1.25).value, fv);
         if let Some(fp) = fp {
             printed(size, preload(&b, &g).value, fp);
         }
     }
 }
 
-/// M22 10.9 of a printed report: shank in the shear plane, 20 mm of S355, d_m = 38 mm.
+/// M22 10.9 of a printed report: 20 mm of S355, d_m = 38 mm.
 #[test]
-fn table_3_4_shank_in_shear_and_punching_of_m22() {
+fn table_3_4_tension_and_punching_of_m22() {
     let (b, g) = bolt("M22", "10.9");
-    printed("F_t,Rd", tension_resistance(&b, &g, false, 1.25).value, "218.2");
-    printed("F_v,Rd", shear_resistance(&b, &g, ShearPlane::Shank, 1.0, 1.25).value, "182.4");
+    printed("F_t,Rd", tension_resistance(&b, &g, 1.25).value, "218.2");
     printed("B_p,Rd", punching::punching_resistance(38.0, 20.0, 490.0, 1.25).value, "561.6");
-    // countersunk heads carry 0.63/0.9 of it
-    let (whole, sunk) = (
-        tension_resistance(&b, &g, false, 1.25).value,
-        tension_resistance(&b, &g, true, 1.25).value,
-    );
-    near(sunk / whole, 0.7);
     // across flats 34, across corners at least 37.72: their mean
     near(punching::mean_diameter(&b), 0.5 * (b.head_width + b.head_corners));
     let small_nut = BoltSize { nut_width: 0.9 * b.head_width, ..b.clone() };
@@ -68,15 +59,15 @@ fn table_3_4_shank_in_shear_and_punching_of_m22() {
 /// Partial depth end plate of Multi-Storey Steel Buildings, Part 5: 12 M20 8.8, 12 mm S275, d0 22,
 /// e1 40, e2 30, p1 70.
 #[test]
-fn table_3_4_bearing_and_3_7_group_of_a_partial_depth_end_plate() {
+fn table_3_4_bearing_of_a_partial_depth_end_plate() {
     let (b, g) = bolt("M20", "8.8");
-    let shear = shear_resistance(&b, &g, ShearPlane::Thread, 1.0, 1.25).value;
+    let shear = shear_resistance(&b, &g, 1.25).value;
     printed("F_v,Rd", shear, "94");
-    let across = Across::Edge { e2: 30.0, p2: None };
     let at = |along| {
         let place = Bearing {
             along,
-            across,
+            e2: 30.0,
+            p2: f64::INFINITY,
             hole: Hole::Normal,
             d: 20.0,
             d0: 22.0,
@@ -93,29 +84,14 @@ fn table_3_4_bearing_and_3_7_group_of_a_partial_depth_end_plate() {
         w.steps.iter().find(|x| x.symbol == s).map_or(f64::NAN, |x| x.value)
     };
     assert_eq!(format!("{:.2} {:.2}", step(&end, "α_b"), step(&end, "k1")), "0.61 2.12");
-    // two end bolts and ten inner ones: bearing exceeds shear everywhere, so 12 times the least
-    let mut group = vec![Fastener { shear, bearing: inner.value }; 10];
-    group.extend([Fastener { shear, bearing: end.value }; 2]);
-    let resistance = group_resistance(&group).value;
-    near(resistance, 12.0 * shear);
-    // the source takes 0.8 of it and prints 0.8 · 12 · 94 = 902
-    assert_eq!(format!("{:.0}", 0.8 * 12.0 * (shear * 1e-3).round()), "902");
-    assert!(0.8 * resistance >= 550e3);
 }
 
 #[test]
-fn clause_3_7_sums_bearing_only_where_every_shank_carries_it() {
-    let f = |shear, bearing| Fastener { shear, bearing };
-    near(group_resistance(&[f(90.0, 60.0), f(90.0, 80.0)]).value, 140.0);
-    near(group_resistance(&[f(90.0, 60.0), f(70.0, 80.0)]).value, 120.0);
-    near(group_resistance(&[]).value, 0.0);
-}
-
-#[test]
-fn table_3_4_bearing_holes_and_inner_columns() {
+fn table_3_4_bearing_holes_and_columns_of_bolts() {
     let place = Bearing {
         along: Along::Inner { p1: 1000.0 },
-        across: Across::Inner { p2: 50.0 },
+        e2: 99.0,
+        p2: 50.0,
         hole: Hole::Normal,
         d: 20.0,
         d0: 22.0,
@@ -123,53 +99,24 @@ fn table_3_4_bearing_holes_and_inner_columns() {
         fu: 360.0,
         fub: 800.0,
     };
+    // the pitch across the force decides
     let k1: f64 = 1.4 * 50.0 / 22.0 - 1.7;
     near(place.resistance(1.25).value, k1 * 360.0 * 20.0 * 10.0 / 1.25);
     near(
         Bearing { hole: Hole::Oversize, ..place }.resistance(1.25).value,
         0.8 * place.resistance(1.25).value,
     );
-    near(
-        Bearing { hole: Hole::Slotted, ..place }.resistance(1.25).value,
-        0.6 * place.resistance(1.25).value,
-    );
     // a wide pitch: k1 = 2.5; a soft bolt: α_b = f_ub/f_u
-    let wide = Bearing { across: Across::Edge { e2: 99.0, p2: Some(400.0) }, fub: 270.0, ..place };
+    let wide = Bearing { p2: 400.0, fub: 270.0, ..place };
     near(wide.resistance(1.25).value, 2.5 * 0.75 * 360.0 * 20.0 * 10.0 / 1.25);
-    // an edge bolt is held by the pitch across too
-    let narrow = Bearing { across: Across::Edge { e2: 99.0, p2: Some(50.0) }, ..place };
-    near(narrow.resistance(1.25).value, place.resistance(1.25).value);
-    // nearer to the end than any table allows, nothing is carried
-    assert_eq!(Bearing { across: Across::Inner { p2: 20.0 }, ..place }.resistance(1.25).value, 0.0);
-}
-
-#[test]
-fn clause_3_8_long_joints_and_3_6_1_12_packing() {
-    for (length, beta) in [(200.0, 1.0), (300.0, 1.0), (700.0, 0.9), (1300.0, 0.75), (5000.0, 0.75)]
-    {
-        near(long_joint_factor(length, 20.0).value, beta);
-    }
-    for (packing, beta) in
-        [(0.0, 1.0), (6.0, 1.0), (20.0 / 3.0, 1.0), (10.0, 180.0 / 190.0), (40.0, 180.0 / 280.0)]
-    {
-        near(packing_factor(packing, 20.0).value, beta);
-    }
-    let (b, g) = bolt("M20", "8.8");
-    let full = shear_resistance(&b, &g, ShearPlane::Thread, 1.0, 1.25);
-    let reduced = shear_resistance(&b, &g, ShearPlane::Thread, 0.9, 1.25);
-    near(reduced.value, 0.9 * full.value);
-    assert!(
-        reduced.formula.contains("β α_v f_ub A_s / γ_M2 = 0.9 · 0.6 · 800 · 245 / 1.25"),
-        "{}",
-        reduced.formula
-    );
+    // below the distances of Table 3.3 the resistance is 0, not negative
+    assert_eq!(Bearing { p2: 20.0, ..place }.resistance(1.25).value, 0.0);
 }
 
 #[test]
 fn clause_3_9_slip_without_and_with_tension() {
     let (b, g) = bolt("M20", "10.9");
     let fp = preload(&b, &g).value;
-    near(design_preload(&b, &g, 1.1).value, fp / 1.1);
     let plain = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 0.0, 1.25).value;
     near(plain, 2.0 * 0.5 * 171_500.0 / 1.25);
     let tension = slip_resistance(SlipHole::Normal, 2, 0.5, fp, 100e3, 1.25);
@@ -180,13 +127,7 @@ fn clause_3_9_slip_without_and_with_tension() {
         0.0,
         "never negative"
     );
-    let holes = [
-        (SlipHole::Normal, 1.0),
-        (SlipHole::OversizeOrShortSlotAcross, 0.85),
-        (SlipHole::LongSlotAcross, 0.7),
-        (SlipHole::ShortSlotAlong, 0.76),
-        (SlipHole::LongSlotAlong, 0.63),
-    ];
+    let holes = [(SlipHole::Normal, 1.0), (SlipHole::Oversize, 0.85)];
     for (hole, ks) in holes {
         near(slip_resistance(hole, 1, 0.3, fp, 0.0, 1.25).value / (0.3 * fp / 1.25), ks);
     }
@@ -240,8 +181,6 @@ fn table_3_3_least_and_greatest_distances() {
     assert_eq!(failed(far), 0);
     let alone = Pattern { e1: None, e2: None, p1: None, p2: None, ..pattern };
     assert!(pattern_checks("plate", &alone).is_empty());
-    assert_eq!(slot_check("plate", 30.0, 20.0).status, Status::Ok);
-    assert_eq!(slot_check("plate", 29.9, 20.0).status, Status::Failed);
 }
 
 #[test]
@@ -334,11 +273,9 @@ fn clause_4_5_3_2_full_strength_double_fillet() {
 }
 
 #[test]
-fn clauses_4_5_1_4_5_2_and_4_11_sizes_of_welds() {
+fn clauses_4_5_1_and_4_5_2_sizes_of_welds() {
     let statuses = |a, l| welds::least_size("weld", a, l).map(|c| c.status);
     assert_eq!(statuses(3.0, 30.0), [Status::Ok, Status::Ok]);
     assert_eq!(statuses(2.9, 30.0), [Status::Failed, Status::Ok]);
     assert_eq!(statuses(6.0, 35.9), [Status::Ok, Status::Failed]);
-    near(welds::long_weld_factor(150.0, 5.0).value, 1.0);
-    near(welds::long_weld_factor(1500.0, 5.0).value, 0.8);
 }

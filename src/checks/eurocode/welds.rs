@@ -1,6 +1,7 @@
-//! Fillet welds: EN 1993-1-8:2005 4.5.3, 4.5.1, 4.5.2, 4.11.
+//! Fillet welds: EN 1993-1-8:2005 4.5.
 
-use crate::checks::check::{Check, Status, Topic, Unit, Worked, number as n};
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::worked::Worked;
 
 /// Least throat of a fillet weld \[mm\], EN 1993-1-8:2005 4.5.2(2).
 pub const LEAST_THROAT: f64 = 3.0;
@@ -98,11 +99,11 @@ pub fn simplified(throat: f64, steel: &WeldedSteel) -> Worked {
 /// Design resistance of a fillet weld per length under a force across it by the directional method
 /// \[N/mm\]; `throat` a \[mm\].
 ///
-/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) of what the simplified method
-/// gives.
+/// σ⊥ = τ⊥ = F/(√2 a), so that `F_w,Rd = a f_u/(√2 β_w γ_M2)`, √(3/2) times the value of the
+/// simplified method.
 ///
 /// # Source
-/// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, for β_w ≥ 0.56.
+/// EN 1993-1-8:2005 4.5.3.2(6); σ⊥ ≤ 0.9 f_u/γ_M2 never decides, because β_w ≥ 0.56.
 pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     let value = throat * steel.fu / (2f64.sqrt() * steel.beta_w * steel.gamma_m2);
     let formula = format!(
@@ -116,7 +117,7 @@ pub fn transverse(throat: f64, steel: &WeldedSteel) -> Worked {
     Worked::new("EN 1993-1-8:2005 4.5.3.2(6)", title, value, Unit::ForcePerLength, formula)
 }
 
-/// Throat of each of two fillet welds that carry all that the plate between them carries in tension
+/// Throat of each of two fillet welds that are as strong as the plate between them in tension
 /// \[mm\].
 ///
 /// Each weld takes half of `t f_y/γ_M0` across its length, σ⊥ = τ⊥, so that
@@ -141,28 +142,6 @@ pub fn full_strength_throat(thickness: f64, fy: f64, gamma_m0: f64, steel: &Weld
         "throat of a double fillet weld of full strength",
         value,
         Unit::Length,
-        formula,
-    )
-}
-
-/// Reduction β_Lw of long lap welds; `length` overall \[mm\].
-///
-/// `β_Lw = 1.2 − 0.2 L_j/(150 a) ≤ 1`.
-///
-/// # Source
-/// EN 1993-1-8:2005 4.11(3), formula 4.9.
-pub fn long_weld_factor(length: f64, throat: f64) -> Worked {
-    let value = (1.2 - 0.2 * length / (150.0 * throat)).min(1.0);
-    let formula = format!(
-        "β_Lw = 1.2 − 0.2 L_j/(150 a) = 1.2 − 0.2 · {}/(150 · {}), at most 1",
-        n(length),
-        n(throat)
-    );
-    Worked::new(
-        "EN 1993-1-8:2005 4.11(3)",
-        "reduction of long lap welds",
-        value,
-        Unit::Number,
         formula,
     )
 }

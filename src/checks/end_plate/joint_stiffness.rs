@@ -1,15 +1,17 @@
-//! Initial stiffness of a joint from the rotation that an elastic analysis brackets, and its class.
+//! Initial stiffness of a joint from the bracket of the rotation in an elastic analysis, and its
+//! class by stiffness.
 
-use super::{Assessment, EndPlate};
-use crate::assembly::PlaneActions;
+use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::classification::{Frame, StiffnessClass, stiffness_limits};
+use crate::checks::component_method::Assessment;
 use serde::{Deserialize, Serialize};
 
-/// Actions below this part of the moment (forces by the depth of the beam) are rounding.
+/// Actions below this fraction of the moment (forces times the depth of the beam) are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A load case that is one moment My at a member end (or the same at the ends of two beams, that
-/// balance at a column): then the loaded section turns by φ = −2Π/M, and the energies bracket it.
+/// A load case that consists of one moment My at a member end, or of equal moments at the ends of
+/// two beams that balance at a column. The rotation of the loaded section is then φ = −2Π/M, and
+/// the bounds of the potential energy Π bracket it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PureMoment {
     /// Load case.
@@ -18,24 +20,25 @@ pub struct PureMoment {
     pub end: String,
     /// |My| \[N mm\].
     pub moment: f64,
-    /// M L/(E I_b) of the beam between the loaded section and the plates \[rad\]: Euler–Bernoulli,
-    /// and without shear, for a moment alone brings none.
+    /// M L/(E I_b) of the beam between the loaded section and the plates \[rad\]: Euler–Bernoulli;
+    /// a moment alone causes no shear deformation.
     pub beam_rotation: f64,
     /// E I_b of the beam \[N mm²\].
     pub flexural: f64,
     /// System length of the beam \[mm\], where it is known.
     pub system_length: Option<f64>,
-    /// Between a beam and a column: the boundaries of 5.2.2.5 hold.
+    /// Whether the joint is between a beam and a column, so that the boundaries of 5.2.2.5 apply.
     pub column: bool,
-    /// The moment bends the column, so that its bending between the supports is a part of φ.
+    /// Whether the moment bends the column, so that φ contains the bending of the column between
+    /// its supports.
     pub bends_column: bool,
     /// S_j,ini of the component method \[N mm/rad\].
     pub component_method: f64,
 }
 
 impl PureMoment {
-    /// The load case at a member end, if it is a moment alone and the template tells which length
-    /// of beam bends.
+    /// The load case at a member end; `None` unless it is a moment alone and the template states
+    /// the length of beam that bends.
     pub(super) fn new(
         e: &EndPlate,
         a: &PlaneActions,
@@ -69,9 +72,9 @@ impl PureMoment {
     }
 }
 
-/// Bracket of S_j,ini. The rotation of the joint is what is left of that of the loaded section
-/// after the beam's bending; it holds plates, bolts, contact, column web and flanges, and where
-/// [`PureMoment::bends_column`] the bending of the column between its supports.
+/// Bracket of S_j,ini. The rotation of the joint is that of the loaded section less the bending of
+/// the beam. It contains the deformation of plates, bolts, contact, column web and flanges, and
+/// where [`PureMoment::bends_column`] is true the bending of the column between its supports.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointStiffness {
     /// Member ends, each under the moment.
@@ -80,24 +83,24 @@ pub struct JointStiffness {
     pub moment: f64,
     /// Bracket of the rotation of the loaded section \[rad\].
     pub rotation: [f64; 2],
-    /// M L/(E I_b) of the beam, taken from it \[rad\].
+    /// M L/(E I_b) of the beam, subtracted from it \[rad\].
     pub beam_rotation: f64,
-    /// The bending of the column between its supports is a part of the joint's rotation.
+    /// Whether the rotation of the joint contains the bending of the column between its supports.
     pub contains_column: bool,
     /// Lower bound of S_j,ini \[N mm/rad\].
     pub lower: f64,
-    /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is no more than the
-    /// beam's.
+    /// Upper bound of S_j,ini \[N mm/rad\]; absent where the least rotation is at most that
+    /// of the beam.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
     /// S_j,ini of the component method \[N mm/rad\].
     pub component_method: f64,
-    /// What the bracket says of the class, for braced frames and for others; empty in a splice.
+    /// Class by stiffness from the bracket, for braced frames and for others; empty in a splice.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub classes: Vec<FrameClass>,
 }
 
-/// The class of a joint by stiffness, as far as its bracket tells.
+/// The class of a joint by stiffness, as far as its bracket determines it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrameClass {
     /// Kind of frame.
@@ -112,8 +115,8 @@ pub struct FrameClass {
     /// Up to this system length it is nominally pinned \[mm\]; absent without an upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pinned_to: Option<f64>,
-    /// Classes of the lower and of the upper end of the bracket at the beam's system length: two
-    /// different ones leave it undecided.
+    /// Classes of the lower and of the upper end of the bracket at the system length of the beam;
+    /// if they differ, the class is undecided.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub class: Option<[StiffnessClass; 2]>,
 }
@@ -121,13 +124,12 @@ pub struct FrameClass {
 impl JointStiffness {
     /// From the bracket of the loaded sections' rotation \[rad\] under `total`, the sum of the
     /// moments \[N mm\]; `None` where the load of the analysis is anything else than these moments,
-    /// equal ones at one end or two.
+    /// equal and at one end or two.
     pub fn new(case: &[&PureMoment], total: f64, rotation: [f64; 2]) -> Option<Self> {
         let first = *case.first()?;
         let sum: f64 = case.iter().map(|m| m.moment).sum();
         let alike = case.iter().all(|m| (m.moment / first.moment - 1.0).abs() <= 1e-9);
-        // two moments bracket the mean of two rotations; they are one rotation where the two
-        // balance
+        // two moments bracket the mean of two rotations, which are equal where the moments balance
         let balanced = case.len() == 1 || !first.bends_column;
         if !alike
             || !balanced
@@ -155,10 +157,10 @@ impl JointStiffness {
 }
 
 impl JointStiffness {
-    /// The same joint under `total` and a bracket of the rotation that have been recomputed; what
-    /// is not of the analysis, the beam's rotation and flexural stiffness and the component method,
-    /// stays as it was told. Without the class at the beam's own length, for the length is not
-    /// told.
+    /// The same joint under a recomputed `total` and a recomputed bracket of the rotation. Values
+    /// that do not come from the analysis stay as reported: rotation and flexural stiffness of the
+    /// beam, and the component method. The class at the beam's own length is left out, because the
+    /// result does not contain that length.
     pub fn again(&self, total: f64, rotation: [f64; 2]) -> Option<Self> {
         let flexural =
             self.classes.first().map_or(1.0, |c| c.rigid_from * self.lower / c.frame.factor());
@@ -177,8 +179,8 @@ impl JointStiffness {
         Self::new(&each.iter().collect::<Vec<_>>(), total, rotation)
     }
 
-    /// Whether two of them tell the same, the class at the beam's own length apart, where `near`
-    /// says when two numbers are the same.
+    /// Whether two of them agree, apart from the class at the beam's own length; `near` decides
+    /// whether two numbers are equal.
     pub fn agrees(&self, other: &Self, near: impl Fn(f64, f64) -> bool) -> bool {
         let open = |a: Option<f64>, b: Option<f64>| match (a, b) {
             (Some(a), Some(b)) => near(a, b),
@@ -268,15 +270,15 @@ mod tests {
         assert_eq!(at(2000.0), Some([StiffnessClass::NominallyPinned, StiffnessClass::SemiRigid]));
     }
 
-    /// What a result tells is found again from its own moment and rotation, and every number of it
-    /// that is changed is not.
+    /// A result is reproduced from its own moment and rotation; a change of any of its numbers is
+    /// detected.
     #[test]
     fn a_stiffness_is_found_again_and_every_change_is_seen() {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
         let phi = [3e-3, 6e-3];
-        let told = JointStiffness::new(&[&moment("r")], 1e6, phi).expect("one moment");
+        let reported = JointStiffness::new(&[&moment("r")], 1e6, phi).expect("one moment");
         let found = |s: &JointStiffness| s.again(1e6, phi).is_some_and(|a| a.agrees(s, close));
-        assert!(found(&told));
+        assert!(found(&reported));
         let more = |x: &mut f64| *x *= 1.001;
         type Change<'a> = &'a dyn Fn(&mut JointStiffness);
         let changes: [Change<'_>; 12] = [
@@ -294,19 +296,19 @@ mod tests {
             &|s| s.classes.truncate(1),
         ];
         for (i, change) in changes.iter().enumerate() {
-            let mut other = told.clone();
+            let mut other = reported.clone();
             change(&mut other);
             assert!(!found(&other), "change {i}: {other:?}");
         }
         assert!(
-            !told.again(1e6, [3e-3, 6.001e-3]).is_some_and(|a| a.agrees(&told, close)),
+            !reported.again(1e6, [3e-3, 6.001e-3]).is_some_and(|a| a.agrees(&reported, close)),
             "another bracket"
         );
-        assert!(told.again(2e6, phi).is_none(), "another load");
+        assert!(reported.again(2e6, phi).is_none(), "another load");
     }
 
-    /// A rotation that may be the beam's alone has no upper bound of the stiffness; one that is
-    /// below it gives none at all.
+    /// A bracket of the rotation that includes the beam's rotation gives no upper bound of the
+    /// stiffness; a bracket below it gives no stiffness.
     #[test]
     fn a_stiff_joint_may_have_no_upper_bound() {
         let s = JointStiffness::new(&[&moment("r")], 1e6, [0.9e-3, 3e-3]).expect("one moment");
@@ -316,7 +318,7 @@ mod tests {
         assert!(JointStiffness::new(&[&moment("r")], 1e6, [0.5e-3, 0.9e-3]).is_none());
     }
 
-    /// What moves the load must be these moments and nothing else; two of them only where they are
+    /// The load must consist of these moments and nothing else; two of them only where they are
     /// equal and balance.
     #[test]
     fn other_loads_give_no_stiffness() {

@@ -1,0 +1,197 @@
+//! Forces of the bolts under the actions of a load case, and their checks.
+//!
+//! Shear goes to the bolts in proportion to the share that tension leaves of their shear
+//! resistance, `1 − F_t,Ed/(1.4 F_t,Rd)`: 1 for a bolt without tension, 0.4/1.4 for a bolt at
+//! F_t,Rd, the two values of 6.2.2(2).
+
+use super::bolt_checks::bearing;
+use super::bolt_rows::{from_top, pitches};
+use super::clamped_plates::{ClampedPlate, clamped_plates};
+use super::member_end::LoadedEnd;
+use crate::assembly::EndPlate;
+use crate::checks::check::{Check, Status, Topic, Unit, number as n};
+use crate::checks::eurocode::bearing::Along;
+use crate::checks::eurocode::bolts::{shear_resistance, tension_resistance};
+use crate::checks::eurocode::interaction::{self, Forces};
+use crate::checks::eurocode::punching::{mean_diameter, punching_resistance};
+use crate::checks::worked::Worked;
+
+/// Divisor of the tension in the interaction formula of Table 3.4.
+const TENSION_DIVISOR: f64 = 1.4;
+
+/// A row of bolts under load.
+#[derive(Clone, Copy)]
+struct Row {
+    /// z of the row \[mm\].
+    z: f64,
+    /// Tension of one of its bolts, prying included \[N\].
+    tension: f64,
+}
+
+/// The bolts of a member end with their forces.
+pub(super) struct BoltForces<'a> {
+    e: &'a EndPlate,
+    end: &'a str,
+    /// The rows, from the top.
+    rows: Vec<Row>,
+    /// Shear force on all bolts together \[N\].
+    shear: f64,
+    /// F_t,Rd of one bolt \[N\].
+    tension_resistance: f64,
+    /// F_v,Rd of one bolt, thread in the shear plane \[N\].
+    shear_resistance: f64,
+}
+
+impl<'a> BoltForces<'a> {
+    /// Bolt forces under the actions of a member end.
+    pub fn new(loaded: &LoadedEnd<'a>) -> Self {
+        let (e, a) = (loaded.end.e, loaded.end.a);
+        let [[_, vy, vz], _] = a.at(1.0);
+        Self {
+            e,
+            end: &a.end,
+            rows: from_top(e)
+                .into_iter()
+                .map(|z| Row { z, tension: loaded.bolt_force(z) })
+                .collect(),
+            shear: vz.hypot(vy),
+            tension_resistance: tension_resistance(&e.bolt, &e.grade, e.gamma_m2).value,
+            shear_resistance: shear_resistance(&e.bolt, &e.grade, e.gamma_m2).value,
+        }
+    }
+
+    /// Tension that counts beside shear: a bolt yields at F_t,Rd, and tension beyond it appears in
+    /// the check of tension.
+    fn capped(&self, tension: f64) -> f64 {
+        tension.min(self.tension_resistance)
+    }
+
+    /// Share of the shear resistance of a bolt that its tension leaves.
+    fn shear_share(&self, tension: f64) -> f64 {
+        1.0 - self.capped(tension) / (TENSION_DIVISOR * self.tension_resistance)
+    }
+
+    /// Sum of the shares of all bolts.
+    fn shear_shares(&self) -> f64 {
+        self.rows.iter().map(|r| 2.0 * self.shear_share(r.tension)).sum()
+    }
+
+    /// Shear force of one bolt of a row \[N\].
+    fn bolt_shear(&self, row: Row) -> f64 {
+        self.shear * self.shear_share(row.tension) / self.shear_shares()
+    }
+
+    fn place(&self, row: Row) -> String {
+        format!("{}, row at z = {} mm", self.end, n(row.z))
+    }
+
+    /// The row with the largest tension.
+    fn most_pulled(&self) -> Option<Row> {
+        largest(self.rows.iter().copied(), |r| r.tension)
+    }
+
+    /// Notes on a formula that it counts no more than F_t,Rd.
+    fn note_cap(&self, worked: &mut Worked, tension: f64) {
+        if tension > self.tension_resistance {
+            worked.formula +=
+                &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));
+        }
+    }
+
+    /// Shear, tension, both together, bearing and punching.
+    pub fn checks(&self) -> Vec<Check> {
+        let mut out = vec![self.shear()];
+        out.extend(self.tension());
+        out.extend(self.shear_and_tension());
+        for plate in clamped_plates(self.e) {
+            out.extend(self.bearing(&plate));
+            out.extend(self.punching(&plate));
+        }
+        out
+    }
+
+    /// The bolts together in shear, each with the share that its tension leaves.
+    fn shear(&self) -> Check {
+        let each = self.rows.iter().map(|r| format!("2 · {}", n(self.shear_share(r.tension))));
+        let formula = format!(
+            "V_Rd = Σ (1 − F_t,Ed/(1.4 F_t,Rd)) F_v,Rd = ({}) · {}",
+            each.collect::<Vec<_>>().join(" + "),
+            Unit::Force.show(self.shear_resistance)
+        );
+        let title = "shear of all bolts, with what their tension leaves";
+        let value = self.shear_shares() * self.shear_resistance;
+        let mut worked =
+            Worked::new("EN 1993-1-8:2005 6.2.2(2), Table 3.4", title, value, Unit::Force, formula);
+        for row in &self.rows {
+            worked = worked.with(
+                &format!("F_t,Ed of the row at z = {} mm", n(row.z)),
+                row.tension,
+                Unit::Force,
+            );
+        }
+        worked.against(Topic::Bolts, self.end, self.shear, Status::Failed)
+    }
+
+    /// Tension of the bolts of the row that is pulled most.
+    fn tension(&self) -> Option<Check> {
+        let (e, row) = (self.e, self.most_pulled()?);
+        let mut worked = tension_resistance(&e.bolt, &e.grade, e.gamma_m2);
+        worked.title =
+            "tension of a bolt, prying included, by the row forces of the component method";
+        let topic = Topic::ComponentMethod;
+        Some(worked.against(topic, self.place(row), row.tension, Status::Failed))
+    }
+
+    /// Interaction of shear and tension, for each bolt on its own as Table 3.4 has it.
+    fn shear_and_tension(&self) -> Option<Check> {
+        let each = self.rows.iter().map(|&row| {
+            let mut worked = interaction::utilisation(&Forces {
+                shear: self.bolt_shear(row),
+                tension: self.capped(row.tension),
+                shear_resistance: self.shear_resistance,
+                tension_resistance: self.tension_resistance,
+            });
+            self.note_cap(&mut worked, row.tension);
+            (row, worked)
+        });
+        let (row, worked) = largest(each, |(_, worked)| worked.value)?;
+        Some(worked.utilised(Topic::Bolts, self.place(row), Status::Failed))
+    }
+
+    /// Bearing of a plate at the row that uses it most.
+    fn bearing(&self, plate: &ClampedPlate) -> Option<Check> {
+        let e = self.e;
+        let end = self.rows.len().saturating_sub(1);
+        let each = self.rows.iter().enumerate().filter_map(|(i, &row)| {
+            let inner = pitches(e).map(|[p1, _]| Along::Inner { p1 });
+            // the end rows of the plate, whichever way the force points; the ends of the column are
+            // far away
+            let e1 = (e.top - row.z).min(row.z - e.bottom);
+            let outer =
+                (plate.name == "end plate" && (i == 0 || i == end)).then_some(Along::End { e1 });
+            let far = inner.is_none() && outer.is_none();
+            let all = [inner, outer, far.then_some(Along::End { e1: 3.0 * e.hole })];
+            let all = all.into_iter().flatten().map(|along| bearing(e, along, plate));
+            let least = all.reduce(|a, b| if b.value < a.value { b } else { a })?;
+            Some((row, self.bolt_shear(row), least))
+        });
+        let (row, force, worked) = largest(each, |(_, force, worked)| force / worked.value)?;
+        let place = format!("{}, {}", plate.name, self.place(row));
+        Some(worked.against(Topic::Bolts, place, force, Status::Failed))
+    }
+
+    /// Punching of a plate at the row that is pulled most.
+    fn punching(&self, plate: &ClampedPlate) -> Option<Check> {
+        let (e, row) = (self.e, self.most_pulled()?);
+        let mut worked =
+            punching_resistance(mean_diameter(&e.bolt), plate.thickness, plate.fu, e.gamma_m2);
+        self.note_cap(&mut worked, row.tension);
+        let place = format!("{}, {}", plate.name, self.place(row));
+        Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))
+    }
+}
+
+/// The item with the largest value, the first of equal ones.
+fn largest<T>(of: impl Iterator<Item = T>, value: impl Fn(&T) -> f64) -> Option<T> {
+    of.reduce(|a, b| if value(&b) > value(&a) { b } else { a })
+}

@@ -1,0 +1,52 @@
+//! The plates that the bolts clamp, and the length of bolt that they need.
+
+use crate::assembly::EndPlate;
+use crate::checks::eurocode::bolt_length::{self, least_length};
+
+/// Washers of a bolt: one under the head and one under the nut.
+pub(super) const WASHERS: u32 = 2;
+
+/// A plate on which the bolts bear. Lengths in mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ClampedPlate {
+    /// `end plate` or `column flange`.
+    pub name: &'static str,
+    pub thickness: f64,
+    /// Ultimate strength \[MPa\].
+    pub fu: f64,
+    pub width: f64,
+}
+
+/// The end plate, and the column flange where there is a column. The other plate of a splice is the
+/// same as the first.
+pub(super) fn clamped_plates(e: &EndPlate) -> Vec<ClampedPlate> {
+    let plate = ClampedPlate {
+        name: "end plate",
+        thickness: e.thickness,
+        fu: e.plate_steel.fu,
+        width: e.width,
+    };
+    let flange = e.column.as_ref().map(|c| ClampedPlate {
+        name: "column flange",
+        thickness: c.section.tf,
+        fu: c.steel.fu,
+        width: c.section.b,
+    });
+    [plate].into_iter().chain(flange).collect()
+}
+
+/// Thickness of the part that the end plate is bolted to \[mm\].
+pub(super) fn other_thickness(e: &EndPlate) -> f64 {
+    e.column.as_ref().map_or(e.thickness, |c| c.section.tf)
+}
+
+/// Thickness that the bolts clamp \[mm\].
+pub fn grip(e: &EndPlate) -> f64 {
+    e.thickness + other_thickness(e)
+}
+
+/// Nominal length of the bolts \[mm\]: the shortest stocked length that suffices; `None` beyond the
+/// longest.
+pub fn stocked_length(e: &EndPlate) -> Option<f64> {
+    bolt_length::stocked_length(least_length(&e.bolt, grip(e), WASHERS).value)
+}

@@ -1,0 +1,56 @@
+//! An end plate as the joint of the component method.
+
+use super::bolt_checks::bolt_tension;
+use super::clamped_plates::{WASHERS, grip};
+use super::doubler::{doubler_fault, doubler_width};
+use crate::assembly::EndPlate;
+use crate::checks::component_method::joint::{Beam, Bolts, Column, EndPlateJoint, Plate};
+use crate::checks::eurocode::bolt_length;
+
+/// The joint of the component method, with the transformation parameter β.
+pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
+    let column = e.column.as_ref().map(|c| {
+        let counts = c.doubler > 0.0 && doubler_fault(c).is_none();
+        Column {
+            section: (&c.section).into(),
+            fy: c.steel.fy,
+            above: c.above,
+            below: c.below,
+            stiffener: c.stiffener,
+            stiffener_throat: c.stiffener_throat,
+            doublers: u32::from(counts),
+            doubler_width: if counts { doubler_width(c) } else { 0.0 },
+            longitudinal: c.longitudinal.unwrap_or(0.0),
+        }
+    });
+    EndPlateJoint {
+        column,
+        beam: Beam {
+            section: (&e.beam).into(),
+            fy: e.beam_steel.fy,
+            flange_throat: e.flange_throat,
+            web_throat: e.web_throat,
+            shear: 0.0,
+        },
+        plate: Plate {
+            thickness: e.thickness,
+            width: e.width,
+            bottom: e.bottom,
+            top: e.top,
+            fy: e.plate_steel.fy,
+        },
+        bolts: Bolts {
+            gauge: e.gauge,
+            rows: e.rows.clone(),
+            tension: bolt_tension(e, e.gamma_m2),
+            stress_area: e.bolt.stress_area,
+            elongation: bolt_length::elongation_length(&e.bolt, grip(e), WASHERS),
+            washer: None,
+            always_prying: e.always_prying,
+        },
+        beta,
+        young: e.beam_steel.e,
+        gamma_m0: e.gamma_m0,
+        gamma_m1: e.gamma_m1,
+    }
+}

@@ -1,0 +1,103 @@
+//! Checks of the joint as a whole under a load case: moment and axial force, components that may
+//! buckle, the column web panel.
+
+use super::member_end::{LoadedEnd, MemberEnd};
+use super::transformation::other_ends;
+use crate::checks::check::{Check, Status, Topic, Unit};
+use crate::checks::component_method::Summed;
+use crate::checks::worked::Worked;
+
+/// Moment and axial force against the resistance of the joint.
+pub(super) fn moment_and_axial(loaded: &LoadedEnd<'_>) -> Check {
+    let (end, method) = (loaded.end, loaded.method);
+    let Some(mut check) = method.share(end.a.at(1.0)) else {
+        let (clause, title) = ("EN 1993-1-8:2005 6.2.7.1", "moment and axial force of the joint");
+        let why = "no plastic equilibrium of the rows with an axial force beyond 5 % of \
+                   N_pl,Rd is covered";
+        return Check::undecided(Topic::ComponentMethod, end.subject(), clause, title, why);
+    };
+    check = check.with("M_j,Rd", method.moment, Unit::Moment);
+    if let Some(e) = &method.equilibrium {
+        check = check.with("N_j,Rd in tension", e.tension, Unit::Force);
+        check = check.with("N_j,Rd in compression", e.compression, Unit::Force);
+    }
+    if end.e.column.is_some() {
+        check = check.with("β", method.beta, Unit::Number);
+    }
+    check.utilised(Topic::ComponentMethod, end.subject(), Status::Failed)
+}
+
+/// Components that may buckle: the compressed column web against its reduced resistance. Where the
+/// code gives no resistance the check is undecided.
+pub(super) fn stability(loaded: &LoadedEnd<'_>) -> Vec<Check> {
+    let (end, method, push) = (loaded.end, loaded.method, loaded.push);
+    let mut out = Vec::new();
+    for s in &end.assessment.stability {
+        let web = end.assessment.limit(Summed::ColumnWeb).filter(|_| s.covered);
+        let Some(web) = web else {
+            let title = "stability that a limit analysis does not see";
+            out.push(Check::undecided(
+                Topic::Stability,
+                end.subject(),
+                s.clause,
+                title,
+                s.why.clone(),
+            ));
+            continue;
+        };
+        let mut worked = web.clone();
+        worked.title = "column web in compression, with its buckling";
+        worked.formula = format!("{}; {}", s.why, worked.formula);
+        out.push(worked.against(Topic::Stability, end.subject(), push, Status::Failed));
+    }
+    let axial = end.a.at(1.0)[0][0];
+    let buckling = method.equilibrium.as_ref().filter(|_| axial < 0.0);
+    if let Some((e, why)) = buckling.and_then(|e| Some((e, e.buckles.as_ref()?))) {
+        let formula = format!("{why}; N_j,Rd by the plastic equilibrium of the joint");
+        let title = "axial compression of the joint, with the buckling of the column web";
+        let worked =
+            Worked::new("EN 1993-1-8:2005 6.2.6.2", title, e.compression, Unit::Force, formula);
+        out.push(worked.against(Topic::Stability, end.subject(), -axial, Status::Failed));
+    }
+    out
+}
+
+/// The web panel of the column, once in a load case: at the end with the larger moment.
+pub(super) fn panel(end: &MemberEnd<'_>) -> Option<Check> {
+    let resistance = end.assessment.panel.clone()?;
+    let own = end.a.at(1.0)[1][1];
+    let mut other = 0.0;
+    for o in other_ends(end.e, end.a) {
+        let m = o.at(1.0)[1][1];
+        other += m;
+        if m.abs() > own.abs() || (m.abs() == own.abs() && o.end < end.a.end) {
+            return None;
+        }
+    }
+    let lever = end.assessment.stiffness.lever;
+    let relief = end.e.column.as_ref().map_or(0.0, |c| c.shear);
+    // V_Ed is positive against the shear of a positive moment at an end along +x
+    let shear = end.a.outward * (own - other) / lever;
+    let demand = (shear - relief).abs();
+    let mut check = resistance;
+    check.title = match relief == 0.0 {
+        true => "column web panel in shear (column shear not given, V_Ed = 0)",
+        false => "column web panel in shear",
+    };
+    check.formula = format!(
+        "V_wp,Ed = |(M_b1 − M_b2)/z{}| = |({} − {})/{}{}| = {}; {}",
+        if relief == 0.0 { "" } else { " − (V_c1 − V_c2)/2" },
+        Unit::Moment.show(own),
+        Unit::Moment.show(other),
+        Unit::Length.show(lever),
+        if relief == 0.0 {
+            String::new()
+        } else {
+            format!(" − {}", Unit::Force.show(end.a.outward * relief))
+        },
+        Unit::Force.show(demand),
+        check.formula
+    );
+    check.clause = "EN 1993-1-8:2005 5.3(3), 6.2.6.1";
+    Some(check.against(Topic::ComponentMethod, end.subject(), demand, Status::Failed))
+}
