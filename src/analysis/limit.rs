@@ -281,7 +281,7 @@ pub fn run(
                     pass.yield_multiplier_share = yield_multiplier_share;
                 }
             }
-            Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
+            Err(e) => pass.slides = Some(e.into_first().message),
         }
     }
     // there is nothing to estimate where the problem with associated friction has no answer

@@ -406,11 +406,11 @@ fn bearing(e: &EndPlate, along: Along, (thickness, fu, width): (f64, f64, f64)) 
         fu,
         fub: e.grade.fub,
     };
-    place.resistance(e.gamma_m2)
+    place.resistance(e.factors.gamma_m2)
 }
 
 fn bolts(e: &EndPlate) -> Vec<Check> {
-    let (b, g, gamma) = (&e.bolt, &e.grade, e.gamma_m2);
+    let (b, g, gamma) = (&e.bolt, &e.grade, e.factors.gamma_m2);
     let subject = format!("{} {}", b.size, g.grade);
     let tension = tension_resistance(b, g, false, gamma);
     let shear = shear_resistance(b, g, ShearPlane::Thread, 1.0, gamma);
@@ -438,7 +438,7 @@ fn bolts(e: &EndPlate) -> Vec<Check> {
 /// β_w have no fillet welds by this code.
 fn welded(e: &EndPlate) -> Option<WeldedSteel> {
     let weaker = e.beam_steel.weaker(&e.plate_steel);
-    Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.gamma_m2 })
+    Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.factors.gamma_m2 })
 }
 
 fn welds(e: &EndPlate) -> Vec<Check> {
@@ -446,7 +446,7 @@ fn welds(e: &EndPlate) -> Vec<Check> {
     [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
         .into_iter()
         .map(|(part, t)| {
-            full_strength_throat(t, e.beam_steel.fy, e.gamma_m0, &steel)
+            full_strength_throat(t, e.beam_steel.fy, e.factors.gamma_m0, &steel)
                 .information(Topic::Welds, part)
         })
         .collect()
@@ -456,8 +456,8 @@ fn welds(e: &EndPlate) -> Vec<Check> {
 fn bolt_tension(e: &EndPlate) -> f64 {
     let dm = mean_diameter(&e.bolt);
     let punching =
-        |(_, t, fu, _): (_, f64, f64, _)| punching_resistance(dm, t, fu, e.gamma_m2).value;
-    let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
+        |(_, t, fu, _): (_, f64, f64, _)| punching_resistance(dm, t, fu, e.factors.gamma_m2).value;
+    let tension = tension_resistance(&e.bolt, &e.grade, false, e.factors.gamma_m2).value;
     bearing_parts(e).into_iter().map(punching).fold(tension, f64::min)
 }
 
@@ -504,8 +504,8 @@ fn joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         },
         beta,
         young: e.beam_steel.e,
-        gamma_m0: e.gamma_m0,
-        gamma_m1: e.gamma_m1,
+        gamma_m0: e.factors.gamma_m0,
+        gamma_m1: e.factors.gamma_m1,
     }
 }
 
@@ -578,7 +578,7 @@ fn ductility(e: &EndPlate, bending: &[&str]) -> Vec<Check> {
         ("column flange", Clamped { d, fub, thickness: c.section.tf, fy: c.steel.fy })
     };
     let parts = [plate].into_iter().chain(e.column.as_ref().map(flange));
-    let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.gamma_m0;
+    let plastic = 1e2 * e.beam.area * e.beam_steel.fy / e.factors.gamma_m0;
     let axial = e.actions.iter().map(|a| a.at(1.0)[0][0].abs()).fold(0.0, f64::max);
     let steels = [Some(&e.plate_steel), Some(&e.beam_steel), e.column.as_ref().map(|c| &c.steel)];
     let beyond = steels

@@ -4,9 +4,10 @@ use super::{CommandResult, Common};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::origin::Origin;
 use crate::assembly::scope::Resolved;
-use crate::assembly::template::{self, Template};
+use crate::assembly::template::Template;
+use crate::assembly::template_file;
 use crate::catalog::Catalog;
-use crate::diag::{Diagnostic, Diagnostics};
+use crate::diag::{AtLeastOne, Diagnostic, Diagnostics};
 use crate::spec::analysis::AnalysisSpec;
 use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
 use crate::spec::loads::{ActionPoint, LoadSpec};
@@ -32,7 +33,7 @@ pub struct NewArgs {
 /// Runs `bracket new`.
 pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     let (template, origin) =
-        template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
+        template_file::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let name = match (&args.output, &origin) {
         (Some(spec), Origin::File { file, .. }) => seen_from(file, spec),
@@ -81,7 +82,7 @@ fn iso_date(days: u64) -> String {
 
 /// A template named on the command line has no place in a file.
 pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
-    faults.0.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
+    faults.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
     faults
 }
 
@@ -104,7 +105,7 @@ fn seen_from(template: &Path, spec: &Path) -> String {
     let path: PathBuf = up.chain(file.components().skip(shared)).collect();
     let text = path.display().to_string();
     // a name alone is that of a shipped template
-    if template::is_path(&text) { text } else { format!("./{text}") }
+    if template_file::is_path(&text) { text } else { format!("./{text}") }
 }
 
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
@@ -211,8 +212,8 @@ pub fn starter(
     date: &str,
 ) -> Result<String, Diagnostics> {
     let spec = example(template, name);
-    let wrong = |faults: Vec<crate::assembly::AssemblyError>| {
-        Diagnostics(faults.into_iter().map(|f| origin.placed(template, f)).collect())
+    let wrong = |faults: AtLeastOne<crate::assembly::AssemblyError>| {
+        faults.map(|f| origin.placed(template, f))
     };
     let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
     let resolved = inputs.scope().resolve(template, &inputs.given).map_err(wrong)?;
@@ -397,7 +398,7 @@ fn line(out: &mut String, key: &str, r: &Resolved) {
 mod tests {
     use super::*;
     use crate::assembly::build;
-    use crate::assembly::template::SHIPPED;
+    use crate::assembly::template_file::SHIPPED;
     use crate::spec::yaml;
 
     fn assemble(text: &str) -> crate::assembly::Joint {
@@ -430,7 +431,7 @@ mod tests {
     #[test]
     fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         for (name, _) in SHIPPED {
-            let (template, origin) = template::load(name, Path::new(".")).expect("shipped");
+            let (template, origin) = template_file::load(name, Path::new(".")).expect("shipped");
             let text = starter(
                 &template,
                 &origin,
@@ -511,9 +512,9 @@ mod tests {
         let path = folder.path().join("a.yaml");
         std::fs::write(&path, "mine").expect("writable");
         let e = write_new(&path, "yours").expect_err("it exists");
-        assert_eq!((e.0[0].code, e.exit_code()), ("new/exists", 2));
+        assert_eq!((e.first().code, e.exit_code()), ("new/exists", 2));
         assert_eq!(std::fs::read_to_string(&path).expect("readable"), "mine");
         let e = write_new(&folder.path().join("no/a.yaml"), "yours").expect_err("no folder");
-        assert_eq!(e.0[0].code, "new/no-folder");
+        assert_eq!(e.first().code, "new/no-folder");
     }
 }

@@ -132,7 +132,7 @@ pub fn analyse(
         if limits.interrupt.asked() {
             break;
         }
-        let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
+        let best_gap = joined(&name, &entries)?.gap.unwrap_or(f64::INFINITY);
         let left = Left {
             seconds: share.until - log.seconds(),
             bytes: room(limits.memory).map(|r| r.bytes),
@@ -171,7 +171,7 @@ pub fn analyse(
             }
             Err(faults) => {
                 // what is certified stays, whatever becomes of the next mesh
-                let why = faults.0.first().map_or(String::new(), |d| d.message.clone());
+                let why = faults.into_first().message;
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
                     e.warnings.push(format!("there was no finer mesh: {why}"));
@@ -183,8 +183,12 @@ pub fn analyse(
     finish(&name, entries, kept, stop, context, limits)
 }
 
-fn joined(entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
-    let Some(b) = best(entries) else { return Err(Diagnostics(Vec::new())) };
+fn lost(name: &str) -> Diagnostic {
+    Diagnostic::undecided("cli/lost", format!("the best pass of `{name}` was lost"))
+}
+
+fn joined(name: &str, entries: &[CaseResult]) -> Result<CaseResult, Diagnostics> {
+    let Some(b) = best(entries) else { return Err(lost(name).into()) };
     let upper = entries[b.upper].clone();
     if b.upper == b.lower {
         return Ok(upper);
@@ -204,7 +208,7 @@ fn finish(
     context: &RunContext,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
-    let mut entry = joined(&entries)?;
+    let mut entry = joined(name, &entries)?;
     entry.history = entries.iter().flat_map(|e| e.history.iter().cloned()).collect();
     if let Some(last) = entries.last() {
         let new: Vec<String> =
@@ -221,18 +225,14 @@ fn finish(
             shortfall(stop, entries.len(), context, limits)
         ));
     }
-    let Some(b) = best(&entries) else { return Err(Diagnostics(Vec::new())) };
+    let Some(b) = best(&entries) else { return Err(lost(name).into()) };
     let mut take =
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
     // both were kept when they became the best
     let Some(upper) = upper else {
-        return Err(Diagnostic::undecided(
-            "cli/lost",
-            format!("the best pass of `{name}` was lost"),
-        )
-        .into());
+        return Err(lost(name).into());
     };
     Ok(Adapted { entry, upper, lower })
 }

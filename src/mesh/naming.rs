@@ -90,9 +90,7 @@ pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagn
     outer_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
     symmetry_faces(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
     preload_cuts(mesh, scene, &table, &mut faces, &mut checks, &mut faults);
-    if !faults.is_empty() {
-        return Err(Diagnostics(faults));
-    }
+    Diagnostics::refuse(faults)?;
     mesh.faces = faces;
     Ok(checks)
 }
@@ -118,9 +116,7 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
             ),
         }
     }
-    if !faults.is_empty() {
-        return Err(Diagnostics(faults));
-    }
+    Diagnostics::refuse(faults)?;
     for b in &mut mesh.tet_body {
         *b = new_index[*b as usize];
     }

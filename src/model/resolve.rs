@@ -122,9 +122,7 @@ pub fn resolve(
     held::check_twice(file, &supports, &ground, &rigid, &mut faults);
     let cuts = preload::read(file, &scene, &claims, &mut faults, &mut notes);
     let (surface_loads, body_loads) = actions::loads(file, &scene, &claims, &mut faults);
-    if !faults.all.is_empty() {
-        return Err(Diagnostics(faults.all));
-    }
+    Diagnostics::refuse(faults.all)?;
 
     let open = claims.open.iter().flat_map(|o| o.faces.iter().copied());
     let open: Vec<[TetFace; 2]> =

@@ -12,7 +12,8 @@ use crate::checks::eurocode::section::Beam;
 /// EN 1993-1-1:2005 6.2.
 pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
-    let beam = Beam { section: (&e.beam).into(), fy: e.beam_steel.fy, gamma_m0: e.gamma_m0 };
+    let beam =
+        Beam { section: (&e.beam).into(), fy: e.beam_steel.fy, gamma_m0: e.factors.gamma_m0 };
     let subject = format!("{}, beam", a.end);
     let against = |worked: Worked, demand: f64| {
         worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
@@ -22,7 +23,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         out.push(against(beam.shear(), vz));
         let (slenderness, limit) = beam.stocky_web();
         if slenderness > limit {
-            let worked = beam.shear_buckling(e.gamma_m1);
+            let worked = beam.shear_buckling(e.factors.gamma_m1);
             out.push(worked.against(Topic::Stability, subject.clone(), vz.abs(), Status::Failed));
         }
     }

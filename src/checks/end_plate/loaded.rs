@@ -148,12 +148,12 @@ fn no_formula(a: &PlaneActions) -> Option<Check> {
 fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let section = Section::from(&e.beam);
-    let fyd = e.beam_steel.fy / e.gamma_m0;
+    let fyd = e.beam_steel.fy / e.factors.gamma_m0;
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
     let shear = (
         vy.hypot(vz),
-        plastic_shear(&section, e.beam_steel.fy, e.gamma_m0),
+        plastic_shear(&section, e.beam_steel.fy, e.factors.gamma_m0),
         "V",
         "V_pl,Rd",
         Unit::Force,
@@ -308,12 +308,13 @@ impl Side<'_> {
     /// Tension of the bolts of every row under the actions, prying included.
     fn bolts(&self, method: &Method, states: &[Carried]) -> Bolts {
         let e = self.e;
-        let tension = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2).value;
+        let tension = tension_resistance(&e.bolt, &e.grade, false, e.factors.gamma_m2).value;
         let share = self.a.at(1.0)[1][1].abs() / method.moment;
         let pull = |z: f64| self.at_row(states, z, |row| row.bolt_force(share), |pull| pull.bolt);
         let mut rows: Vec<(f64, f64)> = e.rows.iter().map(|&z| (z, pull(z))).collect();
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let shear = shear_resistance(&e.bolt, &e.grade, ShearPlane::Thread, 1.0, e.gamma_m2).value;
+        let shear =
+            shear_resistance(&e.bolt, &e.grade, ShearPlane::Thread, 1.0, e.factors.gamma_m2).value;
         Bolts { end: self.a.end.clone(), rows, tension, shear }
     }
 
@@ -436,7 +437,7 @@ impl Bolts {
         let place = |z: f64| format!("{}, row at z = {} mm", self.end, n(z));
         let mut out = vec![self.shear(weights, shear)];
         if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
-            let mut worked = tension_resistance(&e.bolt, &e.grade, false, e.gamma_m2);
+            let mut worked = tension_resistance(&e.bolt, &e.grade, false, e.factors.gamma_m2);
             worked.title =
                 "tension of a bolt, prying included, by the row forces of the component method";
             out.push(worked.against(Topic::ComponentMethod, place(z), tension, Status::Failed));
@@ -484,7 +485,8 @@ impl Bolts {
                 ));
             }
             if let Some((z, tension)) = worst(self.rows.iter().copied(), |r| r.1) {
-                let mut worked = punching_resistance(mean_diameter(&e.bolt), t, fu, e.gamma_m2);
+                let mut worked =
+                    punching_resistance(mean_diameter(&e.bolt), t, fu, e.factors.gamma_m2);
                 if tension > self.tension {
                     worked.formula +=
                         &format!("; F_t,Ed = {} counts as F_t,Rd here", Unit::Force.show(tension));

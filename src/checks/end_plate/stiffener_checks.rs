@@ -50,7 +50,7 @@ impl Stiffeners<'_> {
 
 /// Steel of the column for the welds on it.
 fn welded(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
-    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.gamma_m2 })
+    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.factors.gamma_m2 })
 }
 
 /// What a web carries itself, and what the stiffeners beside it take \[N\].
@@ -72,7 +72,7 @@ pub(super) fn stiffeners(case: &Case<'_>) -> Vec<Check> {
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
     // with stiffeners the joint was assessed; without them the same geometry is covered
     let Ok(bare) = assess(&case.sense.of(&without)) else { return Vec::new() };
-    let s = Stiffeners { c, gamma_m0: e.gamma_m0 };
+    let s = Stiffeners { c, gamma_m0: e.factors.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
     let mut shares = Vec::new();
@@ -267,7 +267,7 @@ pub(super) fn doubler_welds(case: &Case<'_>) -> Vec<Check> {
 /// EN 1993-1-8:2005 4.5.3.2(6).
 pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let steel = super::welded(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
-    let full = full_strength_throat(e.rib, e.beam_steel.fy, e.gamma_m0, &steel);
+    let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
     let rule = (full.value, full.formula.split(" = ").nth(1).unwrap_or_default().to_owned());
     Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))

@@ -103,9 +103,9 @@ struct FlangeWelds {
 /// thickness carry all of the flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
-    let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
+    let flange = b.b * b.tf * e.beam_steel.fy / e.factors.gamma_m0;
     let steel = welded(e)?;
-    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.gamma_m0, &steel);
+    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let length = flange_run(e);
     let each = transverse(a, &steel);
     let along = each.value * length;
@@ -151,7 +151,7 @@ pub(super) fn not_the_weakest(
     let mut out = Vec::new();
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
-        let strength = e.beam.tw * e.beam_steel.fy / e.gamma_m0;
+        let strength = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
         let words =
             "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
         let title = "web weld no weaker than the rows in tension";
@@ -176,7 +176,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let place = format!("beam flange, {subject}");
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
     if e.flange_throat == 0.0 {
-        let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.gamma_m0;
+        let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.factors.gamma_m0;
         let words =
             "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
         let worked = Worked::new(
@@ -205,7 +205,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     };
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
-    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
+    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
     // no hinge turns where the beam yields first, or in a sense that no load case has
     if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {
         return out;

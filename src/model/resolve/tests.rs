@@ -209,7 +209,7 @@ fn files_are_read_together() {
     let at = |name: &str| dir.path().join(name);
     std::fs::write(at("model.yaml"), GOOD).expect("write");
     let d = load_model(&at("model.yaml")).expect_err("no mesh");
-    assert_eq!((d.0[0].code, d.0[0].place.line), ("model/no-mesh", Some(1)));
+    assert_eq!((d.first().code, d.first().place.line), ("model/no-mesh", Some(1)));
     std::fs::write(at("m.msh"), msh_text(&row())).expect("write");
     let m = load_model(&at("model.yaml")).expect("both files");
     assert_eq!(
@@ -223,7 +223,7 @@ fn files_are_read_together() {
     );
     std::fs::write(at("m.msh"), msh_text(&row()).replace("$EndElements\n", "")).expect("write");
     let d = load_model(&at("model.yaml")).expect_err("cut off");
-    assert_eq!((d.0[0].code, d.exit_code()), ("mesh/truncated", 2));
-    assert!(d.0[0].place.file.as_ref().is_some_and(|f| f.ends_with("m.msh")));
-    assert_eq!(load_model(&at("other.yaml")).expect_err("absent").0[0].code, "model/read");
+    assert_eq!((d.first().code, d.exit_code()), ("mesh/truncated", 2));
+    assert!(d.first().place.file.as_ref().is_some_and(|f| f.ends_with("m.msh")));
+    assert_eq!(load_model(&at("other.yaml")).expect_err("absent").first().code, "model/read");
 }

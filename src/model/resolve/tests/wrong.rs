@@ -337,7 +337,7 @@ fn wrong_models_name_place_and_cure() {
         assert!(GOOD.contains(old), "{old}");
         let text = GOOD.replacen(old, new, 1);
         let faults = model(row(), &text).expect_err(&text);
-        let d = &faults.0[0];
+        let d = &faults.first();
         assert_eq!((d.code, d.place.line), (*code, Some(*line)), "{new}: {d:?}");
         assert!(d.message.contains(message), "{new}: {d:?}");
         assert!(d.help.as_deref().unwrap_or("").contains(help), "{new}: {d:?}");
@@ -350,14 +350,14 @@ fn wrong_models_name_place_and_cure() {
 fn several_faults_are_told_at_once() {
     let text =
         GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
-    let codes: Vec<_> = model(row(), &text).expect_err("three").0.iter().map(|d| d.code).collect();
+    let codes: Vec<_> = model(row(), &text).expect_err("three").iter().map(|d| d.code).collect();
     assert_eq!(codes, ["model/unknown-material", "model/value", "model/unknown-face"]);
 }
 
 #[test]
 fn bodies_apart_are_not_in_contact() {
     // the mesher gave each body its own nodes, the file says they are shared
-    let d = model(explode(&row()), GOOD).expect_err("apart").0.remove(0);
+    let d = model(explode(&row()), GOOD).expect_err("apart").into_first();
     assert_eq!(d.code, "model/no-contact");
     assert!(d.help.expect("help").contains("nodes: split"));
     // without an interface that asks for it, it is at least told
@@ -462,7 +462,7 @@ fn wrong_preloads_name_place_and_cure() {
     };
     for (entry, code, message, help) in PRELOAD {
         let e = of(&format!("  - {entry}\n")).expect_err(entry);
-        let d = &e.0[0];
+        let d = &e.first();
         let text = format!("{} {:?}", d.message, d.place);
         assert_eq!(d.code, *code, "{entry}: {text}");
         assert!(text.contains(message) || d.message.contains(message), "{entry}: {text}");
@@ -472,7 +472,7 @@ fn wrong_preloads_name_place_and_cure() {
     // the same cut twice
     let good = "  - {body: A, cut: INSIDE, axis: [1, 0, 0], force: 5}\n";
     let e = of(&format!("{good}{good}")).expect_err("twice");
-    assert_eq!(e.0[0].code, "model/face-twice", "{:?}", e.0[0]);
+    assert_eq!(e.first().code, "model/face-twice", "{:?}", e.first());
     // and the good one: both halves are one part, and the cut is open between them
     let m = of(good).expect("good");
     assert_eq!(m.parts, ["A", "B+C"]);
