@@ -301,7 +301,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "did you mean `C`?",
         "A, B, C",
     ),
-    ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2 or 4"),
+    ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2, 4 or 8"),
     ("loads:", "adapt: {target_gap: 5}\nloads:", "model/value", 9, "`target_gap` is 5", "0.05"),
     ("loads:", "adapt: {target_gap: 0}\nloads:", "model/value", 9, "`target_gap` is 0", "0.05"),
     (
