@@ -132,7 +132,7 @@ impl Diagnostic {
         self
     }
 
-    /// Says what to do next.
+    /// Adds what to do next.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
@@ -147,26 +147,82 @@ impl fmt::Display for Diagnostic {
 
 impl std::error::Error for Diagnostic {}
 
-/// One or more faults that ended a run; never empty.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Diagnostics(pub Vec<Diagnostic>);
+/// The faults that ended a run.
+pub type Diagnostics = AtLeastOne<Diagnostic>;
 
-impl From<Diagnostic> for Diagnostics {
-    fn from(d: Diagnostic) -> Self {
-        Self(vec![d])
+/// A list that is never empty: no constructor makes it without an entry, and nothing removes the
+/// last one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AtLeastOne<T>(Vec<T>);
+
+impl<T> AtLeastOne<T> {
+    /// The list, or `None` where there are no entries.
+    pub fn from_list(entries: Vec<T>) -> Option<Self> {
+        (!entries.is_empty()).then_some(Self(entries))
+    }
+
+    /// `Ok` where there are no faults, otherwise all of them as the error.
+    pub fn refuse(faults: Vec<T>) -> Result<(), Self> {
+        Self::from_list(faults).map_or(Ok(()), Err)
+    }
+
+    /// The first entry.
+    pub fn first(&self) -> &T {
+        &self.0[0]
+    }
+
+    /// The first entry, without the others.
+    pub fn into_first(mut self) -> T {
+        self.0.swap_remove(0)
+    }
+
+    /// The last entry.
+    pub fn last_mut(&mut self) -> &mut T {
+        let last = self.0.len() - 1;
+        &mut self.0[last]
+    }
+
+    /// The entries in their order, to change them in place.
+    pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
+        self.0.iter_mut()
+    }
+
+    /// The entries in their order.
+    pub fn iter(&self) -> std::slice::Iter<'_, T> {
+        self.0.iter()
+    }
+
+    /// The same list with every entry converted.
+    pub fn map<U>(self, convert: impl FnMut(T) -> U) -> AtLeastOne<U> {
+        AtLeastOne(self.0.into_iter().map(convert).collect())
+    }
+}
+
+impl<T> From<T> for AtLeastOne<T> {
+    fn from(only: T) -> Self {
+        Self(vec![only])
     }
 }
 
 impl From<Box<Diagnostic>> for Diagnostics {
-    fn from(d: Box<Diagnostic>) -> Self {
-        Self(vec![*d])
+    fn from(only: Box<Diagnostic>) -> Self {
+        Self(vec![*only])
+    }
+}
+
+impl<T> IntoIterator for AtLeastOne<T> {
+    type Item = T;
+    type IntoIter = std::vec::IntoIter<T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
     }
 }
 
 impl Diagnostics {
     /// How a process ends that these faults stopped: the first fault decides.
     pub fn exit_status(&self) -> ExitStatus {
-        self.0.first().map_or(ExitStatus::BadInput, |d| d.fault.exit_status())
+        self.first().fault.exit_status()
     }
 
     /// The exit code of the process.

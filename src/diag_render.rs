@@ -17,7 +17,7 @@ const READ_LIMIT: u64 = 256 << 20;
 
 /// The faults for people, one after the other, with a trailing line end.
 pub fn text(faults: &Diagnostics, colour: bool) -> String {
-    faults.0.iter().map(|d| one(d, colour) + "\n").collect()
+    faults.iter().map(|d| one(d, colour) + "\n").collect()
 }
 
 /// The faults for programs: one JSON object a line,
@@ -25,7 +25,6 @@ pub fn text(faults: &Diagnostics, colour: bool) -> String {
 /// left out.
 pub fn json(faults: &Diagnostics) -> String {
     faults
-        .0
         .iter()
         .map(|d| serde_json::to_string(d).expect("plain strings and numbers serialise") + "\n")
         .collect()
@@ -201,10 +200,11 @@ mod tests {
 
     #[test]
     fn json_is_one_object_a_line() {
-        let faults = Diagnostics(vec![
+        let faults = Diagnostics::from_list(vec![
             Diagnostic::input("a/b", "first\nwith a line end").file("f.yaml").at(1, 2),
             Diagnostic::environment("c/d", "second").help("do"),
-        ]);
+        ])
+        .expect("two faults");
         let out = json(&faults);
         let lines: Vec<serde_json::Value> =
             out.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();

@@ -430,6 +430,6 @@ fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
         ("outer_gauge: 280", "leave the end plate"),
     ] {
         let fault = spec(outer, 110.0).expect_err("refused");
-        assert!(fault.0.iter().any(|d| d.message.contains(words)), "{fault:?}");
+        assert!(fault.iter().any(|d| d.message.contains(words)), "{fault:?}");
     }
 }

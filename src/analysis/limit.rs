@@ -67,7 +67,7 @@ pub fn run(
                     pass.yield_multiplier_share = share;
                 }
             }
-            Err(e) => pass.slides = e.0.first().map(|d| d.message.clone()),
+            Err(e) => pass.slides = Some(e.into_first().message),
         }
     }
     // without a solution under associated friction there is nothing to start the estimate from

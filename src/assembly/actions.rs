@@ -3,9 +3,10 @@
 
 use super::assembly::{Action as Acting, FaceLoad, FaceRule};
 use super::error::AssemblyError;
-use super::joint::{entry_fault, identifier, rectangle, within};
+use super::evaluate::{entry_fault, identifier, rectangle, within};
 use super::scope::Scope;
-use super::template::{EndEntry, SHIPPED, Template};
+use super::template::{EndEntry, Template};
+use super::template_file::SHIPPED;
 use crate::diag::did_you_mean;
 use crate::math::vec3::{self, V3};
 use crate::spec::loads::{ActionPoint, LimitState, LoadSpec};

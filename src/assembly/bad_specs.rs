@@ -300,7 +300,7 @@ const CASES: &[Case] = &[
 fn first_fault(text: &str) -> Diagnostic {
     let faults = joint(text).map(drop).expect_err("the spec is wrong");
     assert_eq!(faults.exit_code(), 2);
-    faults.0.into_iter().next().expect("a fault")
+    faults.into_first()
 }
 
 #[test]
@@ -335,14 +335,14 @@ fn all_faults_are_told_at_once() {
         .replace("size: M18", "size: M999")
         .replace("mu: 0.3", "mu: 9");
     let faults = joint(&text).map(drop).expect_err("three faults");
-    let paths: Vec<&str> = faults.0.iter().filter_map(|d| d.place.path.as_deref()).collect();
+    let paths: Vec<&str> = faults.iter().filter_map(|d| d.place.path.as_deref()).collect();
     assert_eq!(paths, ["members.column.profile", "bolts.size", "friction.mu"]);
 }
 
 #[test]
 fn a_faulty_template_of_the_user_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (_, shipped) = super::template::SHIPPED
+    let (_, shipped) = super::template_file::SHIPPED
         .iter()
         .find(|(n, _)| *n == "double_sided_end_plate")
         .expect("shipped");
@@ -358,7 +358,7 @@ fn a_faulty_template_of_the_user_is_named() {
     assert!(build(shipped).is_ok());
     let fault = |old: &str, new: &str| {
         assert_eq!(shipped.matches(old).count(), 1, "{old}");
-        build(&shipped.replace(old, new)).expect_err(new).0.remove(0)
+        build(&shipped.replace(old, new)).expect_err(new).into_first()
     };
     let d = fault("{name: face, value: column.h / 2}", "{name: face, value: beam_start}");
     assert_eq!(d.code, "template/wrong");

@@ -1,123 +1,22 @@
-//! What the hand checks of a code see of a bolted end plate: the template's `hand_checks` with its
-//! values.
+//! The bolted end plate as the hand checks see it: the template's `hand_checks` with its values.
 
 use super::actions::PlaneActions;
 use super::error::AssemblyError;
+use super::factors::PartialFactors;
 use super::inputs::Inputs;
 use super::scope::Scope;
-use super::template::Template;
+use super::strength::Strength;
+use super::template::{EndPlateEntry, Template};
 use crate::catalog::{BoltGrade, BoltSize, IProfile};
 use crate::spec::code::PryingRule;
 use crate::spec::connection::{BoltCategory, ConnectionSpec, MemberSpec};
 use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual
 /// practice.
 const CLIP_BEYOND_ROOT: f64 = 5.0;
-
-/// The entry of a template: which of its names are what the code means. Lengths unless said.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct EndPlateEntry {
-    /// Member role of the column; absent: a splice, the plate is bolted to the same plate on the
-    /// other beam.
-    pub column: Option<String>,
-    /// Member role of the beam.
-    pub beam: String,
-    /// Whose steel the plate has: the first of these that the spec gives (`plate` or a member
-    /// role).
-    pub steel: Vec<String>,
-    /// Thickness of the plate.
-    pub thickness: Expr,
-    /// Width of the plate.
-    pub width: Expr,
-    /// Lower edge of the plate, from the beam's axis.
-    pub bottom: Expr,
-    /// Upper edge of the plate, from the beam's axis.
-    pub top: Expr,
-    /// Distance of the two columns of bolts.
-    pub gauge: Expr,
-    /// Distance of the two outer columns of bolts of rows with four; zero or absent: two bolts in a
-    /// row.
-    pub outer_gauge: Option<Expr>,
-    /// The list parameter that holds the rows, from the beam's axis.
-    pub rows: String,
-    /// Diameter of the holes.
-    pub hole: Expr,
-    /// From the beam's axis to where the column really ends above; zero or absent: it continues
-    /// beyond the model.
-    pub column_above: Option<Expr>,
-    /// From the beam's axis to where the column really ends below; zero or absent: it continues
-    /// beyond the model.
-    pub column_below: Option<Expr>,
-    /// Thickness of the stiffeners of the column level with both beam flanges; zero or absent for
-    /// none.
-    pub stiffener: Option<Expr>,
-    /// Thickness of a supplementary plate on one side of the column web, as wide as the web is flat
-    /// and as high as the end plate; zero or absent for none.
-    pub doubler: Option<Expr>,
-    /// Throat of the fillet welds on either side of each stiffener, to web and flanges of the
-    /// column; zero or absent: butt welds.
-    pub stiffener_throat: Option<Expr>,
-    /// How much of a stiffener is cut away at the root of the column; absent: the root radius and 5
-    /// mm.
-    pub stiffener_clip: Option<Expr>,
-    /// Throat of the fillet welds round the supplementary web plate; zero or absent: butt welds.
-    pub doubler_throat: Option<Expr>,
-    /// Thickness of a rib between the beam flange and the plate; zero or absent for none.
-    pub rib: Option<Expr>,
-    /// Throat of the fillet welds on either side of the rib; zero or absent: butt welds.
-    pub rib_throat: Option<Expr>,
-    /// Throat of the fillet welds of the beam's flanges; absent: butt welds.
-    pub flange_throat: Option<Expr>,
-    /// Throat of the fillet welds of the beam's web; absent: butt welds.
-    pub web_throat: Option<Expr>,
-    /// Length of beam that bends between the section that carries the actions and the plates, in a
-    /// splice with that of the held beam: its rotation is not the joint's. Absent: the analysis
-    /// gives no stiffness of the joint.
-    pub bending_length: Option<Expr>,
-    /// β of EN 1993-1-8 5.3(7), a number: 0 equal and opposite moments on both sides, 1 a beam on
-    /// one side alone. Load cases with actions at `ends` have their own.
-    pub beta: Option<Expr>,
-    /// Member ends that are joined by such a plate each; every one has a point `bolt_plane`.
-    #[serde(default)]
-    pub ends: Vec<String>,
-}
-
-/// Nominal strengths of a steel at the thickness it is used in.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Strength {
-    /// Grade.
-    pub grade: String,
-    /// Yield strength \[MPa\].
-    pub fy: f64,
-    /// Ultimate strength \[MPa\].
-    pub fu: f64,
-    /// Young's modulus \[MPa\].
-    pub e: f64,
-    /// β_w of fillet welds, where the code has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub beta_w: Option<f64>,
-}
-
-impl Strength {
-    /// The steel that fillet welds between two parts are designed for: that with the lesser f_u.
-    pub fn weaker<'a>(&'a self, other: &'a Strength) -> &'a Strength {
-        if other.fu < self.fu { other } else { self }
-    }
-
-    /// Design shear strength of a fillet weld \[MPa\], `f_vw,d = f_u/(√3 β_w γ_M2)`; `None` for
-    /// grades without β_w.
-    ///
-    /// # Source
-    /// EN 1993-1-8:2005 4.5.3.3(3), formula 4.4.
-    pub fn weld_strength(&self, gamma_m2: f64) -> Option<f64> {
-        Some(self.fu / (3f64.sqrt() * self.beta_w? * gamma_m2))
-    }
-}
 
 /// The column an end plate is bolted to. Lengths in mm, z from the beam's axis, up positive.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -214,18 +113,27 @@ pub struct EndPlate {
     pub unseen: Vec<(String, String)>,
     /// Prying forces are taken to develop whatever the length of the bolts.
     pub always_prying: bool,
-    /// γ_M0.
-    pub gamma_m0: f64,
-    /// γ_M1.
-    pub gamma_m1: f64,
-    /// γ_M2.
-    pub gamma_m2: f64,
-    /// γ_M3: slip at the ultimate limit state.
-    pub gamma_m3: f64,
-    /// γ_M3,ser: slip at serviceability.
-    pub gamma_m3_ser: f64,
-    /// γ_M7: preload of bolts.
-    pub gamma_m7: f64,
+    /// Partial factors.
+    #[serde(flatten)]
+    pub factors: PartialFactors,
+}
+
+impl EndPlate {
+    /// y of every column of bolts \[mm\].
+    pub fn columns(&self) -> Vec<f64> {
+        let pair = |gauge: f64| [-0.5 * gauge, 0.5 * gauge];
+        let mut out = pair(self.gauge).to_vec();
+        if self.outer_gauge > 0.0 {
+            out.extend(pair(self.outer_gauge));
+        }
+        out.sort_by(f64::total_cmp);
+        out
+    }
+
+    /// Bolts of one end plate.
+    pub fn bolt_count(&self) -> usize {
+        self.rows.len() * self.columns().len()
+    }
 }
 
 /// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` where
@@ -259,24 +167,6 @@ fn longitudinal(
         ),
         help: "check the number and its unit, or take a larger column".into(),
     })
-}
-
-impl EndPlate {
-    /// y of every column of bolts \[mm\].
-    pub fn columns(&self) -> Vec<f64> {
-        let pair = |gauge: f64| [-0.5 * gauge, 0.5 * gauge];
-        let mut out = pair(self.gauge).to_vec();
-        if self.outer_gauge > 0.0 {
-            out.extend(pair(self.outer_gauge));
-        }
-        out.sort_by(f64::total_cmp);
-        out
-    }
-
-    /// Bolts of one end plate.
-    pub fn bolt_count(&self) -> usize {
-        self.rows.len() * self.columns().len()
-    }
 }
 
 /// Loads that the hand checks do not hold beside those they do.
@@ -397,7 +287,6 @@ pub fn end_plate(
             })
         }
     };
-    let factors = inputs.partial_factors();
     Ok(Some(EndPlate {
         beam_steel: inputs.strength(spec, &role(&entry.beam), beam.tf)?,
         plate_steel: inputs.strength(spec, &entry.steel, thickness)?,
@@ -425,11 +314,6 @@ pub fn end_plate(
         mu: inputs.mu,
         unseen: unseen(spec, entry),
         always_prying: spec.code.prying == PryingRule::Always,
-        gamma_m0: factors.gamma_m0,
-        gamma_m1: factors.gamma_m1,
-        gamma_m2: factors.gamma_m2,
-        gamma_m3: factors.gamma_m3,
-        gamma_m3_ser: factors.gamma_m3_ser,
-        gamma_m7: factors.gamma_m7,
+        factors: inputs.partial_factors(),
     }))
 }

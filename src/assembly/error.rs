@@ -94,6 +94,25 @@ pub enum AssemblyError {
     },
 }
 
+/// A name that a template does not have; `noun` says of which kind.
+pub(super) fn unknown_in(
+    template: &str,
+    path: String,
+    noun: &'static str,
+    name: &str,
+    hint: String,
+    known: String,
+) -> AssemblyError {
+    let problem = format!("template `{template}` has no {noun} `{name}`{hint}");
+    AssemblyError::Unknown { path, problem, known }
+}
+
+/// The known names for a help line, `nothing` where there are none.
+pub(super) fn known_names<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let all: Vec<&str> = names.collect();
+    if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
+}
+
 impl AssemblyError {
     /// The diagnostic, placed in the spec.
     pub fn placed(self, index: &PlaceIndex) -> Diagnostic {

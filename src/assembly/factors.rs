@@ -5,12 +5,13 @@ use super::error::AssemblyError;
 use super::scope::Resolved;
 use crate::catalog::{Catalog, NationalAnnex};
 use crate::spec::code::Code;
+use serde::Serialize;
 
 /// What a partial factor may be.
 const RANGE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
 
-/// All partial factors of one spec.
-#[derive(Clone, Debug, PartialEq)]
+/// All partial factors of one spec; in the order of the standard.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PartialFactors {
     /// γ_M0: cross-sections.
     pub gamma_m0: f64,
@@ -24,13 +25,20 @@ pub struct PartialFactors {
     pub gamma_m3_ser: f64,
     /// γ_M7: preload of bolts.
     pub gamma_m7: f64,
+}
+
+/// The partial factors of a spec and their origins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FactorsOfSpec {
+    /// The values.
+    pub values: PartialFactors,
     /// Each of them for the list of resolved values, with its origin.
     pub resolved: Vec<Resolved>,
     /// Those below the recommended ones, a sentence each: a slip of the pen, or a national annex.
     pub low: Vec<String>,
 }
 
-impl PartialFactors {
+impl FactorsOfSpec {
     /// Reads the factors; what is wrong goes to `faults`, with 1 in its place.
     pub fn read(code: &Code, catalog: &Catalog, faults: &mut Vec<AssemblyError>) -> Self {
         let annex = code.annex.as_ref().and_then(|name| {
@@ -89,16 +97,15 @@ impl PartialFactors {
                 });
                 value
             };
-        Self {
+        let values = PartialFactors {
             gamma_m0: factor("gamma_M0", code.gamma_m0, |a| a.gamma_m0),
             gamma_m1: factor("gamma_M1", code.gamma_m1, |a| a.gamma_m1),
             gamma_m2: factor("gamma_M2", code.gamma_m2, |a| a.gamma_m2),
             gamma_m3: factor("gamma_M3", code.gamma_m3, |a| a.gamma_m3),
             gamma_m3_ser: factor("gamma_M3_ser", code.gamma_m3_ser, |a| a.gamma_m3_ser),
             gamma_m7: factor("gamma_M7", code.gamma_m7, |a| a.gamma_m7),
-            resolved,
-            low,
-        }
+        };
+        Self { values, resolved, low }
     }
 }
 
@@ -119,7 +126,8 @@ mod tests {
     fn what_is_given_wins_over_the_annex_and_the_annex_over_the_recommended_value() {
         let e = ok(PAPER).end_plate.expect("hand checks");
         let six = |e: &crate::assembly::EndPlate| {
-            [e.gamma_m0, e.gamma_m1, e.gamma_m2, e.gamma_m3, e.gamma_m3_ser, e.gamma_m7]
+            let f = &e.factors;
+            [f.gamma_m0, f.gamma_m1, f.gamma_m2, f.gamma_m3, f.gamma_m3_ser, f.gamma_m7]
         };
         assert_eq!(six(&e), [1.0, 1.0, 1.25, 1.25, 1.1, 1.1]);
         let e = ok(&with_code("{annex: Germany, gamma_M2: 1.3}")).end_plate.expect("hand checks");
@@ -178,7 +186,7 @@ mod tests {
             ("{annex: recomended}", "code.annex", "did you mean `recommended`?"),
             ("{annex: [DE]}", "code.annex", "expected a text"),
         ] {
-            let d = joint(&with_code(code)).map(drop).expect_err(code).0.remove(0);
+            let d = joint(&with_code(code)).map(drop).expect_err(code).into_first();
             let told = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
             assert!(told.contains(words), "{code}: {d:#?}");
             assert_eq!(d.place.path.as_deref(), Some(place), "{code}: {d:#?}");

@@ -3,24 +3,30 @@
 pub mod actions;
 #[allow(clippy::module_inception)] // a file is named for its noun, and this one holds `Assembly`
 pub mod assembly;
-mod categories;
+mod builder;
 pub mod end_plate;
 pub mod error;
+mod evaluate;
 pub mod factors;
+mod given;
 pub mod inputs;
 pub mod joint;
 pub mod origin;
 pub mod part;
 pub mod scope;
 mod seen_bolts;
+mod spec_checks;
+pub mod strength;
 pub mod symmetry;
 pub mod template;
+pub mod template_file;
 
 pub use actions::PlaneActions;
 pub use assembly::Assembly;
+pub use builder::BoltLine;
 pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
-pub use joint::{BoltLine, Joint, build};
+pub use joint::{Joint, build};
 
 #[cfg(test)]
 mod bad_specs;

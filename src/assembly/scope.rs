@@ -3,7 +3,7 @@
 
 use super::error::AssemblyError;
 use super::template::{Default, Loop, Parameter, ParameterKind, Template};
-use crate::diag::did_you_mean;
+use crate::diag::{AtLeastOne, did_you_mean};
 use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
 use std::collections::BTreeMap;
@@ -219,7 +219,7 @@ impl Scope {
         &mut self,
         template: &Template,
         given: &BTreeMap<String, Given>,
-    ) -> Result<Vec<Resolved>, Vec<AssemblyError>> {
+    ) -> Result<Vec<Resolved>, AtLeastOne<AssemblyError>> {
         let mut faults = Vec::new();
         for p in template
             .parameters
@@ -228,9 +228,7 @@ impl Scope {
         {
             faults.push(AssemblyError::Missing { path: path_of(&p.name), about: p.about.clone() });
         }
-        if !faults.is_empty() {
-            return Err(faults);
-        }
+        AtLeastOne::refuse(std::mem::take(&mut faults))?;
         for p in &template.parameters {
             if let Some(g) = given.get(&p.name) {
                 self.take(&p.name, g);
@@ -260,7 +258,7 @@ impl Scope {
         let names: Vec<String> = pending.keys().cloned().collect();
         for name in names {
             if let Err(e) = self.settle(&name, &pending, &mut Vec::new()) {
-                return Err(vec![AssemblyError::Template { at: name, cause: e }]);
+                return Err(AssemblyError::Template { at: name, cause: e }.into());
             }
         }
         let mut out = Vec::new();
@@ -300,7 +298,8 @@ impl Scope {
             let (name, about) = (p.name.clone(), p.about.clone());
             out.push(Resolved { name, value, given, default, range, about, origin: None });
         }
-        if faults.is_empty() { Ok(out) } else { Err(faults) }
+        AtLeastOne::refuse(faults)?;
+        Ok(out)
     }
 
     fn take(&mut self, name: &str, given: &Given) {

@@ -129,7 +129,7 @@ fn names(all: impl Iterator<Item = String>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::assembly::template::SHIPPED;
+    use crate::assembly::template_file::SHIPPED;
     use crate::assembly::tests::with;
     use crate::catalog::Catalog;
     use crate::diag::Diagnostics;
@@ -207,7 +207,7 @@ mod tests {
             ),
         ];
         for (what, changes, words) in &cases {
-            let d = build(changes).expect_err(what).0.remove(0);
+            let d = build(changes).expect_err(what).into_first();
             assert_eq!(d.code, "template/hand-checks", "{what}: {d:#?}");
             assert!(
                 d.message.contains(words) && d.message.contains("hand_checks.rows"),

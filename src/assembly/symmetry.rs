@@ -5,13 +5,19 @@
 //! sense a template draws them.
 
 use super::assembly::{
-    Action, Assembly, BoltPreload, OutlineEdge, Solid, Surface, SymmetryPlane, WeldRule,
+    Action, Assembly, BoltPreload, FaceLoad, OutlineEdge, Part, Solid, Surface, SymmetryPlane,
+    WeldRule,
 };
+use crate::math::vec3::{V3, norm};
 use crate::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
-/// Coordinates that agree to this are the same \[mm\].
+/// Lengths that agree to this are the same \[mm\].
 const SAME: f64 = 1e-6;
+
+/// Loads that agree to this part of their size are the same: a million times what rounding
+/// makes of them, and far below any load that counts.
+const SAME_LOAD: f64 = 1e-10;
 
 type Point = [i64; 3];
 
@@ -24,8 +30,13 @@ fn round(x: [f64; 3], mirror: Option<usize>) -> Point {
     p
 }
 
-fn scalar(x: f64) -> i64 {
+fn on_grid(x: f64) -> i64 {
     (x / SAME).round() as i64
+}
+
+/// A force, a stress or a pure number, rounded to ten significant digits whatever its size.
+fn digits(x: f64) -> String {
+    format!("{:.9e}", x + 0.0)
 }
 
 /// A shape as data that compare equal exactly when the shapes are the same.
@@ -63,7 +74,7 @@ fn signature(solid: &Solid, mirror: Option<usize>) -> Signature {
     match solid {
         Solid::Box { min, max } => Signature::Points(corners(*min, *max, mirror), Vec::new(), 0),
         Solid::Cylinder { base, axis, radius, length, .. } => {
-            Signature::Points(ends(*base, *axis, *length, mirror), Vec::new(), scalar(*radius))
+            Signature::Points(ends(*base, *axis, *length, mirror), Vec::new(), on_grid(*radius))
         }
         Solid::Prism { origin, u, v, start, edges, length } => {
             let n = crate::math::vec3::cross(*u, *v);
@@ -103,36 +114,88 @@ fn surface(s: &Surface, mirror: Option<usize>) -> Signature {
             Signature::Points(corners(lo, hi, mirror), Vec::new(), -1)
         }
         Surface::Mantle { base, axis, radius, length } => {
-            Signature::Points(ends(*base, *axis, *length, mirror), Vec::new(), scalar(*radius))
+            Signature::Points(ends(*base, *axis, *length, mirror), Vec::new(), on_grid(*radius))
         }
     }
 }
 
-/// What acts on a face: traction, or point, force and moment. A mirror turns moments the other way
-/// round, but for the one about its normal.
-fn action(a: &Action, mirror: Option<usize>) -> Vec<Point> {
-    match *a {
-        Action::Traction(t) => vec![round(t, mirror)],
-        Action::Resultant { at, force, moment } => {
-            let turned = mirror.map_or(moment, |axis| {
-                std::array::from_fn(|k| if k == axis { moment[k] } else { -moment[k] })
-            });
-            vec![round(at, mirror), round(force, mirror), round(turned, None)]
-        }
+/// A vector under a mirror, which turns its component along the normal.
+fn mirrored(v: V3, mirror: Option<usize>) -> V3 {
+    std::array::from_fn(|k| if mirror == Some(k) { -v[k] } else { v[k] })
+}
+
+/// A moment under a mirror, which turns all its components but the one along the normal.
+fn mirrored_moment(m: V3, mirror: Option<usize>) -> V3 {
+    mirror.map_or(m, |_| mirrored(m, mirror).map(|c| -c))
+}
+
+/// True for vectors that agree up to rounding relative to their size.
+fn same_load(a: V3, b: V3) -> bool {
+    let size = norm(a).max(norm(b));
+    (0..3).all(|k| (a[k] - b[k]).abs() <= SAME_LOAD * size)
+}
+
+/// A load, as far as it compares exactly (where it acts), and its vectors.
+struct Acting<'a> {
+    place: (Option<(Option<Shape>, Signature)>, &'a str, bool, Option<Point>),
+    /// Traction \[MPa\], or force \[N\] and moment \[N mm\].
+    vectors: [V3; 2],
+}
+
+impl Acting<'_> {
+    fn same(&self, other: &Self) -> bool {
+        self.place == other.place
+            && self.vectors.iter().zip(&other.vectors).all(|(a, b)| same_load(*a, *b))
     }
 }
 
-/// Everything about a joint that symmetry must keep, with part names replaced by numbers of equal
+/// The loads of a joint, mirrored.
+fn loads<'a>(a: &'a Assembly, shapes: &Shapes<'a>, mirror: Option<usize>) -> Vec<Acting<'a>> {
+    let acting = |l: &'a FaceLoad| {
+        let (at, vectors) = match l.action {
+            Action::Traction(t) => (None, [mirrored(t, mirror), [0.0; 3]]),
+            Action::Resultant { at, force, moment } => (
+                Some(round(at, mirror)),
+                [mirrored(force, mirror), mirrored_moment(moment, mirror)],
+            ),
+        };
+        Acting { place: (face(a, shapes, &l.face, mirror), &l.case, l.dead, at), vectors }
+    };
+    a.loads.iter().map(acting).collect()
+}
+
+/// True if every load has a partner of its own among the others.
+fn paired(loads: &[Acting<'_>], others: Vec<Acting<'_>>) -> bool {
+    let mut left = others;
+    loads.iter().all(|l| {
+        let partner = left.iter().position(|o| l.same(o));
+        partner.map(|i| left.swap_remove(i)).is_some()
+    }) && left.is_empty()
+}
+
+/// A part as symmetry sees it: shape, material, element size.
+type Shape = (Signature, String, i64);
+type Shapes<'a> = BTreeMap<&'a str, Shape>;
+
+fn shapes(a: &Assembly, mirror: Option<usize>) -> Shapes<'_> {
+    let shape = |p: &Part| (signature(&p.solid, mirror), p.material.clone(), on_grid(p.size));
+    a.parts.iter().map(|p| (p.name.as_str(), shape(p))).collect()
+}
+
+fn face(
+    a: &Assembly,
+    shapes: &Shapes<'_>,
+    name: &str,
+    mirror: Option<usize>,
+) -> Option<(Option<Shape>, Signature)> {
+    let f = a.faces.iter().find(|f| f.name == name)?;
+    Some((shapes.get(f.part.as_str()).cloned(), surface(&f.surface, mirror)))
+}
+
+/// Everything about a joint but its loads that symmetry must keep, with part names replaced by
 /// shapes.
-fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
-    let shapes: BTreeMap<&str, (Signature, &str, i64)> = a
-        .parts
-        .iter()
-        .map(|p| {
-            (p.name.as_str(), (signature(&p.solid, mirror), p.material.as_str(), scalar(p.size)))
-        })
-        .collect();
-    let shape = |name: &str| shapes.get(name).map(|(s, m, h)| (s.clone(), m.to_string(), *h));
+fn portrait(a: &Assembly, shapes: &Shapes<'_>, mirror: Option<usize>) -> impl PartialEq + use<> {
+    let shape = |name: &str| shapes.get(name).cloned();
     let mut parts: Vec<_> = a.parts.iter().map(|p| shape(&p.name)).collect();
     parts.sort();
     let mut interfaces: Vec<_> = a
@@ -144,44 +207,37 @@ fn portrait(a: &Assembly, mirror: Option<usize>) -> impl PartialEq + use<> {
                 shape(&i.between[0]),
                 shape(&i.between[1]),
                 at,
-                scalar(i.mu),
+                digits(i.mu),
                 i.friction == FrictionLaw::Associated,
-                scalar(i.gap),
+                on_grid(i.gap),
             )
         })
         .collect();
     interfaces.sort();
-    let face = |name: &str| {
-        a.faces
-            .iter()
-            .find(|f| f.name == name)
-            .map(|f| (shape(&f.part), surface(&f.surface, mirror)))
-    };
-    let mut supports: Vec<_> = a.supports.iter().map(|s| (face(&s.face), s.fix)).collect();
+    let mut supports: Vec<_> =
+        a.supports.iter().map(|s| (face(a, shapes, &s.face, mirror), s.fix)).collect();
     supports.sort();
-    let mut loads: Vec<_> = a
-        .loads
-        .iter()
-        .map(|l| (face(&l.face), l.case.clone(), action(&l.action, mirror), l.dead))
-        .collect();
-    loads.sort();
-    let cut = |p: &BoltPreload| (shape(&p.part), surface(&p.surface, mirror), scalar(p.force));
+    let cut = |p: &BoltPreload| (shape(&p.part), surface(&p.surface, mirror), digits(p.force));
     let mut preloads: Vec<_> = a.preloads.iter().map(cut).collect();
     preloads.sort();
     let weld = |w: &WeldRule| {
         let pair = [shape(&w.between[0]), shape(&w.between[1])];
-        (pair, surface(&w.surface, mirror), [w.throat, w.thickness, w.strength].map(scalar))
+        let lengths = [w.throat, w.thickness].map(on_grid);
+        (pair, surface(&w.surface, mirror), lengths, digits(w.strength))
     };
     let mut welds: Vec<_> = a.welds.iter().map(weld).collect();
     welds.sort();
-    (parts, interfaces, supports, loads, preloads, welds)
+    (parts, interfaces, supports, preloads, welds)
 }
 
 /// The planes `x[axis] = 0` about which the joint, its supports and all its loads are symmetric.
 pub fn planes(a: &Assembly) -> Vec<SymmetryPlane> {
-    let whole = portrait(a, None);
-    (0..3)
-        .filter(|&axis| portrait(a, Some(axis)) == whole)
-        .map(|axis| SymmetryPlane { axis })
-        .collect()
+    let own = shapes(a, None);
+    let (whole, acting) = (portrait(a, &own, None), loads(a, &own, None));
+    let symmetric = |axis: &usize| {
+        let mirror = Some(*axis);
+        let image = shapes(a, mirror);
+        portrait(a, &image, mirror) == whole && paired(&acting, loads(a, &image, mirror))
+    };
+    (0..3).filter(symmetric).map(|axis| SymmetryPlane { axis }).collect()
 }

@@ -1,6 +1,6 @@
 //! The paper's joint from its spec, and the symmetry of its variants.
 
-use super::assembly::{Action, OutlineEdge, Part, PartRole, Solid, Surface};
+use super::assembly::{Action, FaceLoad, OutlineEdge, Part, PartRole, Solid, Surface};
 use super::{Joint, build};
 use crate::catalog::Catalog;
 use crate::diag::Diagnostics;
@@ -286,6 +286,44 @@ fn convex_pieces_cover_the_part_and_spare_the_holes() {
     // stiffener boxes run through web and fillets: counted twice there
     let twice = 2.0 * 12.7 * 170.0 * 9.0;
     assert!((sum - section - twice).abs() < 0.01 * section, "{sum} {section}");
+}
+
+/// A small part of a load decides like a large one, whatever the unit; rounding does not.
+#[test]
+fn a_load_is_symmetric_up_to_rounding_relative_to_its_size() {
+    let planes = |action: Action| -> Vec<usize> {
+        let mut a = ok(PAPER).assembly;
+        a.loads[0].action = action;
+        super::symmetry::planes(&a).iter().map(|s| s.axis).collect()
+    };
+    let z = 350.0;
+    let resultant =
+        |force: [f64; 3], moment: [f64; 3]| Action::Resultant { at: [0.0, 0.0, z], force, moment };
+    assert_eq!(planes(Action::Traction([0.0, 0.0, -45.0])), [0, 1]);
+    assert_eq!(planes(Action::Traction([1e-7, 0.0, -45.0])), [1]);
+    assert_eq!(planes(Action::Traction([0.0, 1e-15, -45.0])), [0, 1]);
+    assert_eq!(planes(resultant([0.0, 0.0, -1e5], [0.0; 3])), [0, 1]);
+    assert_eq!(planes(resultant([1.0, 0.0, -1e5], [0.0; 3])), [1]);
+    assert_eq!(planes(resultant([0.0, 1e-3, -1e5], [0.0; 3])), [0]);
+    assert_eq!(planes(resultant([1e-8, -1e-8, -1e5], [0.0; 3])), [0, 1]);
+    // a load too small for a grid of 1e-6 is a load all the same
+    assert_eq!(planes(resultant([1e-7, 0.0, 0.0], [0.0; 3])), [1]);
+    assert_eq!(planes(resultant([0.0, 0.0, -1e5], [0.0, 1e-7, 0.0])), [1]);
+    // two loads that are mirror images but for rounding, and but for one newton
+    let pair = |right: f64| {
+        let mut a = ok(PAPER).assembly;
+        // on the top of the column, which both planes halve
+        let top = a.loads[0].clone();
+        for (x, force) in [(-50.0, 1e5), (50.0, right)] {
+            let (at, force) = ([x, 0.0, z], [0.0, 0.0, -force]);
+            let action = Action::Resultant { at, force, moment: [0.0; 3] };
+            a.loads.push(FaceLoad { action, ..top.clone() });
+        }
+        super::symmetry::planes(&a).iter().map(|s| s.axis).collect::<Vec<_>>()
+    };
+    assert_eq!(pair(1e5), [0, 1]);
+    assert_eq!(pair(1e5 * (1.0 + 4.0 * f64::EPSILON)), [0, 1]);
+    assert_eq!(pair(1e5 + 1.0), [1]);
 }
 
 /// A connection type the program has never heard of: two lapped plates and a bolt, in a file of the

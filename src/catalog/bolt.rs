@@ -2,7 +2,8 @@
 
 use super::error::CatalogError;
 use super::name::bolt_grade_key;
-use super::table::{Columns, Entry, RawTable, Source};
+use super::source::Source;
+use super::table::{Columns, Entry, RawTable};
 use serde::Serialize;
 
 /// The system of plain hexagon bolts, nuts and washers.

@@ -1,6 +1,6 @@
 //! What can be wrong with a catalogue or with a name looked up in it.
 
-use super::table::Source;
+use super::source::Source;
 use crate::diag::{Diagnostic, Fault};
 use std::path::PathBuf;
 

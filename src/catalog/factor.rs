@@ -1,7 +1,8 @@
 //! Friction classes, partial factors and the national annexes that set them.
 
 use super::error::CatalogError;
-use super::table::{Columns, Entry, RawTable, Source};
+use super::source::Source;
+use super::table::{Columns, Entry, RawTable};
 use serde::Serialize;
 
 /// A friction class of faying surfaces.

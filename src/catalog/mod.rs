@@ -16,6 +16,7 @@ mod factor;
 mod load;
 mod name;
 mod profile;
+mod source;
 mod steel;
 mod table;
 
@@ -23,8 +24,8 @@ pub use bolt::{BoltGrade, BoltSize, PLAIN_SYSTEM};
 pub use error::CatalogError;
 pub use factor::{FrictionClass, NationalAnnex, PartialFactor};
 pub use profile::{IProfile, PROPERTY_TOLERANCE};
+pub use source::Source;
 pub use steel::{Band, Steel};
-pub use table::Source;
 
 use crate::diag::Diagnostic;
 use serde::Serialize;

@@ -2,7 +2,8 @@
 
 use super::error::CatalogError;
 use super::name::profile_key;
-use super::table::{Columns, Entry, RawTable, Row, Source};
+use super::source::Source;
+use super::table::{Columns, Entry, RawTable, Row};
 use serde::Serialize;
 use std::f64::consts::PI;
 

@@ -2,7 +2,8 @@
 
 use super::error::CatalogError;
 use super::name::steel_key;
-use super::table::{Columns, Entry, RawTable, Source};
+use super::source::Source;
+use super::table::{Columns, Entry, RawTable};
 use crate::spec::code::FySource;
 use serde::Serialize;
 

@@ -2,26 +2,9 @@
 
 use super::error::CatalogError;
 use super::name::{nearest_sizes, normalise};
+use super::source::Source;
 use crate::diag::did_you_mean;
-use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fmt;
-
-/// Where a row stands.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Source {
-    /// The file, as the user named it; for the built-in catalogue its path in the project
-    /// (`catalogs/…`).
-    pub file: String,
-    /// 1-based line.
-    pub line: usize,
-}
-
-impl fmt::Display for Source {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} line {}", self.file, self.line)
-    }
-}
 
 /// Columns of one kind of table.
 #[derive(Clone, Copy, Debug)]

@@ -38,7 +38,7 @@ pub fn run(args: &CheckArgs, common: &Common) -> CommandResult {
     let finished = finished.map_err(|mut faults| {
         // a report that stays must not be read as one of this input
         let report = folder.join("report.md");
-        if let Some(d) = faults.0.last_mut().filter(|_| report.is_file()) {
+        if let Some(d) = Some(faults.last_mut()).filter(|_| report.is_file()) {
             let old = format!("`{}` is of an earlier input", report.display());
             d.help = Some(d.help.take().map_or(old.clone(), |help| format!("{help}; {old}")));
         }

@@ -4,9 +4,10 @@ use super::common::{CommandResult, Common};
 use crate::assembly::inputs::Inputs;
 use crate::assembly::origin::Origin;
 use crate::assembly::scope::Resolved;
-use crate::assembly::template::{self, Template};
+use crate::assembly::template::Template;
+use crate::assembly::template_file;
 use crate::catalog::Catalog;
-use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::diag::{AtLeastOne, Diagnostic, Diagnostics, ExitStatus};
 use crate::spec::analysis::AnalysisSpec;
 use crate::spec::connection::{BoltSpec, ConnectionSpec, MemberSpec, ParameterValue, PlateSpec};
 use crate::spec::loads::{ActionPoint, LoadSpec};
@@ -32,7 +33,7 @@ pub struct NewArgs {
 /// Runs `bracket new`.
 pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     let (template, origin) =
-        template::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
+        template_file::load(&args.template, Path::new(".")).map_err(named_on_the_command_line)?;
     let catalog = Catalog::builtin().map_err(Diagnostic::from)?;
     let name = match (&args.output, &origin) {
         (Some(spec), Origin::File { file, .. }) => seen_from(file, spec),
@@ -81,7 +82,7 @@ fn iso_date(days: u64) -> String {
 
 /// A template named on the command line has no place in a file.
 pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
-    faults.0.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
+    faults.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
     faults
 }
 
@@ -104,7 +105,7 @@ fn seen_from(template: &Path, spec: &Path) -> String {
     let path: PathBuf = up.chain(file.components().skip(shared)).collect();
     let text = path.display().to_string();
     // a name alone is that of a shipped template
-    if template::is_path(&text) { text } else { format!("./{text}") }
+    if template_file::is_path(&text) { text } else { format!("./{text}") }
 }
 
 /// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
@@ -211,8 +212,8 @@ pub fn starter(
     date: &str,
 ) -> Result<String, Diagnostics> {
     let spec = example(template, name);
-    let wrong = |faults: Vec<crate::assembly::AssemblyError>| {
-        Diagnostics(faults.into_iter().map(|f| origin.placed(template, f)).collect())
+    let wrong = |faults: AtLeastOne<crate::assembly::AssemblyError>| {
+        faults.map(|f| origin.placed(template, f))
     };
     let inputs = Inputs::read(&spec, template, catalog).map_err(wrong)?;
     let resolved = inputs.scope().resolve(template, &inputs.given).map_err(wrong)?;
@@ -394,126 +395,4 @@ fn line(out: &mut String, key: &str, r: &Resolved) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::assembly::build;
-    use crate::assembly::template::SHIPPED;
-    use crate::spec::yaml;
-
-    fn assemble(text: &str) -> crate::assembly::Joint {
-        let spec = yaml::parse::<ConnectionSpec>(text, Path::new("new.yaml"))
-            .unwrap_or_else(|e| panic!("{e:#?}\n{text}"));
-        build(&spec, Path::new("."), &Catalog::builtin().expect("sound"))
-            .unwrap_or_else(|e| panic!("{e:#?}\n{text}"))
-    }
-
-    #[test]
-    fn days_become_dates() {
-        for (days, date) in [
-            (0, "1970-01-01"),
-            (58, "1970-02-28"),
-            (59, "1970-03-01"),
-            (11_016, "2000-02-29"),
-            (19_782, "2024-02-29"),
-            (19_783, "2024-03-01"),
-            (20_088, "2024-12-31"),
-            (20_089, "2025-01-01"),
-            (47_540, "2100-02-28"),
-            (47_541, "2100-03-01"),
-        ] {
-            assert_eq!(iso_date(days), date, "{days}");
-        }
-        let today = today();
-        assert!(today.len() == 10 && today.as_str() > "2020", "{today}");
-    }
-
-    #[test]
-    fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
-        for (name, _) in SHIPPED {
-            let (template, origin) = template::load(name, Path::new(".")).expect("shipped");
-            let text = starter(
-                &template,
-                &origin,
-                name,
-                &Catalog::builtin().expect("sound"),
-                "2024-02-29",
-            )
-            .expect("a starter");
-            let joint = assemble(&text);
-            for words in ["  mu: 0 ", "  kind: limit ", "  date: \"2024-02-29\"\n"] {
-                assert!(text.contains(words), "{name}: {words}");
-            }
-            for p in &template.parameters {
-                let key = p.name.rsplit('.').next().expect("a name");
-                assert!(
-                    text.contains(&format!("{key}: ")),
-                    "{name}: {} is not in the starter",
-                    p.name
-                );
-            }
-            let mut on = String::new();
-            for l in text.lines() {
-                let trimmed = l.trim_start();
-                let indent = &l[..l.len() - trimmed.len()];
-                match trimmed.strip_prefix("# ") {
-                    Some(rest) if !indent.is_empty() => on.push_str(&format!("{indent}{rest}\n")),
-                    _ => on.push_str(&format!("{l}\n")),
-                }
-            }
-            let all = assemble(&on);
-            assert!(all.resolved.iter().all(|r| r.given), "{name}: {:#?}", all.resolved);
-            // messages show nine decimals; the defaults come back through them
-            let text = |j: &crate::assembly::Joint| {
-                serde_json::to_string(&j.assembly.parts).expect("JSON").len()
-            };
-            assert_eq!(joint.assembly.parts.len(), all.assembly.parts.len());
-            assert!(text(&joint).abs_diff(text(&all)) < 200);
-        }
-    }
-
-    /// Whatever the two folders are: the spec's folder and the path in the spec lead to the
-    /// template's file.
-    #[test]
-    fn a_template_by_path_is_named_as_the_spec_sees_it() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let at = |path: &str| folder.path().join(path);
-        std::fs::create_dir_all(at("joints/b 2/c")).expect("writable");
-        std::fs::create_dir_all(at("own")).expect("writable");
-        std::fs::write(at("own/t.yaml"), "x").expect("writable");
-        let dots = |path: &str| at("joints").join("..").join(path);
-        for (spec, told) in [
-            ("joints/b 2/c/s.yaml", "../../../own/t.yaml"),
-            ("own/s.yaml", "t.yaml"),
-            ("s.yaml", "own/t.yaml"),
-        ] {
-            // an absolute path stays; a relative one is turned to the spec's folder
-            assert_eq!(
-                seen_from(&at("own/t.yaml"), &at(spec)),
-                at("own/t.yaml").display().to_string()
-            );
-            let relative = relative_to_here(&dots("own/t.yaml"));
-            assert_eq!(seen_from(&relative, &dots(spec)), told, "{spec}");
-        }
-        assert_eq!(seen_from(Path::new("absent.yaml"), &at("own/s.yaml")), "absent.yaml");
-    }
-
-    /// A path from the working folder up to the root and down again.
-    fn relative_to_here(path: &Path) -> PathBuf {
-        let here =
-            std::env::current_dir().expect("a working folder").canonicalize().expect("it exists");
-        let up = here.components().skip(1).map(|_| Component::ParentDir);
-        up.chain(path.components().skip(1)).collect()
-    }
-
-    #[test]
-    fn an_existing_file_is_left_alone() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("a.yaml");
-        std::fs::write(&path, "mine").expect("writable");
-        let e = write_new(&path, "yours").expect_err("it exists");
-        assert_eq!((e.0[0].code, e.exit_code()), ("new/exists", 2));
-        assert_eq!(std::fs::read_to_string(&path).expect("readable"), "mine");
-        let e = write_new(&folder.path().join("no/a.yaml"), "yours").expect_err("no folder");
-        assert_eq!(e.0[0].code, "new/no-folder");
-    }
-}
+mod tests;

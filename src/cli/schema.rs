@@ -73,7 +73,7 @@ fn plain(value: &mut Value) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assembly::template::SHIPPED;
+    use crate::assembly::template_file::SHIPPED;
     use crate::spec::yaml;
     use std::path::Path;
 

@@ -2,7 +2,8 @@
 
 use super::common::{CommandResult, Common, Format};
 use super::new::named_on_the_command_line;
-use crate::assembly::template::{self, SHIPPED, Template};
+use crate::assembly::template::{self, Template};
+use crate::assembly::template_file::{self, SHIPPED};
 use crate::diag::{Diagnostics, ExitStatus};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -22,7 +23,7 @@ pub fn run(args: &TemplatesArgs, common: &Common) -> CommandResult {
         None => SHIPPED.iter().map(|(n, _)| *n).collect(),
     };
     let loaded: Result<Vec<Template>, Diagnostics> =
-        names.into_iter().map(|n| Ok(template::load(n, Path::new("."))?.0)).collect();
+        names.into_iter().map(|n| Ok(template_file::load(n, Path::new("."))?.0)).collect();
     let loaded = loaded.map_err(named_on_the_command_line)?;
     match (common.format, &args.name) {
         (Format::Json, None) => println!("{}", Value::from_iter(loaded.iter().map(data))),
@@ -112,8 +113,8 @@ mod tests {
     #[test]
     fn every_shipped_template_loads_under_its_name_and_explains_itself() {
         for (name, _) in SHIPPED {
-            let (t, _) =
-                template::load(name, Path::new(".")).unwrap_or_else(|e| panic!("{name}: {e:#?}"));
+            let (t, _) = template_file::load(name, Path::new("."))
+                .unwrap_or_else(|e| panic!("{name}: {e:#?}"));
             assert_eq!(t.name, *name);
             let page = page(&t);
             for p in &t.parameters {

@@ -137,7 +137,7 @@ pub fn analyse(
         if limits.interrupt.asked() {
             break;
         }
-        let best_gap = joined(&entries)?.gap.unwrap_or(f64::INFINITY);
+        let best_gap = joined(&name, &entries)?.gap.unwrap_or(f64::INFINITY);
         let left = Budget {
             seconds: share.until - log.seconds(),
             bytes: room(limits.memory).map(|r| r.bytes),
@@ -175,7 +175,7 @@ pub fn analyse(
             }
             Err(faults) => {
                 // the certified bounds remain valid without the next mesh
-                let why = faults.0.first().map_or(String::new(), |d| d.message.clone());
+                let why = faults.into_first().message;
                 log.line(format!("{name}: no further mesh: {why}"));
                 if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
                     e.entry.warnings.push(format!("there was no finer mesh: {why}"));
@@ -187,8 +187,12 @@ pub fn analyse(
     finish(&name, entries, kept, stop, context, limits)
 }
 
-fn joined(entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
-    let Some(b) = best(entries) else { return Err(Diagnostics(Vec::new())) };
+fn lost(name: &str) -> Diagnostic {
+    Diagnostic::undecided("cli/lost", format!("the best pass of `{name}` was lost"))
+}
+
+fn joined(name: &str, entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
+    let Some(b) = best(entries) else { return Err(lost(name).into()) };
     let upper = entries[b.upper].clone();
     if b.upper == b.lower {
         return Ok(upper.entry);
@@ -208,7 +212,7 @@ fn finish(
     context: &RunContext,
     limits: &Limits,
 ) -> Result<Adapted, Diagnostics> {
-    let mut entry = joined(&entries)?;
+    let mut entry = joined(name, &entries)?;
     entry.history = entries.iter().flat_map(|e| e.entry.history.iter().cloned()).collect();
     if let Some(last) = entries.last() {
         let new: Vec<String> =
@@ -225,18 +229,14 @@ fn finish(
             shortfall(stop, entries.len(), context, limits)
         ));
     }
-    let Some(b) = best(&entries) else { return Err(Diagnostics(Vec::new())) };
+    let Some(b) = best(&entries) else { return Err(lost(name).into()) };
     let mut take =
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
     // both were kept since they became the best
     let Some(upper) = upper else {
-        return Err(Diagnostic::undecided(
-            "cli/lost",
-            format!("the best pass of `{name}` was lost"),
-        )
-        .into());
+        return Err(lost(name).into());
     };
     Ok(Adapted { entry, upper, lower })
 }

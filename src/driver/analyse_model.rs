@@ -35,12 +35,11 @@ pub fn analyse_model(
         Diagnostic::input("model/read", format!("`{}` cannot be read: {e}", path.display()))
             .file(path)
     };
-    let model = load_model(path).map_err(|mut faults| {
+    let model = load_model(path).map_err(|faults| {
         let text = text_file::read(path, |e| unread(path, e)).unwrap_or_default();
         if spec_file::top_level(&text, "template") && spec_file::top_level(&text, "loads") {
-            faults.0.truncate(1);
-            faults.0[0].help =
-                Some("this looks like a connection spec: `bracket run` reads it".into());
+            let hint = "this looks like a connection spec: `bracket run` reads it";
+            return faults.into_first().help(hint).into();
         }
         faults
     })?;

@@ -170,7 +170,7 @@ mod tests {
         assert!(interrupt.check("meshing").is_ok() && !interrupt.asked());
         interrupt.flag().store(true, Ordering::Relaxed);
         let e = interrupt.check("meshing").expect_err("interrupted");
-        assert_eq!((e.exit_code(), e.0[0].code), (3, "cli/interrupted"));
-        assert!(e.0[0].message.contains("while meshing"));
+        assert_eq!((e.exit_code(), e.first().code), (3, "cli/interrupted"));
+        assert!(e.first().message.contains("while meshing"));
     }
 }

@@ -100,8 +100,8 @@ mod tests {
             ("８GiB", "is not a number"),
         ] {
             let e = parse(text).expect_err(text);
-            assert_eq!((e.exit_code(), e.0[0].code), (2, "cli/value"), "{text}");
-            assert!(e.0[0].message.contains(why), "{text}: {}", e.0[0].message);
+            assert_eq!((e.exit_code(), e.first().code), (2, "cli/value"), "{text}");
+            assert!(e.first().message.contains(why), "{text}: {}", e.first().message);
         }
     }
 }

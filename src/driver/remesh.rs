@@ -2,7 +2,7 @@
 //! bisected.
 
 use crate::assembly::Assembly;
-use crate::diag::{Diagnostics, Place};
+use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::driver::meshing::{clean, quality_table};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
@@ -123,7 +123,8 @@ impl Remesh for ByMap<'_> {
             scale *= ratio.powf(1.0 / COUNT_EXPONENT);
         }
         // the loop runs at least once
-        let Some(joint) = made else { return Err(Diagnostics(Vec::new())) };
+        let joint =
+            made.ok_or_else(|| Diagnostic::undecided("cli/lost", "no finer mesh was made"))?;
         self.filling = scale.powi(3).clamp(0.3, 1.2);
         let mut file = from_joint::model_file(
             self.assembly,

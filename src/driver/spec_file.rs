@@ -29,11 +29,10 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
             .file(path)
             .help("check the path; `bracket new TEMPLATE -o FILE` writes a starter spec")
     })?;
-    let mut spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|mut faults| {
+    let mut spec = yaml::parse::<ConnectionSpec>(&text, path).map_err(|faults| {
         if top_level(&text, "mesh") && top_level(&text, "bodies") {
-            faults.0.truncate(1);
-            faults.0[0].help =
-                Some("this looks like a model file: `bracket analyse` reads it".into());
+            let hint = "this looks like a model file: `bracket analyse` reads it";
+            return faults.into_first().help(hint).into();
         }
         faults
     })?;
@@ -45,7 +44,7 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
                 d.place = spec.index.place(&f.path);
                 d
             };
-            Diagnostics(faults.into_iter().map(reported).collect())
+            faults.map(reported)
         })?;
         value.loads.extend(directions);
     }
@@ -125,7 +124,7 @@ mod tests {
     }
 
     fn fault(dir: &tempfile::TempDir, option: Option<&Path>) -> Diagnostic {
-        read(&dir.path().join("joint.yaml"), option).map(drop).expect_err("refused").0.remove(0)
+        read(&dir.path().join("joint.yaml"), option).map(drop).expect_err("refused").into_first()
     }
 
     #[test]
@@ -139,7 +138,7 @@ mod tests {
         let other = tempfile::tempdir().expect("a folder");
         std::fs::write(other.path().join("p.csv"), PROFILES.replace("MY200", "MY201"))
             .expect("written");
-        let d = read_it(Some(other.path())).map(drop).expect_err("MY200 is not there").0.remove(0);
+        let d = read_it(Some(other.path())).map(drop).expect_err("MY200 is not there").into_first();
         assert!(
             d.message.contains("`MY200` is not in the catalogue, the nearest is `MY201`"),
             "{d:#?}"

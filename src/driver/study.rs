@@ -275,9 +275,7 @@ fn study(
                 ) {
                     Ok(done) => rows.extend(study_rows(meshes, solver_name(*solver), &done.entry)),
                     Err(e) if rows.is_empty() => return Err(e),
-                    Err(e) => {
-                        log.line(format!("left out: {}", e.0.first().map_or("", |d| &d.message)))
-                    }
+                    Err(e) => log.line(format!("left out: {}", e.first().message)),
                 }
             }
         }

@@ -46,11 +46,7 @@ pub fn check(assembly: &Assembly) -> Result<(), Diagnostics> {
     if faults.is_empty() {
         faults = proximity_faults(assembly);
     }
-    if faults.is_empty() {
-        Ok(())
-    } else {
-        Err(Diagnostics(faults.into_iter().map(Diagnostic::from).collect()))
-    }
+    Diagnostics::refuse(faults.into_iter().map(Diagnostic::from).collect())
 }
 
 fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
@@ -270,7 +266,7 @@ mod tests {
     fn messages(assembly: &Assembly) -> Vec<(String, String)> {
         match check(assembly) {
             Ok(()) => vec![],
-            Err(d) => d.0.into_iter().map(|d| (d.code.to_string(), d.message)).collect(),
+            Err(d) => d.into_iter().map(|d| (d.code.to_string(), d.message)).collect(),
         }
     }
 

@@ -109,7 +109,7 @@ pub fn mesh_joint(
             // a tet without volume is a sliver that rounding has flattened
             Err(faults)
                 if !(last && best.is_none())
-                    && faults.0.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
+                    && faults.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
             {
                 continue;
             }

@@ -68,9 +68,7 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
             ),
         }
     }
-    if !faults.is_empty() {
-        return Err(Diagnostics(faults));
-    }
+    Diagnostics::refuse(faults)?;
     for b in &mut mesh.tet_body {
         *b = new_index[*b as usize];
     }
@@ -119,11 +117,8 @@ impl<'a> Naming<'a> {
         self.outer_faces();
         self.symmetry_faces();
         self.preload_cuts();
-        if self.faults.is_empty() {
-            Ok((self.faces, self.checks))
-        } else {
-            Err(Diagnostics(self.faults))
-        }
+        Diagnostics::refuse(self.faults)?;
+        Ok((self.faces, self.checks))
     }
 
     /// Records meshed against exact area; `what` starts the message of a fault.

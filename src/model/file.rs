@@ -51,7 +51,7 @@ pub struct ModelFile {
     /// Mesh adaptation; absent: the given mesh only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub adapt: Option<AdaptEntry>,
-    /// How many copies of the meshed part make the structure (1, 2 or 4).
+    /// How many copies of the meshed part make the structure (1, 2, 4 or 8).
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub symmetry: u32,
 }

@@ -72,12 +72,17 @@ pub fn resolve(
     let (materials, body_material) = materials::read(file, &mesh, &mut faults);
     materials::check_units(file, &mesh, &mut notes);
     materials::note_strengths(file, &mut notes);
-    if ![1, 2, 4].contains(&file.symmetry) {
+    if ![1, 2, 4, 8].contains(&file.symmetry) {
         let m = format!(
-            "`symmetry` is {}, it counts copies of the meshed part: 1, 2 or 4",
+            "`symmetry` is {}, it counts copies of the meshed part: 1, 2, 4 or 8",
             file.symmetry
         );
-        faults.add("model/value", "symmetry", m, "write 1, 2 or 4");
+        faults.add(
+            "model/value",
+            "symmetry",
+            m,
+            "write 1, 2, 4 or 8, for none to three planes of symmetry",
+        );
     }
     if let Some(adapt) = &file.adapt {
         if !(adapt.target_gap > 0.0 && adapt.target_gap < 1.0) {

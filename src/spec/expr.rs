@@ -131,11 +131,6 @@ impl Expr {
         &self.text
     }
 
-    /// True for a plain number without unit.
-    pub fn is_bare(&self) -> bool {
-        self.bare
-    }
-
     /// The names it mentions, in order of appearance.
     pub fn names(&self) -> Vec<&str> {
         fn walk<'a>(node: &'a Node, out: &mut Vec<&'a str>) {

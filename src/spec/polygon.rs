@@ -2,6 +2,7 @@
 //! directions.
 
 use super::loads::{Action, ActionPoint, LoadSpec};
+use crate::diag::AtLeastOne;
 use crate::units::{Force, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -101,7 +102,7 @@ impl PolygonSpec {
 
     /// The load cases of the directions, beside the other loads of the spec; an error for every
     /// value that makes no sense.
-    pub fn loads(&self, others: &[LoadSpec]) -> Result<Vec<LoadSpec>, Vec<PolygonFault>> {
+    pub fn loads(&self, others: &[LoadSpec]) -> Result<Vec<LoadSpec>, AtLeastOne<PolygonFault>> {
         let mut faults = Vec::new();
         let mut fault = |key: &str, problem: String, help: &str| {
             let path = if key.is_empty() { "polygon".into() } else { format!("polygon.{key}") };
@@ -143,15 +144,15 @@ impl PolygonSpec {
             );
             fault("directions", problem, "8 shows the shape; every direction is a limit analysis");
         }
-        let Some([first, second]) = self.axes().filter(|_| faults.is_empty()) else {
-            return Err(faults);
-        };
+        AtLeastOne::refuse(faults)?;
+        let Some([first, second]) = self.axes() else { return Ok(Vec::new()) };
         let mut out = Vec::new();
         for Direction { case, unit } in self.directions() {
             if let Some(i) = others.iter().position(|l| l.name == case) {
                 let problem = format!("`{case}` is the name of a direction of the polygon");
                 let help = "give the load case another name".into();
-                return Err(vec![PolygonFault { path: format!("loads[{i}].name"), problem, help }]);
+                let path = format!("loads[{i}].name");
+                return Err(PolygonFault { path, problem, help }.into());
             }
             let mut load = LoadSpec {
                 name: case,
@@ -241,6 +242,6 @@ mod tests {
         }
         let mine = LoadSpec { name: "polygon_45".into(), ..LoadSpec::default() };
         let faults = polygon("My: 100 kN m, N: 1 kN").loads(&[mine]).expect_err("clash");
-        assert_eq!(faults[0].path, "loads[0].name");
+        assert_eq!(faults.first().path, "loads[0].name");
     }
 }

@@ -41,9 +41,7 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     let index = PlaceIndex::read(text, file);
     let mut faults = Vec::new();
     outline.faults(&index, text, &mut faults);
-    if !faults.is_empty() {
-        return Err(Diagnostics(faults));
-    }
+    Diagnostics::refuse(faults)?;
     let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
     Ok(Parsed { value, index })
 }

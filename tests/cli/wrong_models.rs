@@ -177,7 +177,7 @@ const ROWS: &[(&str, &str, &str, usize, &str, &str)] = &[
         "needs either `fix` or `law: contact`",
         "fix: [x, y, z]",
     ),
-    ("supports:", "symmetry: 8\nsupports:", "model/value", 7, "`symmetry` is 8", "1, 2 or 4"),
+    ("supports:", "symmetry: 16\nsupports:", "model/value", 7, "`symmetry` is 16", "1, 2, 4 or 8"),
 ];
 
 #[test]

@@ -190,8 +190,8 @@ fn nothing_is_estimated_unasked() {
         match (solved::resolve_as(kind, &text(friction), mesh()), wants) {
             (Ok(m), None) => assert!(m.coulomb_estimate),
             (Err(e), Some(words)) => {
-                assert_eq!(e.0.len(), 1, "{e:?}");
-                assert!(e.0[0].message.contains(words), "{e:?}");
+                assert_eq!(e.iter().len(), 1, "{e:?}");
+                assert!(e.first().message.contains(words), "{e:?}");
             }
             (other, _) => panic!("{kind}, {friction}: {:?}", other.map(|m| m.analysis)),
         }

@@ -74,7 +74,7 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
     match solved::resolve(&yaml, mesh) {
         Ok(model) => Some(model),
         Err(e) => {
-            assert!(e.0.iter().all(|d| d.code == "model/loose-part"), "seed {seed}: {e:?}");
+            assert!(e.iter().all(|d| d.code == "model/loose-part"), "seed {seed}: {e:?}");
             None
         }
     }

@@ -366,7 +366,7 @@ fn wrong_rigid_bodies_are_refused() {
         assert_eq!(good.matches(old).count(), 1, "{old}");
         let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);
         let d = solved::resolve_as("limit", &good.replace(old, new), mesh).expect_err(new);
-        assert!(d.0.iter().any(|d| d.message.contains(words)), "{new}: {d:?}");
+        assert!(d.iter().any(|d| d.message.contains(words)), "{new}: {d:?}");
     }
     let mesh = shape.mesh(&["A", "B"], |c| usize::from(c[0] > 10.0), |_, _| true);
     let sound = solved::resolve_as("limit", good, mesh).unwrap();

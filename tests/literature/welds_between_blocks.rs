@@ -153,7 +153,7 @@ fn wrong_welds_are_refused() {
     for (weld, words) in rows {
         let text = yaml(1.0, rest).replace("strength_traction: 1.0", weld);
         let d = resolve(&text, bars(1)).expect_err(weld);
-        let told: Vec<String> = d.0.iter().map(|d| format!("{} {:?}", d.message, d.help)).collect();
+        let told: Vec<String> = d.iter().map(|d| format!("{} {:?}", d.message, d.help)).collect();
         assert!(told.iter().any(|m| m.contains(words)), "{weld}: {told:?}");
     }
     // what a contact alone takes, and a weld alone

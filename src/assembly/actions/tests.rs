@@ -126,7 +126,7 @@ fn wrong_actions_are_told_with_place_and_cure() {
     let mut wrong = Vec::new();
     for (load, path, words) in WRONG {
         let d =
-            joint(&spec(&format!("[{{name: A, {load}}}]"))).map(drop).expect_err(load).0.remove(0);
+            joint(&spec(&format!("[{{name: A, {load}}}]"))).map(drop).expect_err(load).into_first();
         let told = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
         let lacks: Vec<_> = words.iter().filter(|w| !told.contains(**w)).collect();
         if d.place.path.as_deref() != Some(*path) || !lacks.is_empty() || d.help.is_none() {
@@ -136,7 +136,7 @@ fn wrong_actions_are_told_with_place_and_cure() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
     let one_sided = spec("[{name: A, end: beam_left, at: node, My: 7 kN m}]")
         .replace("double_sided: true", "double_sided: false");
-    let d = joint(&one_sided).map(drop).expect_err("there is no left beam").0.remove(0);
+    let d = joint(&one_sided).map(drop).expect_err("there is no left beam").into_first();
     assert!(d.message.contains("no member end `beam_left`"), "{d:#?}");
     assert!(
         d.message.contains("`beam_to_column_end_plate` has it only where `double_sided`"),
@@ -145,6 +145,6 @@ fn wrong_actions_are_told_with_place_and_cure() {
     assert!(d.help.as_ref().is_some_and(|h| h.contains("known here: beam_right")), "{d:#?}");
     let twice = "[{name: A, end: beam_right, at: node, My: 7 kN m}, {name: A, end: beam_right, \
                  at: node, N: 7 kN}]";
-    let d = joint(&spec(twice)).map(drop).expect_err("twice").0.remove(0);
+    let d = joint(&spec(twice)).map(drop).expect_err("twice").into_first();
     assert_eq!(d.place.path.as_deref(), Some("loads[1].end"), "{d:#?}");
 }

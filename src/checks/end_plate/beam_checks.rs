@@ -13,8 +13,11 @@ use crate::checks::worked::Worked;
 /// EN 1993-1-1:2005 6.2.
 pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
-    let beam =
-        CrossSection { section: (&e.beam).into(), fy: e.beam_steel.fy, gamma_m0: e.gamma_m0 };
+    let beam = CrossSection {
+        section: (&e.beam).into(),
+        fy: e.beam_steel.fy,
+        gamma_m0: e.factors.gamma_m0,
+    };
     let subject = format!("{}, beam", a.end);
     let against = |worked: Worked, demand: f64| {
         worked.against(Topic::Member, subject.clone(), demand.abs(), Status::Failed)
@@ -24,7 +27,7 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
         out.push(against(beam.shear(), vz));
         let (slenderness, limit) = beam.web_slenderness();
         if slenderness > limit {
-            let worked = beam.shear_buckling(e.gamma_m1);
+            let worked = beam.shear_buckling(e.factors.gamma_m1);
             out.push(worked.against(Topic::Stability, subject.clone(), vz.abs(), Status::Failed));
         }
     }
@@ -60,12 +63,12 @@ pub(super) fn beam(e: &EndPlate, a: &PlaneActions) -> Vec<Check> {
 pub(super) fn beyond_the_beam(e: &EndPlate, a: &PlaneActions) -> Option<String> {
     let [[axial, vy, vz], [_, my, _]] = a.at(1.0);
     let section = Section::from(&e.beam);
-    let fyd = e.beam_steel.fy / e.gamma_m0;
+    let fyd = e.beam_steel.fy / e.factors.gamma_m0;
     let moment = (my.abs(), section.w_pl * fyd, "My", "M_pl,Rd", Unit::Moment);
     let normal = (axial.abs(), section.area * fyd, "N", "N_pl,Rd", Unit::Force);
     let shear = (
         vy.hypot(vz),
-        plastic_shear(section.shear_area(), e.beam_steel.fy, e.gamma_m0),
+        plastic_shear(section.shear_area(), e.beam_steel.fy, e.factors.gamma_m0),
         "V",
         "V_pl,Rd",
         Unit::Force,

@@ -23,12 +23,12 @@ pub(super) fn bearing(e: &EndPlate, along: Along, plate: &ClampedPlate) -> Worke
         fu: plate.fu,
         fub: e.grade.fub,
     };
-    place.resistance(e.gamma_m2)
+    place.resistance(e.factors.gamma_m2)
 }
 
 /// Resistances of one bolt in tension, shear, punching and bearing, as information.
 pub(super) fn resistances(e: &EndPlate) -> Vec<Check> {
-    let (b, g, gamma) = (&e.bolt, &e.grade, e.gamma_m2);
+    let (b, g, gamma) = (&e.bolt, &e.grade, e.factors.gamma_m2);
     let subject = format!("{} {}", b.size, g.grade);
     let tension = tension_resistance(b, g, gamma);
     let shear = shear_resistance(b, g, gamma);

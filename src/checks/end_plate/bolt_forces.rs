@@ -55,8 +55,8 @@ impl<'a> BoltForces<'a> {
                 .map(|z| Row { z, tension: loaded.bolt_force(z) })
                 .collect(),
             shear: vz.hypot(vy),
-            tension_resistance: tension_resistance(&e.bolt, &e.grade, e.gamma_m2).value,
-            shear_resistance: shear_resistance(&e.bolt, &e.grade, e.gamma_m2).value,
+            tension_resistance: tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
+            shear_resistance: shear_resistance(&e.bolt, &e.grade, e.factors.gamma_m2).value,
         }
     }
 
@@ -135,7 +135,7 @@ impl<'a> BoltForces<'a> {
     /// Tension of the bolts of the row that is pulled most.
     fn tension(&self) -> Option<Check> {
         let (e, row) = (self.e, self.most_pulled()?);
-        let mut worked = tension_resistance(&e.bolt, &e.grade, e.gamma_m2);
+        let mut worked = tension_resistance(&e.bolt, &e.grade, e.factors.gamma_m2);
         worked.title =
             "tension of a bolt, prying included, by the row forces of the component method";
         let topic = Topic::ComponentMethod;
@@ -183,8 +183,12 @@ impl<'a> BoltForces<'a> {
     /// Punching of a plate at the row that is pulled most.
     fn punching(&self, plate: &ClampedPlate) -> Option<Check> {
         let (e, row) = (self.e, self.most_pulled()?);
-        let mut worked =
-            punching_resistance(mean_diameter(&e.bolt), plate.thickness, plate.fu, e.gamma_m2);
+        let mut worked = punching_resistance(
+            mean_diameter(&e.bolt),
+            plate.thickness,
+            plate.fu,
+            e.factors.gamma_m2,
+        );
         self.note_cap(&mut worked, row.tension);
         let place = format!("{}, {}", plate.name, self.place(row));
         Some(worked.against(Topic::Bolts, place, self.capped(row.tension), Status::Failed))

@@ -29,11 +29,11 @@ pub(super) fn classes(end: &MemberEnd<'_>) -> Vec<Check> {
 fn strength(end: &MemberEnd<'_>) -> Check {
     let e = end.e;
     let joint = end.assessment.moment.value;
-    let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
+    let beam = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
     let column = e
         .column
         .as_ref()
-        .map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.gamma_m0);
+        .map_or(f64::INFINITY, |c| 1e3 * c.section.w_pl_y * c.steel.fy / e.factors.gamma_m0);
     let class = strength_class(joint, beam, column, COLUMNS);
     let full = beam.min(f64::from(COLUMNS) * column);
     let least = if column.is_finite() {

@@ -42,7 +42,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         bolts: Bolts {
             gauge: e.gauge,
             rows: e.rows.clone(),
-            tension: bolt_tension(e, e.gamma_m2),
+            tension: bolt_tension(e, e.factors.gamma_m2),
             stress_area: e.bolt.stress_area,
             elongation: bolt_length::elongation_length(&e.bolt, grip(e), WASHERS),
             washer: None,
@@ -50,7 +50,7 @@ pub(super) fn component_joint(e: &EndPlate, beta: f64) -> EndPlateJoint {
         },
         beta,
         young: e.beam_steel.e,
-        gamma_m0: e.gamma_m0,
-        gamma_m1: e.gamma_m1,
+        gamma_m0: e.factors.gamma_m0,
+        gamma_m1: e.factors.gamma_m1,
     }
 }

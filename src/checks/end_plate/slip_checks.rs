@@ -51,7 +51,7 @@ pub(super) fn slip(e: &EndPlate, a: &PlaneActions) -> Option<Check> {
     // with a category that must not slip, no friction means no resistance; without a category there
     // is nothing to check
     let preload = e.preload.filter(|_| e.mu > 0.0 || e.category.is_some())?;
-    let gamma = if a.state.is_ultimate() { e.gamma_m3 } else { e.gamma_m3_ser };
+    let gamma = if a.state.is_ultimate() { e.factors.gamma_m3 } else { e.factors.gamma_m3_ser };
     let [axial, vy, vz] = a.at(1.0)[0];
     let shear = vy.hypot(vz);
     let bolts = 2.0 * e.rows.len() as f64;

@@ -70,7 +70,7 @@ pub(super) fn stiffeners(loaded: &LoadedEnd<'_>) -> Vec<Check> {
     without.column.iter_mut().for_each(|c| c.stiffener = 0.0);
     // the tables covered the joint with stiffeners, so they cover it without them
     let Ok(bare) = assess(&loaded.end.sense.of(&without)) else { return Vec::new() };
-    let s = Stiffeners { c, gamma_m0: e.gamma_m0 };
+    let s = Stiffeners { c, gamma_m0: e.factors.gamma_m0 };
     let doublers = without.column.as_ref().map_or(0, |c| c.doublers);
     let mut out = Vec::new();
     let mut shares = Vec::new();
@@ -279,7 +279,7 @@ pub(super) fn doubler_welds(end: &MemberEnd<'_>) -> Vec<Check> {
 /// EN 1993-1-8:2005 4.5.3.2(6).
 pub(super) fn rib_weld(e: &EndPlate) -> Option<Check> {
     let steel = welded_steel::of_the_beam(e).filter(|_| e.rib > 0.0 && e.rib_throat > 0.0)?;
-    let full = full_strength_throat(e.rib, e.beam_steel.fy, e.gamma_m0, &steel);
+    let full = full_strength_throat(e.rib, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let what = ("EN 1993-1-8:2005 4.5.3.2(6)", "throat of welds as strong as the rib");
     let rule = (full.value, full.formula.split(" = ").nth(1).unwrap_or_default().to_owned());
     Some(Check::at_least((Topic::Welds, "rib"), what, "a", rule, e.rib_throat, Status::Failed))

@@ -19,7 +19,7 @@ pub(super) fn full_strength_throats(e: &EndPlate) -> Vec<Check> {
     [("beam flange", e.beam.tf), ("beam web", e.beam.tw)]
         .into_iter()
         .map(|(part, t)| {
-            full_strength_throat(t, e.beam_steel.fy, e.gamma_m0, &steel)
+            full_strength_throat(t, e.beam_steel.fy, e.factors.gamma_m0, &steel)
                 .information(Topic::Welds, part)
         })
         .collect()
@@ -162,9 +162,9 @@ struct FlangeWelds {
 /// thickness of the flange carry the whole flange.
 fn flange_welds(e: &EndPlate) -> Option<FlangeWelds> {
     let (b, a) = (&e.beam, e.flange_throat);
-    let flange = b.b * b.tf * e.beam_steel.fy / e.gamma_m0;
+    let flange = b.b * b.tf * e.beam_steel.fy / e.factors.gamma_m0;
     let steel = welded_steel::of_the_beam(e)?;
-    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.gamma_m0, &steel);
+    let full = full_strength_throat(b.tf, e.beam_steel.fy, e.factors.gamma_m0, &steel);
     let length = flange_run(e);
     let each = transverse(a, &steel);
     let along = each.value * length;
@@ -210,7 +210,7 @@ pub(super) fn not_the_weakest(
     let mut out = Vec::new();
     out.extend(of_the_flange(e, subject, a, otherwise));
     if e.web_throat == 0.0 {
-        let strength = e.beam.tw * e.beam_steel.fy / e.gamma_m0;
+        let strength = e.beam.tw * e.beam_steel.fy / e.factors.gamma_m0;
         let words =
             "full penetration: as strong as the web (4.7.1), it limits no row; t_w f_y/γ_M0";
         let title = "web weld no weaker than the rows in tension";
@@ -235,7 +235,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     let place = format!("beam flange, {subject}");
     let (joint, lever) = (a.moment.value, e.beam.h - e.beam.tf);
     if e.flange_throat == 0.0 {
-        let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.gamma_m0;
+        let strength = e.beam.b * e.beam.tf * e.beam_steel.fy / e.factors.gamma_m0;
         let words =
             "full penetration: as strong as the flange (4.7.1), it limits no joint; b t_f f_y/γ_M0";
         let worked = Worked::new(
@@ -264,7 +264,7 @@ fn of_the_flange(e: &EndPlate, subject: &str, a: &Assessment, otherwise: Status)
     };
     let title = "flange weld no weaker than the joint";
     let mut out = vec![check(NOT_THE_WEAKEST, title, (joint, "M_j,Rd".to_owned()), otherwise)];
-    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.gamma_m0;
+    let plastic = 1e3 * e.beam.w_pl_y * e.beam_steel.fy / e.factors.gamma_m0;
     // no hinge rotates in the joint where the beam yields first, or in a sense that no load case
     // has
     if joint >= HINGE_IN_BEAM * plastic || (otherwise != Status::Failed && !e.actions.is_empty()) {

@@ -7,10 +7,10 @@ use crate::checks::eurocode::welds::WeldedSteel;
 /// without β_w, for which the code has no fillet welds.
 pub(super) fn of_the_beam(e: &EndPlate) -> Option<WeldedSteel> {
     let weaker = e.beam_steel.weaker(&e.plate_steel);
-    Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.gamma_m2 })
+    Some(WeldedSteel { fu: weaker.fu, beta_w: weaker.beta_w?, gamma_m2: e.factors.gamma_m2 })
 }
 
 /// Steel of the welds on the column.
 pub(super) fn of_the_column(e: &EndPlate, c: &ColumnSide) -> Option<WeldedSteel> {
-    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.gamma_m2 })
+    Some(WeldedSteel { fu: c.steel.fu, beta_w: c.steel.beta_w?, gamma_m2: e.factors.gamma_m2 })
 }

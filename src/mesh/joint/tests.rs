@@ -139,7 +139,6 @@ fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     let faults = mesh_joint(&joint, &MeshOptions::new(dir.path()), &mut |_| {})
         .expect_err("the face is beside its part");
     let d = faults
-        .0
         .iter()
         .find(|d| d.code == "mesh/face-empty")
         .unwrap_or_else(|| panic!("{faults:#?}"));
@@ -186,7 +185,7 @@ fn failure(assembly: &Assembly, dir: &Path, mesher: Option<Mesher>, seconds: f64
     o.time_limit = Duration::from_secs_f64(seconds);
     let error = mesh_joint(assembly, &o, &mut |_| {}).expect_err("must fail");
     assert!(!dir.join("work/mesh.msh").exists());
-    error.0.into_iter().next().expect("never empty")
+    error.into_first()
 }
 
 #[cfg(unix)]

@@ -30,6 +30,6 @@ impl<'a> Faults<'a> {
 
     /// All faults as an error, if there are any.
     pub fn into_result(self) -> Result<(), Diagnostics> {
-        if self.all.is_empty() { Ok(()) } else { Err(Diagnostics(self.all)) }
+        Diagnostics::refuse(self.all)
     }
 }

@@ -1,4 +1,6 @@
 use super::*;
+use crate::assembly::assembly::SymmetryPlane;
+use crate::geometry::scene::Scene;
 use crate::mesh::fixtures::{cubes, explode, msh_text, name};
 use crate::mesh::tet::signed_volume;
 use crate::model::analysis::Traction;
@@ -210,7 +212,7 @@ fn files_are_read_together() {
     let at = |name: &str| dir.path().join(name);
     std::fs::write(at("model.yaml"), GOOD).expect("write");
     let d = load_model(&at("model.yaml")).expect_err("no mesh");
-    assert_eq!((d.0[0].code, d.0[0].place.line), ("model/no-mesh", Some(1)));
+    assert_eq!((d.first().code, d.first().place.line), ("model/no-mesh", Some(1)));
     std::fs::write(at("m.msh"), msh_text(&row())).expect("write");
     let m = load_model(&at("model.yaml")).expect("both files");
     assert_eq!(
@@ -224,7 +226,20 @@ fn files_are_read_together() {
     );
     std::fs::write(at("m.msh"), msh_text(&row()).replace("$EndElements\n", "")).expect("write");
     let d = load_model(&at("model.yaml")).expect_err("cut off");
-    assert_eq!((d.0[0].code, d.exit_code()), ("mesh/truncated", 2));
-    assert!(d.0[0].place.file.as_ref().is_some_and(|f| f.ends_with("m.msh")));
-    assert_eq!(load_model(&at("other.yaml")).expect_err("absent").0[0].code, "model/read");
+    assert_eq!((d.first().code, d.exit_code()), ("mesh/truncated", 2));
+    assert!(d.first().place.file.as_ref().is_some_and(|f| f.ends_with("m.msh")));
+    assert_eq!(load_model(&at("other.yaml")).expect_err("absent").first().code, "model/read");
+}
+
+/// Every number of copies that a meshed joint can have is accepted, up to an eighth of a joint with
+/// three planes of symmetry.
+#[test]
+fn a_joint_with_any_number_of_symmetry_planes_is_accepted() {
+    let assembly = crate::geometry::fixtures::lap_joint();
+    for planes in 0..=3 {
+        let symmetry = (0..planes).map(|axis| SymmetryPlane { axis }).collect();
+        let copies = Scene { assembly: &assembly, symmetry, bodies: Vec::new() }.copies();
+        let m = model(row(), &GOOD.replace("loads:", &format!("symmetry: {copies}\nloads:")));
+        assert_eq!(m.unwrap_or_else(|e| panic!("{copies}: {e:#?}")).symmetry, copies);
+    }
 }

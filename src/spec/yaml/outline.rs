@@ -1,6 +1,6 @@
 //! A document without types: only what the general rules need.
 
-use super::PlaceIndex;
+use super::place::PlaceIndex;
 use crate::diag::Diagnostic;
 use serde::de::{self, DeserializeSeed, Deserializer, EnumAccess, MapAccess, SeqAccess, Visitor};
 use std::cell::Cell;

@@ -152,8 +152,7 @@ fn table_3_2_wrong_categories_and_states_are_reported() {
         let spec = parsed.unwrap_or_else(|faults| panic!("{faults:#?}"));
         crate::assembly::build(&spec, std::path::Path::new("."), &catalog)
             .expect_err(text)
-            .0
-            .remove(0)
+            .into_first()
     };
     for category in ["B", "C", "E"] {
         let d =

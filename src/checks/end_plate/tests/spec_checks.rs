@@ -134,7 +134,7 @@ fn wrong_hand_checks_of_a_template_are_reported_by_key() {
             [before, &entry.replace(old, new)].concat(),
         )
         .expect("writable");
-        of_spec(&spec, folder.path()).expect_err(new).0.remove(0)
+        of_spec(&spec, folder.path()).expect_err(new).into_first()
     };
     let wrong = [
         (
@@ -339,8 +339,7 @@ fn a_plate_wider_than_the_flange_is_a_warning_and_bolts_beside_it_an_error() {
     assert!(h.checks.iter().all(|c| c.title != title));
     let d = of_spec(&wide("300", "220"), std::path::Path::new("."))
         .expect_err("bolts beside the flange")
-        .0
-        .remove(0);
+        .into_first();
     assert_eq!((d.code, d.place.path.as_deref()), ("spec/rule", Some("bolts.gauge")));
     for words in ["gauge 220 mm", "300 mm wide", "column flange (200 mm wide)"] {
         assert!(d.message.contains(words), "{d:#?}");

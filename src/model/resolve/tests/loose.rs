@@ -11,7 +11,7 @@ fn text(interfaces: &str, rest: &str, bodies: &str) -> String {
 }
 
 fn loose(mesh: TetMesh, text: &str) -> String {
-    let d = model(mesh, text).expect_err("loose").0.remove(0);
+    let d = model(mesh, text).expect_err("loose").into_first();
     assert_eq!((d.code, d.fault.exit_code()), ("model/loose-part", 2), "{d:?}");
     assert!(d.help.expect("help").contains("support"));
     d.message

@@ -301,7 +301,7 @@ const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
         "did you mean `C`?",
         "A, B, C",
     ),
-    ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2 or 4"),
+    ("loads:", "symmetry: 3\nloads:", "model/value", 9, "`symmetry` is 3", "1, 2, 4 or 8"),
     ("loads:", "adapt: {target_gap: 5}\nloads:", "model/value", 9, "`target_gap` is 5", "0.05"),
     ("loads:", "adapt: {target_gap: 0}\nloads:", "model/value", 9, "`target_gap` is 0", "0.05"),
     (
@@ -337,7 +337,7 @@ fn wrong_models_name_place_and_remedy() {
         assert!(GOOD.contains(old), "{old}");
         let text = GOOD.replacen(old, new, 1);
         let faults = model(row(), &text).expect_err(&text);
-        let d = &faults.0[0];
+        let d = &faults.first();
         assert_eq!((d.code, d.place.line), (*code, Some(*line)), "{new}: {d:?}");
         assert!(d.message.contains(message), "{new}: {d:?}");
         assert!(d.help.as_deref().unwrap_or("").contains(help), "{new}: {d:?}");
@@ -350,14 +350,14 @@ fn wrong_models_name_place_and_remedy() {
 fn several_faults_are_reported_together() {
     let text =
         GOOD.replace("C: steel", "C: steal").replace("LEFT", "LEFD").replace("mu: 0.3", "mu: -1");
-    let codes: Vec<_> = model(row(), &text).expect_err("three").0.iter().map(|d| d.code).collect();
+    let codes: Vec<_> = model(row(), &text).expect_err("three").iter().map(|d| d.code).collect();
     assert_eq!(codes, ["model/unknown-material", "model/value", "model/unknown-face"]);
 }
 
 #[test]
 fn bodies_apart_are_not_in_contact() {
     // each body has its own nodes in the mesh, but the file states that they are shared
-    let d = model(explode(&row()), GOOD).expect_err("apart").0.remove(0);
+    let d = model(explode(&row()), GOOD).expect_err("apart").into_first();
     assert_eq!(d.code, "model/no-contact");
     assert!(d.help.expect("help").contains("nodes: split"));
     // without an interface between the bodies a note reports it

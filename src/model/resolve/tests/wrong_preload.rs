@@ -91,7 +91,7 @@ fn wrong_preloads_name_place_and_remedy() {
     };
     for (entry, code, message, help) in PRELOAD {
         let e = of(&format!("  - {entry}\n")).expect_err(entry);
-        let d = &e.0[0];
+        let d = e.first();
         let text = format!("{} {:?}", d.message, d.place);
         assert_eq!(d.code, *code, "{entry}: {text}");
         assert!(text.contains(message) || d.message.contains(message), "{entry}: {text}");
@@ -101,7 +101,7 @@ fn wrong_preloads_name_place_and_remedy() {
     // the same cut twice
     let good = "  - {body: A, cut: INSIDE, axis: [1, 0, 0], force: 5}\n";
     let e = of(&format!("{good}{good}")).expect_err("twice");
-    assert_eq!(e.0[0].code, "model/face-twice", "{:?}", e.0[0]);
+    assert_eq!(e.first().code, "model/face-twice", "{:?}", e.first());
     // and the good one: both halves are one part, and the cut is open between them
     let m = of(good).expect("good");
     assert_eq!(m.parts, ["A", "B+C"]);

@@ -1,0 +1,221 @@
+//! Bolts of the joint: their parts, contacts, cuts and lines of action.
+
+use super::context::Context;
+use crate::assembly::actions::Frame;
+use crate::assembly::assembly::{
+    Assembly, BoltPreload, InterfaceRule, Part, PartMaterial, PartRole, Solid, Surface,
+};
+use crate::assembly::end_plate::EndPlate;
+use crate::assembly::error::AssemblyError;
+use crate::assembly::evaluate::{entry_fault, identifier, within};
+use crate::assembly::part::{Hole, bolt_pieces};
+use crate::assembly::scope::Scope;
+use crate::assembly::seen_bolts::{self, Meshed};
+use crate::assembly::template::BoltEntry;
+use std::collections::BTreeMap;
+
+/// A bolt as a line of action. Its force is what the last part it passes puts on it: the nut's
+/// pressure along the shank, and what bears on the shank across.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct BoltLine {
+    /// The bolt's part.
+    pub part: String,
+    /// The part under its nut.
+    pub last: String,
+    /// Unit vector from head to nut.
+    pub axis: [f64; 3],
+    /// Centre of the head's bearing face \[mm\].
+    pub position: [f64; 3],
+}
+
+/// A bolt's hole and the parts it passes, with their thicknesses.
+pub(in crate::assembly) struct Bolt<'a> {
+    entry: &'a BoltEntry,
+    scope: Scope,
+    pub name: String,
+    pub hole: Hole,
+    pub through: Vec<(String, f64)>,
+}
+
+impl<'a> Context<'a> {
+    /// The bolts of every turn of their loops.
+    pub(in crate::assembly) fn bolts(&self) -> Result<Vec<Bolt<'a>>, AssemblyError> {
+        let mut out = Vec::new();
+        for entry in &self.template.bolts {
+            let at = entry.name.as_str();
+            let Some((size, _)) = self.inputs.bolt else {
+                return entry_fault(at, "the template needs `bolts`");
+            };
+            for scope in within(at, self.scope.turns(&entry.each, entry.when.as_ref()))? {
+                let name = identifier(at, within(at, scope.text(at))?)?;
+                let toward = within(at, scope.number(&entry.toward))?;
+                if toward.abs() != 1.0 {
+                    return entry_fault(at, format!("`toward` is {toward}, not 1 or -1"));
+                }
+                if entry.corner == entry.axis {
+                    return entry_fault(at, "`corner` and `axis` are the same axis");
+                }
+                let mut through = Vec::new();
+                for g in &entry.through {
+                    through.push((
+                        within(at, scope.text(&g.part))?,
+                        within(at, scope.length(&g.thickness))?,
+                    ));
+                }
+                let length: f64 = through.iter().map(|(_, t)| t).sum();
+                if !through.iter().all(|(_, t)| *t > 0.0) || through.is_empty() {
+                    return entry_fault(
+                        at,
+                        "a bolt passes at least one part, each of positive thickness",
+                    );
+                }
+                let base = within(at, scope.point(&entry.head))?;
+                let segments = self.spec.analysis.mesh.segments;
+                let hole = Hole {
+                    base,
+                    axis: entry.axis.index(),
+                    toward,
+                    length,
+                    radius: size.d / 2.0,
+                    segments,
+                };
+                out.push(Bolt { entry, scope, name, hole, through });
+            }
+        }
+        Ok(out)
+    }
+
+    /// Refuses a joint with bolts that the hand checks do not include.
+    pub(in crate::assembly) fn all_seen(
+        &self,
+        assembly: &Assembly,
+        frames: &[Frame],
+        seen: &EndPlate,
+    ) -> Result<(), AssemblyError> {
+        let bolts = self.bolts()?;
+        let meshed = bolts.iter().map(|b| Meshed {
+            name: &b.name,
+            axis: b.hole.axis,
+            position: b.hole.base,
+            through: b.through.iter().map(|(part, _)| part.as_str()).collect(),
+        });
+        seen_bolts::check(&meshed.collect::<Vec<_>>(), &assembly.parts, frames, seen)
+    }
+
+    /// The lines of action of the bolts whose nuts are in contact.
+    pub(in crate::assembly) fn bolt_lines(&self) -> Result<Vec<BoltLine>, AssemblyError> {
+        let mut out = Vec::new();
+        for b in self.bolts()? {
+            let open = within(&b.entry.name, b.scope.truth(&b.entry.nut_contact))?;
+            if let Some((last, _)) = b.through.last().filter(|_| open) {
+                let (axis, position) = (b.hole.direction(), b.hole.base);
+                out.push(BoltLine { part: b.name.clone(), last: last.clone(), axis, position });
+            }
+        }
+        Ok(out)
+    }
+
+    /// The cuts of preloaded shanks: at half the thickness of the part under the head, where its
+    /// own mesh has a plane as well.
+    pub(in crate::assembly) fn preloads(&self, bolts: &[Bolt<'_>]) -> Vec<BoltPreload> {
+        let Some(force) = self.inputs.preload else { return Vec::new() };
+        let cut = |b: &Bolt<'_>| {
+            let (_, thickness) = b.through.first()?;
+            let centre = b.hole.point(thickness / 2.0);
+            let beside = |sign: f64| std::array::from_fn(|k| centre[k] + sign * b.hole.beyond(k));
+            let surface = Surface::Plane {
+                axis: b.hole.axis,
+                at: centre[b.hole.axis],
+                min: beside(-1.0),
+                max: beside(1.0),
+            };
+            let (part, cut) = (b.name.clone(), format!("CUT_{}", b.name));
+            Some(BoltPreload { part, cut, surface, axis: b.hole.direction(), force })
+        };
+        bolts.iter().filter_map(cut).collect()
+    }
+
+    /// The part of a bolt: shank, head and nut.
+    pub(in crate::assembly) fn bolt_part(
+        &self,
+        b: &Bolt<'_>,
+        materials: &mut BTreeMap<String, PartMaterial>,
+    ) -> Result<Part, AssemblyError> {
+        let at = b.entry.name.as_str();
+        let Some((size, grade)) = self.inputs.bolt else {
+            return entry_fault(at, "the template needs `bolts`");
+        };
+        let pieces = bolt_pieces(size, &b.hole, b.entry.corner.index());
+        let material = self.inputs.bolt_material(size, grade, materials);
+        Ok(Part {
+            name: b.name.clone(),
+            label: within(at, b.scope.text(&b.entry.label))?,
+            role: PartRole::Bolt,
+            material,
+            solid: Solid::Union(pieces.to_vec()),
+            convex: pieces.to_vec(),
+            mid_planes: Vec::new(),
+            size: self.size(at, &b.scope, &b.entry.size)?,
+        })
+    }
+
+    /// The contacts of a bolt: head and nut where they are open, and the shank in every hole.
+    pub(in crate::assembly) fn bolt_contacts(
+        &self,
+        b: &Bolt<'_>,
+    ) -> Result<Vec<InterfaceRule>, AssemblyError> {
+        let at = b.entry.name.as_str();
+        let Some((size, _)) = self.inputs.bolt else {
+            return entry_fault(at, "the template needs `bolts`");
+        };
+        let gap = within(at, b.scope.length(&b.entry.shank_gap))?;
+        let mut out = Vec::new();
+        let face = |distance: f64, across_flats: f64| {
+            let centre = b.hole.point(distance);
+            let axis = b.hole.axis;
+            let corner = b.entry.corner.index();
+            let (mut min, mut max) = (centre, centre);
+            for k in (0..3).filter(|&k| k != axis) {
+                let half =
+                    if k == corner { across_flats / 3f64.sqrt() } else { across_flats / 2.0 };
+                (min[k], max[k]) = (centre[k] - half, centre[k] + half);
+            }
+            Surface::Plane { axis, at: centre[axis], min, max }
+        };
+        let (first, last) = match (b.through.first(), b.through.last()) {
+            (Some((f, _)), Some((l, _))) => (f, l),
+            _ => return entry_fault(at, "a bolt passes at least one part"),
+        };
+        if within(at, b.scope.truth(&b.entry.head_contact))? {
+            let between = [b.name.clone(), first.clone()];
+            out.push(self.rule(
+                between,
+                format!("HEAD_{}", b.name),
+                face(0.0, size.head_width),
+                0.0,
+            ));
+        }
+        if within(at, b.scope.truth(&b.entry.nut_contact))? {
+            let between = [b.name.clone(), last.clone()];
+            out.push(self.rule(
+                between,
+                format!("NUT_{}", b.name),
+                face(b.hole.length, size.nut_width),
+                0.0,
+            ));
+        }
+        let mut from = 0.0;
+        for (part, thickness) in &b.through {
+            let mantle = Surface::Mantle {
+                base: b.hole.point(from),
+                axis: b.hole.direction(),
+                radius: b.hole.radius,
+                length: *thickness,
+            };
+            let between = [b.name.clone(), part.clone()];
+            out.push(self.rule(between, format!("SHANK_{}_{part}", b.name), mantle, gap));
+            from += thickness;
+        }
+        Ok(out)
+    }
+}

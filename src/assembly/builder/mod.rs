@@ -1,0 +1,10 @@
+//! The solids, interfaces and faces of a joint, built from the entries of its template.
+
+mod bolts;
+mod boundary;
+mod context;
+mod interfaces;
+mod parts;
+
+pub use bolts::BoltLine;
+pub(super) use context::Context;

@@ -1,0 +1,109 @@
+//! Faces of a template that carry loads and supports, and distances between its parts.
+
+use super::common::{Axis, Loop, RectangleEntry};
+use crate::spec::expr::Expr;
+use crate::spec::loads::ActionPoint;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A face that loads can name.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SectionEntry {
+    /// Name, as a load says it.
+    pub name: String,
+    /// What it is.
+    pub about: String,
+    /// Its part.
+    pub part: String,
+    /// +1 or −1: direction of the outward normal along the axis.
+    pub outward: i8,
+    /// Where.
+    pub face: RectangleEntry,
+    /// True when edges of the part do not bound it.
+    #[serde(default)]
+    pub imprint: bool,
+}
+
+/// A member end that N, V, M and T can act on. The member's own axes: x′ along `outward`, out of
+/// the joint; z′ along `depth`; y′ = z′ × x′. The end section stays plane.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EndEntry {
+    /// Name, as a load says it.
+    pub name: String,
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// What it is.
+    pub about: String,
+    /// Its part.
+    pub part: String,
+    /// +1 or −1: direction of the outward normal along the face's axis.
+    pub outward: Expr,
+    /// Direction of the section's depth, upwards.
+    pub depth: Axis,
+    /// Where the end section is.
+    pub face: RectangleEntry,
+    /// Points that `at` can name: `node`, `column_face`, `bolt_plane`.
+    pub points: BTreeMap<ActionPoint, [Expr; 3]>,
+}
+
+impl EndEntry {
+    /// The names it may give, whatever its `when` says.
+    pub fn names(&self) -> Vec<String> {
+        self.each.iter().fold(vec![self.name.clone()], |names, l| {
+            let fill = |label: &String| {
+                names.iter().map(|n| n.replace(&format!("{{#{}}}", l.each), label)).collect()
+            };
+            l.labels.iter().flat_map(|label| -> Vec<String> { fill(label) }).collect()
+        })
+    }
+
+    /// What `at` can say.
+    pub fn point_words(&self) -> Vec<&'static str> {
+        self.points.keys().map(|p| p.word()).collect()
+    }
+}
+
+/// A support.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportEntry {
+    /// Name of the face.
+    pub name: String,
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// Its part.
+    pub part: String,
+    /// Where.
+    pub face: RectangleEntry,
+    /// Components held.
+    pub fix: Vec<Axis>,
+    /// True when edges of the part do not bound it.
+    #[serde(default)]
+    pub imprint: bool,
+}
+
+/// Two parts that must stay apart.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClearanceEntry {
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// The two parts.
+    pub between: [String; 2],
+    /// Smallest distance.
+    pub min: Expr,
+    /// What needs the room.
+    pub reason: String,
+}

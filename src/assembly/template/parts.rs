@@ -1,0 +1,103 @@
+//! Members and plates of a template: unions of profiles and boxes.
+
+use super::common::{Axis, Loop};
+use crate::spec::expr::Expr;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Role of a part in a template.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RoleEntry {
+    /// A rolled member.
+    Member,
+    /// A plate.
+    Plate,
+}
+
+/// A member or plate.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartEntry {
+    /// Identifier.
+    pub name: String,
+    /// Words for messages.
+    pub label: String,
+    /// What it is.
+    pub role: RoleEntry,
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// Whose steel: the first of these that the spec gives (`plate` or a member role).
+    pub steel: Vec<String>,
+    /// Thickness that decides its yield strength.
+    pub thickness: Expr,
+    /// Element size for `size: auto`.
+    pub size: Expr,
+    /// The solids it is made of, united.
+    pub solids: Vec<SolidEntry>,
+}
+
+/// One solid of a part: a profile or a box.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidEntry {
+    /// Loops.
+    #[serde(default, rename = "for")]
+    pub each: Vec<Loop>,
+    /// Only where this holds.
+    pub when: Option<Expr>,
+    /// A rolled section; or
+    pub profile: Option<ProfileEntry>,
+    /// a box.
+    #[serde(default, rename = "box")]
+    pub cuboid: Option<BoxEntry>,
+    /// How its plane at mid-thickness differs from the box's own extent.
+    pub mid: Option<MidEntry>,
+}
+
+/// A length of rolled section.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ProfileEntry {
+    /// Member role.
+    pub member: String,
+    /// Axis of the member.
+    pub along: Axis,
+    /// Direction of the section's depth.
+    pub depth: Axis,
+    /// One end along the axis.
+    pub from: Expr,
+    /// The other end.
+    pub to: Expr,
+    /// Position of the member's axis, x, y, z; the component along the axis is ignored.
+    pub centre: Option<[Expr; 3]>,
+}
+
+/// A box; the order of the two ends does not matter.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxEntry {
+    /// Extent along x.
+    pub x: [Expr; 2],
+    /// Extent along y.
+    pub y: [Expr; 2],
+    /// Extent along z.
+    pub z: [Expr; 2],
+}
+
+/// The plane at mid-thickness of a box: normal axis, and extents that differ from the box's.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MidEntry {
+    /// Direction of the thickness.
+    pub axis: Axis,
+    /// Extent along x.
+    pub x: Option<[Expr; 2]>,
+    /// Extent along y.
+    pub y: Option<[Expr; 2]>,
+    /// Extent along z.
+    pub z: Option<[Expr; 2]>,
+}

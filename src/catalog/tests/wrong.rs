@@ -1,0 +1,133 @@
+//! Tables and folders that are refused.
+
+use super::*;
+
+#[test]
+fn duplicate_names_are_refused_with_both_places() {
+    let twice = format!("{HEAD}{GOOD}{}", GOOD.replace("MY200", "my-200"));
+    let d = fault(&[("own.csv", &twice)]);
+    assert_eq!((d.code, d.place.line), ("catalog/duplicate-name", Some(3)));
+    assert!(
+        d.message.contains("own.csv line 2") && d.message.contains("own.csv line 3"),
+        "{}",
+        d.message
+    );
+    let d = fault(&[("own.csv", &profile_with("name", "HE 200 B"))]);
+    assert!(
+        d.message.contains("catalogs/profiles_i.csv line") && d.message.contains("own.csv line 2"),
+        "{}",
+        d.message
+    );
+}
+
+#[test]
+fn wrong_cells_name_file_line_and_column() {
+    for (column, value, expected) in [
+        ("h_mm", "", "the cell is empty"),
+        ("h_mm", "0", "0 must be greater than 0"),
+        ("b_mm", "-200", "-200 must be greater than 0"),
+        ("tw_mm", "NaN", "`NaN` is not a finite number"),
+        ("tf_mm", "inf", "`inf` is not a finite number"),
+        ("r_mm", "-1", "-1 must not be negative"),
+        ("A_cm2", "78.1 cm2", "`78.1 cm2` is not a number"),
+        ("Iy_cm4", "1e999", "is not a finite number"),
+        ("name", "", "the cell is empty"),
+        ("h_mm", "60", "60 must exceed 2 (tf + r) = 66"),
+        ("b_mm", "40", "40 must exceed tw + 2 r = 45"),
+    ] {
+        let d = fault(&[("own.csv", &profile_with(column, value))]);
+        assert_eq!(
+            (d.code, d.fault, d.place.line),
+            ("catalog/bad-cell", Fault::Input, Some(2)),
+            "{column}={value}"
+        );
+        assert!(d.place.file.as_deref().is_some_and(|f| f.ends_with("own.csv")));
+        assert!(d.message.contains(column) && d.message.contains(expected), "{}", d.message);
+    }
+}
+
+#[test]
+fn wrong_tables_are_refused() {
+    let header = |from: &str, to: &str| format!("{}{GOOD}", HEAD.replace(from, to));
+    for (text, code, expected) in [
+        (header("tw_mm", "tw_m"), "catalog/missing-column", "no column `tw_mm`, is it `tw_m`"),
+        (header("r_mm", "It_cm4"), "catalog/missing-column", "no column `r_mm` (nor `r_area_mm`)"),
+        (header("r_mm", "r_area"), "catalog/unknown-column", "did you mean `r_area_mm`?"),
+        (header("b_mm", "h_mm"), "catalog/bad-cell", "the header is there twice"),
+        (format!("{HEAD}MY200,own\n"), "catalog/not-csv", "the row has 2 cells, the header 16"),
+        ("a,b\n1,2\n".into(), "catalog/unknown-table", "fit no kind"),
+        (String::new(), "catalog/unknown-table", "fit no kind"),
+        (
+            "class,slip_factor_mu,surface_treatment\nE,-0.1,oiled\n".into(),
+            "catalog/bad-cell",
+            "must not be negative",
+        ),
+        (
+            "standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN \
+             1,S1,0,16,235,360,read\n"
+                .into(),
+            "catalog/bad-cell",
+            "`EN 1 S1` is in no table of steels",
+        ),
+        (
+            "standard,grade,t_over_mm,t_up_to_mm,ReH_min_MPa,Rm_min_MPa,basis\nEN \
+             10025-6,S460Q,16,40,440,570,read\n"
+                .into(),
+            "catalog/bad-cell",
+            "16 does not continue",
+        ),
+        (
+            "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,\
+             preloadable\n9.9,900,800,0.6,0.6,no\n"
+                .into(),
+            "catalog/bad-cell",
+            "800 is below fyb = 900",
+        ),
+        (
+            "grade,fyb_MPa,fub_MPa,alpha_v_threads_in_shear_plane,alpha_v_shank_in_shear_plane,\
+             preloadable\n9.9,800,900,0.6,0.6,maybe\n"
+                .into(),
+            "catalog/bad-cell",
+            "neither `yes` nor `no`",
+        ),
+        (
+            include_str!("../../../catalogs/bolts.csv")
+                .replace("M18,no,18,2.5,254.5,192,20,", "MX18,no,18,2.5,254.5,192,17,")
+                .lines()
+                .enumerate()
+                .filter(|(i, l)| *i == 0 || l.starts_with("MX18"))
+                .map(|(_, l)| format!("{l}\n"))
+                .collect(),
+            "catalog/bad-cell",
+            "the hole 17 must exceed 18",
+        ),
+    ] {
+        let d = fault(&[("own.csv", &text)]);
+        assert_eq!(d.code, code, "{}", d.message);
+        assert!(d.message.contains(expected), "{}", d.message);
+        assert!(d.place.file.is_some() && d.help.is_some());
+    }
+}
+
+#[test]
+fn folders_that_cannot_be_read_are_named() {
+    let missing: Diagnostic =
+        Catalog::load_dir(Path::new("no/such/folder")).expect_err("missing").into();
+    assert_eq!((missing.code, missing.fault), ("catalog/unreadable", Fault::Input));
+    let empty = tempfile::tempdir().expect("temporary folder");
+    let empty: Diagnostic = Catalog::load_dir(empty.path()).expect_err("empty").into();
+    assert_eq!(empty.code, "catalog/empty");
+}
+
+#[test]
+fn a_refused_folder_leaves_the_catalogue_as_it_was() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    std::fs::write(dir.path().join("a.csv"), format!("{HEAD}{GOOD}")).expect("write");
+    std::fs::write(dir.path().join("b.csv"), profile_with("h_mm", "x").replace("MY200", "MY300"))
+        .expect("write");
+    let mut catalog = builtin();
+    let before = catalog.profiles().len();
+    assert!(catalog.merge(dir.path()).is_err());
+    assert_eq!(catalog.profiles().len(), before);
+    assert!(catalog.profile("MY200").is_err());
+}
