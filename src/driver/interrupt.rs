@@ -1,8 +1,8 @@
 //! Ctrl-C and the termination signals of batch systems: the first ends the run in order, the second
 //! at once.
 //!
-//! The signals are blocked in every thread and awaited in one. METIS replaces signal handlers by its
-//! own while it orders; blocked signals never reach a handler.
+//! The signals are blocked in every thread and awaited in one. METIS replaces signal handlers by
+//! its own while it orders; blocked signals never reach a handler.
 
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::report::console::log::Log;

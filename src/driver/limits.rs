@@ -6,8 +6,8 @@ use crate::driver::memory_limit;
 use crate::solve::Solver;
 
 /// Effect of the first Ctrl-C, as the log announces it.
-pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after their current iteration, \
-                                    and certified results are written";
+pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after their current \
+                                    iteration, and certified results are written";
 
 /// Solver of the conic programs, and the limits that end a run early.
 pub struct Limits {

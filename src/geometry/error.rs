@@ -9,7 +9,12 @@ pub type Pair = [String; 2];
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
     /// Material in the same place.
-    #[error("{} and {} overlap by {depth:.3} mm near {}, at most {limit} mm is allowed", pair[0], pair[1], point(at))]
+    #[error(
+        "{} and {} overlap by {depth:.3} mm near {}, at most {limit} mm is allowed",
+        pair[0],
+        pair[1],
+        point(at)
+    )]
     Clash {
         /// The parts.
         pair: Pair,
@@ -21,7 +26,11 @@ pub enum GeometryError {
         at: [f64; 3],
     },
     /// Nearly touching: no mesh of sound elements fits between.
-    #[error("{} and {} are {gap:.3} mm apart: a gap must be 0 or at least {limit} mm", pair[0], pair[1])]
+    #[error(
+        "{} and {} are {gap:.3} mm apart: a gap must be 0 or at least {limit} mm",
+        pair[0],
+        pair[1]
+    )]
     Sliver {
         /// The parts.
         pair: Pair,
@@ -31,7 +40,11 @@ pub enum GeometryError {
         limit: f64,
     },
     /// An interface is asked for between parts that do not touch.
-    #[error("{} and {} must touch for their interface, but they are {gap:.3} mm apart", pair[0], pair[1])]
+    #[error(
+        "{} and {} must touch for their interface, but they are {gap:.3} mm apart",
+        pair[0],
+        pair[1]
+    )]
     Apart {
         /// The parts.
         pair: Pair,
@@ -39,7 +52,11 @@ pub enum GeometryError {
         gap: f64,
     },
     /// Too little room.
-    #[error("{} and {} are {distance:.1} mm apart, at least {min:.1} mm is needed ({reason})", pair[0], pair[1])]
+    #[error(
+        "{} and {} are {distance:.1} mm apart, at least {min:.1} mm is needed ({reason})",
+        pair[0],
+        pair[1]
+    )]
     Clearance {
         /// The parts.
         pair: Pair,

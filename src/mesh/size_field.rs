@@ -172,8 +172,8 @@ mod tests {
         assert_eq!(field.view(&mesh, 1.0).matches("SS(").count(), mesh.tets.len());
     }
 
-    /// One tet is to be split into very many: sizes grow from it no faster than allowed, and nowhere
-    /// exceed the target.
+    /// One tet is to be split into very many: sizes grow from it no faster than allowed, and
+    /// nowhere exceed the target.
     #[test]
     fn sizes_are_graded() {
         let cells: Vec<_> = (0..216).map(|i| ([i % 6, i / 6 % 6, i / 36], "B")).collect();

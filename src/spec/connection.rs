@@ -240,8 +240,13 @@ impl JsonSchema for PreloadSpec {
     fn json_schema(g: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let force = g.subschema_for::<units::Force>();
         schemars::json_schema!({
-            "description": "Preload of every bolt: `none`, a part of f_ub A_s (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force.",
-            "anyOf": [{"const": "none"}, {"type": "number", "exclusiveMinimum": 0, "maximum": 1}, force],
+            "description": "Preload of every bolt: `none`, a part of f_ub A_s \
+                (0.7: F_p,C of EN 1993-1-8 3.9.1), or a force.",
+            "anyOf": [
+                {"const": "none"},
+                {"type": "number", "exclusiveMinimum": 0, "maximum": 1},
+                force,
+            ],
         })
     }
 }

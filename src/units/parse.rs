@@ -69,7 +69,11 @@ pub enum UnitError {
         kind: Kind,
     },
     /// The suffix is no unit of this kind.
-    #[error("`{text}` is not a {}: `{suffix}` is not one of its units ({})", kind.word(), kind.accepted())]
+    #[error(
+        "`{text}` is not a {}: `{suffix}` is not one of its units ({})",
+        kind.word(),
+        kind.accepted()
+    )]
     WrongUnit {
         /// What was written.
         text: String,
@@ -88,7 +92,12 @@ pub enum UnitError {
         text: String,
     },
     /// A comma among digits.
-    #[error("`{text}` is not a {}: a number has a point before its decimals and nothing between its thousands{}", kind.word(), pointed(text))]
+    #[error(
+        "`{text}` is not a {}: a number has a point before its decimals and nothing between its \
+         thousands{}",
+        kind.word(),
+        pointed(text)
+    )]
     Comma {
         /// What was written.
         text: String,
@@ -96,7 +105,12 @@ pub enum UnitError {
         kind: Kind,
     },
     /// A unit is required.
-    #[error("{} {number} needs a unit: write `{number} {}` ({})", kind.word(), kind.usual(), kind.accepted())]
+    #[error(
+        "{} {number} needs a unit: write `{number} {}` ({})",
+        kind.word(),
+        kind.usual(),
+        kind.accepted()
+    )]
     NoUnit {
         /// What was written.
         number: String,

@@ -75,7 +75,11 @@ macro_rules! quantity {
                         "description": $doc,
                         "anyOf": [{"type": "number"}, text],
                     }),
-                    _ => schemars::json_schema!({"description": $doc, "type": "string", "pattern": $schema}),
+                    _ => schemars::json_schema!({
+                        "description": $doc,
+                        "type": "string",
+                        "pattern": $schema,
+                    }),
                 }
             }
         }

@@ -159,5 +159,5 @@ fn wrong_welds_are_refused() {
     // what a contact alone takes, and a weld alone
     let contact = yaml(1.0, rest).replace("law: weld, ", "law: contact, mu: 0, ");
     let d = resolve(&contact, bars(1)).expect_err("contact");
-    assert!(d.0[0].message.contains("has no meaning for `law: contact`"), "{d:?}");
+    assert!(d.first().message.contains("has no meaning for `law: contact`"), "{d:?}");
 }

@@ -160,7 +160,8 @@ fn sides<const SIDES: usize>(x: &mut [f64], height: usize) -> [&mut [f64]; SIDES
     std::array::from_fn(|_| each.next().unwrap_or_default())
 }
 
-/// Rows `first..` of W columns from column `j` on: whole registers, and the remainder of each column.
+/// Rows `first..` of W columns from column `j` on: whole registers, and the remainder of each
+/// column.
 #[inline(always)]
 fn rows_of<S: Simd, const W: usize>(
     block: &[f64],

@@ -229,7 +229,11 @@ fn written_values_read_back() {
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig::with_cases(400))]
     #[test]
-    fn mutated_files_never_panic(cut in 0usize..90, put in "[\\PC\\n\\t:&*!\\[\\]{}\"'#|>-]{0,6}", len in 0usize..8) {
+    fn mutated_files_never_panic(
+        cut in 0usize..90,
+        put in "[\\PC\\n\\t:&*!\\[\\]{}\"'#|>-]{0,6}",
+        len in 0usize..8,
+    ) {
         let cut = cut.min(GOOD.len());
         let end = (cut + len).min(GOOD.len());
         let _ = read(&format!("{}{put}{}", &GOOD[..cut], &GOOD[end..]));

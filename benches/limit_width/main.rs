@@ -18,8 +18,9 @@
 //! bracket's width at unit power.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../tests/common/mod.rs"]
 mod common;
+mod stretch;
 
 use bracket::analysis::event::{Event, Progress};
 use bracket::analysis::limit;
@@ -51,17 +52,10 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+use stretch::{Stretch, lengthen, shorten, shorten_solid};
 
 /// Tets with the largest shares that are printed one by one.
 const STRONGEST: usize = 40;
-
-/// Spans `from ≤ |x| ≤ to` that are meshed `factor` times shorter and stretched afterwards.
-#[derive(Clone, Copy)]
-struct Stretch {
-    from: f64,
-    to: f64,
-    factor: f64,
-}
 
 #[derive(Default)]
 struct Options {
@@ -250,48 +244,6 @@ fn table(model: &AnalysisModel, pass: &LimitPass, width: f64) {
             "  {name:12} {at:9.0} {:6.0} {:15.1} {:9.1} {:12.3}",
             r[0], parts[0], parts[1], parts[2]
         );
-    }
-}
-
-impl Stretch {
-    fn short(&self) -> f64 {
-        (self.to - self.from) / self.factor
-    }
-}
-
-/// Coordinate in the shortened joint.
-fn shorten(stretch: &[Stretch], x: f64) -> f64 {
-    let cut = |s: &Stretch| ((x.abs().min(s.to) - s.from).max(0.0)) * (1.0 - 1.0 / s.factor);
-    x.signum() * (x.abs() - stretch.iter().map(cut).sum::<f64>())
-}
-
-/// The coordinate a shortened one stands for; stretches in ascending order.
-fn lengthen(stretch: &[Stretch], x: f64) -> f64 {
-    let mut at = x.abs();
-    for s in stretch {
-        at += (at - s.from).clamp(0.0, s.short()) * (s.factor - 1.0);
-    }
-    x.signum() * at
-}
-
-fn shorten_solid(s: &[Stretch], solid: &mut Solid) {
-    match solid {
-        Solid::Box { min, max } => [min, max].into_iter().for_each(|c| c[0] = shorten(s, c[0])),
-        Solid::Prism { origin, u, v, length, .. } => {
-            let along = bracket::math::vec3::cross(*u, *v)[0];
-            let end = origin[0] + along * *length;
-            let start = origin[0];
-            origin[0] = shorten(s, start);
-            if along.abs() > 0.5 {
-                *length = (shorten(s, end) - origin[0]).abs();
-            }
-        }
-        Solid::Cylinder { base, .. } => {
-            assert_eq!(shorten(s, base[0]), base[0], "bolts lie outside stretched spans")
-        }
-        Solid::Union(list) | Solid::Difference(list) => {
-            list.iter_mut().for_each(|x| shorten_solid(s, x))
-        }
     }
 }
 
