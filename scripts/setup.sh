@@ -41,7 +41,7 @@ find_python() {
     done
 }
 
-# apt package and the library by which its presence is told.
+# apt package and the library that shows that it is installed.
 libraries='libgl1 libGL.so.1
 libglu1-mesa libGLU.so.1
 libxcursor1 libXcursor.so.1

@@ -10,7 +10,7 @@ fn doctor(mesher: &str) -> Output {
         .expect("bracket starts")
 }
 
-/// A stand-in mesher that only tells a version.
+/// A fake mesher that only prints a version.
 #[cfg(unix)]
 #[test]
 fn a_mesher_that_answers_is_found() {

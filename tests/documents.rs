@@ -156,7 +156,7 @@ fn names_of_the_source() -> BTreeMap<String, String> {
     names
 }
 
-/// What the source can write and what the golden result holds stands in docs/results.md.
+/// docs/results.md explains every key that the source can write and that the golden result holds.
 #[test]
 fn every_key_of_a_result_is_explained() {
     let explained = explained(&read("docs/results.md"));

@@ -1,4 +1,4 @@
-//! Passes under limits: memory, interrupts, time; and what a program without solution is told.
+//! Passes under limits: memory, interrupts, time; and the message of a program without solution.
 
 #[path = "common/mod.rs"]
 mod common;

@@ -7,7 +7,7 @@
 //! a flange, NZ over the web's height, LAYERS in a flange). Options: `--size-factor F`,
 //! `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S`
 //! (elements of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`,
-//! `--foot N` elements across a footprint, `--bins MM`, `--static`, `--threads N`.
+//! `--foot N` elements across a footprint, `--bins MM`, `--static`, `--kinematic`, `--threads N`.
 //!
 //! `--weak` solves the static program alone and prints whose yield conditions hold its load factor
 //! down: its multipliers are velocities with a dissipation of their own, which adds up to the load

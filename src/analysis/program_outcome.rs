@@ -15,7 +15,7 @@ pub struct InsufficientMemory {
 
 /// How one program of a pass ended.
 ///
-/// Its form in `result.json` is `ProgramRun` of the result.
+/// `result.json` holds it as a `ProgramRun`.
 #[derive(Clone, Debug)]
 pub struct ProgramOutcome {
     /// How the solve ended.

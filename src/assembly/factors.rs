@@ -140,7 +140,7 @@ mod tests {
         );
     }
 
-    /// A factor below the recommended one is told; one that an annex raises is not.
+    /// A factor below the recommended one gives a warning; one that an annex raises does not.
     #[test]
     fn a_factor_below_the_recommended_one_is_a_warning() {
         let notes = |code: &str| ok(&with_code(code)).notes;

@@ -51,7 +51,7 @@ pub fn build(
         };
         faults.map(at_spec)
     })?;
-    // what is wrong with a template of the user's is told in its own file
+    // an error in a user's template is reported at its place in the template file
     let one = |f: AssemblyError| match (&origin, &f) {
         (
             Origin::File { .. },

@@ -26,8 +26,8 @@ impl Origin {
     pub fn placed(&self, template: &Template, error: AssemblyError) -> Diagnostic {
         let entry = match &error {
             AssemblyError::Template { at, cause } => {
-                // a value is settled for another one that needs it: the expression tells whose
-                // fault it is
+                // a value may be computed because another one needs it: the text of the
+                // expression shows which definition is at fault
                 let own = template.define.iter().position(|d| d.value.text() == cause.text);
                 Some(own.map(|i| format!("define[{i}]")).or_else(|| template.path_of(at)))
             }
@@ -68,7 +68,7 @@ impl Template {
         fn texts<T>(list: &[T], name: impl Fn(&T) -> &String) -> Vec<&str> {
             list.iter().map(|entry| name(entry).as_str()).collect()
         }
-        // an entry of a list of lengths stands under the list's name
+        // the path of a list entry is that of the list
         let base = at
             .rsplit_once('.')
             .filter(|(_, n)| n.parse::<usize>().is_ok())

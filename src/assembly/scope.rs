@@ -393,7 +393,7 @@ fn show(value: f64, dim: Dim) -> String {
     Value::Quantity(crate::units::Quantity { value, dim }).to_string()
 }
 
-/// Where a parameter stands in the spec: `plate.*` and `bolts.*` in the fixed part, everything else
+/// Path of a parameter in the spec: `plate.*` and `bolts.*` in the fixed part, everything else
 /// under `parameters`.
 pub fn path_of(parameter: &str) -> String {
     if parameter.starts_with("plate.") || parameter.starts_with("bolts.") {

@@ -1,5 +1,5 @@
-//! The bolts that are meshed against the bolts that the hand checks see: a verdict by code about
-//! half of the bolts is none.
+//! Compares the bolts of the mesh with the bolts of the hand checks: a verdict by code must cover
+//! all of them.
 
 use super::actions::Frame;
 use super::assembly::{Part, PartRole};

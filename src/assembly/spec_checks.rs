@@ -131,7 +131,7 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     let sections = || template.sections.iter().map(|s| s.name.as_str());
     for (i, l) in spec.loads.iter().enumerate() {
         let path = l.path(i);
-        // the directions of a polygon are alike: one of them is told
+        // the directions of a polygon have the same faults: only the first is reported
         if l.of_polygon && spec.loads[..i].iter().any(|o| o.of_polygon) {
             continue;
         }

@@ -236,7 +236,7 @@ pub struct BoltGrade {
     pub alpha_v_shank: f64,
     /// Whether bolts of this grade may be preloaded.
     pub preloadable: bool,
-    /// Standard of the bolts, where it is none of those that EN 1993-1-8 names.
+    /// Standard of the bolts, where EN 1993-1-8 does not name it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard: Option<String>,
     /// Where the row stands.

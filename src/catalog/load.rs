@@ -31,8 +31,8 @@ const BUILTIN: [(&str, &str); 13] = [
 /// Where each built-in table comes from; its table of files is read, not copied.
 const README: &str = include_str!("../../catalogs/README.md");
 
-/// What a table describes, told by its columns. The order is the order of reading: sizes before the
-/// assemblies and grades before the bands that refer to them.
+/// What a table describes, recognised by its columns. The order is the order of reading: sizes
+/// before the assemblies and grades before the bands that refer to them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Profiles,

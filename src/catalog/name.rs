@@ -98,7 +98,7 @@ fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
 
 /// `, the nearest are …` for a size that a series does not have: `IPE410` has `IPE400` and `IPE450`
 /// for neighbours, while in letters `IPE140` is as near. `rows` are keys with names; `None` where
-/// the name is not a series and numbers, or no row is of the series.
+/// the name is not a series and numbers, or no row belongs to the series.
 pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) -> Option<String> {
     let (series, wanted, tail) = sizes(key)?;
     let mut near: Vec<(Vec<f64>, String)> = Vec::new();

@@ -1,7 +1,7 @@
 //! Checks of the code that the model does not cover: the hand checks of EN 1993-1-8:2005 as pure
 //! functions over plain data, and the verdict that joins them with the analysis.
 //!
-//! Every function is one formula of the code. Its clause stands in the doc comment. Its result is a
+//! Every function is one formula of the code. Its doc comment names the clause. Its result is a
 //! [`Worked`] value, which carries the formula with its numbers, and [`Worked::against`] makes it a
 //! [`Check`]. Units: mm, N, MPa, N mm, rad.
 

@@ -6,7 +6,7 @@ use std::fmt;
 /// A value computed by a formula of the code, with its derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worked {
-    /// Clause the formula stands in.
+    /// Clause of the formula.
     pub clause: &'static str,
     /// Name of the value.
     pub title: &'static str,

@@ -1,5 +1,4 @@
-//! What a run knows of its input besides the cases: title block, checks, drawings, limits of
-//! adaptation.
+//! The input of a run apart from its cases: title block, checks, drawings, limits of adaptation.
 
 use crate::assembly::BoltLine;
 use crate::checks::HandChecks;

@@ -1,4 +1,4 @@
-//! Joints built by hand for tests: the paper's joint (design BENCHMARKS) and two plates with one
+//! Joints built by hand for tests: the paper's joint (docs/benchmarks.md) and two plates with one
 //! bolt.
 
 use crate::assembly::Assembly;
@@ -230,7 +230,7 @@ fn bolt(side: f64, y: f64, row: usize) -> Part {
     part(&name, &label, PartRole::Bolt, Solid::Union(solids.clone()), solids, 12.6)
 }
 
-/// The paper's joint with this project's dimensions (design BENCHMARKS, "The paper's joint").
+/// The paper's joint with this project's dimensions (docs/benchmarks.md, "The paper's joint").
 pub(crate) fn paper_joint() -> Assembly {
     let mut parts = vec![column()];
     let mut interfaces = Vec::new();

@@ -2,7 +2,7 @@
 //!
 //! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is
 //! written into it. The script stops at the first error; the caller still checks what came out
-//! (gmsh likes to exit with success).
+//! (gmsh exits with success after many an error).
 
 use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};

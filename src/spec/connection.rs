@@ -1,4 +1,4 @@
-//! `SPEC.yaml` (CONTRACT.md): a connection as an engineer describes it.
+//! `SPEC.yaml` (docs/contract.md): a connection as an engineer describes it.
 //!
 //! The fixed part is the same for all templates; what a template needs beyond it stands under
 //! `parameters`. Values that may be left out are `Option`s here: their defaults are the template's,

@@ -173,7 +173,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
     d
 }
 
-/// Cuts the trailing ` at line L column C`; the place is told separately.
+/// Cuts the trailing ` at line L column C`; the place is reported separately.
 fn without_position(text: &str) -> &str {
     match text.rfind(" at line ") {
         Some(i) if text[i + 9..].chars().all(|c| c.is_ascii_digit() || " column".contains(c)) => {

@@ -13,8 +13,8 @@ fn number(v: &Value) -> f64 {
     v.as_f64().unwrap_or_else(|| panic!("{v}"))
 }
 
-/// A gap below the first mesh's is reached; the answer is the best of its history, which tells what
-/// was expected; `verify` confirms it from the refined mesh; the report shows it.
+/// A gap below the first mesh's is reached; the answer is the best of its history, which holds the
+/// predictions; `verify` confirms it from the refined mesh; the report shows it.
 #[test]
 fn a_target_is_reached_and_verified() {
     for (name, model) in [("elastic", opening()), ("limit", limit())] {
@@ -123,7 +123,7 @@ fn a_study_is_a_table_and_plots() {
         assert!(b.read(&format!("block_study/{name}.svg")).ends_with("</svg>\n"));
         assert!(b.path().join(format!("block_study/{name}.png")).is_file());
     }
-    // a study is replaced, what is none is not
+    // an earlier study is replaced, a folder without one is not
     expect(&b, &["study", "block.yaml", "--uniform", "1", "--max-passes", "1", "--quiet"], 0);
     std::fs::create_dir(b.path().join("other")).expect("folder");
     let b = b.file("other/notes.txt", "mine");

@@ -48,7 +48,7 @@ impl Bench {
         found
     }
 
-    /// A mesher that tells a version and then runs `script` (`sh`; the arguments are those of
+    /// A mesher that prints a version and then runs `script` (`sh`; the arguments are those of
     /// gmsh).
     pub fn mesher(&self, script: &str) -> String {
         let path = self.path().join("mesher.sh");
@@ -71,8 +71,8 @@ fn collect(root: &Path, dir: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) {
     }
 }
 
-/// What a refused input must be told: exit code, code, place as it is printed (empty: the message
-/// holds it), words of the message, words of the cure.
+/// What the error of a refused input must contain: exit code, code, place as it is printed (empty:
+/// the message holds it), words of the message, words of the help.
 pub struct Told<'a> {
     pub exit: i32,
     pub code: &'a str,

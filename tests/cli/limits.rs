@@ -163,8 +163,8 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
     for program in ["kinematic", "static"] {
         let run = &result["cases"][0]["history"][0][program];
         let trace = run["trace"].as_array().expect("a trace");
-        // numbers begin again where another solver took over; the count is of the one that gave the
-        // answer
+        // numbers begin again where another solver took over; the count belongs to the one that
+        // gave the answer
         let last = trace.iter().rposition(|row| row["number"] == 0).expect("a start");
         assert_eq!(
             (trace.len() - last) as u64,

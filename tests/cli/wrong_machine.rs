@@ -7,8 +7,7 @@ use std::process::Command;
 
 #[test]
 fn meshers_that_fail_are_told_apart() {
-    // the last argument but the script's own names vary: a fake mesher writes where it is told by
-    // `-o`
+    // the order of the arguments may vary: a fake mesher writes to the file after `-o`
     let cases = [
         ("killed", "kill -9 $$", "mesher/killed", "killed by signal 9", "free memory"),
         ("silent", "exit 0", "mesher/no-output", "left no usable", "bracket doctor"),
@@ -201,7 +200,7 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
     }
 }
 
-/// Data on standard output that nobody could take: the result stays, the exit code tells.
+/// Standard output that cannot be written: the result stays, the exit code shows the error.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_standard_output_is_exit_4() {

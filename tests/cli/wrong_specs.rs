@@ -574,7 +574,7 @@ fn specs_and_tables_in_utf_16_are_read() {
     let marked = [b"\xef\xbb\xbf", spec.as_bytes()].concat();
     let mut results = Vec::new();
     for (name, bytes) in [("UTF-16", utf16(&spec)), ("UTF-8 with a mark", marked)] {
-        // read to its end: the fault told is the one of the profile
+        // read to its end: the error reported is that of the profile
         let (code, message) = ("catalog/unknown-name", "did you mean `HEB200`");
         let told =
             Told { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };

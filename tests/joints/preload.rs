@@ -1,5 +1,5 @@
 //! Preloaded bolts of a spec: tightened alike whole or halved by symmetry; drop out of limit
-//! analysis; told in result and report.
+//! analysis; shown in result and report.
 
 use crate::bench::Bench;
 use crate::built::{joint, model};

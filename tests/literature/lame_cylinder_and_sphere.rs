@@ -13,8 +13,8 @@
 //!
 //! The body of the mesh is facetted. Its facets are moved outward until its two surfaces enclose
 //! the volumes of the smooth ones: the energy density is uniform on each surface, so the energy
-//! changes with these volumes only, to first order in the depth of the facets. What is left is of
-//! second order, 1/N⁴ with N segments per quarter.
+//! changes with these volumes only, to first order in the depth of the facets. The remaining error
+//! is of second order, 1/N⁴ with N segments per quarter.
 //!
 //! Tolerance: none, the closed form lies in the strict bracket of the facetted body. Brackets of
 //! bodies with N/2 and N segments on the same mesh differ by less than 1 %.

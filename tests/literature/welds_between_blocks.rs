@@ -91,7 +91,7 @@ fn between_walls_tied_and_giving_way() {
         let work = solved.pass.upper.as_ref().unwrap().certificate().welds[0];
         let want = t * AREA * jump;
         assert!((work - want).abs() < 1e-5 * (t * AREA * L * b * L / E), "{work} against {want}");
-        // the weld dissipates, so the energy tells nothing of the load's own displacement
+        // the weld dissipates, so the energy does not give the displacement of the load
         assert!(solved.pass.lower.as_ref().unwrap().certificate().weld.unwrap() <= 1.0);
     }
 }

@@ -161,7 +161,7 @@ fn column(root_shear: f64) -> AnalysisModel {
 }
 
 /// Elastic until the top reaches k = f_y/√3, τ²AL/(6G); there the column slides off, and beyond
-/// there is no equilibrium. The particular stress of the body force stands in the yield condition,
+/// there is no equilibrium. The yield condition contains the particular stress of the body force,
 /// and the split element's inner nodes carry their part of the force.
 #[test]
 fn column_sheared_by_a_body_force() {

@@ -80,8 +80,8 @@ fn linear(program: &ConicProgram, block: &[u32]) -> f64 {
     program.objective(&solve(program, block, &SolveOptions::default()).x, &[])
 }
 
-/// Far below yield: the elastic programs, 1e-8. The split element is softer than the plain one, and
-/// only its yield strength, not its stiffness, tells it from one that never yields.
+/// Far below yield the results equal those of the elastic programs to 1e-8. The split element is
+/// softer than the plain one, so it is compared with a split element of three times the strength.
 #[test]
 fn far_below_yield_everything_is_elastic() {
     let model = block(2, 0.1);

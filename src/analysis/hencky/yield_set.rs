@@ -16,7 +16,7 @@ const AROUND: f64 = 0.9;
 /// Utilisation from which further tets join in later solves, when some are beyond yield; after the
 /// last one all tets join.
 const LATER: [f64; 4] = [0.8, 0.7, 0.5, 0.3];
-/// Largest margin below the yield surface before a solution has asked for more.
+/// Largest margin below the yield surface until a solution has needed a larger one.
 const MOST_FIRST: f64 = 1e-4;
 /// Relative margin below the yield surface that the static program leaves for the correction that
 /// brings its stress into equilibrium: the first one and the largest one.

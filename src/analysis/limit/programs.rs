@@ -12,8 +12,8 @@ use crate::recover::limit_lower::{self, ApproximateStress, LowerError};
 use crate::recover::limit_upper::{self, UpperError};
 use crate::solve::{self, Patterns, Solution, SolveOptions, SolveStatus};
 
-/// Halvings of the tets on which the dissipation of the final velocities is evaluated; whoever
-/// repeats the certificate must use the same number.
+/// Halvings of the tets on which the dissipation of the final velocities is evaluated; a repetition
+/// of the certificate must use the same number.
 pub const SUBDIVISIONS: u32 = 1;
 
 /// The message of an infeasible program of limit analysis.

@@ -83,7 +83,7 @@ fn symmetry_knows_moments_from_forces() {
     assert_eq!(axes("[{name: A, end: beam_right, at: column_face, My: 7 kN m}]"), [1]);
 }
 
-/// What the load says, the path it is told at, and words of the message and its help.
+/// A wrong load, the path that the error names, and words of the message and its help.
 const WRONG: &[(&str, &str, &[&str])] = &[
     (
         "end: beam_rigth, at: node, My: 7 kN m",

@@ -62,7 +62,7 @@ pub fn directional(stress: &ThroatStress, steel: &WeldedSteel) -> Worked {
 /// Stresses of the two fillet welds of a plate under a force across the plate's end, `length` of
 /// each weld under it, and a shear stress along them \[N, mm, MPa\].
 ///
-/// `σ⊥ = τ⊥ = F/(2 √2 a l)`: the throats stand at 45° to the force.
+/// `σ⊥ = τ⊥ = F/(2 √2 a l)`: the throats are at 45° to the force.
 ///
 /// # Source
 /// EN 1993-1-8:2005 4.5.3.2(4) and (5), Figure 4.5.

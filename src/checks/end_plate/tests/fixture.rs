@@ -64,7 +64,7 @@ pub(super) fn welded(loads: &str) -> HandChecks {
 
 pub(super) const ONE: &str = "{name: A, end: beam_right, at: bolt_plane, My: 40 kN m}";
 
-/// The same joint with bolts, loads and friction of one's own.
+/// The same joint with the given bolts, additional entries and loads.
 pub(super) fn bolted(bolts: &str, more: &str, loads: &str) -> String {
     let text = joint(more, loads).replace("size: M20, grade: \"8.8\",", &format!("{bolts},"));
     format!("{text}friction: {{mu: 0.2}}\n")
