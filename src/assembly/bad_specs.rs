@@ -375,7 +375,10 @@ fn a_faulty_template_of_the_user_is_named() {
     // each in the template's file, on the line of its entry
     for (old, new) in [
         ("{name: face, value: column.h / 2}", "{name: face, value: colum.h / 2}"),
-        ("- that: gauge_least <= gauge_most\n", "- that: gauge_leats <= gauge_most\n"),
+        (
+            "- name: room_for_a_gauge\n    that: gauge_least",
+            "- name: room_for_a_gauge\n    that: gauge_leats",
+        ),
         ("  width: plate.width\n", "  width: plate.widht\n"),
         ("  - name: COLUMN\n", "  - name: column\n"),
     ] {

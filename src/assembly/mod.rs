@@ -31,4 +31,6 @@ pub use joint::{Joint, build};
 #[cfg(test)]
 mod bad_specs;
 #[cfg(test)]
+mod extends_tests;
+#[cfg(test)]
 mod tests;

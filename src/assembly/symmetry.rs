@@ -137,7 +137,7 @@ fn same_load(a: V3, b: V3) -> bool {
 
 /// A load, as far as it compares exactly (where it acts), and its vectors.
 struct Acting<'a> {
-    place: (Option<(Option<Shape>, Signature)>, &'a str, bool, Option<Point>),
+    place: (Option<Face>, &'a str, bool, Option<Point>),
     /// Traction \[MPa\], or force \[N\] and moment \[N mm\].
     vectors: [V3; 2],
 }
@@ -176,18 +176,15 @@ fn paired(loads: &[Acting<'_>], others: Vec<Acting<'_>>) -> bool {
 /// A part as symmetry sees it: shape, material, element size.
 type Shape = (Signature, String, i64);
 type Shapes<'a> = BTreeMap<&'a str, Shape>;
+/// A named face: its part and where it is.
+type Face = (Option<Shape>, Signature);
 
 fn shapes(a: &Assembly, mirror: Option<usize>) -> Shapes<'_> {
     let shape = |p: &Part| (signature(&p.solid, mirror), p.material.clone(), on_grid(p.size));
     a.parts.iter().map(|p| (p.name.as_str(), shape(p))).collect()
 }
 
-fn face(
-    a: &Assembly,
-    shapes: &Shapes<'_>,
-    name: &str,
-    mirror: Option<usize>,
-) -> Option<(Option<Shape>, Signature)> {
+fn face(a: &Assembly, shapes: &Shapes<'_>, name: &str, mirror: Option<usize>) -> Option<Face> {
     let f = a.faces.iter().find(|f| f.name == name)?;
     Some((shapes.get(f.part.as_str()).cloned(), surface(&f.surface, mirror)))
 }

@@ -26,6 +26,9 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Template {
+    /// A template that this one extends: its name, or its path relative to this file. Keys that
+    /// this one leaves out are those of the other; templates/README.md has the rules of lists.
+    pub extends: Option<String>,
     /// Name, as a spec says it.
     pub name: String,
     /// One line.
@@ -100,6 +103,8 @@ pub struct Definition {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Check {
+    /// Name by which a template that extends this one refers to it.
+    pub name: Option<String>,
     /// Loops.
     #[serde(default, rename = "for")]
     pub each: Vec<Loop>,

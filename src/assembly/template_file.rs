@@ -3,7 +3,7 @@
 use super::origin::Origin;
 use super::template::Template;
 use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
-use crate::spec::yaml::{self, Parsed};
+use crate::spec::yaml::{self, Document, Parsed};
 use crate::text_file;
 use std::path::{Path, PathBuf};
 
@@ -16,9 +16,80 @@ pub fn is_path(name: &str) -> bool {
     name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml")
 }
 
+/// Keys of a template whose own keys are extended one by one.
+const MERGED: [&str; 1] = ["hand_checks"];
+
 /// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or
 /// `.yml` or holds a separator, and is taken relative to `base` (the folder of the spec).
 pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
+    let source = find(name, base)?;
+    let document = Document::read(&source.text, &source.file)?;
+    let Parsed { value, index } = match document.text("extends")?.map(str::to_owned) {
+        None => yaml::parse::<Template>(&source.text, &source.file)?,
+        Some(other) => {
+            extended(document, &other, &mut vec![source.clone()])?.typed::<Template>()?
+        }
+    };
+    let origin = match source.shipped {
+        true => Origin::Shipped,
+        false => Origin::File { file: source.file, index },
+    };
+    Ok((value, origin))
+}
+
+/// The text of a template and where it comes from.
+#[derive(Clone)]
+struct Source {
+    file: PathBuf,
+    text: String,
+    shipped: bool,
+}
+
+impl Source {
+    /// True for one file, by whatever path.
+    fn is(&self, other: &Self) -> bool {
+        let plain = |f: &Path| f.canonicalize().unwrap_or_else(|_| f.to_owned());
+        self.shipped == other.shipped && plain(&self.file) == plain(&other.file)
+    }
+}
+
+/// A document with what it takes from the template `name`; `above` are the templates that lead to
+/// it, the last one its own.
+fn extended(
+    document: Document,
+    name: &str,
+    above: &mut Vec<Source>,
+) -> Result<Document, Diagnostics> {
+    let here = document.place("extends");
+    let folder = above.last().and_then(|s| s.file.parent()).unwrap_or(Path::new("."));
+    let shipped = above.last().is_some_and(|s| s.shipped);
+    let folder = if folder == Path::new("") || shipped { Path::new(".") } else { folder };
+    // a template that is not found is a fault of the key that names it
+    let source = find(name, folder)
+        .map_err(|faults| faults.map(|d| Diagnostic { place: here.clone(), ..d }))?;
+    if above.iter().any(|s| s.is(&source)) {
+        let ring: Vec<String> =
+            above.iter().chain([&source]).map(|s| s.file.display().to_string()).collect();
+        let d = Diagnostic::input(
+            "template/circle",
+            format!("these templates extend each other: {}", ring.join(" -> ")),
+        );
+        let d = d.help("let one of them stand alone, without `extends`");
+        return Err(Diagnostic { place: here, ..d }.into());
+    }
+    let base = Document::read(&source.text, &source.file)?;
+    let base = match base.text("extends")?.map(str::to_owned) {
+        None => base,
+        Some(other) => {
+            above.push(source);
+            extended(base, &other, above)?
+        }
+    };
+    Ok(document.onto(base, &MERGED))
+}
+
+/// Finds a shipped template by its name, or reads a file.
+fn find(name: &str, base: &Path) -> Result<Source, Diagnostics> {
     if is_path(name) {
         let file = if base == Path::new(".") { PathBuf::from(name) } else { base.join(name) };
         let text = text_file::read(&file, |e| {
@@ -27,10 +98,12 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
                 format!("template `{}` cannot be read: {e}", file.display()),
             )
             .path("template")
-            .help("the path is relative to the spec; `bracket templates` lists the shipped ones")
+            .help(
+                "the path is relative to the file that names it; `bracket templates` lists the \
+                 shipped ones",
+            )
         })?;
-        let Parsed { value, index } = yaml::parse::<Template>(&text, &file)?;
-        return Ok((value, Origin::File { file, index }));
+        return Ok(Source { file, text, shipped: false });
     }
     let Some((shipped, text)) = SHIPPED.iter().find(|(n, _)| *n == name) else {
         let hint = did_you_mean(name, SHIPPED.iter().map(|(n, _)| *n));
@@ -45,5 +118,5 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
             .into());
     };
     let file = PathBuf::from(format!("templates/{shipped}.yaml"));
-    Ok((yaml::parse::<Template>(text, &file)?.value, Origin::Shipped))
+    Ok(Source { file, text: (*text).to_owned(), shipped: true })
 }

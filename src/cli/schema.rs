@@ -5,9 +5,10 @@ use crate::assembly::template::Template;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
+use crate::spec::yaml::REST;
 use clap::ValueEnum;
 use schemars::JsonSchema;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Which input file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -46,7 +47,7 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     let mut schema = match kind {
         Kind::Spec => of::<ConnectionSpec>(),
         Kind::Model => of::<ModelFile>(),
-        Kind::Template => of::<Template>(),
+        Kind::Template => with_extending(of::<Template>()),
     };
     plain(&mut schema);
     serde_json::to_string_pretty(&schema).map(|t| t + "\n").map_err(|e| {
@@ -56,6 +57,61 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
         )
         .into()
     })
+}
+
+/// The schema of a template, or of one that extends another: there every key may be left out but
+/// `extends`, and of the entries of lists every key but the name.
+fn with_extending(whole: Value) -> Value {
+    let mut root = whole;
+    let mut definitions = root["definitions"].take();
+    let mut head = serde_json::Map::new();
+    let mut template = serde_json::Map::new();
+    for (key, value) in root.as_object_mut().map(std::mem::take).into_iter().flatten() {
+        match key.as_str() {
+            "definitions" => {}
+            "$schema" | "title" => drop(head.insert(key, value)),
+            _ => drop(template.insert(key, value)),
+        }
+    }
+    let mut extending = template.clone();
+    extending.insert("required".into(), json!(["extends"]));
+    for property in extending["properties"].as_object_mut().into_iter().flat_map(|p| p.values_mut())
+    {
+        if let Some(entry) = property.pointer("/items/$ref").and_then(Value::as_str) {
+            let entry = part_of(entry, &mut definitions);
+            property["items"] = json!({"anyOf": [{"const": REST}, {"$ref": entry}]});
+        }
+    }
+    let hand_checks = "#/definitions/EndPlateEntry";
+    extending["properties"]["hand_checks"] =
+        json!({"$ref": part_of(hand_checks, &mut definitions)});
+    definitions["Template"] = Value::Object(template);
+    definitions["ExtendingTemplate"] = Value::Object(extending);
+    head.insert(
+        "anyOf".into(),
+        json!([
+            {"$ref": "#/definitions/Template"},
+            {"$ref": "#/definitions/ExtendingTemplate"},
+        ]),
+    );
+    head.insert("definitions".into(), definitions);
+    Value::Object(head)
+}
+
+/// Adds the definition of an entry that takes the keys it leaves out from the entry of its name;
+/// returns the reference. An entry without a name stays whole.
+fn part_of(entry: &str, definitions: &mut Value) -> String {
+    let name = entry.trim_start_matches("#/definitions/");
+    let mut part = definitions[name].clone();
+    let named = ["name", "role"].into_iter().find(|k| !part["properties"][*k].is_null());
+    match named {
+        Some(key) => part["required"] = json!([key]),
+        None if name == "EndPlateEntry" => part["required"] = json!([]),
+        None => return entry.to_owned(),
+    }
+    let of_base = format!("{name}OfBase");
+    definitions[&of_base] = part;
+    format!("#/definitions/{of_base}")
 }
 
 /// Doc comments escape square brackets for rustdoc; people who read the schema need them plain.
@@ -219,7 +275,13 @@ mod tests {
         for kind in [Kind::Spec, Kind::Model, Kind::Template] {
             let schema: Value = serde_json::from_str(&text(kind).expect("a schema")).expect("JSON");
             assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
-            assert_eq!(schema["additionalProperties"], false);
+            if kind != Kind::Template {
+                assert_eq!(schema["additionalProperties"], false);
+                continue;
+            }
+            for way in ["Template", "ExtendingTemplate"] {
+                assert_eq!(schema["definitions"][way]["additionalProperties"], false);
+            }
         }
     }
 }

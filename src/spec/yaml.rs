@@ -4,16 +4,18 @@
 //! duplicate keys, non-finite numbers, tags, aliases that blow up. The second makes the typed
 //! value. The third gives places only, so that checks made much later can still point at a line.
 
+mod extend;
 mod outline;
 mod place;
 
+pub use extend::REST;
 pub use place::PlaceIndex;
 
-use crate::diag::{Diagnostic, Diagnostics, did_you_mean};
+use crate::diag::{Diagnostic, Diagnostics, Place, did_you_mean};
 use outline::Outline;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A value read from YAML, and where each of its parts stood.
 #[derive(Clone, Debug)]
@@ -30,6 +32,13 @@ pub struct Parsed<T> {
 /// `T` denies them), missing keys, duplicate keys in any mapping, NaN and infinities, tags, and
 /// aliases that expand beyond a million values.
 pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
+    let index = accepted(text, file)?;
+    let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+    Ok(Parsed { value, index })
+}
+
+/// Refuses what no document may hold, whatever its type; the places of one that is accepted.
+fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
     if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
         return Err(d.help("`bracket new` writes a starter").into());
@@ -42,8 +51,57 @@ pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, 
     let mut faults = Vec::new();
     outline.faults(&index, text, &mut faults);
     Diagnostics::refuse(faults)?;
-    let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
-    Ok(Parsed { value, index })
+    Ok(index)
+}
+
+/// A document of keys with values that has no type yet, so that it can extend another one.
+#[derive(Clone, Debug)]
+pub struct Document {
+    keys: serde_yaml::Mapping,
+    index: PlaceIndex,
+    file: PathBuf,
+}
+
+impl Document {
+    /// Reads one document; refuses what [`parse`] refuses of any type.
+    pub fn read(text: &str, file: &Path) -> Result<Self, Diagnostics> {
+        let index = accepted(text, file)?;
+        let keys = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
+        Ok(Self { keys, index, file: file.to_path_buf() })
+    }
+
+    /// The text at a key; `None` where the key is absent.
+    pub fn text(&self, key: &str) -> Result<Option<&str>, Diagnostics> {
+        let Some(value) = self.keys.get(key) else { return Ok(None) };
+        value.as_str().map(Some).ok_or_else(|| {
+            let mut d = Diagnostic::input("yaml/type", format!("`{key}` is not a text"));
+            d.place = self.index.place(key);
+            d.help("write a name, in quotes where it looks like a number").into()
+        })
+    }
+
+    /// Where a path stands.
+    pub fn place(&self, path: &str) -> Place {
+        self.index.place(path)
+    }
+
+    /// This document, and from `base` what it leaves out; of the keys `merged`, which hold keys
+    /// with values, each of these on its own. Lists with names: see [`REST`].
+    pub fn onto(self, base: Self, merged: &[&str]) -> Self {
+        let own = (self.keys, &self.index);
+        let (keys, index) = extend::extend(own, (base.keys, &base.index), merged);
+        Self { keys, index, file: self.file }
+    }
+
+    /// The typed value; a fault is placed in the file that the entry comes from.
+    pub fn typed<T: DeserializeOwned>(self) -> Result<Parsed<T>, Diagnostics> {
+        let (index, file) = (self.index, self.file);
+        // through text: this reader names the path of a fault, the one of values does not
+        let value = serde_yaml::to_string(&self.keys)
+            .and_then(|text| serde_yaml::from_str(&text))
+            .map_err(|e| from_serde(&e, &index, &file))?;
+        Ok(Parsed { value, index })
+    }
 }
 
 /// The first line that is indented with a tab, which YAML does not allow.

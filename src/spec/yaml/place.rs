@@ -12,12 +12,14 @@ pub struct PlaceIndex {
     /// Line, column (both from 1) of the place to show, and character index at which the value
     /// starts.
     at: BTreeMap<String, (usize, usize, usize)>,
+    /// The file of those paths that stand in another one.
+    elsewhere: BTreeMap<String, PathBuf>,
 }
 
 impl PlaceIndex {
     /// An index that knows only the file's name; for models made in memory.
     pub fn new(file: &Path) -> Self {
-        Self { file: file.to_path_buf(), at: BTreeMap::new() }
+        Self { file: file.to_path_buf(), ..Self::default() }
     }
 
     /// Reads the places of a text that has already been accepted as YAML (so its aliases are
@@ -73,6 +75,9 @@ impl PlaceIndex {
         let mut p = path;
         loop {
             if let Some((line, column, _)) = self.at.get(p) {
+                if let Some(file) = self.elsewhere.get(p) {
+                    place.file = Some(file.clone());
+                }
                 place.line = Some(*line);
                 place.column = Some(*column);
                 return place;
@@ -82,6 +87,30 @@ impl PlaceIndex {
                 None if p.is_empty() => return place,
                 None => p = "",
             }
+        }
+    }
+
+    /// An index of the same file that knows the place of the document alone.
+    pub(super) fn root(&self) -> Self {
+        let mut root = Self::new(&self.file);
+        root.at.extend(self.at.get_key_value("").map(|(k, v)| (k.clone(), *v)));
+        root
+    }
+
+    /// Takes over the places at and below the path `there` of another index, as those of the path
+    /// `here`; a path that is known already keeps its place.
+    pub(super) fn take(&mut self, here: &str, from: &Self, there: &str) {
+        for (path, spot) in &from.at {
+            let Some(below) = path.strip_prefix(there) else { continue };
+            let path_here = format!("{here}{below}");
+            if !(below.is_empty() || below.starts_with(['.', '['])) || self.has(&path_here) {
+                continue;
+            }
+            let file = from.elsewhere.get(path).unwrap_or(&from.file);
+            if *file != self.file {
+                self.elsewhere.insert(path_here.clone(), file.clone());
+            }
+            self.at.insert(path_here, *spot);
         }
     }
 

@@ -1,0 +1,109 @@
+//! One document that extends another: what it leaves out is taken from the other one.
+
+use super::place::PlaceIndex;
+use serde_yaml::{Mapping, Value};
+
+/// The entry of a list that stands for all entries of the other document's list that this one does
+/// not name.
+pub const REST: &str = "base";
+
+/// Keys that name an entry of a list.
+const NAMES: [&str; 2] = ["name", "role"];
+
+/// The two as one. A key of `own` replaces that of `base`, except that
+/// - a list whose entries have names is `own`'s, in its order: an entry that `base` names too takes
+///   the keys that it leaves out from there, and the entry [`REST`] stands for all entries of
+///   `base` that the list does not name, in their order;
+/// - of the keys `merged`, which hold keys with values, every key that `own` leaves out is taken
+///   from `base`.
+///
+/// The index has the place of every entry in the document that it comes from.
+pub(super) fn extend(
+    own: (Mapping, &PlaceIndex),
+    base: (Mapping, &PlaceIndex),
+    merged: &[&str],
+) -> (Mapping, PlaceIndex) {
+    let ((own, own_index), (base, base_index)) = (own, base);
+    let mut index = own_index.root();
+    let mut all = Mapping::new();
+    for (key, value) in own {
+        let Some(path) = key.as_str().map(str::to_owned) else { continue };
+        let value = match (value, base.get(&key)) {
+            (Value::Sequence(list), Some(Value::Sequence(of_base))) => {
+                let list = entries(&path, (list, own_index), (of_base, base_index), &mut index);
+                Value::Sequence(list)
+            }
+            (Value::Mapping(map), Some(Value::Mapping(of_base)))
+                if merged.contains(&path.as_str()) =>
+            {
+                index.take(&path, own_index, &path);
+                index.take(&path, base_index, &path);
+                Value::Mapping(filled(map, of_base))
+            }
+            (value, _) => value,
+        };
+        index.take(&path, own_index, &path);
+        all.insert(key, value);
+    }
+    for (key, value) in base {
+        let Some(path) = key.as_str().map(str::to_owned) else { continue };
+        if !all.contains_key(&key) {
+            index.take(&path, base_index, &path);
+            all.insert(key, value);
+        }
+    }
+    (all, index)
+}
+
+/// A list that extends another one; `index` gets the places of its entries.
+fn entries(
+    path: &str,
+    (own, own_index): (Vec<Value>, &PlaceIndex),
+    (base, base_index): (&[Value], &PlaceIndex),
+    index: &mut PlaceIndex,
+) -> Vec<Value> {
+    let named: Vec<String> = own.iter().filter_map(name).map(str::to_owned).collect();
+    let mut all: Vec<Value> = Vec::new();
+    for (i, entry) in own.into_iter().enumerate() {
+        if entry.as_str() == Some(REST) {
+            let rest = base.iter().enumerate();
+            for (k, other) in
+                rest.filter(|(_, e)| !name(e).is_some_and(|n| named.iter().any(|o| o == n)))
+            {
+                index.take(&at(path, all.len()), base_index, &at(path, k));
+                all.push(other.clone());
+            }
+            continue;
+        }
+        let here = at(path, all.len());
+        index.take(&here, own_index, &at(path, i));
+        let same = name(&entry).and_then(|n| base.iter().position(|b| name(b) == Some(n)));
+        all.push(match (entry, same.map(|k| (k, &base[k]))) {
+            (Value::Mapping(map), Some((k, Value::Mapping(other)))) => {
+                index.take(&here, base_index, &at(path, k));
+                Value::Mapping(filled(map, other))
+            }
+            (entry, _) => entry,
+        });
+    }
+    all
+}
+
+fn at(path: &str, i: usize) -> String {
+    format!("{path}[{i}]")
+}
+
+/// The name of an entry, where it has one.
+fn name(entry: &Value) -> Option<&str> {
+    NAMES.iter().find_map(|key| entry.get(key)?.as_str())
+}
+
+/// The keys of `own`, and those of `base` that it leaves out.
+fn filled(mut own: Mapping, base: &Mapping) -> Mapping {
+    for (key, value) in base {
+        if !own.contains_key(key) {
+            own.insert(key.clone(), value.clone());
+        }
+    }
+    own
+}
