@@ -295,7 +295,9 @@ fn the_specs_of_the_documents_are_valid() {
 /// The exit codes stand in one table, so that no second one can contradict it.
 #[test]
 fn the_exit_codes_stand_in_one_table() {
-    let is_table = |d: &String| read(d).lines().any(|line| line.starts_with("| code |"));
+    let rows = |d: &String, start: &str| read(d).lines().any(|line| line.starts_with(start));
+    // a table of codes with a row for code 0; benchmark cases have codes too
+    let is_table = |d: &String| rows(d, "| code |") && rows(d, "| 0 |");
     let with: Vec<String> = documents().into_iter().filter(is_table).collect();
     assert_eq!(with, ["README.md"]);
 }

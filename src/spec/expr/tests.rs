@@ -1,6 +1,7 @@
 //! Values, faults and hostile input of expressions.
 
 use super::*;
+use crate::units::Quantity;
 
 fn eval(text: &str) -> Result<Value, ExprError> {
     Expr::parse(text)?.eval(&mut |name| match name {
