@@ -1,6 +1,7 @@
 //! The `bracket` command.
 
-use bracket::cli::args::{Cli, dispatch};
+use bracket::cli::commands::Cli;
+use bracket::cli::commands::dispatch;
 use bracket::cli::common::Format;
 use bracket::diag_render;
 use clap::Parser;

@@ -13,7 +13,7 @@ use bracket::analysis::{diagnosis, elastic};
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::programs::Kinematic;
-use bracket::result::case::case_result;
+use bracket::result::energy_case::case_result;
 use bracket::solve::{SolveOptions, SolveStatus, Solver};
 use common::solved::{resolve, solve_to};
 use common::{Block, beside, triangles_where};

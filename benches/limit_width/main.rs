@@ -30,8 +30,8 @@ use bracket::assembly::Assembly;
 use bracket::assembly::assembly::{
     FaceRule, MidPlane, Part, PartMaterial, PartRole, Solid, Surface, SymmetryPlane,
 };
-use bracket::certify::flow::pieces;
 use bracket::certify::limit_certificate::dissipation_densities;
+use bracket::certify::velocity_field::pieces;
 use bracket::elements::geometry::centroid;
 use bracket::elements::space::Tet10Space;
 use bracket::elements::tet10;

@@ -13,7 +13,7 @@ use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::model::opening::ConeShift;
 use crate::programs::Kinematic;
-use crate::programs::contact::control_points::ControlPoint;
+use crate::programs::contact::kinematic_contact::ControlPoint;
 use crate::recover::elastic::RecoverError;
 use crate::solve::Solution;
 use serde::{Deserialize, Serialize};

@@ -10,10 +10,15 @@ use crate::model::file::Bounds;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::{ConicProgram, Kinematic, Static};
 use crate::recover::elastic::RecoverError;
+use crate::solve;
+use crate::solve::Iteration;
+use crate::solve::Prepared;
+use crate::solve::Solution;
+use crate::solve::SolveOptions;
+use crate::solve::SolveStatus;
+use crate::solve::allocator;
+use crate::solve::feasibility;
 use crate::solve::status::Iterations;
-use crate::solve::{
-    self, Iteration, Prepared, Solution, SolveOptions, SolveStatus, collapse, pages,
-};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -318,10 +323,10 @@ impl Context<'_> {
             outcome.iterations += solution.iterations;
         }
         drop(prepared);
-        pages::give_back();
+        allocator::give_back();
         if stalled(solution.status) {
             let modes = problem.contact_modes(self.model);
-            let direction = || collapse::direction(program, &modes, &options);
+            let direction = || feasibility::direction(program, &modes, &options);
             if let Some(x) = (!modes.is_empty()).then(direction).flatten() {
                 solution.status = SolveStatus::Unbounded;
                 solution.x = x;

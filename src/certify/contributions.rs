@@ -15,11 +15,12 @@
 
 use crate::certify::faces::{ContactFace, contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
-use crate::certify::flow::{VelocityField, pieces};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::plastic_certificate::{dissipated, stress_at_points};
 use crate::certify::plastic_field::{PlasticField, at_points, tensor};
 use crate::certify::tractions::contact_tractions;
+use crate::certify::velocity_field::VelocityField;
+use crate::certify::velocity_field::pieces;
 use crate::certify::welds;
 use crate::elements::space::Tet10Space;
 use crate::elements::super_element::{PointStress, integrate};

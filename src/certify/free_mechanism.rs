@@ -7,10 +7,10 @@
 //! upper bound with every body rigid; it does not depend on how the motion was found.
 
 use crate::certify::faces::weld_faces;
-use crate::certify::factor::UpperFactor;
-use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
+use crate::certify::load_factor::UpperFactor;
 use crate::certify::measures::{largest, ratio};
+use crate::certify::velocity_field::VelocityField;
 use crate::certify::welds::jumps;
 use crate::elements::space::Tet10Space;
 use crate::math::vec3;

@@ -2,8 +2,9 @@
 
 use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
-use crate::certify::flow::{VelocityField, pieces};
 use crate::certify::tractions::{contact_tractions, stress_at};
+use crate::certify::velocity_field::VelocityField;
+use crate::certify::velocity_field::pieces;
 use crate::elements::geometry::gradients;
 use crate::elements::space::Tet10Space;
 use crate::elements::tet10;

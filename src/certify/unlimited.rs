@@ -9,9 +9,9 @@
 
 use crate::certify::certificate::certify_stress;
 use crate::certify::faces::{roles, weld_faces};
-use crate::certify::factor::LowerFactor;
 use crate::certify::fields::StressField;
 use crate::certify::limit_certificate::{LowerCertificate, certify_lower};
+use crate::certify::load_factor::LowerFactor;
 use crate::certify::measures::{largest, ratio};
 use crate::certify::tolerance::TOLERANCE;
 use crate::certify::tractions::contact_tractions;

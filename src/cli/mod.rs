@@ -2,10 +2,10 @@
 
 pub mod analyse;
 pub mod analysis_options;
-pub mod args;
 pub mod catalog;
 pub mod catalog_options;
 pub mod check;
+pub mod commands;
 pub mod common;
 pub mod doctor;
 pub mod mesh;

@@ -7,8 +7,9 @@ use crate::driver::spec_checks;
 use crate::driver::spec_context::{self, spec_context};
 use crate::driver::spec_file;
 use crate::report::console::log::Log;
-use crate::result::data::{ResultFile, input_hash};
 use crate::result::folder::ResultFolder;
+use crate::result::result_file::ResultFile;
+use crate::result::result_file::input_hash;
 use std::path::Path;
 
 /// Checks a spec and writes report and drawings into `folder`. `catalog`: catalogue folder that

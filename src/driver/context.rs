@@ -4,7 +4,10 @@ use crate::assembly::BoltLine;
 use crate::checks::HandChecks;
 use crate::driver::demands::CaseDemand;
 use crate::refine::plan;
-use crate::report::markdown::page::{CatalogueRow, PictureRef, ResolvedValue, Table};
+use crate::report::markdown::report_data::CatalogueRow;
+use crate::report::markdown::report_data::PictureRef;
+use crate::report::markdown::report_data::ResolvedValue;
+use crate::report::markdown::report_data::Table;
 use crate::spec::polygon::PolygonSpec;
 
 /// The input of a run as the report presents it.

@@ -9,9 +9,13 @@ use crate::report::console::answer::answer;
 use crate::report::console::log::Log;
 use crate::report::html;
 use crate::report::markdown::compose::report_markdown;
-use crate::report::markdown::page::{ModelTraits, PictureRef, ReportData};
-use crate::result::data::{CaseResult, HistoryRow, ResultFile};
+use crate::report::markdown::report_data::ModelTraits;
+use crate::report::markdown::report_data::PictureRef;
+use crate::report::markdown::report_data::ReportData;
 use crate::result::folder::ResultFolder;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::HistoryRow;
+use crate::result::result_file::ResultFile;
 use crate::spec::analysis::AnalysisKind;
 
 /// What the analyses of a run left behind; the default: there were none.

@@ -7,7 +7,7 @@ use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
 use crate::mesh::quality::BodyQuality;
 use crate::report::console::log::Log;
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 use std::path::Path;
 use std::time::Duration;
 

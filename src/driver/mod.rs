@@ -2,7 +2,6 @@
 
 pub mod adaptive;
 pub mod analyse_model;
-pub mod aside;
 pub mod case;
 pub mod case_files;
 pub mod check_spec;
@@ -13,6 +12,7 @@ pub mod interrupt;
 pub mod limits;
 pub mod memory_limit;
 pub mod meshing;
+pub mod output_folder;
 pub mod pass_entry;
 pub mod pass_run;
 pub mod pictures;

@@ -4,9 +4,11 @@ use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::fields::StressField;
 use crate::model::AnalysisModel;
 use crate::result::bounds::CaseBounds;
-use crate::result::case::{case_result, energy_bounds};
-use crate::result::data::{CaseResult, FrictionModel};
+use crate::result::energy_case::case_result;
+use crate::result::energy_case::energy_bounds;
 use crate::result::limit_case::{factor_bounds, limit_case_result};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::FrictionModel;
 
 /// The entry of the result for a pass.
 pub fn pass_entry(

@@ -12,11 +12,12 @@ use crate::report::draw::contact_map::contact_map;
 use crate::report::draw::plot::{Plot, Series};
 use crate::report::draw::raster::{Deformed, Field, PictureOptions, draw};
 use crate::report::figures::{self, Rounding};
-use crate::report::markdown::page::PictureRef;
-use crate::result::data::{CaseResult, HistoryRow};
+use crate::report::markdown::report_data::PictureRef;
 use crate::result::file_names::file_stem;
 use crate::result::folder::ResultFolder;
 use crate::result::forces::StaticForces;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::HistoryRow;
 
 fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     picture.to_png().map_err(|e| {

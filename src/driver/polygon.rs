@@ -2,12 +2,14 @@
 
 use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::UpperFactor;
-use crate::certify::supporting::{Axes, half_plane};
+use crate::certify::half_plane::Axes;
+use crate::certify::half_plane::half_plane;
 use crate::driver::adaptive::Kept;
 use crate::driver::case::Case;
-use crate::result::data::{CaseResult, Upper};
 use crate::result::demand::ActionValue;
 use crate::result::polygon::{Axis, CapacityPolygon, Point};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::Upper;
 use crate::spec::polygon::PolygonSpec;
 
 /// A polygon whose directions are being analysed.

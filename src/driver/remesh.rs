@@ -12,7 +12,7 @@ use crate::model::resolve::resolve;
 use crate::model::{AnalysisModel, from_joint};
 use crate::refine::optimum::Design;
 use crate::report::console::log::Log;
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 use crate::spec::analysis::AnalysisKind;
 use std::time::{Duration, Instant};
 

@@ -3,11 +3,11 @@
 //! The kinematic program uses 10-node tetrahedra, the static program super-elements of four subtets
 //! with linear stress. Each has an elastic form and a form with von Mises cones.
 
-pub mod batch;
 pub mod columns;
 pub mod geometry;
 pub mod hencky_kinematic;
 pub mod hencky_static;
+pub mod packed_elements;
 pub mod space;
 pub mod split_flow;
 pub mod split_tet10;

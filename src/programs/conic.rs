@@ -10,7 +10,7 @@
 //! `P x + q − Gᵀz` for minimised unknowns and `P x + q + Gᵀz` for maximised ones; it is zero at the
 //! saddle point.
 
-use crate::elements::batch::Batch;
+use crate::elements::packed_elements::Batch;
 use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use rayon::prelude::*;

@@ -2,7 +2,7 @@
 //! and slip.
 //!
 //! `min Π_p(u)`: an upper bound of the exact potential energy for every admissible u. The cones at
-//! the control points ([`crate::programs::contact::control_points`]) enforce the contact law at
+//! the control points ([`crate::programs::contact::kinematic_contact`]) enforce the contact law at
 //! every point of the interface, not only at nodes.
 
 use crate::elements::hencky_kinematic::{Flow, YieldingTet10};
@@ -17,7 +17,9 @@ use crate::model::opening::ConeShift;
 use crate::programs::assemble::assemble;
 use crate::programs::conic::{ConicProgram, Csr};
 use crate::programs::constraints::{FacePoints, hold, working_live_loads};
-use crate::programs::contact::control_points::{ControlPoint, control_points, points_of_faces};
+use crate::programs::contact::kinematic_contact::ControlPoint;
+use crate::programs::contact::kinematic_contact::control_points;
+use crate::programs::contact::kinematic_contact::points_of_faces;
 use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::dofs::DofMap;
 use crate::programs::loads::{BodyForceNodes, kinematic_forces};

@@ -4,7 +4,7 @@
 //! `min ½ vᵀKv − fᵀv` over face displacements v, the multipliers of traction equilibrium. Its
 //! optimal value is −Π_c of a statically admissible stress field, a lower bound of the exact
 //! potential energy. The cones at the vertices of contact faces
-//! ([`crate::programs::contact::face_vertices`]) bound mass-weighted jumps.
+//! ([`crate::programs::contact::static_contact`]) bound mass-weighted jumps.
 
 use crate::elements::hencky_static;
 use crate::elements::super_element::{PARAMETERS, SuperElement, TRACTIONS};
@@ -19,7 +19,8 @@ use crate::programs::assemble::assemble;
 use crate::programs::conic::{ConicProgram, Csr};
 use crate::programs::constraints::{FacePoints, hold, working_live_loads};
 use crate::programs::contact::cone;
-use crate::programs::contact::face_vertices::{ContactVertex, contact_vertices};
+use crate::programs::contact::static_contact::ContactVertex;
+use crate::programs::contact::static_contact::contact_vertices;
 use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::dofs::DofMap;
 use crate::programs::loads::static_forces;

@@ -1,6 +1,7 @@
 //! Appends elements that yield to a program.
 
-use crate::elements::batch::{Batch, Placed};
+use crate::elements::packed_elements::Batch;
+use crate::elements::packed_elements::Placed;
 use crate::elements::yielding_element::{Shape, YIELD_ROWS, YieldingElement};
 use crate::math::wide::LANES;
 use crate::programs::conic::{Cone, ConicProgram, Elements};

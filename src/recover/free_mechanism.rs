@@ -4,8 +4,8 @@
 //! Rigid motions are the only motions without strain, so that the search has few unknowns.
 
 use crate::certify::fields::DisplacementField;
-use crate::certify::flow::VelocityField;
 use crate::certify::free_mechanism::{FreeMechanism, certify_free, is_free};
+use crate::certify::velocity_field::VelocityField;
 use crate::elements::hencky_kinematic::Flow;
 use crate::math::dense::{Mat, null_space, pseudo_solve};
 use crate::model::AnalysisModel;
@@ -14,7 +14,8 @@ use crate::programs::Kinematic;
 use crate::programs::conic::{Cone, ConicProgram, Csr, cone_margin};
 use crate::recover::elastic::RecoverError;
 use crate::recover::force_sets::cone_ranges;
-use crate::solve::{SolveOptions, collapse};
+use crate::solve::SolveOptions;
+use crate::solve::feasibility;
 
 /// A cone whose slack is smaller than this, over the largest slack, is closed.
 const CLOSED: f64 = 1e-6;
@@ -55,7 +56,7 @@ pub fn find(model: &AnalysisModel) -> Result<Option<FreeMechanism>, RecoverError
         program.cones.push(Cone::NonNegative);
     }
     program.h = vec![0.0; program.g.nrows()];
-    let Some(x) = collapse::direction(&program, &modes, &SolveOptions::default()) else {
+    let Some(x) = feasibility::direction(&program, &modes, &SolveOptions::default()) else {
         return Ok(None);
     };
     let x = cleaned(&program, &modes, &x);

@@ -9,10 +9,10 @@
 //! `d = −S⁻¹Cᵀ y`. The same system opens contacts that remain violated, by flows that keep the
 //! volume.
 
-use crate::certify::factor::UpperFactor;
 use crate::certify::fields::DisplacementField;
-use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{UpperCertificate, certify_upper};
+use crate::certify::load_factor::UpperFactor;
+use crate::certify::velocity_field::VelocityField;
 use crate::elements::hencky_kinematic::Flow;
 use crate::elements::{split_flow, tet10};
 use crate::math::Sum;

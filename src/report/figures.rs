@@ -2,8 +2,8 @@
 //! [`crate::math::figures`].
 
 pub use crate::math::figures::{Rounding, bracket, fixed, percent_up, residual, significant};
+use crate::result::case_result::CaseResult;
 use crate::result::demand::ActionValue;
-use crate::result::entry::CaseResult;
 use crate::result::quantity::{LoadSize, Quantity, Upper};
 
 impl CaseResult {

@@ -5,7 +5,7 @@ use crate::mesh::mesher_error::MesherError;
 use crate::mesh::msh_write::write_whole;
 use crate::report::draw::plot::{Plot, Series};
 use crate::report::figures::{Rounding, fixed, percent_up};
-use crate::result::data::RESIDUAL_TOLERANCE;
+use crate::result::result_file::RESIDUAL_TOLERANCE;
 use crate::result::study::{Meshes, Row, Study};
 use std::fmt::Write;
 use std::path::Path;

@@ -3,8 +3,10 @@
 
 use crate::certify::bracket::Contradiction;
 use crate::result::bounds::CaseBounds;
+use crate::result::case_result::CaseResult;
+use crate::result::case_result::PartYield;
+use crate::result::case_result::PeakPressure;
 use crate::result::certificate::Certificate;
-use crate::result::entry::{CaseResult, PartYield, PeakPressure};
 use crate::result::quantity::{FrictionModel, RawBracket, Upper};
 
 /// Result of one pass for a load case: its own entry, and the bounds behind it.

@@ -1,6 +1,6 @@
 //! Names of the files that a result folder holds for a case.
 
-use crate::result::data::CaseResult;
+use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
 /// Kind of the field file with the stress of the live loads alone, which proves that the load

@@ -1,7 +1,7 @@
 //! An entry that the tests change as they need.
 
+use crate::result::case_result::CaseResult;
 use crate::result::certificate::Certificate;
-use crate::result::entry::CaseResult;
 use crate::result::quantity::{FrictionModel, Quantity, Upper};
 use crate::spec::analysis::AnalysisKind;
 

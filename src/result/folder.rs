@@ -4,7 +4,9 @@
 //! place; when a run ends in any other way the part is removed and the target is as it was.
 
 use crate::diag::Diagnostic;
-use crate::result::data::{RESULT_FILE, ResultError, ResultFile};
+use crate::result::result_file::RESULT_FILE;
+use crate::result::result_file::ResultError;
+use crate::result::result_file::ResultFile;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -4,14 +4,19 @@ use crate::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::analysis::memory::peak_memory_mib;
 use crate::analysis::program::Program;
 use crate::analysis::program_outcome::ProgramOutcome;
-use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::{dissipation_densities, utilisation};
+use crate::certify::velocity_field::VelocityField;
 use crate::result::bounds::{CaseBounds, FactorLimit};
-use crate::result::case::{
-    estimate_warning, only_load, problem, program_run, run_warning, weld_uses,
-};
+use crate::result::case_result::CaseResult;
+use crate::result::case_result::PartShare;
+use crate::result::case_result::PeakPressure;
 use crate::result::certificate::Certificate;
-use crate::result::entry::{CaseResult, PartShare, PeakPressure};
+use crate::result::energy_case::estimate_warning;
+use crate::result::energy_case::only_load;
+use crate::result::energy_case::problem;
+use crate::result::energy_case::program_run;
+use crate::result::energy_case::run_warning;
+use crate::result::energy_case::weld_uses;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 

@@ -1,12 +1,11 @@
 //! The typed result of a run and the files that hold it.
 
 pub mod bounds;
-pub mod case;
+pub mod case_result;
 pub mod certificate;
 pub mod combine;
-pub mod data;
 pub mod demand;
-pub mod entry;
+pub mod energy_case;
 pub mod fields;
 pub mod file_names;
 #[cfg(test)]
@@ -19,6 +18,7 @@ pub mod polygon;
 pub mod preload;
 pub mod quantity;
 pub mod refusal;
+pub mod result_file;
 pub mod stiffness;
 pub mod study;
 pub mod verify;

@@ -1,7 +1,7 @@
 //! The initial stiffness of a joint from its elastic analysis.
 
 use crate::checks::{JointStiffness, PureMoment};
-use crate::result::entry::CaseResult;
+use crate::result::case_result::CaseResult;
 use crate::result::quantity::LoadSize;
 
 /// The stiffness of a joint, where the only load of the case is a moment whose rotation is

@@ -1,6 +1,6 @@
 //! The rows of a study of speed against error.
 
-use crate::result::entry::CaseResult;
+use crate::result::case_result::CaseResult;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::Upper;
 use crate::spec::analysis::AnalysisKind;

@@ -1,10 +1,10 @@
 //! Solvers of conic programs and of linear systems.
 
+pub mod allocator;
 pub mod clarabel;
-pub mod collapse;
 pub mod condensed;
+pub mod feasibility;
 pub mod forecast;
-pub mod pages;
 pub mod prepare;
 pub mod scales;
 pub mod sparse;

@@ -4,7 +4,7 @@ use super::condensed;
 use super::forecast::{Forecast, Yardstick, available_memory};
 use super::sparse::{SparseCholesky, solve_refined};
 use super::status::{Solution, SolveOptions, SolveStatus, Solver};
-use super::{clarabel, pages};
+use super::{allocator, clarabel};
 use crate::programs::conic::{ConicProgram, cone_margin};
 use std::time::Instant;
 
@@ -44,7 +44,7 @@ pub fn prepare<'a>(
     options: &SolveOptions,
 ) -> Prepared<'a> {
     let start = Instant::now();
-    pages::keep();
+    allocator::keep();
     let method = if program.cones.is_empty() {
         SparseCholesky::symbolic(&program.p, block, &options.patterns)
             .map_or(Method::Singular, |f| Method::Linear(Box::new(f)))

@@ -7,7 +7,7 @@ use bracket::analysis::pass::PassOptions;
 use bracket::checks::{JointStiffness, hand_checks};
 use bracket::diag::Place;
 use bracket::model::resolve::resolve;
-use bracket::result::case::case_result;
+use bracket::result::energy_case::case_result;
 use bracket::result::stiffness::joint_stiffness;
 use bracket::spec::analysis::AnalysisKind;
 

@@ -4,8 +4,8 @@
 use crate::cases;
 use crate::common::Random;
 use bracket::certify::fields::DisplacementField;
-use bracket::certify::flow::VelocityField;
 use bracket::certify::limit_certificate::certify_upper;
+use bracket::certify::velocity_field::VelocityField;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;

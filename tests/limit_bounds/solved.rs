@@ -6,7 +6,7 @@ use crate::cases;
 use crate::common::Block;
 use crate::common::yielding::{FY, block, model};
 use bracket::certify::fields::{DisplacementField, StressField};
-use bracket::certify::flow::VelocityField;
+use bracket::certify::velocity_field::VelocityField;
 use bracket::certify::{FactorBracket, LowerFactor, UpperFactor};
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::elements::hencky_static::parameter_unit;

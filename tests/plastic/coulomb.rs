@@ -19,7 +19,7 @@ use crate::common::plastic::{run, strict_pass};
 use crate::common::solved::{resolve_as, solve_to};
 use crate::common::{Block, beside, triangles_where};
 use bracket::analysis::energy_pass::EnergyPass;
-use bracket::certify::slip::distance_from_coulomb;
+use bracket::certify::coulomb_shift::distance_from_coulomb;
 use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::AnalysisModel;
 use bracket::solve::SolveOptions;

@@ -1,8 +1,10 @@
 //! Result folders: whole, or not there.
 
 use bracket::diag::{Diagnostic, Fault};
-use bracket::result::data::{RESULT_FILE, ResultFile, Verdict};
 use bracket::result::folder::{FolderError, ResultFolder};
+use bracket::result::result_file::RESULT_FILE;
+use bracket::result::result_file::ResultFile;
+use bracket::result::result_file::Verdict;
 use std::fs;
 use std::path::Path;
 

@@ -5,13 +5,25 @@
 
 use bracket::checks::{Check, Judgement, Status, Topic, Unit, Worked};
 use bracket::report::markdown::compose::report_markdown;
-use bracket::report::markdown::page::{
-    CatalogueRow, ModelTraits, PictureRef, ReportData, ResolvedValue, Table,
-};
-use bracket::result::data::{
-    CaseResult, Certificate, FrictionModel, HistoryRow, LoadSize, PeakPressure, ProgramRun,
-    Quantity, RawBracket, ResultFile, Tool, Upper, Verdict,
-};
+use bracket::report::markdown::report_data::CatalogueRow;
+use bracket::report::markdown::report_data::ModelTraits;
+use bracket::report::markdown::report_data::PictureRef;
+use bracket::report::markdown::report_data::ReportData;
+use bracket::report::markdown::report_data::ResolvedValue;
+use bracket::report::markdown::report_data::Table;
+use bracket::result::result_file::CaseResult;
+use bracket::result::result_file::Certificate;
+use bracket::result::result_file::FrictionModel;
+use bracket::result::result_file::HistoryRow;
+use bracket::result::result_file::LoadSize;
+use bracket::result::result_file::PeakPressure;
+use bracket::result::result_file::ProgramRun;
+use bracket::result::result_file::Quantity;
+use bracket::result::result_file::RawBracket;
+use bracket::result::result_file::ResultFile;
+use bracket::result::result_file::Tool;
+use bracket::result::result_file::Upper;
+use bracket::result::result_file::Verdict;
 use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 

@@ -7,9 +7,9 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::{ProgramOutcome, outcomes};
 use crate::certify::contributions::{Contributions, LimitPair, limit_contributions};
 use crate::certify::fields::StressField;
-use crate::certify::flow::VelocityField;
 use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::unlimited::Unlimited;
+use crate::certify::velocity_field::VelocityField;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
 use crate::model::AnalysisModel;
 

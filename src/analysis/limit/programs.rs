@@ -2,7 +2,7 @@
 
 use crate::analysis::discrete_program::DiscreteProgram;
 use crate::certify::fields::{DisplacementField, StressField};
-use crate::certify::flow::VelocityField;
+use crate::certify::velocity_field::VelocityField;
 use crate::certify::{LowerFactor, UpperFactor};
 use crate::elements::hencky_kinematic::Flow;
 use crate::model::{AnalysisModel, ModelError};

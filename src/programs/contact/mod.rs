@@ -4,5 +4,5 @@
 //! the static program one at each vertex of a contact face.
 
 pub mod cone;
-pub mod control_points;
-pub mod face_vertices;
+pub mod kinematic_contact;
+pub mod static_contact;

@@ -1,7 +1,9 @@
 //! The answer of a load case in a sentence, as the terminal shows it.
 
 use crate::report::figures::{self, Rounding};
-use crate::result::data::{CaseResult, Quantity, Upper};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::Quantity;
+use crate::result::result_file::Upper;
 
 /// The answer in a sentence, in the user's units, its warnings below.
 pub fn answer(c: &CaseResult) -> String {

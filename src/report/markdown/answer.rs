@@ -4,11 +4,15 @@ use crate::analysis::cone_shift::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
 use crate::report::markdown::collapse::{collapse, estimate_words};
 use crate::report::markdown::markup::{inline, paragraph};
-use crate::report::markdown::page::ReportData;
 use crate::report::markdown::preload::preload_words;
+use crate::report::markdown::report_data::ReportData;
 use crate::report::markdown::words::analysis_word;
 use crate::report::markdown::yielding::displacement;
-use crate::result::data::{CaseResult, FrictionModel, Quantity, RawBracket, Upper};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::FrictionModel;
+use crate::result::result_file::Quantity;
+use crate::result::result_file::RawBracket;
+use crate::result::result_file::Upper;
 
 fn problem_words(problem: FrictionModel, contact: bool) -> &'static str {
     match problem {

@@ -1,7 +1,7 @@
 //! The section on assumptions and limits.
 
-use crate::report::markdown::page::ReportData;
-use crate::result::data::FrictionModel;
+use crate::report::markdown::report_data::ReportData;
+use crate::result::result_file::FrictionModel;
 use crate::spec::analysis::AnalysisKind;
 
 /// A sentence each.

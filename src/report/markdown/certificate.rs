@@ -2,8 +2,9 @@
 
 use crate::report::figures::residual;
 use crate::report::markdown::markup::{dash, paragraph, strings, table};
-use crate::report::markdown::page::{ReportData, Table};
-use crate::result::data::RESIDUAL_TOLERANCE;
+use crate::report::markdown::report_data::ReportData;
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::RESIDUAL_TOLERANCE;
 
 pub(crate) fn certificates(page: &mut String, data: &ReportData) {
     paragraph(

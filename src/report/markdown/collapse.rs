@@ -4,8 +4,11 @@
 use crate::analysis::cone_shift::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::{CaseResult, FrictionModel, Quantity, Upper};
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::FrictionModel;
+use crate::result::result_file::Quantity;
+use crate::result::result_file::Upper;
 
 /// The load factor from the fixed point for Coulomb's law.
 pub(crate) fn estimate_words(factor: f64, run: Option<&FixedPointRun>) -> String {

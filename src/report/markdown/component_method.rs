@@ -4,7 +4,7 @@ use crate::checks::Comparison;
 use crate::checks::check::Unit;
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{inline, paragraph};
-use crate::result::data::CaseResult;
+use crate::result::result_file::CaseResult;
 
 /// Factor on the bending strength of a plate that cannot contract along its hinge (plane strain,
 /// von Mises): 2/√3.
@@ -109,9 +109,11 @@ fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
 mod tests {
     use super::*;
     use crate::checks::HandChecks;
-    use crate::result::data::{FrictionModel, Quantity, Upper};
     use crate::result::demand::Demand;
     use crate::result::fixtures::case;
+    use crate::result::result_file::FrictionModel;
+    use crate::result::result_file::Quantity;
+    use crate::result::result_file::Upper;
 
     fn comparison(factor: f64) -> Comparison {
         Comparison {

@@ -7,7 +7,7 @@ use crate::report::markdown::collapse::mechanism;
 use crate::report::markdown::history::history;
 use crate::report::markdown::joint::joint;
 use crate::report::markdown::markup::{heading, inline, paragraph, table};
-use crate::report::markdown::page::ReportData;
+use crate::report::markdown::report_data::ReportData;
 use crate::report::markdown::title::title_block;
 use crate::report::markdown::warnings::warnings;
 use crate::report::markdown::yielding::yielding;

@@ -2,9 +2,10 @@
 
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::markup::{inline, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::{CaseResult, ResultFile};
+use crate::report::markdown::report_data::Table;
 use crate::result::demand::Demand;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::ResultFile;
 
 /// Verdicts and capacities, a row a case and a row an action; nothing without a demand.
 pub(crate) fn demands(page: &mut String, result: &ResultFile) {
@@ -75,9 +76,11 @@ mod tests {
     use super::*;
     use crate::checks::HandChecks;
     use crate::checks::verdict::Verdict;
-    use crate::result::data::{FrictionModel, Quantity, Upper};
     use crate::result::demand::{ActionValue, EndAction};
     use crate::result::fixtures::case;
+    use crate::result::result_file::FrictionModel;
+    use crate::result::result_file::Quantity;
+    use crate::result::result_file::Upper;
 
     /// A case of limit analysis with these bounds.
     fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {

@@ -2,8 +2,8 @@
 
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::CaseResult;
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
 /// Tables of bolts and of contacts.

@@ -3,7 +3,7 @@
 use crate::checks::{Check, Status, Topic};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 
 /// Below the verdict: the checks that failed, and those the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {

@@ -2,9 +2,13 @@
 
 use crate::report::figures::{Rounding, bracket, fixed, percent_up, significant};
 use crate::report::markdown::markup::{dash, inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 use crate::report::markdown::words::analysis_word;
-use crate::result::data::{CaseResult, HistoryRow, ProgramRun, Quantity, Upper};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::HistoryRow;
+use crate::result::result_file::ProgramRun;
+use crate::result::result_file::Quantity;
+use crate::result::result_file::Upper;
 
 /// The tables of one case; `symmetry` copies of the meshed part make the structure.
 pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {

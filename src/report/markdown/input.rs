@@ -2,7 +2,8 @@
 //! itself.
 
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
-use crate::report::markdown::page::{ReportData, Table};
+use crate::report::markdown::report_data::ReportData;
+use crate::report::markdown::report_data::Table;
 
 /// The input as it was read, resolved values, catalogue rows, notes.
 pub(crate) fn sections(page: &mut String, data: &ReportData) {

@@ -1,7 +1,7 @@
 //! The section on the joint: drawings and the list of bolts, plates and stiffeners.
 
 use crate::report::markdown::markup::{heading, inline, paragraph, table};
-use crate::report::markdown::page::ReportData;
+use crate::report::markdown::report_data::ReportData;
 
 /// Drawings, bolts and plates.
 pub(crate) fn joint(page: &mut String, data: &ReportData) {

@@ -1,6 +1,6 @@
 //! Markdown primitives: headings, paragraphs, tables, and text that is safe inside them.
 
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 
 /// The text of a cell without a value.
 pub(crate) fn dash() -> String {

@@ -2,9 +2,9 @@
 
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::ResultFile;
+use crate::report::markdown::report_data::Table;
 use crate::result::polygon::Axis;
+use crate::result::result_file::ResultFile;
 
 /// The section of the report; nothing without a polygon.
 pub(crate) fn section(page: &mut String, result: &ResultFile) {

@@ -4,7 +4,7 @@ use crate::assembly::EndPlate;
 use crate::catalog::BoltSize;
 use crate::checks::check::number as n;
 use crate::report::markdown::markup::strings;
-use crate::report::markdown::page::Table;
+use crate::report::markdown::report_data::Table;
 use std::f64::consts::PI;
 
 /// Density of steel \[kg/mm³\], EN 1991-1-1 Table A.4 and EN 1993-1-1 3.2.6 as used in practice.

@@ -7,8 +7,8 @@ use crate::checks::classification::Frame;
 use crate::checks::end_plate::FrameClass;
 use crate::report::figures::{Rounding, bracket, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::CaseResult;
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::CaseResult;
 
 /// A paragraph and a table of the classes.
 pub(crate) fn lines(page: &mut String, case: &CaseResult) {

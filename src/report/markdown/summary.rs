@@ -5,8 +5,9 @@ use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Status, Topic, Unit};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::{Quantity, ResultFile};
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::Quantity;
+use crate::result::result_file::ResultFile;
 
 /// A row, and the utilisation by which it may govern; `None`: the row decides nothing.
 struct Row {

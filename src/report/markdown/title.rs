@@ -1,7 +1,8 @@
 //! The title block.
 
 use crate::report::markdown::markup::{inline, strings, table};
-use crate::report::markdown::page::{ReportData, Table};
+use crate::report::markdown::report_data::ReportData;
+use crate::report::markdown::report_data::Table;
 
 pub(crate) fn title_block(page: &mut String, data: &ReportData) {
     let mut lines = data.project.iter();

@@ -4,8 +4,8 @@
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::ResultFile;
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::ResultFile;
 
 /// The verdict and its basis.
 pub(crate) fn verdict(page: &mut String, result: &ResultFile) {

@@ -2,7 +2,7 @@
 
 use crate::checks::{Status, Topic};
 use crate::report::markdown::markup::{heading, inline};
-use crate::report::markdown::page::ReportData;
+use crate::report::markdown::report_data::ReportData;
 
 pub(crate) fn warnings(page: &mut String, data: &ReportData) {
     let of_cases = data

@@ -3,8 +3,9 @@
 
 use crate::report::figures::{Rounding, fixed, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
-use crate::report::markdown::page::Table;
-use crate::result::data::{CaseResult, ProgramRun};
+use crate::report::markdown::report_data::Table;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::ProgramRun;
 
 /// Lower bound of the load's displacement.
 pub(crate) fn displacement(page: &mut String, case: &CaseResult) {

@@ -2,7 +2,7 @@
 
 use crate::certify::faces::{ContactFace, contact_faces};
 use crate::certify::fields::{DisplacementField, StressField};
-use crate::certify::flow::VelocityField;
+use crate::certify::velocity_field::VelocityField;
 use crate::elements::space::{FACE_EDGES, Tet10Space};
 use crate::elements::super_element::SuperElement;
 use crate::math::mandel::{self, Mandel};

@@ -2,7 +2,7 @@
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
-use crate::result::data::CaseResult;
+use crate::result::result_file::CaseResult;
 use std::path::Path;
 
 /// Number of random points at which a field is sampled.

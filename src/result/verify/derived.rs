@@ -4,13 +4,14 @@
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
 use crate::certify::fields::StressField;
-use crate::certify::flow::VelocityField;
-use crate::certify::supporting::{Axes, half_plane};
+use crate::certify::half_plane::Axes;
+use crate::certify::half_plane::half_plane;
+use crate::certify::velocity_field::VelocityField;
 use crate::math::convex::HalfPlane;
 use crate::mesh::naming::symmetry_face;
 use crate::model::AnalysisModel;
+use crate::result::case_result::CaseResult;
 use crate::result::demand::ActionValue;
-use crate::result::entry::CaseResult;
 use crate::result::forces::{BoltForce, ContactForce, static_forces};
 use crate::result::polygon::{CapacityPolygon, Point};
 use crate::result::quantity::LoadSize;

@@ -1,6 +1,8 @@
 //! The values that a result derives from its bounds, claimed against recomputed.
 
-use crate::result::data::{CaseResult, RawBracket, Upper};
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::RawBracket;
+use crate::result::result_file::Upper;
 
 /// Sentences for the derived values that do not agree.
 pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<String> {

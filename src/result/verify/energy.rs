@@ -6,16 +6,16 @@ use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::preloaded_bolt::preloaded_bolts;
 use crate::certify::bracket::{Bracket, LowerBound, UpperBound};
 use crate::certify::certificate::{certify_displacement, certify_stress};
+use crate::certify::coulomb_shift::distance_from_coulomb;
 use crate::certify::plastic_certificate::{certify_plastic_motion, certify_yielding_stress};
 use crate::certify::sampling::{sample, sample_lower};
-use crate::certify::slip::distance_from_coulomb;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
-use crate::result::case::case_result;
-use crate::result::data::CaseResult;
+use crate::result::energy_case::case_result;
 use crate::result::fields::field_files::{read_displacement, read_shift, read_stress};
 use crate::result::fields::plastic_file::read_plastic;
+use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
 /// Largest distance of the shift of the contact cones from the slips of the displacement, as a

@@ -4,7 +4,6 @@ use super::case_files::{CaseFiles, POINTS};
 use super::finding::{Finding, Numbers};
 use crate::analysis::limit::{self, LimitPass};
 use crate::certify::fields::StressField;
-use crate::certify::flow::VelocityField;
 use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::free_mechanism::certify_free;
 use crate::certify::free_mechanism::is_free;
@@ -12,13 +11,16 @@ use crate::certify::limit_certificate::{certify_lower, certify_upper};
 use crate::certify::sampling::{sample_live, sample_lower, sample_upper};
 use crate::certify::unlimited::Unlimited;
 use crate::certify::unlimited::certify_unlimited;
+use crate::certify::velocity_field::VelocityField;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::AnalysisModel;
-use crate::result::data::{CaseResult, FrictionModel, Upper};
 use crate::result::fields::field_files::{read_lower, read_stress, read_velocity};
 use crate::result::file_names::{DEAD_FIELD, LIVE_FIELD};
 use crate::result::limit_case::limit_case_result;
+use crate::result::result_file::CaseResult;
+use crate::result::result_file::FrictionModel;
+use crate::result::result_file::Upper;
 
 impl CaseFiles<'_> {
     /// The bounds of the load factor, and the entry they make.

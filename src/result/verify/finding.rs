@@ -1,7 +1,7 @@
 //! The comparison of one bound of a result with the one recomputed from its field.
 
 use crate::certify::TOLERANCE;
-use crate::result::data::CaseResult;
+use crate::result::result_file::CaseResult;
 use serde::Serialize;
 
 /// A bound as claimed and as recomputed.

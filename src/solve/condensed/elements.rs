@@ -8,7 +8,7 @@
 
 use super::elimination::{Scratch, eliminate, kept, own_trace};
 use super::yield_points::{SCALING, Weights};
-use crate::elements::batch::Batch;
+use crate::elements::packed_elements::Batch;
 use crate::elements::yielding_element::NONE;
 use crate::elements::yielding_element::Shape;
 use crate::elements::yielding_element::YIELD_ROWS;

@@ -6,7 +6,7 @@
 
 use super::panel;
 use super::yield_points::{SCALING, Weights, point_inverse, solve_points, times_roots};
-use crate::elements::batch::Batch;
+use crate::elements::packed_elements::Batch;
 use crate::elements::yielding_element::Rule;
 use crate::elements::yielding_element::Shape;
 use crate::elements::yielding_element::VERTEX_VALUES;

@@ -132,7 +132,7 @@ pub fn iterate(
             Targets::common(cones, a, mu)
         };
         let d = newton.corrected(&affine, &ll, &targets);
-        let a = (settings.to_the_surface * newton.step(&d)).min(1.0);
+        let a = (settings.fraction_to_boundary * newton.step(&d)).min(1.0);
         if !a.is_finite() || d.x.iter().any(|v| !v.is_finite()) {
             return stop(SolveStatus::NumericalError, best, best_merit, iteration);
         }

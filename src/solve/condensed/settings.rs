@@ -3,7 +3,7 @@
 /// Settings of the iteration; elastic and limit analysis differ in four of them.
 pub struct Settings {
     /// Fraction of the way to the surface of the cones that a step may go.
-    pub to_the_surface: f64,
+    pub fraction_to_boundary: f64,
     /// Largest number of refinement passes on the full system.
     pub refinements: usize,
     /// A refinement pass that leaves this fraction of the error or more is the last.
@@ -69,7 +69,7 @@ pub struct Settings {
 impl Settings {
     /// Elastic analysis and elastic, perfectly plastic analysis.
     pub const ELASTIC: Self = Self {
-        to_the_surface: 0.99,
+        fraction_to_boundary: 0.99,
         refinements: 6,
         stalled: 0.9,
         direction_error: 0.01,

@@ -6,7 +6,7 @@
 //! the parameters and the inner displacements. The expansion gives its multipliers and the errors
 //! of its rows.
 
-use crate::elements::batch::Batch;
+use crate::elements::packed_elements::Batch;
 use crate::elements::yielding_element::{NONE, YIELD_ROWS};
 use crate::math::wide::{LANES, Lane};
 use crate::solve::condensed::elements::{ElementSystem, ROUND};

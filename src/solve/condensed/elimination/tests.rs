@@ -1,5 +1,5 @@
 use super::*;
-use crate::elements::batch::Placed;
+use crate::elements::packed_elements::Placed;
 use crate::elements::yielding_element::YIELD_ROWS;
 use crate::elements::yielding_element::YieldingElement;
 use crate::solve::condensed::yield_points::inverse_square;

@@ -1,7 +1,7 @@
 //! The data of the printed report: plain strings and tables, so that the sections do not depend on
 //! the engine.
 
-use crate::result::data::ResultFile;
+use crate::result::result_file::ResultFile;
 
 /// Everything on the page. The numbers of the analyses come from `result`, the same as in
 /// `result.json`.

@@ -1,5 +1,5 @@
-use crate::result::data::*;
 use crate::result::fixtures::case;
+use crate::result::result_file::*;
 
 fn result(case: CaseResult) -> ResultFile {
     ResultFile { cases: vec![case], ..ResultFile::new("00", 4, Verdict::None) }

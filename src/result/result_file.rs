@@ -7,8 +7,12 @@
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Judgement};
 use crate::diag::Diagnostic;
+pub use crate::result::case_result::CaseResult;
+pub use crate::result::case_result::PartShare;
+pub use crate::result::case_result::PartYield;
+pub use crate::result::case_result::PeakPressure;
+pub use crate::result::case_result::WeldUse;
 pub use crate::result::certificate::{Certificate, RESIDUAL_TOLERANCE};
-pub use crate::result::entry::{CaseResult, PartShare, PartYield, PeakPressure, WeldUse};
 pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
 use crate::result::polygon::CapacityPolygon;
 pub use crate::result::quantity::{

@@ -6,9 +6,9 @@
 //! A_k, D the dissipation. The certificate of the mechanism found for one direction d of x has D
 //! and `P = d₁ P₁ + d₂ P₂`; divided by P, the half plane is `n · x ≤ λ_up` with `n · d = 1`.
 
-use crate::certify::factor::UpperFactor;
-use crate::certify::flow::VelocityField;
 use crate::certify::limit_certificate::rigid_motions;
+use crate::certify::load_factor::UpperFactor;
+use crate::certify::velocity_field::VelocityField;
 use crate::math::Sum;
 use crate::math::convex::HalfPlane;
 use crate::model::AnalysisModel;
