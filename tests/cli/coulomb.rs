@@ -56,7 +56,7 @@ fn the_bracket_is_one_of_shifted_cones_and_is_confirmed_from_the_files() {
     let report = bench.read("block/report.md");
     for words in [
         "Coulomb's law was reached through",
-        "strict for that last problem",
+        "strict for this last problem",
         "they are not bounds of Coulomb's",
     ] {
         assert!(report.contains(words), "{words}: {report}");
