@@ -161,8 +161,8 @@ impl schemars::JsonSchema for Expr {
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
             "description": "A number, true or false, or an expression: numbers with units \
-                (`15 mm`), names (`beam.h`, `plate.thickness`), + - * /, comparisons, `and`, `or`, `not`, \
-                min, max, abs, if and others (templates/README.md).",
+                (`15 mm`), names (`beam.h`, `plate.thickness`), + - * /, comparisons, `and`, `or`, \
+                `not`, min, max, abs, if and others (templates/README.md).",
             "type": ["number", "boolean", "string"],
         })
     }
