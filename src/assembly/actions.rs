@@ -1,5 +1,5 @@
-//! Forces and moments at member ends: from the member's own axes to a force and a moment in global
-//! axes, and to the bolt plane.
+//! Forces and moments at member ends. A load in the member's own axes becomes a force and a moment
+//! in global axes, and the actions on the bolt plane.
 
 use super::assembly::{Action as Acting, FaceLoad, FaceRule};
 use super::error::AssemblyError;
@@ -12,7 +12,7 @@ use crate::math::vec3::{self, V3};
 use crate::spec::loads::{ActionPoint, LimitState, LoadSpec};
 use serde::Serialize;
 
-/// A member end at one turn of its loops.
+/// A member end of the template, for one pass of its loops.
 pub(super) struct End<'a> {
     name: String,
     entry: &'a EndEntry,
@@ -34,12 +34,12 @@ pub(super) fn ends<'a>(
     Ok(out)
 }
 
-/// True if a load means a member end rather than a section.
+/// True if the load names a member end rather than a section.
 pub(super) fn is_at_an_end(load: &LoadSpec) -> bool {
     load.end.is_some() || load.at.is_some() || !load.actions().is_empty() || !load.factor.is_empty()
 }
 
-/// Faults of a load at a member end that need no numbers of the joint.
+/// Faults of a load at a member end that can be found without the dimensions of the joint.
 pub(super) fn check(
     loads: &[LoadSpec],
     i: usize,
@@ -119,8 +119,8 @@ pub(super) fn check(
     }
 }
 
-/// What a load puts on the end section: one entry for what carries the load factor, one for what
-/// does not. Adds the section to the named faces.
+/// Loads on the end section: one entry for the part that the load factor multiplies and one for the
+/// part that it does not. Adds the end section to the named faces.
 pub(super) fn on_end(
     load: &LoadSpec,
     i: usize,
@@ -128,7 +128,7 @@ pub(super) fn on_end(
     ends: &[End<'_>],
     faces: &mut Vec<FaceRule>,
 ) -> Result<Vec<FaceLoad>, AssemblyError> {
-    // check() has refused a load without these two
+    // check() has rejected a load without these two
     let (Some(name), Some(point)) = (&load.end, load.at) else { return Ok(Vec::new()) };
     let Some(end) = ends.iter().find(|e| e.name == *name) else {
         let known: Vec<&str> = ends.iter().map(|e| e.name.as_str()).collect();
@@ -185,29 +185,29 @@ pub(super) fn on_end(
         .collect())
 }
 
-/// What a load case puts on the bolt plane of a member end, in the member's own axes: x′ out of the
-/// joint, y′ across, z′ up its section.
+/// Actions of a load case on the bolt plane of a member end, in the member's own axes: x′ out of
+/// the joint, y′ across, z′ up along the depth of the section.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaneActions {
     /// Load case.
     pub case: String,
     /// Member end.
     pub end: String,
-    /// N, Vy, Vz \[N\] and T, My, Mz \[N mm\] that the load factor multiplies; My about y′ pulls
-    /// the top of the section.
+    /// N, Vy, Vz \[N\] and T, My, Mz \[N mm\] that the load factor multiplies. A positive My, about
+    /// y′, puts the top of the section in tension.
     pub live: [V3; 2],
-    /// The same of what stays fixed.
+    /// The same components, for the part that the load factor does not multiply.
     pub dead: [V3; 2],
     /// Limit state.
     pub state: LimitState,
-    /// Sign of x′ along the global axis the member lies on: 1 of a right beam, −1 of a left one.
+    /// Sign of x′ along the global axis of the member: 1 for a right beam, −1 for a left one.
     pub outward: f64,
-    /// From the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
+    /// Distance from the node to the bolt plane along x′ \[mm\]; 0 where the template has no node.
     pub from_node: f64,
 }
 
 impl PlaneActions {
-    /// Forces and moments under a load factor.
+    /// Forces and moments under the load factor `factor`.
     pub fn at(&self, factor: f64) -> [V3; 2] {
         [0, 1].map(|i| vec3::along(self.dead[i], factor, self.live[i]))
     }
@@ -219,18 +219,19 @@ impl PlaneActions {
     }
 }
 
-/// Where a member end stands: its bolt plane, the axes along the member and of its section's depth.
+/// Position of a member end: its bolt plane, the axis of the member and the axis of its section's
+/// depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
-    /// The member's axis in the bolt plane \[mm\].
+    /// Point where the member's axis meets the bolt plane \[mm\].
     pub origin: V3,
-    /// Axis along the member, 0 = x.
+    /// Axis of the member, 0 = x.
     pub along: usize,
-    /// Axis of the depth.
+    /// Axis of the section's depth, 0 = x.
     pub depth: usize,
 }
 
-/// The frames of the member ends `wanted`.
+/// The frames of the member ends named in `wanted`.
 pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, AssemblyError> {
     let of = |end: &End<'_>| {
         let at = end.entry.name.as_str();
@@ -241,8 +242,8 @@ pub(super) fn frames(ends: &[End<'_>], wanted: &[String]) -> Result<Vec<Frame>, 
     ends.iter().filter(|e| wanted.contains(&e.name)).filter_map(of).collect()
 }
 
-/// The actions of every load case on the bolt planes of the member ends `wanted`; the directions of
-/// a polygon are no demand.
+/// The actions of every load case on the bolt planes of the member ends named in `wanted`. The load
+/// directions of a polygon are left out because they are not a demand.
 pub(super) fn on_planes(
     loads: &[LoadSpec],
     ends: &[End<'_>],
@@ -268,7 +269,8 @@ pub(super) fn on_planes(
             None => 0.0,
         };
         for load in loads.iter().filter(|l| !l.of_polygon && l.end.as_deref() == Some(&end.name)) {
-            // check() has refused a load without a point, on_end() one that the end does not have
+            // check() has rejected a load without a point, and on_end() a point that the end does
+            // not have
             let Some(point) = load.at.and_then(|p| end.entry.points.get(&p)) else { continue };
             let arm = own(vec3::sub(within(at, end.scope.point(point))?, plane));
             let mut sums = [[[0.0; 3]; 2]; 2];

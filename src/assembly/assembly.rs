@@ -1,18 +1,18 @@
-//! The assembly: parts with their solids, materials, interfaces, supports and loads, in global
-//! coordinates.
+//! The assembly in global coordinates: parts with their solids, materials, interfaces, supports and
+//! loads.
 //!
-//! Produced from spec + template + catalogue; consumed by `geometry` (solids → CAD script), `mesh`
-//! and `model`.
+//! It is built from the spec, the template and the catalogue. `geometry` turns its solids into a
+//! CAD script; `mesh` and `model` also read it.
 
 use crate::spec::friction::FrictionLaw;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// One edge of a closed planar outline, from the previous point to `to`.
+/// One edge of a closed planar outline, from the end of the previous edge to `to`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OutlineEdge {
-    /// Straight to `to` \[mm\].
+    /// Straight edge to `to` \[mm\].
     Line {
         /// End point in the outline's plane.
         to: [f64; 2],
@@ -26,7 +26,7 @@ pub enum OutlineEdge {
     },
 }
 
-/// A solid as a tree of primitives and booleans; global coordinates \[mm\].
+/// A solid as a tree of primitives and Boolean operations, in global coordinates \[mm\].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Solid {
@@ -47,13 +47,13 @@ pub enum Solid {
         v: [f64; 3],
         /// First point of the outline; the last edge must end here.
         start: [f64; 2],
-        /// The edges, counter-clockwise seen from the tip of `u × v`.
+        /// The edges, counter-clockwise when seen from the tip of `u × v`.
         edges: Vec<OutlineEdge>,
         /// Length along `u × v`, > 0.
         length: f64,
     },
-    /// A circular cylinder; meshed as a regular prism of `segments` sides with the area of the
-    /// circle.
+    /// A circular cylinder. It is meshed as a regular prism with `segments` sides and the area of
+    /// the circle.
     Cylinder {
         /// Centre of the first end.
         base: [f64; 3],
@@ -63,16 +63,16 @@ pub enum Solid {
         radius: f64,
         /// Length along the axis, > 0.
         length: f64,
-        /// Sides of the meshed circle, even, 12 … 48.
+        /// Number of sides of the meshed circle: even, 12 … 48.
         segments: u32,
     },
-    /// All of them fused.
+    /// Union of all the solids.
     Union(Vec<Solid>),
-    /// The first without the others.
+    /// The first solid minus all the others.
     Difference(Vec<Solid>),
 }
 
-/// What a part is, for sizes, layers, messages and colours.
+/// Role of a part; it decides sizes, layers, messages and colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PartRole {
@@ -84,16 +84,17 @@ pub enum PartRole {
     Bolt,
 }
 
-/// A plane piece that cuts a part at mid-thickness, so that the mesh has a plane there.
+/// A piece of a plane that cuts a part at mid-thickness. The cut makes the mesh have element faces
+/// on that plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MidPlane {
     /// Normal axis, 0 = x, 1 = y, 2 = z.
     pub axis: usize,
     /// Coordinate of the plane along `axis` \[mm\].
     pub at: f64,
-    /// Extent of the piece: lowest corner (its `axis` coordinate is ignored) \[mm\].
+    /// Lowest corner of the piece \[mm\]; its `axis` coordinate is ignored.
     pub min: [f64; 3],
-    /// Extent of the piece: highest corner \[mm\].
+    /// Highest corner of the piece \[mm\]; its `axis` coordinate is ignored.
     pub max: [f64; 3],
 }
 
@@ -104,84 +105,86 @@ pub struct PartMaterial {
     pub e: f64,
     /// Poisson's ratio.
     pub nu: f64,
-    /// Design yield strength \[MPa\]; `None`: never yields.
+    /// Design yield strength \[MPa\]; `None`: the material does not yield.
     pub fy: Option<f64>,
 }
 
 /// One body of the joint.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// Identifier, `[A-Z][A-Z0-9_]*`; the physical volume's name.
+    /// Identifier, `[A-Z][A-Z0-9_]*`; also the name of the physical volume.
     pub name: String,
-    /// Words for messages: `end plate of the right beam`.
+    /// Description for messages, for example `end plate of the right beam`.
     pub label: String,
-    /// What it is.
+    /// Its role.
     pub role: PartRole,
     /// Key into [`Assembly::materials`].
     pub material: String,
-    /// Its shape, before symmetry cuts it.
+    /// Its shape before the symmetry planes cut it.
     pub solid: Solid,
-    /// Pieces its bounding boxes for clash checks are made of: convex solids whose union covers the
-    /// part closely.
+    /// Convex solids whose union covers the part closely. The clash checks compute bounding boxes
+    /// from them.
     pub convex: Vec<Solid>,
     /// Mid-thickness planes.
     pub mid_planes: Vec<MidPlane>,
-    /// Wanted element size \[mm\].
+    /// Target element size \[mm\].
     pub size: f64,
 }
 
-/// An open interface, found in the mesh as the faces shared by two parts (and lying on `surface`,
-/// if given).
+/// An open interface. In the mesh it consists of the faces shared by the two parts and, if
+/// `surface` is given, lying on that surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceRule {
     /// The two parts; the normal points out of the first.
     pub between: [String; 2],
-    /// Restricts the interface to this surface; its name becomes a physical surface.
+    /// Restricts the interface to this surface; the name becomes that of a physical surface.
     pub surface: Option<(String, Surface)>,
     /// Friction coefficient.
     pub mu: f64,
     /// Friction law.
     pub friction: FrictionLaw,
-    /// Initial gap, open positive \[mm\].
+    /// Initial gap \[mm\], positive when open.
     pub gap: f64,
 }
 
-/// Fillet welds along both sides of a plate on another part, as an interface of finite strength.
+/// Fillet welds along both sides of a plate on another part, modelled as an interface of finite
+/// strength.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WeldRule {
-    /// Name, the physical surface's.
+    /// Name, also that of the physical surface.
     pub name: String,
     /// The two parts; the normal points out of the first.
     pub between: [String; 2],
-    /// Where they meet.
+    /// The surface where the parts meet.
     pub surface: Surface,
-    /// True when edges of the parts do not bound it and it must be imprinted.
+    /// True if no edges of the parts bound the surface, so that it must be imprinted.
     pub imprint: bool,
     /// Throat of each weld \[mm\].
     pub throat: f64,
-    /// Area of the interface over half of the length of its welds \[mm\]: the thickness of a plate
-    /// with a weld on either side.
+    /// Area of the interface divided by half the length of its welds \[mm\]. For a plate with a
+    /// weld on each side this is the thickness of the plate.
     pub thickness: f64,
     /// Strength f_u/(√3 β_w γ_M2) on the throat \[MPa\].
     pub strength: f64,
 }
 
-/// A piece of surface found by coordinates.
+/// A piece of a surface, defined by coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Surface {
-    /// The part of the plane `x[axis] = at` inside the box.
+    /// The part of the plane `x[axis] = at` inside a box.
     Plane {
         /// Normal axis, 0 = x, 1 = y, 2 = z.
         axis: usize,
-        /// Coordinate \[mm\].
+        /// Coordinate of the plane along `axis` \[mm\].
         at: f64,
         /// Lowest corner of the box \[mm\].
         min: [f64; 3],
         /// Highest corner of the box \[mm\].
         max: [f64; 3],
     },
-    /// The mantle of a cylinder (all facet vertices within 3 % of the radius, between its ends).
+    /// The curved surface of a cylinder: facets between its ends, with all vertices within 3 % of
+    /// the radius.
     Mantle {
         /// Centre of the first end \[mm\].
         base: [f64; 3],
@@ -197,25 +200,25 @@ pub enum Surface {
 /// A named outer face of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FaceRule {
-    /// Identifier, the physical surface's name.
+    /// Identifier, also the name of the physical surface.
     pub name: String,
-    /// Part it belongs to.
+    /// The part that it belongs to.
     pub part: String,
-    /// Where it is.
+    /// Position of the face.
     pub surface: Surface,
-    /// True when the rectangle is not bounded by edges of the part and must be imprinted (a load or
-    /// support footprint).
+    /// True if no edges of the part bound the rectangle, so that it must be imprinted (the
+    /// footprint of a load or support).
     pub imprint: bool,
 }
 
-/// A preloaded bolt: its shank is cut, and drawn together there.
+/// A preloaded bolt. Its shank is cut, and the preload pulls the two sides of the cut together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoltPreload {
     /// The bolt's part.
     pub part: String,
     /// Name of the cut, a physical surface inside the shank.
     pub cut: String,
-    /// Where the cut is: a plane across the shank, wider than it.
+    /// Surface of the cut: a plane across the shank, wider than the shank.
     pub surface: Surface,
     /// Unit vector along the shank.
     pub axis: [f64; 3],
@@ -228,20 +231,20 @@ pub struct BoltPreload {
 pub struct FaceSupport {
     /// Key into [`Assembly::faces`].
     pub face: String,
-    /// Which of x, y, z are held at zero.
+    /// True for each of x, y, z that is held at zero.
     pub fix: [bool; 3],
 }
 
-/// What acts on a named face.
+/// The load on a named face.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Action {
     /// Constant traction \[MPa\].
     Traction([f64; 3]),
-    /// Force and moment on a section that stays plane and keeps its shape. Global axes, moments
-    /// right-handed.
+    /// Force and moment on a section that stays plane and keeps its shape. The axes are global and
+    /// moments are right-handed.
     Resultant {
-        /// Point the force passes through and the moment is taken about \[mm\].
+        /// Point through which the force acts and about which the moment is taken \[mm\].
         at: [f64; 3],
         /// Force \[N\].
         force: [f64; 3],
@@ -250,20 +253,20 @@ pub enum Action {
     },
 }
 
-/// A load on a named face, of a load case.
+/// A load on a named face in one load case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FaceLoad {
     /// Key into [`Assembly::faces`].
     pub face: String,
     /// Load case.
     pub case: String,
-    /// What acts.
+    /// Traction, or force and moment.
     pub action: Action,
-    /// Not multiplied by the load factor.
+    /// True if the load factor does not multiply the load.
     pub dead: bool,
 }
 
-/// A symmetry plane `x[axis] = 0` of geometry, supports and loads; the side with positive
+/// A symmetry plane `x[axis] = 0` of geometry, supports and loads. The side with positive
 /// coordinates is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SymmetryPlane {
@@ -271,8 +274,8 @@ pub struct SymmetryPlane {
     pub axis: usize,
 }
 
-/// A joint ready for geometry and meshing. Coordinates: x along the beams, y across, z up along the
-/// column \[mm\].
+/// A joint ready for geometry and meshing. Axes: x along the beams, y across, z up along the column
+/// \[mm\].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assembly {
     /// Name of the joint.
@@ -281,7 +284,7 @@ pub struct Assembly {
     pub parts: Vec<Part>,
     /// Materials by name.
     pub materials: BTreeMap<String, PartMaterial>,
-    /// Open interfaces; parts that touch and are not named here are tied.
+    /// Open interfaces. Parts that touch without an interface or a weld in this assembly are tied.
     pub interfaces: Vec<InterfaceRule>,
     /// Named outer faces.
     pub faces: Vec<FaceRule>,
@@ -289,11 +292,11 @@ pub struct Assembly {
     pub supports: Vec<FaceSupport>,
     /// Loads.
     pub loads: Vec<FaceLoad>,
-    /// Planes the whole joint (geometry, supports, loads) is symmetric about, as detected.
+    /// Detected symmetry planes of the whole joint (geometry, supports and loads).
     pub symmetry: Vec<SymmetryPlane>,
-    /// Wanted clearances beyond contact, checked before meshing.
+    /// Required clearances between parts that do not touch, checked before meshing.
     pub clearances: Vec<Clearance>,
-    /// Fillet welds with a throat.
+    /// Fillet welds with a throat above zero.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub welds: Vec<WeldRule>,
     /// Preloaded bolts.
@@ -301,13 +304,13 @@ pub struct Assembly {
     pub preloads: Vec<BoltPreload>,
 }
 
-/// Two parts that must stay apart by at least `min`.
+/// Two parts with a required distance of at least `min`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Clearance {
     /// The two parts.
     pub between: [String; 2],
     /// Smallest allowed distance \[mm\].
     pub min: f64,
-    /// What needs the room: `bolt pitch`, `wrench`.
+    /// Reason for the distance, for example `bolt pitch` or `wrench`.
     pub reason: String,
 }

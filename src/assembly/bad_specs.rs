@@ -1,16 +1,16 @@
-//! Specs that cannot be built: each ends with one code, one place and a message that names the
-//! cure.
+//! Tests of specs that cannot be built. Each gives one code, one place and a message that names the
+//! remedy.
 
 use super::tests::{PAPER, joint, with};
 use crate::diag::{Diagnostic, Fault};
 
-/// What is changed in the paper's spec, and what the first fault must say.
+/// A change to the paper's spec, and the content of the first fault it must give.
 struct Case {
     old: &'static str,
     new: &'static str,
     code: &'static str,
     path: &'static str,
-    /// Words of the message and of the help.
+    /// Words that the message and the help must contain.
     words: &'static [&'static str],
 }
 
@@ -311,7 +311,7 @@ fn every_bad_spec_is_told_what_where_and_how_to_cure_it() {
         let d = first_fault(&text);
         let said = format!("{} {}", d.message, d.help.clone().unwrap_or_default());
         let lacks: Vec<&&str> = case.words.iter().filter(|w| !said.contains(**w)).collect();
-        // the line shown must be the changed one, or, where something is missing, any line of the
+        // the reported line must be the changed one or, where an entry is missing, any line of the
         // file
         let line = PAPER[..PAPER.find(case.old).expect("old")].matches('\n').count() + 1;
         let at_line = d.place.line.is_some_and(|l| l == line || case.code == "spec/missing");
@@ -372,7 +372,7 @@ fn a_faulty_template_of_the_user_is_named() {
     assert!(d.message.contains("a length [mm] is wanted, this number has no unit"), "{d:#?}");
     let d = fault("{part: COLUMN, thickness: column.tf}", "{part: COLUMNS, thickness: column.tf}");
     assert!(d.message.contains("there is no part `COLUMNS`"), "{d:#?}");
-    // each in the template's file, on the line of its entry
+    // each fault is reported in the template's file, on the line of its entry
     for (old, new) in [
         ("{name: face, value: column.h / 2}", "{name: face, value: colum.h / 2}"),
         (

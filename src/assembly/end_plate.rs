@@ -1,4 +1,5 @@
-//! The bolted end plate as the hand checks see it: the template's `hand_checks` with its values.
+//! The data of a bolted end plate for the hand checks: the template's `hand_checks` with their
+//! values.
 
 use super::actions::PlaneActions;
 use super::error::AssemblyError;
@@ -14,50 +15,52 @@ use crate::spec::expr::{Expr, ExprError};
 use crate::spec::loads::LoadSpec;
 use serde::Serialize;
 
-/// What is cut off a stiffener beyond the root radius where nothing else is said \[mm\]: usual
-/// practice.
+/// Cut-off of a stiffener beyond the root radius \[mm\], where the template gives none. Source:
+/// usual practice.
 const CLIP_BEYOND_ROOT: f64 = 5.0;
 
-/// The column an end plate is bolted to. Lengths in mm, z from the beam's axis, up positive.
+/// The column to which an end plate is bolted. Lengths in mm; z is measured from the beam's axis,
+/// positive upwards.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ColumnSide {
-    /// Section.
+    /// Section of the column.
     pub section: IProfile,
-    /// Steel at the thickness of its flange.
+    /// Steel of the column at the thickness of its flange.
     pub steel: Strength,
-    /// From the beam's axis to where the column ends above; `None`: it continues.
+    /// z from the beam's axis to the upper end of the column; `None`: the column continues.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub above: Option<f64>,
-    /// From the beam's axis to where the column ends below; `None`: it continues.
+    /// z from the beam's axis to the lower end of the column; `None`: the column continues.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub below: Option<f64>,
-    /// Thickness of the stiffeners; 0 for none.
+    /// Thickness of the stiffeners; 0: no stiffeners.
     pub stiffener: f64,
-    /// Throat of the welds of the stiffeners; 0 for butt welds.
+    /// Throat of the welds of the stiffeners; 0: butt welds.
     pub stiffener_throat: f64,
-    /// What is cut off each stiffener at the root of the column.
+    /// Length cut off each stiffener at the root of the column.
     pub stiffener_clip: f64,
-    /// Thickness of a supplementary web plate; 0 for none.
+    /// Thickness of a supplementary web plate; 0: none.
     pub doubler: f64,
-    /// Throat of its welds; 0 for butt welds.
+    /// Throat of the welds of the supplementary web plate; 0: butt welds.
     pub doubler_throat: f64,
-    /// β where a load case has none of its own.
+    /// β for load cases that have no β of their own.
     pub beta: f64,
-    /// Largest longitudinal compressive stress at the web's root, from N and M of the spec \[MPa\];
-    /// `None` where it gives none.
+    /// Largest longitudinal compressive stress at the root of the web, from N and M of the spec
+    /// \[MPa\]; `None` if the spec gives neither.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub longitudinal: Option<f64>,
-    /// What the column's shear forces take off that of the web panel, (V_c1 − V_c2)/2 \[N\].
+    /// Reduction of the shear force of the web panel by the column's shear forces, (V_c1 − V_c2)/2
+    /// \[N\].
     pub shear: f64,
-    /// System length of the column, its storey height, where the spec gives it.
+    /// System length of the column (its storey height), if the spec gives it.
     pub system_length: Option<f64>,
 }
 
-/// A bolted end plate between a beam and the flange of a column, or the same plate on another beam.
-/// Lengths in mm, z from the beam's axis, up positive.
+/// A bolted end plate between a beam and the flange of a column, or between two beams with the same
+/// plate. Lengths in mm; z is measured from the beam's axis, positive upwards.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EndPlate {
-    /// The column; `None` in a splice.
+    /// The column; `None` for a splice.
     pub column: Option<ColumnSide>,
     /// Section of the beam.
     pub beam: IProfile,
@@ -65,53 +68,53 @@ pub struct EndPlate {
     pub beam_steel: Strength,
     /// Steel of the plate.
     pub plate_steel: Strength,
-    /// Bolts.
+    /// Size of the bolts.
     pub bolt: BoltSize,
-    /// Their grade.
+    /// Grade of the bolts.
     pub grade: BoltGrade,
     /// Thickness of the plate.
     pub thickness: f64,
     /// Width of the plate.
     pub width: f64,
-    /// Lower edge of the plate.
+    /// z of the lower edge of the plate.
     pub bottom: f64,
-    /// Upper edge of the plate.
+    /// z of the upper edge of the plate.
     pub top: f64,
-    /// Distance of the two columns of bolts.
+    /// Distance between the two columns of bolts.
     pub gauge: f64,
-    /// Distance of the two outer columns of bolts; 0 where a row has two bolts.
+    /// Distance between the two outer columns of bolts; 0 where a row has two bolts.
     pub outer_gauge: f64,
-    /// Rows, in the order of the spec.
+    /// z of the bolt rows, in the order of the spec.
     pub rows: Vec<f64>,
     /// Diameter of the holes.
     pub hole: f64,
-    /// Thickness of a rib on the beam's upper flange; 0 for none.
+    /// Thickness of a rib on the beam's upper flange; 0: none.
     pub rib: f64,
-    /// Throat of the welds of the rib; 0 for butt welds.
+    /// Throat of the welds of the rib; 0: butt welds.
     pub rib_throat: f64,
-    /// Throat of the welds of the beam's flanges; 0 for butt welds.
+    /// Throat of the welds of the beam's flanges; 0: butt welds.
     pub flange_throat: f64,
-    /// Throat of the welds of the beam's web; 0 for butt welds.
+    /// Throat of the welds of the beam's web; 0: butt welds.
     pub web_throat: f64,
-    /// Length of beam between the section that carries the actions and the plates; 0 where it is
-    /// not known.
+    /// Length of the beam between the plates and the section on which the actions act; 0 if
+    /// unknown.
     pub bending_length: f64,
-    /// System length of the beam, where the spec gives it.
+    /// System length of the beam, if the spec gives it.
     pub system_length: Option<f64>,
-    /// What the load cases put on the plates, a load case and member end each.
+    /// Actions on the plates, one entry per load case and member end.
     pub actions: Vec<PlaneActions>,
-    /// Preload of a bolt \[N\]; `None`: not preloaded.
+    /// Preload of a bolt \[N\]; `None`: the bolts are not preloaded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub preload: Option<f64>,
-    /// Category of the bolts, where the spec names it.
+    /// Category of the bolts, if the spec gives it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub category: Option<BoltCategory>,
     /// Friction coefficient of the contact surfaces.
     pub mu: f64,
-    /// Loads of a case with a demand that the checks do not hold: the case, and why in a sentence.
+    /// Loads that the checks leave out: the load case, and the reason in one sentence.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unseen: Vec<(String, String)>,
-    /// Prying forces are taken to develop whatever the length of the bolts.
+    /// True if prying forces are assumed to develop whatever the length of the bolts.
     pub always_prying: bool,
     /// Partial factors.
     #[serde(flatten)]
@@ -130,13 +133,13 @@ impl EndPlate {
         out
     }
 
-    /// Bolts of one end plate.
+    /// Number of bolts of one end plate.
     pub fn bolt_count(&self) -> usize {
         self.rows.len() * self.columns().len()
     }
 }
 
-/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` where
+/// Largest longitudinal compressive stress of a column at the root of its web \[MPa\]; `None` if
 /// the spec gives neither N nor M.
 ///
 /// `σ = −N/A + |M| (h/2 − t_f − r)/I_y`, not below 0.
@@ -151,7 +154,7 @@ fn longitudinal(
     }
     let (axial, moment) = (m.n_ed.map_or(0.0, |n| n.0), m.m_ed.map_or(0.0, |m| m.0));
     let root = 0.5 * section.h - section.tf - section.r;
-    // cm² and cm⁴ of the tables
+    // the tables give cm² and cm⁴
     let stress =
         (-axial / (1e2 * section.area) + moment.abs() * root / (1e4 * section.i_y)).max(0.0);
     if stress <= steel.fy {
@@ -169,7 +172,9 @@ fn longitudinal(
     })
 }
 
-/// Loads that the hand checks do not hold beside those they do.
+/// Loads that the hand checks leave out: loads at member ends that `hand_checks` does not name, and
+/// loads on sections in a case with actions at member ends, unless the spec gives the forces of the
+/// column.
 fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)> {
     let loads = || spec.loads.iter().filter(|l| !l.of_polygon);
     let demanded = |case: &str| loads().any(|l| l.name == case && l.end.is_some());
@@ -197,7 +202,7 @@ fn unseen(spec: &ConnectionSpec, entry: &EndPlateEntry) -> Vec<(String, String)>
     loads().filter_map(|l| Some((l.name.clone(), why(l)?))).collect()
 }
 
-/// The values of a template's `hand_checks`, if it has them.
+/// The values of the template's `hand_checks`; `None` if it has none.
 pub fn end_plate(
     spec: &ConnectionSpec,
     template: &Template,
@@ -213,7 +218,7 @@ pub fn end_plate(
     let named = |key: &str, result: Result<f64, ExprError>| {
         result.map_err(|cause| AssemblyError::Template { at: format!("hand_checks.{key}"), cause })
     };
-    // every length, with the least it may be
+    // evaluates a length and compares it with its smallest allowed value
     let length = |key: &'static str, e: &Expr, least: Option<f64>| {
         let value = named(key, scope.length(e))?;
         match least {

@@ -1,4 +1,4 @@
-//! What can be wrong between a spec and its assembly.
+//! Faults found while a spec is turned into an assembly.
 
 use crate::catalog::CatalogError;
 use crate::diag::Diagnostic;
@@ -13,17 +13,17 @@ pub enum AssemblyError {
     Missing {
         /// Path in the spec.
         path: String,
-        /// What it is.
+        /// Description of the value.
         about: String,
     },
-    /// A name the template does not know.
+    /// A name that the template does not contain.
     #[error("{problem}")]
     Unknown {
         /// Path in the spec.
         path: String,
-        /// What is unknown to what, and the nearest name that is known.
+        /// The unknown name, the place that does not know it, and the nearest known name.
         problem: String,
-        /// What there is.
+        /// The known names.
         known: String,
     },
     /// A value of the wrong kind or unit.
@@ -31,9 +31,9 @@ pub enum AssemblyError {
     Value {
         /// Path in the spec.
         path: String,
-        /// What is wrong.
+        /// Description of the fault.
         problem: String,
-        /// What to write.
+        /// Value or form to write instead.
         help: String,
     },
     /// A value outside its range.
@@ -41,19 +41,19 @@ pub enum AssemblyError {
     OutOfRange {
         /// Path in the spec.
         path: String,
-        /// Parameter.
+        /// Name of the parameter.
         name: String,
         /// Its value.
         value: String,
-        /// What is allowed.
+        /// Allowed range.
         range: String,
     },
-    /// A name the catalogue does not know, or a value it cannot give.
+    /// A name that the catalogue does not contain, or a value that it cannot give.
     #[error("{cause}")]
     Catalog {
         /// Path in the spec.
         path: String,
-        /// The catalogue's words.
+        /// Error of the catalogue.
         cause: Box<CatalogError>,
     },
     /// A condition of the template does not hold.
@@ -61,40 +61,40 @@ pub enum AssemblyError {
     Rule {
         /// Path in the spec.
         path: String,
-        /// The template's words.
+        /// Message of the template.
         message: String,
-        /// The template's cure.
+        /// Remedy given by the template.
         help: String,
     },
-    /// The template itself is wrong.
+    /// A fault of the template itself, in one of its expressions.
     #[error("the template is wrong at `{at}`: {cause}")]
     Template {
         /// Entry of the template.
         at: String,
-        /// Why.
+        /// Fault of the expression.
         cause: ExprError,
     },
-    /// The template itself is wrong, without an expression to blame.
+    /// A fault of the template itself, outside its expressions.
     #[error("the template is wrong at `{at}`: {problem}")]
     TemplateEntry {
         /// Entry of the template.
         at: String,
-        /// What is wrong.
+        /// Description of the fault.
         problem: String,
     },
-    /// The bolts of the geometry are others than those of `hand_checks`.
+    /// The bolts of the geometry differ from those of `hand_checks`.
     #[error("`{at}` of the template is not what is meshed: {problem}")]
     UnseenBolts {
         /// Entry of the template.
         at: String,
-        /// The numbers on both sides.
+        /// The numbers of bolts on both sides.
         problem: String,
-        /// What to write.
+        /// Text to write instead.
         help: String,
     },
 }
 
-/// A name that a template does not have; `noun` says of which kind.
+/// Error for a name that a template does not contain; `noun` is the kind of name.
 pub(super) fn unknown_in(
     template: &str,
     path: String,
@@ -107,14 +107,14 @@ pub(super) fn unknown_in(
     AssemblyError::Unknown { path, problem, known }
 }
 
-/// The known names for a help line, `nothing` where there are none.
+/// The known names for a help line, or `nothing` if there are none.
 pub(super) fn known_names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let all: Vec<&str> = names.collect();
     if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
 }
 
 impl AssemblyError {
-    /// The diagnostic, placed in the spec.
+    /// The diagnostic, with its place in the spec.
     pub fn placed(self, index: &PlaceIndex) -> Diagnostic {
         let d = Diagnostic::from(self);
         match &d.place.path {

@@ -1,4 +1,4 @@
-//! Entries of a template with their expressions evaluated; a fault names its entry.
+//! Evaluates the expressions of template entries. An error reports its entry.
 
 use super::assembly::Surface;
 use super::error::AssemblyError;
@@ -7,17 +7,17 @@ use super::template::{RectangleEntry, Template};
 use crate::diag::AtLeastOne;
 use crate::spec::expr::ExprError;
 
-/// Names the template entry an expression's fault belongs to.
+/// Adds the name of the template entry to the fault of one of its expressions.
 pub(super) fn within<T>(at: &str, result: Result<T, ExprError>) -> Result<T, AssemblyError> {
     result.map_err(|cause| AssemblyError::Template { at: at.to_owned(), cause })
 }
 
-/// A fault of a template entry that no expression is to blame for.
+/// A fault of a template entry that lies outside its expressions.
 pub(super) fn entry_fault<T>(at: &str, problem: impl Into<String>) -> Result<T, AssemblyError> {
     Err(AssemblyError::TemplateEntry { at: at.to_owned(), problem: problem.into() })
 }
 
-/// The name, if it is an identifier: capitals, digits and `_`, a capital first.
+/// The name, if it is an identifier: capitals, digits and `_`, with a capital first.
 pub(super) fn identifier(at: &str, name: String) -> Result<String, AssemblyError> {
     let word = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
     if name.starts_with(|c: char| c.is_ascii_uppercase()) && name.chars().all(word) {
@@ -51,7 +51,7 @@ pub(super) fn rectangle(at: &str, s: &Scope, r: &RectangleEntry) -> Result<Surfa
     Ok(Surface::Plane { axis, at: level, min, max })
 }
 
-/// The template's conditions on the values.
+/// Checks the template's conditions on the values.
 pub fn rules(template: &Template, scope: &Scope) -> Result<(), AtLeastOne<AssemblyError>> {
     let mut faults = Vec::new();
     for check in &template.checks {

@@ -1,4 +1,4 @@
-//! Templates that extend other ones.
+//! Tests of templates that extend other templates.
 
 use super::template::{Check, Template};
 use super::template_file::load;
@@ -21,7 +21,7 @@ hand_checks: {beam: beam, steel: [beam], thickness: a, width: a, bottom: -a, top
 starter_load: {name: PULL, section: end, pressure: 1 MPa}
 ";
 
-/// Writes `base.yaml` and `mine.yaml` (and `third.yaml`, if given) and loads `mine.yaml`.
+/// Writes `base.yaml` and `mine.yaml` (and `third.yaml`, if given), then loads `mine.yaml`.
 fn loaded(mine: &str, third: Option<&str>) -> Result<Template, Vec<Diagnostic>> {
     let folder = tempfile::tempdir().expect("a folder");
     let write = |file: &str, text: &str| {
@@ -75,7 +75,7 @@ starter_load: {name: TURN, end: right, at: node}
     assert_eq!((that.text(), say.as_str()), ("a <= b", "too small"));
     let hand = t.hand_checks.expect("there");
     assert_eq!((hand.top.text(), hand.bottom.text()), ("2 * a", "-a"));
-    // a load is one thing: nothing of the base's is mixed in
+    // a load is replaced as a whole: no key of the base's load is merged in
     assert_eq!(t.starter_load.expect("there").section, None);
     let without = "extends: ./base.yaml\nname: mine\nparameters: [{name: c}, {name: a}]\n";
     assert_eq!(names(&loaded(without, None).expect("sound")), ["c", "a"]);

@@ -1,5 +1,4 @@
-//! Partial factors of a spec: what it gives, else what its national annex sets, else the
-//! recommended values.
+//! Partial factors: from the spec, else from its national annex, else the recommended values.
 
 use super::error::AssemblyError;
 use super::scope::Resolved;
@@ -7,10 +6,10 @@ use crate::catalog::{Catalog, NationalAnnex};
 use crate::spec::code::Code;
 use serde::Serialize;
 
-/// What a partial factor may be.
+/// Allowed range of a partial factor.
 const RANGE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
 
-/// All partial factors of one spec; in the order of the standard.
+/// All partial factors of one spec, in the order of the standard.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PartialFactors {
     /// γ_M0: cross-sections.
@@ -32,14 +31,15 @@ pub struct PartialFactors {
 pub struct FactorsOfSpec {
     /// The values.
     pub values: PartialFactors,
-    /// Each of them for the list of resolved values, with its origin.
+    /// Each factor with its origin, for the list of resolved values.
     pub resolved: Vec<Resolved>,
-    /// Those below the recommended ones, a sentence each: a slip of the pen, or a national annex.
+    /// Factors below the recommended values, one sentence each. Possible causes: a typing error or
+    /// a national annex.
     pub low: Vec<String>,
 }
 
 impl FactorsOfSpec {
-    /// Reads the factors; what is wrong goes to `faults`, with 1 in its place.
+    /// Reads the factors. Each fault is added to `faults`, and the factor is then 1.
     pub fn read(code: &Code, catalog: &Catalog, faults: &mut Vec<AssemblyError>) -> Self {
         let annex = code.annex.as_ref().and_then(|name| {
             let unlisted =

@@ -9,7 +9,7 @@ use crate::spec::expr::Value;
 use crate::units::{self, Length};
 use std::collections::BTreeMap;
 
-/// What the spec says about the template's parameters, by name.
+/// The values that the spec gives for the template's parameters, by name.
 pub(super) fn given(
     spec: &ConnectionSpec,
     template: &Template,

@@ -17,16 +17,16 @@ use std::collections::BTreeMap;
 /// Young's modulus and Poisson's ratio of bolts (EN 1993-1-1, 3.2.6) \[MPa\].
 const BOLT_ELASTIC: (f64, f64) = (210_000.0, 0.3);
 
-/// k2 of EN 1993-1-8:2005 Table 3.4 for bolts that are not countersunk.
+/// k2 of EN 1993-1-8:2005 Table 3.4, for bolts that are not countersunk.
 pub const K2: f64 = 0.9;
 
 /// Catalogue rows and values of one spec.
 pub struct Inputs<'a> {
     profiles: Vec<(String, &'a IProfile)>,
     steels: BTreeMap<String, (String, &'a Steel)>,
-    /// Size and grade, if the spec has bolts.
+    /// Size and grade of the bolts, if the spec has bolts.
     pub bolt: Option<(&'a BoltSize, &'a BoltGrade)>,
-    /// What the spec says about parameters.
+    /// Parameter values from the spec.
     pub given: BTreeMap<String, Given>,
     /// Friction coefficient.
     pub mu: f64,
@@ -40,7 +40,7 @@ fn unlisted(path: String, cause: CatalogError) -> AssemblyError {
 }
 
 impl<'a> Inputs<'a> {
-    /// Reads a spec; reports every fault it can find at once.
+    /// Reads a spec. Reports all faults that can be found in one pass.
     pub fn read(
         spec: &ConnectionSpec,
         template: &Template,
@@ -119,7 +119,7 @@ impl<'a> Inputs<'a> {
         Ok(Self { profiles, steels, bolt, given, mu, preload, factors })
     }
 
-    /// The names that stand before any parameter: `role.h`, `bolt.d` and so on.
+    /// The names known before any parameter is resolved: `role.h`, `bolt.d` and others.
     pub fn scope(&self) -> Scope {
         let mut scope = Scope::default();
         let mut set =
@@ -151,8 +151,8 @@ impl<'a> Inputs<'a> {
         self.profiles.iter().find(|(r, _)| r == role).map(|(_, p)| *p)
     }
 
-    /// Adds the material of a part and returns its key: grade, and thickness where two strengths of
-    /// a grade meet.
+    /// Adds the material of a part and returns its key: the grade, plus the thickness if the same
+    /// grade occurs with two strengths.
     pub fn steel_material(
         &self,
         spec: &ConnectionSpec,
@@ -169,7 +169,7 @@ impl<'a> Inputs<'a> {
         Ok(insert(materials, &steel.grade, thickness, material))
     }
 
-    /// The first steel that the spec gives, with its path.
+    /// The first steel of the list that the spec gives, with its path.
     fn steel(&self, from: &[String]) -> Result<&(String, &'a Steel), AssemblyError> {
         from.iter().find_map(|f| self.steels.get(f)).ok_or_else(|| {
             let problem = format!("none of {} has a steel in the spec", from.join(", "));
@@ -177,7 +177,8 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// Nominal strengths of the first steel that the spec gives, at a thickness \[mm\].
+    /// Nominal strengths, at a given thickness \[mm\], of the first steel of the list that the spec
+    /// gives.
     pub fn strength(
         &self,
         spec: &ConnectionSpec,
@@ -199,8 +200,8 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// What the reader of the report must know about factors and grades: partial factors below the
-    /// recommended ones, ASTM steels and bolts under the checks of a European code.
+    /// Notes for the report on factors and grades: partial factors below the recommended values,
+    /// and ASTM steels and bolts under the checks of a European code.
     pub fn notes(&self) -> Vec<String> {
         let foreign = |standard: &str| standard.starts_with("ASTM");
         let mut grades: Vec<String> = Vec::new();
@@ -235,8 +236,8 @@ impl<'a> Inputs<'a> {
         &self.factors.resolved
     }
 
-    /// Adds the material of a bolt: its shank, meshed with the nominal area, yields at F_t,Rd of EN
-    /// 1993-1-8 Table 3.4.
+    /// Adds the material of a bolt. The shank is meshed with the nominal area; it yields at F_t,Rd
+    /// of EN 1993-1-8 Table 3.4.
     pub fn bolt_material(
         &self,
         size: &BoltSize,
@@ -263,7 +264,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// The preload of a bolt, for the list of resolved values; absent without bolts.
+    /// The preload of a bolt, for the list of resolved values; `None` without bolts.
     pub fn preload_resolved(&self, spec: &ConnectionSpec) -> Option<Resolved> {
         let (size, grade) = self.bolt?;
         Some(Resolved {
@@ -280,7 +281,7 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// Catalogue entries used: role and name.
+    /// Catalogue entries used, as role and name.
     pub fn catalogue(&self) -> Vec<(String, String)> {
         let mut out: Vec<(String, String)> = self
             .profiles
@@ -301,9 +302,8 @@ fn thread_yields(size: &BoltSize, grade: &BoltGrade) -> f64 {
     grade.fyb * size.stress_area
 }
 
-/// The preload a spec asks for \[N\], if any: above zero, below what the thread yields at, of a
-/// grade made for it (EN 1993-1-8:2005
-/// 3.1.2).
+/// The preload given in the spec \[N\], if any. It must be above zero and below the tension at
+/// which the thread yields, and the grade must be suitable for preloading (EN 1993-1-8:2005 3.1.2).
 fn preload(
     spec: &ConnectionSpec,
     size: &BoltSize,
@@ -345,7 +345,8 @@ fn preload(
     })
 }
 
-/// Inserts under the plain name, or with the thickness when that name has other constants already.
+/// Inserts under the plain name, or under the name with the thickness if the plain name already has
+/// other constants.
 fn insert(
     materials: &mut BTreeMap<String, PartMaterial>,
     name: &str,

@@ -18,27 +18,27 @@ use crate::spec::yaml::Parsed;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// An assembly, and what the report says about how it came to be.
+/// An assembly, and the report's data on how it was built.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Joint {
     /// The assembly.
     pub assembly: Assembly,
-    /// Every parameter with its value and where it came from.
+    /// Every parameter with its value and the origin of the value.
     pub resolved: Vec<Resolved>,
-    /// Catalogue entries used: role and name.
+    /// Catalogue entries used, as role and name.
     pub catalogue: Vec<(String, String)>,
-    /// What the hand checks see of the connection, where the template says it.
+    /// Data of the connection for the hand checks, if the template gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_plate: Option<EndPlate>,
-    /// What the report must say about the input.
+    /// Notes on the input that the report must contain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// Where the bolts lie whose nuts are in contact.
+    /// Lines of action of the bolts whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
 }
 
-/// Builds the joint a spec describes; `base` is the folder of the spec (for templates given by
-/// path).
+/// Builds the joint that a spec describes. `base` is the folder of the spec, from which template
+/// paths are resolved.
 pub fn build(
     spec: &Parsed<ConnectionSpec>,
     base: &Path,
@@ -98,7 +98,7 @@ pub fn build(
     })
 }
 
-/// All parts, interfaces, supports and loads of a joint, and its planes of symmetry.
+/// All parts, interfaces, supports, loads and symmetry planes of a joint.
 fn assembly(context: &Context<'_>) -> Result<Assembly, AssemblyError> {
     let bolts = context.bolts()?;
     let mut holes: BTreeMap<&str, Vec<Hole>> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! Where a template comes from, and where in its file a fault of it stands.
+//! Origin of a template, and the place of a fault in its file.
 
 use super::error::AssemblyError;
 use super::template::Template;
@@ -6,28 +6,28 @@ use crate::diag::{Diagnostic, Place};
 use crate::spec::yaml::PlaceIndex;
 use std::path::PathBuf;
 
-/// Where a template comes from.
+/// Origin of a template.
 #[derive(Clone, Debug)]
 pub enum Origin {
-    /// It is a part of the program.
+    /// Shipped with the program.
     Shipped,
-    /// A file of the user's.
+    /// A file of the user.
     File {
-        /// The file.
+        /// Path of the file.
         file: PathBuf,
-        /// Lines and columns of its entries.
+        /// Lines and columns of the entries.
         index: PlaceIndex,
     },
 }
 
 impl Origin {
-    /// The diagnostic of a fault that is the template's own, placed in its file; any other fault as
-    /// it is.
+    /// The diagnostic of a fault. A fault of the template gets its place in the template's file;
+    /// any other fault is converted unchanged.
     pub fn placed(&self, template: &Template, error: AssemblyError) -> Diagnostic {
         let entry = match &error {
             AssemblyError::Template { at, cause } => {
-                // a value may be computed because another one needs it: the text of the
-                // expression shows which definition is at fault
+                // one value may be computed on demand of another: the text of the expression
+                // identifies the definition at fault
                 let own = template.define.iter().position(|d| d.value.text() == cause.text);
                 Some(own.map(|i| format!("define[{i}]")).or_else(|| template.path_of(at)))
             }
@@ -51,9 +51,9 @@ impl Origin {
 }
 
 impl Template {
-    /// The path of an entry in the template's file, from the word an [`AssemblyError`] has for it:
-    /// the entry's name, as it stands there or with its loops filled in, the text of a check, or a
-    /// key of `hand_checks`.
+    /// The path of an entry in the template's file, from the entry's description in an
+    /// [`AssemblyError`]. The description is one of: the entry's name as written or with its loop
+    /// variables filled in, the text of a check, a key of `hand_checks`.
     fn path_of(&self, at: &str) -> Option<String> {
         if at.starts_with("hand_checks.") {
             return Some(at.to_owned());
@@ -96,7 +96,7 @@ impl Template {
     }
 }
 
-/// True when `name` is `pattern` with something in place of each `{…}`.
+/// True if `name` equals `pattern` with some text in place of each `{…}`.
 fn fills(pattern: &str, name: &str) -> bool {
     match pattern.split_once('{').and_then(|(head, rest)| Some((head, rest.split_once('}')?.1))) {
         None => pattern == name,

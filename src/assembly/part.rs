@@ -1,11 +1,12 @@
-//! Solids of parts: rolled sections, boxes, bolts with holes, and their convex pieces.
+//! Solids of parts: rolled sections, boxes, bolts and their holes, and the convex pieces of parts.
 
 use super::assembly::{MidPlane, OutlineEdge, Solid};
 use crate::catalog::{BoltSize, IProfile};
 
-/// Wedges that stand for a root fillet in clash checks; the chord errs by 0.2 % of the radius.
+/// Number of wedges that approximate a root fillet in clash checks; the error of the chord is 0.2 %
+/// of the radius.
 const FILLET_WEDGES: usize = 6;
-/// Sides of the polygon that stands for a hole in clash checks.
+/// Number of sides of the polygon that approximates a hole in clash checks.
 const HOLE_SIDES: usize = 16;
 
 /// Unit vector of an axis.
@@ -20,34 +21,34 @@ pub fn cuboid(x: [f64; 2], y: [f64; 2], z: [f64; 2]) -> Solid {
     Solid::Box { min: [x[0], y[0], z[0]], max: [x[1], y[1], z[1]] }
 }
 
-/// A length of I section in space.
+/// A length of an I section with its position in space.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
     /// The section.
     pub profile: &'a IProfile,
-    /// Axis of the member.
+    /// Axis of the member, 0 = x.
     pub along: usize,
-    /// Direction of the section's depth.
+    /// Axis of the section's depth, 0 = x.
     pub depth: usize,
     /// Extent along the axis \[mm\].
     pub span: [f64; 2],
-    /// A point of the member's axis \[mm\].
+    /// A point on the member's axis \[mm\].
     pub centre: [f64; 3],
 }
 
 impl Placed<'_> {
-    /// The direction of the flanges' width.
+    /// Axis of the flanges' width.
     fn width(&self) -> usize {
         3 - self.along - self.depth
     }
 
-    /// Frame of the outline: `u × v = along`.
+    /// Axes `u`, `v` of the outline, with `u × v = along`.
     fn frame(&self) -> (usize, usize) {
         ((self.along + 1) % 3, (self.along + 2) % 3)
     }
 
-    /// A point of the section (across, deep) in the outline's frame; a quarter turn keeps the sense
-    /// of rotation.
+    /// A point of the section (across, deep) in the outline's frame. Where the axes differ, the map
+    /// is a quarter turn, which keeps the sense of rotation.
     fn turn(&self, [w, d]: [f64; 2]) -> [f64; 2] {
         if self.frame().1 == self.depth { [w, d] } else { [d, -w] }
     }
@@ -66,12 +67,12 @@ impl Placed<'_> {
         }
     }
 
-    /// The exact section with root fillets, extruded.
+    /// The exact section with its root fillets, extruded.
     pub fn solid(&self) -> Solid {
         let p = self.profile;
         let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
-        // counter-clockwise from the lower right corner, width to the right and depth upwards;
-        // `true` ends a fillet
+        // counter-clockwise from the lower right corner, with the width to the right and the depth
+        // upwards; `true` marks the end of a fillet
         let c = [w + r, f - r];
         let points: [([f64; 2], Option<[f64; 2]>); 16] = [
             ([b, -h], None),
@@ -104,7 +105,7 @@ impl Placed<'_> {
         self.prism(start, edges)
     }
 
-    /// A box of the section: across, deep, and the whole length.
+    /// A box of the section over the whole length, from its extents across and along the depth.
     fn block(&self, across: [f64; 2], deep: [f64; 2]) -> [[f64; 2]; 3] {
         let mut x = [[0.0; 2]; 3];
         x[self.along] = self.span;
@@ -113,7 +114,7 @@ impl Placed<'_> {
         x
     }
 
-    /// Flanges, web and wedges of the fillets, with the holes spared.
+    /// Flanges, web and wedges of the fillets, with the holes left free.
     pub fn convex(&self, holes: &[Hole]) -> Vec<Solid> {
         let p = self.profile;
         let (b, h, w, f, r) = (p.b / 2.0, p.h / 2.0, p.tw / 2.0, p.h / 2.0 - p.tf, p.r);
@@ -128,8 +129,8 @@ impl Placed<'_> {
                 [sw * (w + r - r * a.cos()), sd * (f - r + r * a.sin())]
             };
             for i in 0..if r > 0.0 { FILLET_WEDGES } else { 0 } {
-                // the arc runs from the web to the flange; the sense of the triangle follows the
-                // quadrant
+                // the arc runs from the web to the flange; the orientation of the triangle depends
+                // on the quadrant
                 let (from, to) =
                     if sw * sd > 0.0 { (arc(i), arc(i + 1)) } else { (arc(i + 1), arc(i)) };
                 let start = self.turn(corner);
@@ -140,8 +141,8 @@ impl Placed<'_> {
         out
     }
 
-    /// Mid-thickness planes of the flanges and of the web; the web's ends on the flanges', so that
-    /// no edge of a plane hangs inside the steel.
+    /// Mid-thickness planes of the flanges and of the web. The web's plane ends on those of the
+    /// flanges, so that no edge of a plane ends inside the steel.
     pub fn mid_planes(&self) -> Vec<MidPlane> {
         let p = self.profile;
         let middle = (p.h - p.tf) / 2.0;
@@ -160,20 +161,20 @@ impl Placed<'_> {
     }
 }
 
-/// A cylindrical hole, and the shank in it.
+/// A cylindrical hole, and the bolt shank in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hole {
-    /// Centre at the head's bearing face \[mm\].
+    /// Centre of the hole at the head's bearing face \[mm\].
     pub base: [f64; 3],
     /// Axis of the shank, 0 = x.
     pub axis: usize,
-    /// +1 or −1: from head to nut.
+    /// Direction from head to nut along the axis: +1 or −1.
     pub toward: f64,
     /// Grip length \[mm\].
     pub length: f64,
     /// Radius \[mm\].
     pub radius: f64,
-    /// Sides of the meshed circle.
+    /// Number of sides of the meshed circle.
     pub segments: u32,
 }
 
@@ -183,26 +184,26 @@ impl Hole {
         unit(self.axis).map(|x| if x == 0.0 { 0.0 } else { x * self.toward })
     }
 
-    /// The point at a distance from the head's bearing face along the shank \[mm\].
+    /// The point on the axis at a distance from the head's bearing face, towards the nut \[mm\].
     pub fn point(&self, distance: f64) -> [f64; 3] {
         let mut x = self.base;
         x[self.axis] += self.toward * distance;
         x
     }
 
-    /// Half side of the square that clash checks spare: no corner of the meshed polygon, which has
-    /// the circle's area, reaches beyond it.
+    /// Half side of the square that the clash checks leave free \[mm\]. It contains all corners of
+    /// the meshed polygon, which has the area of the circle.
     fn spared(&self) -> f64 {
         let step = std::f64::consts::TAU / f64::from(self.segments);
         self.radius * (step / step.sin()).sqrt()
     }
 
-    /// Half extent along axis `k` of a plane across the shank that is wider than it \[mm\].
+    /// Half extent along axis `k` of a plane across the shank that is wider than the shank \[mm\].
     pub fn beyond(&self, k: usize) -> f64 {
         if k == self.axis { 0.0 } else { 1.25 * self.radius }
     }
 
-    /// The cylinder: the bolt's shank and what is cut from the parts.
+    /// The cylinder of the bolt's shank; the same cylinder is cut from the parts.
     pub fn cylinder(&self) -> Solid {
         Solid::Cylinder {
             base: self.base,
@@ -229,8 +230,8 @@ pub fn bolt_pieces(size: &BoltSize, hole: &Hole, corner: usize) -> [Solid; 3] {
     [hole.cylinder(), head, nut]
 }
 
-/// A hexagon prism that stands on `base` towards `sign` times the axis, two corners on axis
-/// `corner`.
+/// A hexagonal prism that stands on `base` and extends in the direction `sign` along the axis. Two
+/// of its corners lie on axis `corner`.
 fn hexagon(
     base: [f64; 3],
     axis: usize,
@@ -259,7 +260,7 @@ fn hexagon(
     Solid::Prism { origin, u: unit(u), v: unit(v), start, edges, length: height }
 }
 
-/// Convex pieces of a box with the holes that pass right through it spared.
+/// Convex pieces of a box, with the holes that pass right through it left free.
 pub fn perforated(x: [[f64; 2]; 3], holes: &[Hole]) -> Vec<Solid> {
     let inside = |h: &&Hole| {
         let (a, b) = (h.point(0.0)[h.axis], h.point(h.length)[h.axis]);
@@ -311,7 +312,8 @@ pub fn perforated(x: [[f64; 2]; 3], holes: &[Hole]) -> Vec<Solid> {
     out
 }
 
-/// The four corners of the square about a hole, outside the polygon that encloses the circle.
+/// The four corner regions of the square about a hole, outside the polygon that encloses the
+/// circle.
 fn corners_around(h: &Hole, span: [f64; 2], u: usize, v: usize) -> Vec<Solid> {
     let step = std::f64::consts::TAU / HOLE_SIDES as f64;
     let outer = h.spared() / (step / 2.0).cos();
@@ -327,7 +329,7 @@ fn corners_around(h: &Hole, span: [f64; 2], u: usize, v: usize) -> Vec<Solid> {
             turn([outer * a.cos(), outer * a.sin()])
         };
         for i in 0..HOLE_SIDES / 4 - 1 {
-            // clockwise along the circle is counter-clockwise about the triangle
+            // clockwise along the circle is counter-clockwise around the triangle
             let edges = [vertex(i + 1), vertex(i), corner].map(|to| OutlineEdge::Line { to });
             out.push(Solid::Prism {
                 origin,

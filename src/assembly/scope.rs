@@ -1,5 +1,5 @@
-//! Names and their values while a template is evaluated: profiles, bolts, parameters, definitions,
-//! loop variables.
+//! Names and their values during evaluation of a template: profiles, bolts, parameters,
+//! definitions, loop variables.
 
 use super::error::AssemblyError;
 use super::template::{Default, Loop, Parameter, ParameterKind, Template};
@@ -8,32 +8,32 @@ use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
 use std::collections::BTreeMap;
 
-/// A parameter's value and where it came from; the report prints these.
+/// A parameter's value and its origin, as printed in the report.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Resolved {
     /// Name.
     pub name: String,
     /// Value with its unit.
     pub value: String,
-    /// True when the spec says it, false when it is the template's default.
+    /// True if the spec gives the value, false if it is the template's default.
     pub given: bool,
-    /// The template's default expression; absent where the spec must give a value.
+    /// The template's default expression; `None` if the spec must give a value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub default: Option<String>,
-    /// Allowed range in words, if there is one.
+    /// Allowed range in words, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub range: Option<String>,
-    /// What it is.
+    /// Description of the parameter.
     pub about: String,
-    /// Where the value comes from, where `given` and `default` do not tell all.
+    /// Origin of the value, where `given` and `default` do not describe it fully.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub origin: Option<String>,
 }
 
-/// Limits of a parameter in internal units, and in words.
+/// Smallest and largest value of a parameter in internal units, and the range in words.
 type Limits = (Option<f64>, Option<f64>, Option<String>);
 
-/// A loop variable at one turn.
+/// A loop variable in one pass of its loop.
 #[derive(Clone, Debug)]
 struct Turn {
     name: String,
@@ -50,7 +50,7 @@ pub struct Scope {
     turns: Vec<Turn>,
 }
 
-/// What the spec says about a parameter, in internal units.
+/// A parameter's value from the spec, in internal units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Given {
     /// One value.
@@ -101,12 +101,13 @@ impl Scope {
         e.eval_as(Dim::NONE, &mut |n| self.get(n))
     }
 
-    /// A truth.
+    /// A truth value.
     pub fn truth(&self, e: &Expr) -> Result<bool, ExprError> {
         e.eval_truth(&mut |n| self.get(n))
     }
 
-    /// The lengths of a list parameter \[mm\], in its order; otherwise why there is no such list.
+    /// The lengths of a list parameter \[mm\] in their order; the error states why there is no such
+    /// list.
     pub fn list(&self, name: &str) -> Result<Vec<f64>, String> {
         let length = |v: Value| match v {
             Value::Quantity(q) if q.dim == Dim::LENGTH => Ok(q.value),
@@ -135,7 +136,7 @@ impl Scope {
         Ok([self.length(&e[0])?, self.length(&e[1])?, self.length(&e[2])?])
     }
 
-    /// Fills `{expr}`, `{#loop}` (label) and `{@loop}` (index from 0) into a text.
+    /// Replaces `{expr}`, `{#loop}` (label) and `{@loop}` (index from 0) in a text.
     pub fn text(&self, pattern: &str) -> Result<String, ExprError> {
         let fault = |message: String| ExprError {
             message,
@@ -168,7 +169,7 @@ impl Scope {
         Ok(out)
     }
 
-    /// One scope for every turn of the nested loops for which `when` holds.
+    /// One scope for each pass of the nested loops for which `when` holds.
     pub fn turns(&self, loops: &[Loop], when: Option<&Expr>) -> Result<Vec<Scope>, ExprError> {
         let mut scopes = vec![self.clone()];
         for l in loops {
@@ -210,11 +211,11 @@ impl Scope {
         }
     }
 
-    /// Resolves all parameters and definitions of a template: what the spec gives, otherwise the
-    /// default.
+    /// Resolves all parameters and definitions of a template: values from the spec, else the
+    /// defaults.
     ///
-    /// Order does not matter; a loop of defaults is an error that lists it. Ranges are checked
-    /// afterwards.
+    /// The order of the definitions does not matter. A cycle of defaults is an error that lists the
+    /// cycle. Ranges are checked after all values are known.
     pub fn resolve(
         &mut self,
         template: &Template,
@@ -234,7 +235,7 @@ impl Scope {
                 self.take(&p.name, g);
             }
         }
-        // list lengths are known before any value, so that loops and `name.1` work in any order
+        // lengths of lists are known before any value, so that loops and `name.1` work in any order
         for p in &template.parameters {
             if let (false, Some(Default::Many(list))) = (given.contains_key(&p.name), &p.default) {
                 self.lists.insert(p.name.clone(), list.len());
@@ -347,7 +348,7 @@ impl Scope {
         Ok(())
     }
 
-    /// Smallest and largest value of a parameter, and both in words.
+    /// Smallest and largest value of a parameter, and the range in words.
     fn limits(&self, p: &Parameter) -> Result<Limits, ExprError> {
         let dim = dim_of(p).unwrap_or(Dim::NONE);
         let limit =
@@ -388,13 +389,13 @@ impl Scope {
     }
 }
 
-/// A value in internal units, with its unit.
+/// A value in internal units as text with its unit.
 fn show(value: f64, dim: Dim) -> String {
     Value::Quantity(crate::units::Quantity { value, dim }).to_string()
 }
 
-/// Path of a parameter in the spec: `plate.*` and `bolts.*` in the fixed part, everything else
-/// under `parameters`.
+/// Path of a parameter in the spec: `plate.*` and `bolts.*` are keys of the spec itself, all other
+/// parameters are under `parameters`.
 pub fn path_of(parameter: &str) -> String {
     if parameter.starts_with("plate.") || parameter.starts_with("bolts.") {
         parameter.to_owned()

@@ -1,5 +1,5 @@
-//! Compares the bolts of the mesh with the bolts of the hand checks: a verdict by code must cover
-//! all of them.
+//! Compares the bolts of the mesh with those of the hand checks, because a verdict by code must
+//! cover all of them.
 
 use super::actions::Frame;
 use super::assembly::{Part, PartRole};
@@ -7,26 +7,26 @@ use super::end_plate::EndPlate;
 use super::error::AssemblyError;
 use crate::math::vec3::V3;
 
-/// Distance up to which two bolts are at one place \[mm\].
+/// Largest distance between two bolts at the same place \[mm\].
 const SAME_PLACE: f64 = 0.01;
-/// Bolts that a message names at most.
+/// Largest number of bolts named in a message.
 const NAMED: usize = 4;
 
 /// A bolt of the geometry.
 pub(super) struct Meshed<'a> {
-    /// Its part.
+    /// Name of its part.
     pub name: &'a str,
     /// Axis of its shank, 0 = x.
     pub axis: usize,
-    /// A point of its axis \[mm\].
+    /// A point on its axis \[mm\].
     pub position: V3,
-    /// The parts it passes.
+    /// The parts that it passes through.
     pub through: Vec<&'a str>,
 }
 
-/// Refuses a template whose bolts through an end plate are others than rows × columns of its
-/// `hand_checks`. `frames` are those of the member ends it names; without any, the beam runs along
-/// x through the origin.
+/// Rejects a template whose bolts through an end plate differ from rows × columns of its
+/// `hand_checks`. `frames` are the frames of the member ends named there; if empty, the beam runs
+/// along x through the origin.
 pub(super) fn check(
     bolts: &[Meshed<'_>],
     parts: &[Part],
@@ -87,7 +87,8 @@ fn wrong(problem: String, help: &str) -> Result<(), AssemblyError> {
     Err(AssemblyError::UnseenBolts { at: "hand_checks.rows".into(), problem, help: help.into() })
 }
 
-/// What of `bolts` is not listed, or what is listed and not there, in one member's frame.
+/// Bolts that `hand_checks` does not list, or listed bolts that do not exist, in one member's
+/// frame; `None` if both agree.
 fn mismatch(frame: &Frame, bolts: &[&Meshed<'_>], listed: &[[f64; 2]]) -> Option<String> {
     let across = 3 - frame.along - frame.depth;
     let place = |b: &Meshed<'_>| [across, frame.depth].map(|k| b.position[k] - frame.origin[k]);
@@ -113,12 +114,12 @@ fn mismatch(frame: &Frame, bolts: &[&Meshed<'_>], listed: &[[f64; 2]]) -> Option
     (!absent.is_empty()).then(|| format!("there is no bolt at {}", names(absent.into_iter())))
 }
 
-/// A coordinate as a person writes it.
+/// A coordinate rounded for messages.
 fn rounded(x: f64) -> f64 {
     (x * 100.0).round() / 100.0 + 0.0
 }
 
-/// The first of the names, and how many more there are.
+/// The first names, and the number of the others.
 fn names(all: impl Iterator<Item = String>) -> String {
     let mut all: Vec<String> = all.collect();
     let more = all.len().saturating_sub(NAMED);
@@ -144,7 +145,7 @@ mod tests {
             .expect("shipped")
     }
 
-    /// The paper's joint from a template of the user's: the shipped one with some texts replaced.
+    /// Builds the paper's joint from a user's template: the shipped one with some texts replaced.
     fn build(changes: &[(&str, &str)]) -> Result<(), Diagnostics> {
         let folder = tempfile::tempdir().expect("a folder");
         let mut template = shipped().to_owned();
@@ -220,7 +221,7 @@ mod tests {
             );
             assert!(d.help.as_ref().is_some_and(|h| h.contains("hand_checks")), "{what}: {d:#?}");
         }
-        // without the hand checks the same geometry is what the user wants
+        // without hand checks the same geometry is accepted
         let (before, _) = shipped().split_once("\nhand_checks:").expect("there");
         let rest =
             shipped().strip_prefix(before).and_then(|r| r.split_once("\n\n")).expect("an entry").0;

@@ -1,4 +1,4 @@
-//! Faults of a spec that show before any expression of the template is evaluated: ranges of
+//! Faults of a spec that can be found before any expression of the template is evaluated: ranges of
 //! numbers, loads, forces of the column, categories of the bolts.
 
 use super::actions;
@@ -10,10 +10,10 @@ use crate::spec::connection::{BoltCategory, ConnectionSpec, PreloadSpec};
 use crate::spec::friction::FrictionLaw;
 use crate::units::Length;
 
-/// System lengths of members \[mm\].
+/// Allowed system lengths of members \[mm\].
 const SYSTEM_LENGTHS: std::ops::RangeInclusive<f64> = 100.0..=100e3;
 
-/// Faults of the members: system lengths, forces beside the joint.
+/// Faults of the members: system lengths and forces beside the joint.
 pub(super) fn members(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     let lengths = spec.members.iter().filter_map(|(role, m)| Some((role, m.length?.0)));
     for (role, length) in lengths.filter(|(_, l)| !SYSTEM_LENGTHS.contains(l)) {
@@ -28,7 +28,7 @@ pub(super) fn members(spec: &ConnectionSpec, template: &Template, faults: &mut V
     column_forces(spec, template, faults);
 }
 
-/// Faults of everything but the members; `mu` is the friction coefficient of the spec.
+/// All faults except those of the members; `mu` is the friction coefficient of the spec.
 pub(super) fn rest(
     spec: &ConnectionSpec,
     template: &Template,
@@ -41,7 +41,8 @@ pub(super) fn rest(
     categories(spec, faults);
 }
 
-/// Forces beside the joint are read of the column alone: elsewhere they would be ignored.
+/// Forces beside the joint are used for the column only. On other members they would be ignored, so
+/// they are a fault.
 fn column_forces(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     let column = template.hand_checks.as_ref().and_then(|h| h.column.as_ref());
     for (role, m) in spec.members.iter().filter(|(role, _)| Some(*role) != column) {
@@ -59,7 +60,7 @@ fn column_forces(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<As
     }
 }
 
-/// Checks of the fixed part that no template has to repeat.
+/// Checks of the keys that every spec has, so that no template has to repeat them.
 fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     let mut range = |path: &str, value: f64, ok: bool, range: &str| {
         if !ok {
@@ -98,7 +99,7 @@ fn numbers(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     }
 }
 
-/// An estimate under Coulomb's law needs limit analysis and that law.
+/// An estimate under Coulomb's law requires limit analysis and that law.
 fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyError>) {
     let a = &spec.analysis;
     let (problem, help) = match () {
@@ -121,7 +122,7 @@ fn coulomb_estimate(spec: &ConnectionSpec, mu: f64, faults: &mut Vec<AssemblyErr
     faults.push(AssemblyError::Value { path, problem: problem.into(), help: help.into() });
 }
 
-/// Loads that name no section, an unknown one, or one that is loaded already.
+/// Loads that name no section, an unknown section, or a section already loaded.
 fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyError>) {
     if spec.loads.is_empty() {
         let about = "what acts on the joint; for example `{name: TOP, section: column_top, \
@@ -131,7 +132,7 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     let sections = || template.sections.iter().map(|s| s.name.as_str());
     for (i, l) in spec.loads.iter().enumerate() {
         let path = l.path(i);
-        // the directions of a polygon have the same faults: only the first is reported
+        // the directions of a polygon have the same faults, so only the first is reported
         if l.of_polygon && spec.loads[..i].iter().any(|o| o.of_polygon) {
             continue;
         }
@@ -182,7 +183,7 @@ fn loads(spec: &ConnectionSpec, template: &Template, faults: &mut Vec<AssemblyEr
     }
 }
 
-/// Categories that are preloaded without a preload; load cases of two limit states.
+/// Preloaded categories without a preload, and load cases with two limit states.
 fn categories(spec: &ConnectionSpec, faults: &mut Vec<AssemblyError>) {
     if let Some(b) = &spec.bolts {
         let preloaded = b.preload.is_some_and(|p| p != PreloadSpec::None);

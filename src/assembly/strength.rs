@@ -1,8 +1,8 @@
-//! Nominal strengths of a steel, and of fillet welds to it.
+//! Nominal strengths of a steel and of fillet welds to it.
 
 use serde::Serialize;
 
-/// Nominal strengths of a steel at the thickness it is used in.
+/// Nominal strengths of a steel at the thickness of its part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Strength {
     /// Grade.
@@ -13,13 +13,14 @@ pub struct Strength {
     pub fu: f64,
     /// Young's modulus \[MPa\].
     pub e: f64,
-    /// β_w of fillet welds, where the code has one.
+    /// β_w of fillet welds, if the code gives one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beta_w: Option<f64>,
 }
 
 impl Strength {
-    /// The steel that fillet welds between two parts are designed for: that with the lesser f_u.
+    /// The steel that governs the design of fillet welds between two parts: the one with the
+    /// smaller f_u.
     pub fn weaker<'a>(&'a self, other: &'a Strength) -> &'a Strength {
         if other.fu < self.fu { other } else { self }
     }

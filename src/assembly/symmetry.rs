@@ -1,8 +1,8 @@
-//! Symmetry of a whole joint: geometry, materials, interfaces, supports and loads against their
-//! mirror images.
+//! Symmetry of a whole joint. Geometry, materials, interfaces, supports and loads are compared with
+//! their mirror images.
 //!
-//! Solids are compared as sets of rounded points, so that it does not matter in which order or
-//! sense a template draws them.
+//! Solids are compared as sets of rounded points, so the result does not depend on the order or
+//! sense in which a template draws them.
 
 use super::assembly::{
     Action, Assembly, BoltPreload, FaceLoad, OutlineEdge, Part, Solid, Surface, SymmetryPlane,
@@ -12,11 +12,11 @@ use crate::math::vec3::{V3, norm};
 use crate::spec::friction::FrictionLaw;
 use std::collections::BTreeMap;
 
-/// Lengths that agree to this are the same \[mm\].
+/// Lengths that differ by less than this are equal \[mm\].
 const SAME: f64 = 1e-6;
 
-/// Loads that agree to this part of their size are the same: a million times what rounding
-/// makes of them, and far below any load that counts.
+/// Loads that differ by no more than this fraction of their size are equal. The value is a million
+/// times the rounding error and far below any significant load.
 const SAME_LOAD: f64 = 1e-10;
 
 type Point = [i64; 3];
@@ -24,7 +24,7 @@ type Point = [i64; 3];
 fn round(x: [f64; 3], mirror: Option<usize>) -> Point {
     let mut p = x.map(|c| (c / SAME).round() as i64);
     if let Some(axis) = mirror {
-        // a number too large for the grid stands at its end, which has no opposite
+        // a number too large for the grid saturates; the smallest one has no opposite
         p[axis] = p[axis].saturating_neg();
     }
     p
@@ -34,15 +34,15 @@ fn on_grid(x: f64) -> i64 {
     (x / SAME).round() as i64
 }
 
-/// A force, a stress or a pure number, rounded to ten significant digits whatever its size.
+/// A force, a stress or a pure number, rounded to ten significant digits at any magnitude.
 fn digits(x: f64) -> String {
     format!("{:.9e}", x + 0.0)
 }
 
-/// A shape as data that compare equal exactly when the shapes are the same.
+/// A shape as data that are equal exactly if the shapes are equal.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Signature {
-    /// Vertices, centres of arcs, a length that points do not show.
+    /// Vertices, centres of arcs, and a length that the points do not determine.
     Points(Vec<Point>, Vec<Point>, i64),
     Union(Vec<Signature>),
     Difference(Box<Signature>, Vec<Signature>),
@@ -119,23 +119,23 @@ fn surface(s: &Surface, mirror: Option<usize>) -> Signature {
     }
 }
 
-/// A vector under a mirror, which turns its component along the normal.
+/// The mirror image of a vector: the component along the normal changes sign.
 fn mirrored(v: V3, mirror: Option<usize>) -> V3 {
     std::array::from_fn(|k| if mirror == Some(k) { -v[k] } else { v[k] })
 }
 
-/// A moment under a mirror, which turns all its components but the one along the normal.
+/// The mirror image of a moment: all components except the one along the normal change sign.
 fn mirrored_moment(m: V3, mirror: Option<usize>) -> V3 {
     mirror.map_or(m, |_| mirrored(m, mirror).map(|c| -c))
 }
 
-/// True for vectors that agree up to rounding relative to their size.
+/// True if the vectors agree up to rounding relative to their size.
 fn same_load(a: V3, b: V3) -> bool {
     let size = norm(a).max(norm(b));
     (0..3).all(|k| (a[k] - b[k]).abs() <= SAME_LOAD * size)
 }
 
-/// A load, as far as it compares exactly (where it acts), and its vectors.
+/// A load: its place and other data that must be exactly equal, and its vectors.
 struct Acting<'a> {
     place: (Option<Face>, &'a str, bool, Option<Point>),
     /// Traction \[MPa\], or force \[N\] and moment \[N mm\].
@@ -149,7 +149,7 @@ impl Acting<'_> {
     }
 }
 
-/// The loads of a joint, mirrored.
+/// The loads of a joint; their mirror images if `mirror` is given.
 fn loads<'a>(a: &'a Assembly, shapes: &Shapes<'a>, mirror: Option<usize>) -> Vec<Acting<'a>> {
     let acting = |l: &'a FaceLoad| {
         let (at, vectors) = match l.action {
@@ -164,7 +164,7 @@ fn loads<'a>(a: &'a Assembly, shapes: &Shapes<'a>, mirror: Option<usize>) -> Vec
     a.loads.iter().map(acting).collect()
 }
 
-/// True if every load has a partner of its own among the others.
+/// True if each load can be paired with a different one of the others.
 fn paired(loads: &[Acting<'_>], others: Vec<Acting<'_>>) -> bool {
     let mut left = others;
     loads.iter().all(|l| {
@@ -173,10 +173,10 @@ fn paired(loads: &[Acting<'_>], others: Vec<Acting<'_>>) -> bool {
     }) && left.is_empty()
 }
 
-/// A part as symmetry sees it: shape, material, element size.
+/// Data of a part that symmetry must keep: shape, material, element size.
 type Shape = (Signature, String, i64);
 type Shapes<'a> = BTreeMap<&'a str, Shape>;
-/// A named face: its part and where it is.
+/// A named face: its part and its position.
 type Face = (Option<Shape>, Signature);
 
 fn shapes(a: &Assembly, mirror: Option<usize>) -> Shapes<'_> {
@@ -189,7 +189,7 @@ fn face(a: &Assembly, shapes: &Shapes<'_>, name: &str, mirror: Option<usize>) ->
     Some((shapes.get(f.part.as_str()).cloned(), surface(&f.surface, mirror)))
 }
 
-/// Everything about a joint but its loads that symmetry must keep, with part names replaced by
+/// All data of a joint except the loads that symmetry must keep, with part names replaced by
 /// shapes.
 fn portrait(a: &Assembly, shapes: &Shapes<'_>, mirror: Option<usize>) -> impl PartialEq + use<> {
     let shape = |name: &str| shapes.get(name).cloned();

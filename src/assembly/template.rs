@@ -1,7 +1,7 @@
 //! Connection templates: the keys of a template file.
 //!
-//! A template is data. Adding a connection type means adding a file; no line of Rust knows a
-//! template by name.
+//! A template is data. A new connection type needs only a new file, because no Rust code refers to
+//! a template by name.
 
 mod boundary;
 mod common;

@@ -7,20 +7,20 @@ use crate::spec::yaml::{self, Document, Parsed};
 use crate::text_file;
 use std::path::{Path, PathBuf};
 
-/// The shipped templates: name and text, in the order of the names. They are the files of
+/// The shipped templates, as name and text in the order of the names. They are the files of
 /// `templates/`.
 pub const SHIPPED: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
-/// True for what names a file of the user's rather than a shipped template.
+/// True if `name` is a path to a user's file rather than the name of a shipped template.
 pub fn is_path(name: &str) -> bool {
     name.contains(['/', '\\']) || name.ends_with(".yaml") || name.ends_with(".yml")
 }
 
-/// Keys of a template whose own keys are extended one by one.
+/// Keys of a template that are merged key by key with those of the base.
 const MERGED: [&str; 1] = ["hand_checks"];
 
-/// Reads a shipped template, or a file of the user's: `name` is a path if it ends in `.yaml` or
-/// `.yml` or holds a separator, and is taken relative to `base` (the folder of the spec).
+/// Reads a shipped template or a user's file. `name` is a path if it ends in `.yaml` or `.yml` or
+/// contains a separator; it is then relative to `base` (the folder of the spec).
 pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> {
     let source = find(name, base)?;
     let document = Document::read(&source.text, &source.file)?;
@@ -37,7 +37,7 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
     Ok((value, origin))
 }
 
-/// The text of a template and where it comes from.
+/// The text of a template and its origin.
 #[derive(Clone)]
 struct Source {
     file: PathBuf,
@@ -46,15 +46,15 @@ struct Source {
 }
 
 impl Source {
-    /// True for one file, by whatever path.
+    /// True if both are the same file, even by different paths.
     fn is(&self, other: &Self) -> bool {
         let plain = |f: &Path| f.canonicalize().unwrap_or_else(|_| f.to_owned());
         self.shipped == other.shipped && plain(&self.file) == plain(&other.file)
     }
 }
 
-/// A document with what it takes from the template `name`; `above` are the templates that lead to
-/// it, the last one its own.
+/// A document merged with the template `name` that it extends. `above` is the chain of templates
+/// that lead to the document; the last one is the document's own.
 fn extended(
     document: Document,
     name: &str,

@@ -1,4 +1,4 @@
-//! The paper's joint from its spec, and the symmetry of its variants.
+//! Tests of the paper's joint built from its spec, and of the symmetry of its variants.
 
 use super::assembly::{Action, FaceLoad, OutlineEdge, Part, PartRole, Solid, Surface};
 use super::{Joint, build};
@@ -19,7 +19,7 @@ pub(super) fn ok(text: &str) -> Joint {
     joint(text).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
-/// The paper's spec with one piece of text replaced; the piece must be there exactly once.
+/// The paper's spec with one piece of text replaced; the text must occur exactly once.
 pub(super) fn with(old: &str, new: &str) -> String {
     assert_eq!(PAPER.matches(old).count(), 1, "`{old}`");
     PAPER.replace(old, new)
@@ -33,8 +33,8 @@ fn part<'a>(j: &'a Joint, name: &str) -> &'a Part {
     j.assembly.parts.iter().find(|p| p.name == name).unwrap_or_else(|| panic!("no part {name}"))
 }
 
-/// Lowest and highest corner of a solid's vertices (arcs bulge inwards in every solid of the
-/// paper's joint).
+/// Lowest and highest corner of a solid's vertices. Arcs need no extra treatment: in every solid of
+/// the paper's joint they bulge inwards.
 fn extent(s: &Solid) -> ([f64; 3], [f64; 3]) {
     let mut points = Vec::new();
     match s {
@@ -74,7 +74,8 @@ fn close(got: ([f64; 3], [f64; 3]), want: ([f64; 3], [f64; 3])) {
     }
 }
 
-/// Extents measured on `paper_quarter_9k.msh` (the quarter x, y > 0), completed by symmetry.
+/// The expected extents were measured on `paper_quarter_9k.msh` (the quarter x, y > 0) and
+/// completed by symmetry.
 #[test]
 fn paper_joint_has_the_extents_of_the_reference_mesh() {
     let j = ok(PAPER);
@@ -98,8 +99,8 @@ fn paper_joint_has_the_extents_of_the_reference_mesh() {
         extent(&part(&j, "BOLT_L3M").solid),
         ([-126.5, -65.58845727, 96.5], [-69.2, -34.41154273, 123.5]),
     );
-    // column stiffener level with the beam's upper flange, support stiffener of the beam: between
-    // the flanges, flush with their edges
+    // column stiffener level with the beam's upper flange, and support stiffener of the beam: both
+    // lie between the flanges, flush with their edges
     let Solid::Difference(list) = &part(&j, "COLUMN").solid else { panic!("the column has holes") };
     assert_eq!(list.len(), 1 + 12);
     let Solid::Union(pieces) = &list[0] else { panic!("the column has stiffeners") };
@@ -119,7 +120,7 @@ fn paper_joint_is_complete() {
     );
     assert_eq!(a.parts.iter().filter(|p| p.role == PartRole::Bolt).count(), 12);
     assert_eq!(a.parts.len(), 17);
-    // two plates, and per bolt nut, shank in plate, shank in column; the glued head is no interface
+    // two plates, and per bolt: nut, shank in plate, shank in column; the tied head is no interface
     assert_eq!(a.interfaces.len(), 2 + 12 * 3);
     assert!(
         a.interfaces
@@ -198,8 +199,8 @@ fn loads_decide_which_planes_of_symmetry_are_left() {
 
 #[test]
 fn geometry_decides_too() {
-    // rows, plate and supports symmetric about the beam axis: only load and supports forbid the
-    // plane z = 0
+    // rows, plate and supports are symmetric about the beam axis: only the load and the supports
+    // prevent symmetry about z = 0
     let j = ok(&with("rows: [-215, -125, 110]}", "rows: [-110, 110]}")
         .replace("z: [-250, 200]", "z: [-220, 220]"));
     assert_eq!(j.assembly.symmetry.len(), 2);
@@ -210,8 +211,8 @@ fn geometry_decides_too() {
     if let Solid::Difference(list) = &mut a.parts[1].solid {
         list.pop();
     }
-    // a hole less in one plate: no plane is left but none either that maps the plate onto itself
-    // without that hole
+    // one hole less in one plate: no symmetry plane remains, because the planes that map the plate
+    // onto itself map the missing hole onto an existing one
     assert!(super::symmetry::planes(&a).is_empty());
 }
 
@@ -249,7 +250,7 @@ loads: [{name: TOP, section: column_top, pressure: 45 N/mm2}]
     assert_eq!(a, b);
 }
 
-/// Volumes of the convex pieces, for comparison with the section's area; prisms and boxes only.
+/// Volume of a convex piece, for comparison with the section's area; only for prisms and boxes.
 fn volume(s: &Solid) -> f64 {
     match s {
         Solid::Box { min, max } => (0..3).map(|k| max[k] - min[k]).product(),
@@ -276,19 +277,20 @@ fn convex_pieces_cover_the_part_and_spare_the_holes() {
     assert!(plate.convex.iter().all(|s| volume(s) > 0.0), "a piece is inside out");
     let sum: f64 = plate.convex.iter().map(volume).sum();
     let exact = (180.0 * 450.0 - 6.0 * std::f64::consts::PI * 81.0) * 15.0;
-    // the spared polygons enclose the meshed circles: a little less than the plate, never more
+    // the polygons left free enclose the meshed circles: the sum is slightly below the plate, never
+    // above
     assert!(sum < exact && sum > exact * 0.995, "{sum} {exact}");
     let column = part(&j, "COLUMN");
     assert!(column.convex.iter().all(|s| volume(s) > 0.0), "a piece is inside out");
     let sum: f64 = column.convex.iter().map(volume).sum();
     let section =
         7808.0 * 700.0 + 2.0 * 170.0 * 191.0 * 12.7 - 12.0 * std::f64::consts::PI * 81.0 * 15.0;
-    // stiffener boxes run through web and fillets: counted twice there
+    // stiffener boxes pass through web and fillets, where volume is counted twice
     let twice = 2.0 * 12.7 * 170.0 * 9.0;
     assert!((sum - section - twice).abs() < 0.01 * section, "{sum} {section}");
 }
 
-/// A small part of a load decides like a large one, whatever the unit; rounding does not.
+/// A small part of a load breaks symmetry like a large one, in any unit; rounding does not.
 #[test]
 fn a_load_is_symmetric_up_to_rounding_relative_to_its_size() {
     let planes = |action: Action| -> Vec<usize> {
@@ -306,10 +308,10 @@ fn a_load_is_symmetric_up_to_rounding_relative_to_its_size() {
     assert_eq!(planes(resultant([1.0, 0.0, -1e5], [0.0; 3])), [1]);
     assert_eq!(planes(resultant([0.0, 1e-3, -1e5], [0.0; 3])), [0]);
     assert_eq!(planes(resultant([1e-8, -1e-8, -1e5], [0.0; 3])), [0, 1]);
-    // a load too small for a grid of 1e-6 is a load all the same
+    // a load below the grid of 1e-6 still counts
     assert_eq!(planes(resultant([1e-7, 0.0, 0.0], [0.0; 3])), [1]);
     assert_eq!(planes(resultant([0.0, 0.0, -1e5], [0.0, 1e-7, 0.0])), [1]);
-    // two loads that are mirror images but for rounding, and but for one newton
+    // two loads that are mirror images up to rounding, then up to one newton
     let pair = |right: f64| {
         let mut a = ok(PAPER).assembly;
         // on the top of the column, which both planes halve
@@ -326,8 +328,7 @@ fn a_load_is_symmetric_up_to_rounding_relative_to_its_size() {
     assert_eq!(pair(1e5 + 1.0), [1]);
 }
 
-/// A connection type the program has never heard of: two lapped plates and a bolt, in a file of the
-/// user's.
+/// A connection type unknown to the program, in a user's file: two lapped plates and a bolt.
 #[test]
 fn a_new_connection_type_needs_no_rust() {
     let template = "

@@ -1,14 +1,14 @@
-//! What can be wrong with a joint's geometry before it is meshed.
+//! Faults of a joint's geometry found before meshing.
 
 use crate::diag::Diagnostic;
 
-/// Two parts, in words with their identifiers.
+/// Descriptions of two parts, with their identifiers.
 pub type Pair = [String; 2];
 
-/// A fault of the geometry stage. Lengths in mm.
+/// A fault found in the geometry stage. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeometryError {
-    /// Material in the same place.
+    /// The material of two parts overlaps.
     #[error(
         "{} and {} overlap by {depth:.3} mm near {}, at most {limit} mm is allowed",
         pair[0],
@@ -18,14 +18,14 @@ pub enum GeometryError {
     Clash {
         /// The parts.
         pair: Pair,
-        /// Overlap.
+        /// Depth of the overlap.
         depth: f64,
         /// Largest overlap allowed.
         limit: f64,
         /// A point in the overlap.
         at: [f64; 3],
     },
-    /// Nearly touching: no mesh of sound elements fits between.
+    /// Two parts nearly touch: no elements of good quality fit in the gap.
     #[error(
         "{} and {} are {gap:.3} mm apart: a gap must be 0 or at least {limit} mm",
         pair[0],
@@ -34,12 +34,12 @@ pub enum GeometryError {
     Sliver {
         /// The parts.
         pair: Pair,
-        /// Distance.
+        /// Width of the gap.
         gap: f64,
         /// Smallest gap allowed.
         limit: f64,
     },
-    /// An interface is asked for between parts that do not touch.
+    /// An interface is defined between parts that do not touch.
     #[error(
         "{} and {} must touch for their interface, but they are {gap:.3} mm apart",
         pair[0],
@@ -51,7 +51,7 @@ pub enum GeometryError {
         /// Distance.
         gap: f64,
     },
-    /// Too little room.
+    /// Two parts have too little clearance.
     #[error(
         "{} and {} are {distance:.1} mm apart, at least {min:.1} mm is needed ({reason})",
         pair[0],
@@ -64,21 +64,21 @@ pub enum GeometryError {
         distance: f64,
         /// Smallest distance allowed.
         min: f64,
-        /// What needs the room.
+        /// Reason for the clearance.
         reason: String,
     },
-    /// A name that is not an identifier, used twice, or refers to nothing.
+    /// A name that is not an identifier, occurs twice, or refers to nothing.
     #[error("{what}")]
     Name {
-        /// The fault in words.
+        /// Description of the fault.
         what: String,
     },
     /// A dimension that is not a positive, finite number.
     #[error("the {part} has {what} of {value}, which must be a finite number above 0")]
     Dimension {
-        /// The part, in words.
+        /// Description of the part.
         part: String,
-        /// Which dimension.
+        /// Name of the dimension.
         what: String,
         /// Its value.
         value: f64,

@@ -1,9 +1,9 @@
 //! Volumes, contact areas and face areas of flat-faced solids, exact up to rounding.
 //!
-//! A plane section is swept by lines; between two neighbouring corners the length of a line inside
-//! changes linearly, so two Gauss points per strip integrate it exactly. Only strips in which edges
-//! of different prisms cross are approximate, and those are halved. Independent of the CAD kernel
-//! and of the mesh: both are checked against it.
+//! A plane section is swept by lines. Between two neighbouring corners, the length of a line inside
+//! the section changes linearly, so two Gauss points per strip integrate it exactly. Only strips in
+//! which edges of different prisms cross are approximate; those strips are halved. The method
+//! depends neither on the CAD kernel nor on the mesh, and both are checked against it.
 
 use super::flat::{FlatPrism, FlatSolid};
 use super::line::{Line, intersect, length, subtract, unite};
@@ -11,18 +11,18 @@ use super::scene::Body;
 use crate::assembly::assembly::Surface;
 use crate::math::vec3::{V3, along, cross, dot, sub};
 
-/// Distance to either side of a plane at which "inside" is asked \[mm\]; far below any feature, far
-/// above rounding.
+/// Distance from a plane, to either side, at which a point is tested for being inside \[mm\]. It is
+/// far below any feature and far above rounding.
 const BESIDE: f64 = 1e-5;
 
-/// Parts of a strip between two corners; > 1 limits the error where edges of different prisms
-/// cross.
+/// Parts of a strip between two corners. A value > 1 limits the error where edges of different
+/// prisms cross.
 const SUBSTRIPS: usize = 2;
 
-/// A plane with axes.
+/// A plane with in-plane axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
-    /// A point of it \[mm\].
+    /// A point of the plane \[mm\].
     pub origin: V3,
     /// Unit normal.
     pub normal: V3,
@@ -76,7 +76,7 @@ impl Plane {
         out
     }
 
-    /// Integral over the sweep of what `measure` finds on each line.
+    /// Integral of `measure` over all lines of the sweep.
     fn sweep(&self, mut at: Vec<f64>, measure: impl Fn(&Line) -> f64) -> f64 {
         at.sort_by(f64::total_cmp);
         at.dedup_by(|b, a| *b - *a < 1e-9);
@@ -100,9 +100,9 @@ impl Plane {
     }
 }
 
-/// Volume of what is kept of a body \[mm³\].
+/// Volume of the kept part of a body \[mm³\].
 pub fn volume(body: &Body) -> f64 {
-    // Sweep along the axis with the fewest distinct corners: fewest sections.
+    // Sweep along the axis with the fewest distinct corners, because it needs the fewest sections.
     let corners: Vec<V3> = body.solid.prisms().iter().flat_map(|p| p.corners()).collect();
     let levels = |axis: usize| {
         let mut at: Vec<f64> = corners.iter().map(|c| c[axis]).collect();
@@ -128,14 +128,14 @@ pub fn volume(body: &Body) -> f64 {
     sum
 }
 
-/// Area of the section of what is kept of a body with the plane `x[axis] = at` \[mm²\].
+/// Area of the section of the kept part of a body with the plane `x[axis] = at` \[mm²\].
 pub fn section_area(body: &Body, axis: usize, at: f64) -> f64 {
     let plane = Plane::coordinate(axis, at);
     let breaks = plane.breakpoints(&[&body.solid], &body.planes);
     plane.sweep(breaks, |line| length(&body.stretches(line)))
 }
 
-/// Area in which two bodies touch, restricted to a surface if one is given \[mm²\].
+/// Contact area of two bodies \[mm²\], restricted to the surface `on` if given.
 pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
     if !a.bounds.near(&b.bounds, 2.0 * BESIDE) {
         return 0.0;
@@ -158,8 +158,8 @@ pub fn contact_area(a: &Body, b: &Body, on: Option<&Surface>) -> f64 {
     sum
 }
 
-/// Area of a body's outer face on the rectangle of a coordinate plane: material on one side,
-/// nothing on the other \[mm²\].
+/// Area of a body's outer face in the rectangle of a coordinate plane \[mm²\]: the body has
+/// material on one side, and no body has material on the other.
 pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, max: V3) -> f64 {
     let plane = Plane::coordinate(axis, at);
     let me = &bodies[body];
@@ -183,8 +183,8 @@ pub fn outer_area(bodies: &[Body], body: usize, axis: usize, at: f64, min: V3, m
     })
 }
 
-/// The plane of a body's facets if it carries the surface: the coordinate plane itself (with
-/// coordinate axes), or a facet's plane of the mantle (swept along the axis).
+/// The plane, if facets on it belong to the surface: the coordinate plane itself (with coordinate
+/// axes), or the plane of a facet of the mantle (swept along the axis).
 fn on_surface_plane(surface: &Surface, plane: Plane) -> Option<Plane> {
     match surface {
         Surface::Plane { axis, at, .. } => (plane.normal[*axis].abs() > 1.0 - 1e-9
@@ -203,7 +203,7 @@ fn on_surface_plane(surface: &Surface, plane: Plane) -> Option<Plane> {
     }
 }
 
-/// The part of a plane that belongs to a surface, in the plane's own coordinates \[mm\].
+/// The part of a plane that belongs to a surface, in the coordinates of the plane \[mm\].
 struct Window {
     d: [f64; 2],
     e: [f64; 2],
@@ -220,7 +220,7 @@ impl Window {
                 let (d, e) = ((axis + 1) % 3, (axis + 2) % 3);
                 Window { d: [min[d], max[d]], e: [min[e], max[e]] }
             }
-            // A facet reaches tan(π/n) < 0.28 radii to either side of its middle, for n ≥ 12.
+            // A facet extends tan(π/n) < 0.28 radii to either side of its middle, for n ≥ 12.
             Surface::Mantle { base, radius, length, .. } => {
                 let start = dot(sub(*base, plane.origin), plane.e);
                 Window { d: [-0.5 * radius, 0.5 * radius], e: [start, start + length] }
@@ -234,11 +234,11 @@ impl Window {
     }
 }
 
-/// Relative distance from the nominal radius up to which a point lies on a mantle: a regular 12-gon
-/// with the area of its circle reaches from 0.988 to 1.023 radii.
+/// Largest relative distance from the nominal radius at which a point counts as lying on a mantle.
+/// A regular 12-gon with the area of its circle reaches from 0.988 to 1.023 radii.
 pub const MANTLE_TOLERANCE: f64 = 0.03;
 
-/// The distinct planes of all facets of a solid, also of the subtracted prisms.
+/// The distinct planes of all facets of a solid, including those of the subtracted prisms.
 fn planes_of(solid: &FlatSolid) -> Vec<Plane> {
     let mut out: Vec<Plane> = Vec::new();
     let mut add = |plane: Plane| {

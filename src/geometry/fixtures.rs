@@ -1,4 +1,4 @@
-//! Joints built by hand for tests: the paper's joint (docs/benchmarks.md) and two plates with one
+//! Joints built in code for tests: the paper's joint (docs/benchmarks.md), and two plates with one
 //! bolt.
 
 use crate::assembly::Assembly;
@@ -10,8 +10,8 @@ const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Outline of an I-section with root fillets: first coordinate along the flanges, second along the
-/// web.
+/// Outline of an I section with root fillets; the first coordinate is along the flanges, the second
+/// along the web.
 fn i_outline(h: f64, b: f64, tw: f64, tf: f64, r: f64) -> ([f64; 2], Vec<OutlineEdge>) {
     let (hy, hz, w, i) = (b / 2.0, h / 2.0, tw / 2.0, h / 2.0 - tf);
     let line = |x: f64, y: f64| OutlineEdge::Line { to: [x, y] };
@@ -41,7 +41,7 @@ fn boxed(min: [f64; 3], max: [f64; 3]) -> Solid {
     Solid::Box { min, max }
 }
 
-/// Hexagon across `s` with corners along y, on a plane of constant x or z, extruded.
+/// Extruded hexagon of width across flats `s`, with corners along y, on a plane of constant x or z.
 fn hexagon(origin: [f64; 3], u: [f64; 3], v: [f64; 3], s: f64, length: f64) -> Solid {
     let (e, h) = (s / 3f64.sqrt(), s / 2.0);
     let p = [[e, 0.0], [e / 2.0, h], [-e / 2.0, h], [-e, 0.0], [-e / 2.0, -h], [e / 2.0, -h]];
@@ -83,13 +83,13 @@ fn contact(a: &str, b: &str, surface: Option<(String, Surface)>) -> InterfaceRul
     }
 }
 
-/// Sides of the meshed bolt circles.
+/// Number of sides of the meshed bolt circles.
 const SEGMENTS: u32 = 12;
 const ROWS: [f64; 3] = [-215.0, -125.0, 110.0];
 
 fn column() -> Part {
-    // HEB200 along z; first outline coordinate along y, second along x: u × v = y × x = −z, so
-    // extrude downwards.
+    // HEB200 along z. The first outline coordinate is along y, the second along x. As u × v = y × x
+    // = −z, the extrusion is downwards.
     let (start, edges) = i_outline(200.0, 200.0, 9.0, 15.0, 18.0);
     let profile =
         Solid::Prism { origin: [0.0, 0.0, 350.0], u: Y, v: X, start, edges, length: 700.0 };
@@ -136,7 +136,7 @@ fn column() -> Part {
     }
 }
 
-/// `side` = 1: right, −1: left.
+/// Interval in x for the right side (`side` = 1) or the left side (−1).
 fn span(side: f64, near: f64, far: f64) -> [f64; 2] {
     let (a, b) = (side * near, side * far);
     [a.min(b), a.max(b)]
@@ -230,7 +230,7 @@ fn bolt(side: f64, y: f64, row: usize) -> Part {
     part(&name, &label, PartRole::Bolt, Solid::Union(solids.clone()), solids, 12.6)
 }
 
-/// The paper's joint with this project's dimensions (docs/benchmarks.md, "The paper's joint").
+/// The paper's joint with the dimensions of this project (docs/benchmarks.md, "The paper's joint").
 pub(crate) fn paper_joint() -> Assembly {
     let mut parts = vec![column()];
     let mut interfaces = Vec::new();
@@ -249,7 +249,7 @@ pub(crate) fn paper_joint() -> Assembly {
                     length: 15.0,
                 };
                 interfaces.push(contact(&bolt.name, "COLUMN", None));
-                // The head is glued to the plate: only the shank's surface is open.
+                // The head is tied to the plate, so only the shank's surface is open.
                 let name = bolt.name.replace("BOLT", "SHANK");
                 interfaces.push(contact(&bolt.name, &p.name, Some((name, mantle))));
                 parts.push(bolt);
@@ -303,7 +303,7 @@ pub(crate) fn paper_joint() -> Assembly {
     }
 }
 
-/// Two plates 80 × 60 × 10 lapped at z = 0 with one bolt of 16 mm.
+/// Two plates 80 × 60 × 10 mm, lapped at z = 0, with one bolt of 16 mm diameter.
 pub(crate) fn lap_joint() -> Assembly {
     let hole = |z: f64, length: f64| Solid::Cylinder {
         base: [0.0, 0.0, z],
@@ -372,7 +372,7 @@ pub(crate) fn lap_joint() -> Assembly {
     }
 }
 
-/// Moves one part of a joint, its pieces and its mid-thickness planes.
+/// Moves one part of a joint with its convex pieces and mid-thickness planes.
 pub(crate) fn move_part(joint: &mut Assembly, name: &str, by: [f64; 3]) {
     let part = joint.parts.iter_mut().find(|p| p.name == name).expect("the fixture has this part");
     translate(&mut part.solid, by);

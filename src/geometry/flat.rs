@@ -1,14 +1,15 @@
-//! Solids with flat faces only: what the mesher gets and what volumes and areas are computed from.
+//! Solids with flat faces only. The mesher receives them, and volumes and areas are computed from
+//! them.
 //!
-//! Circles become regular polygons and root fillets short chains of chords, both with the area of
-//! the smooth shape. Every facet is then an exact plane: meshes of any size fill the same body,
-//! areas can be checked to rounding, and both bounds refer to one and the same structure on every
+//! Circles become regular polygons and root fillets become short chains of chords, both with the
+//! area of the smooth shape. Every facet is then an exact plane. Meshes of any size fill the same
+//! body, areas can be checked to rounding, and both bounds refer to the same structure on every
 //! remesh.
 
 use crate::assembly::assembly::{OutlineEdge, Solid};
 use crate::math::vec3::{V3, along, cross, dot, unit};
 
-/// Chords that replace a quarter circle of an outline (a root fillet).
+/// Number of chords that replace a quarter circle of an outline (a root fillet).
 pub const CHORDS_PER_QUARTER: usize = 2;
 
 /// A simple polygon extruded along a unit vector.
@@ -20,22 +21,22 @@ pub struct FlatPrism {
     pub u: V3,
     /// Unit vector of the second coordinate.
     pub v: V3,
-    /// Unit vector of the extrusion, `u × v`.
+    /// Unit vector of the extrusion, `w = u × v`.
     pub w: V3,
-    /// Corners, counter-clockwise seen from the tip of `w` \[mm\].
+    /// Corners, counter-clockwise when seen from the tip of `w` \[mm\].
     pub polygon: Vec<[f64; 2]>,
     /// Length of the extrusion \[mm\].
     pub length: f64,
 }
 
-/// A tree of booleans over prisms.
+/// A tree of Boolean operations on prisms.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlatSolid {
     /// A prism.
     Prism(FlatPrism),
-    /// All of them fused.
+    /// Union of all the solids.
     Union(Vec<FlatSolid>),
-    /// The first without the others.
+    /// The first solid minus all the others.
     Difference(Vec<FlatSolid>),
 }
 
@@ -49,12 +50,12 @@ pub struct Bounds {
 }
 
 impl FlatPrism {
-    /// Point of space of polygon coordinates `p` at height `h` \[mm\].
+    /// Point in space at the polygon coordinates `p` and the height `h` \[mm\].
     pub fn point(&self, p: [f64; 2], h: f64) -> V3 {
         along(along(along(self.origin, p[0], self.u), p[1], self.v), h, self.w)
     }
 
-    /// All corners: the first end, then the second \[mm\].
+    /// All corners of the first end, then those of the second \[mm\].
     pub fn corners(&self) -> Vec<V3> {
         let end = |h: f64| self.polygon.iter().map(move |&p| self.point(p, h));
         end(0.0).chain(end(self.length)).collect()
@@ -73,7 +74,7 @@ impl FlatPrism {
 }
 
 impl FlatSolid {
-    /// Every prism of the tree, also the subtracted ones.
+    /// Every prism of the tree, including the subtracted ones.
     pub fn prisms(&self) -> Vec<&FlatPrism> {
         match self {
             FlatSolid::Prism(p) => vec![p],
@@ -83,7 +84,7 @@ impl FlatSolid {
         }
     }
 
-    /// Box around the solid (subtracted solids do not shrink it).
+    /// Bounding box of the solid; subtracted solids do not reduce it.
     pub fn bounds(&self) -> Bounds {
         match self {
             FlatSolid::Prism(p) => {
@@ -103,7 +104,7 @@ impl FlatSolid {
         }
     }
 
-    /// Replaces arcs and circles by chords that keep the area.
+    /// Converts a solid: chords that keep the area replace arcs and circles.
     pub fn from_solid(solid: &Solid) -> Self {
         match solid {
             Solid::Box { min, max } => FlatSolid::Prism(FlatPrism {
@@ -149,10 +150,10 @@ impl FlatSolid {
 }
 
 impl Bounds {
-    /// Contains nothing.
+    /// The empty box.
     pub const EMPTY: Bounds = Bounds { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
 
-    /// Box around both.
+    /// Bounding box of both boxes.
     pub fn union(self, other: Bounds) -> Bounds {
         let mut b = self;
         for k in 0..3 {
@@ -162,22 +163,22 @@ impl Bounds {
         b
     }
 
-    /// True when the boxes come closer than `margin` \[mm\].
+    /// True if the distance of the boxes is below `margin` \[mm\].
     pub fn near(&self, other: &Bounds, margin: f64) -> bool {
         (0..3).all(|k| self.min[k] <= other.max[k] + margin && other.min[k] <= self.max[k] + margin)
     }
 }
 
-/// The frame a cylinder's polygon is drawn in: it depends on the line of the axis only, not on its
-/// sense, so that a shank and its hole get the same corners.
+/// The frame in which a cylinder's polygon is drawn. It depends on the line of the axis but not on
+/// its sense, so a shank and its hole get the same corners.
 pub struct AxisFrame {
-    /// First vector of the polygon's plane.
+    /// First unit vector of the polygon's plane.
     pub u: V3,
-    /// Second vector.
+    /// Second unit vector of the polygon's plane.
     pub v: V3,
-    /// Extrusion.
+    /// Direction of the extrusion.
     pub w: V3,
-    /// `w = −axis`.
+    /// True if `w = −axis`.
     pub flipped: bool,
 }
 
@@ -188,8 +189,8 @@ impl AxisFrame {
             .fold(0, |best, k| if axis[k].abs() > axis[best].abs() + 1e-12 { k } else { best });
         let flipped = axis[largest] < 0.0;
         let w = if flipped { axis.map(|c| -c) } else { axis };
-        // The next coordinate axis, made orthogonal to w; for axis-parallel cylinders exactly that
-        // axis.
+        // The next coordinate axis, made orthogonal to w. For axis-parallel cylinders it is exactly
+        // that axis.
         let mut u = [0.0; 3];
         u[(largest + 1) % 3] = 1.0;
         let u = unit(along(u, -dot(u, w), w));
@@ -215,12 +216,12 @@ fn regular_polygon(radius: f64, n: u32) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// To 1e-9 mm: makes mirrored corners exactly mirrored and removes `6e-17` for zero.
+/// Rounds to 1e-9 mm. Mirrored corners become exact mirror images, and `6e-17` becomes zero.
 fn rounded(x: f64) -> f64 {
     (x * 1e9).round() / 1e9 + 0.0
 }
 
-/// The corners of an outline, arcs replaced by chords.
+/// The corners of an outline, with arcs replaced by chords.
 fn flatten_outline(start: [f64; 2], edges: &[OutlineEdge]) -> Vec<[f64; 2]> {
     let mut points = vec![start];
     let mut at = start;
@@ -237,7 +238,7 @@ fn flatten_outline(start: [f64; 2], edges: &[OutlineEdge]) -> Vec<[f64; 2]> {
             }
         }
     }
-    // The last edge ends at the start: drop the repeated corner.
+    // The last edge ends at the start, so the repeated corner is removed.
     if points.len() > 1 {
         let last = points[points.len() - 1];
         if (last[0] - start[0]).abs() < 1e-6 && (last[1] - start[1]).abs() < 1e-6 {
@@ -247,10 +248,10 @@ fn flatten_outline(start: [f64; 2], edges: &[OutlineEdge]) -> Vec<[f64; 2]> {
     points
 }
 
-/// Inner corners of the chain of chords that replaces an arc.
+/// Inner corners of the chain of k chords that replaces an arc of angle θ.
 ///
-/// The ends stay on the circle (radius r); the k − 1 inner corners lie at radius ρ so that the fan
-/// from the centre has the sector's area: ½ sin(θ/k) (2 r ρ + (k − 2) ρ²) = ½ r² θ.
+/// The ends stay on the circle (radius r). The k − 1 inner corners lie at radius ρ, chosen so that
+/// the fan from the centre has the area of the sector: ½ sin(θ/k) (2 r ρ + (k − 2) ρ²) = ½ r² θ.
 fn arc_corners(from: [f64; 2], to: [f64; 2], centre: [f64; 2]) -> Vec<[f64; 2]> {
     use std::f64::consts::PI;
     let a = [from[0] - centre[0], from[1] - centre[1]];
@@ -330,7 +331,7 @@ mod tests {
 
     #[test]
     fn fillet_keeps_its_area_convex_and_concave() {
-        // A 10 × 10 square with one corner rounded by r = 4, and with one corner cut out by a
+        // A 10 × 10 square with one corner rounded by r = 4, and one with a corner cut out by a
         // concave arc.
         let exact_round = 100.0 - (1.0 - std::f64::consts::PI / 4.0) * 16.0;
         let round = flatten_outline(

@@ -1,8 +1,8 @@
 //! Scene → a script for gmsh's OpenCASCADE kernel.
 //!
-//! A `.geo` file is a program, so nothing but numbers, fixed words and checked identifiers is
-//! written into it. The script stops at the first error; the caller still checks what came out
-//! (gmsh exits with success after many an error).
+//! A `.geo` file is a program, so only numbers, fixed words and checked identifiers are written to
+//! it. The script stops at the first error. The caller still checks the result, because gmsh exits
+//! with success after many kinds of error.
 
 use super::flat::{FlatPrism, FlatSolid};
 use super::scene::{Body, Scene};
@@ -11,33 +11,33 @@ use crate::assembly::assembly::{MidPlane, OutlineEdge, Solid};
 use crate::math::vec3::{V3, along};
 use std::fmt::Write;
 
-/// Name of the file with wanted sizes, beside the script.
+/// Name of the file with target sizes, in the folder of the script.
 pub const SIZES_FILE: &str = "sizes.pos";
 
-/// Where element sizes come from.
+/// Source of the element sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sizing {
-    /// From the parts.
+    /// Computed from the parts' sizes.
     Rule(SizeRule),
-    /// From the view in [`SIZES_FILE`].
+    /// Read from the view in [`SIZES_FILE`].
     View,
 }
 
-/// What the script is for.
+/// Purpose of the script.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
-    /// A mesh: flat facets, footprints imprinted, common faces shared, element sizes.
+    /// A mesh: flat facets, imprinted footprints, shared common faces, element sizes.
     Mesh {
         /// Cut plates, flanges, webs and stiffeners at mid-thickness.
         layers: bool,
         /// Element sizes.
         sizes: Sizing,
     },
-    /// A CAD file: true circles and arcs, every part on its own.
+    /// A CAD file: true circles and arcs, each part separate.
     Cad,
 }
 
-/// The script's text; the same bytes for the same scene and purpose.
+/// Text of the script. The same scene and purpose give the same bytes.
 pub fn script(scene: &Scene, purpose: Purpose) -> String {
     let mut w = Writer { text: String::new(), solids: 0, exact: purpose == Purpose::Cad };
     w.line("General.AbortOnError = 2;");
@@ -69,8 +69,8 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
         w.line("Mesh.MeshSizeFromCurvature = 0;");
         w.line("Mesh.MeshSizeExtendFromBoundary = 0;");
         w.line("Mesh.Algorithm3D = 10;");
-        // Halved plates cannot reach gmsh's own threshold of 0.3: it costs four fifths of the time
-        // for a degree or two.
+        // Halved plates cannot reach gmsh's default threshold of 0.3. That threshold would take
+        // four fifths of the time to gain a degree or two.
         w.line("Mesh.OptimizeThreshold = 0.25;");
         w.line("Mesh.MshFileVersion = 2.2;");
         w.line("Mesh.Binary = 0;");
@@ -99,8 +99,8 @@ impl Writer {
         self.text.push('\n');
     }
 
-    /// One part: its solid, cut by symmetry, cut by planes inside it; the list `partI()` holds its
-    /// volumes.
+    /// One part: its solid, cut by symmetry planes and by planes inside it. The list `partI()`
+    /// contains its volumes.
     fn body(&mut self, index: usize, body: &Body, planes: &[MidPlane]) {
         self.put(format_args!("// {}", body.part.name));
         if index > 0 {
@@ -117,7 +117,7 @@ impl Writer {
         }
     }
 
-    /// A fresh name for a list of volumes.
+    /// A new name for a list of volumes.
     fn name(&mut self) -> String {
         self.solids += 1;
         format!("s{}()", self.solids)
@@ -262,9 +262,9 @@ impl Writer {
         name
     }
 
-    /// Cuts the volumes by the parts of planes (mid-thickness, cuts of preloaded shanks) that lie
-    /// inside them. A plane piece that ends inside the part stays as an inner face: it needs no
-    /// exact fit.
+    /// Cuts the volumes by the pieces of planes (mid-thickness planes, cuts of preloaded shanks)
+    /// inside them. A piece that ends inside the part stays as an inner face, so it needs no exact
+    /// fit.
     fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
         let kept: Vec<_> = planes
             .iter()
@@ -298,7 +298,7 @@ impl Writer {
         }
     }
 
-    /// Makes common faces shared: one conformal mesh.
+    /// Merges common faces, so that the mesh is conformal.
     fn fragments(&mut self, bodies: usize) {
         let parts: Vec<String> = (0..bodies).map(|i| format!("part{i}()")).collect();
         let parts = parts.join(", ");
@@ -322,7 +322,7 @@ impl Writer {
     }
 }
 
-/// `x, y, z`, shortest digits that read back to the same numbers.
+/// `x, y, z` with the shortest digits that read back to the same numbers.
 fn triple(p: V3) -> String {
     let [x, y, z] = p.map(|c| c + 0.0);
     format!("{x}, {y}, {z}")

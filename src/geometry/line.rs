@@ -1,26 +1,26 @@
-//! A straight line through a solid: the stretches of it that lie inside.
+//! The intervals of a straight line that lie inside a solid.
 
 use super::flat::{FlatPrism, FlatSolid};
 use crate::math::vec3::{V3, dot, sub};
 
-/// Sorted, disjoint stretches of a line's parameter.
+/// Sorted, disjoint intervals of a line's parameter.
 pub type Stretches = Vec<[f64; 2]>;
 
-/// A line `start + t direction`, direction of unit length.
+/// A line `start + t direction`, with a direction of unit length.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Point of `t = 0` \[mm\].
+    /// Point at `t = 0` \[mm\].
     pub start: V3,
     /// Unit direction.
     pub direction: V3,
 }
 
-/// Total length of the stretches.
+/// Total length of the intervals.
 pub fn length(stretches: &[[f64; 2]]) -> f64 {
     stretches.iter().map(|s| s[1] - s[0]).sum()
 }
 
-/// Stretches inside both.
+/// Intervals inside both `a` and `b`.
 pub fn intersect(a: &[[f64; 2]], b: &[[f64; 2]]) -> Stretches {
     let (mut i, mut j) = (0, 0);
     let mut out = Vec::new();
@@ -38,7 +38,7 @@ pub fn intersect(a: &[[f64; 2]], b: &[[f64; 2]]) -> Stretches {
     out
 }
 
-/// Stretches inside `a` and outside `b`.
+/// Intervals inside `a` and outside `b`.
 pub fn subtract(a: &[[f64; 2]], b: &[[f64; 2]]) -> Stretches {
     let mut out = Vec::new();
     for s in a {
@@ -59,7 +59,7 @@ pub fn subtract(a: &[[f64; 2]], b: &[[f64; 2]]) -> Stretches {
     out
 }
 
-/// Stretches inside either.
+/// Intervals inside `a` or `b`.
 pub fn unite(a: Stretches, b: Stretches) -> Stretches {
     let mut all = a;
     all.extend(b);
@@ -85,7 +85,7 @@ impl Line {
         if d > 0.0 { vec![[t, f64::INFINITY]] } else { vec![[f64::NEG_INFINITY, t]] }
     }
 
-    /// The stretches inside a solid.
+    /// The intervals inside a solid.
     pub fn through(&self, solid: &FlatSolid) -> Stretches {
         match solid {
             FlatSolid::Prism(prism) => self.through_prism(prism),
@@ -124,8 +124,8 @@ impl Line {
         if speed < 1e-12 {
             return if contains(&prism.polygon, p) { vec![slab] } else { Vec::new() };
         }
-        // Crossings by the half-open rule: a corner on the line belongs to one of its two edges
-        // only.
+        // Crossings follow the half-open rule: a corner on the line belongs to only one of its two
+        // edges.
         let n = prism.polygon.len();
         let side = |q: [f64; 2]| d[0] * (q[1] - p[1]) - d[1] * (q[0] - p[0]);
         let mut cuts = Vec::new();
@@ -144,7 +144,7 @@ impl Line {
     }
 }
 
-/// True when the point lies inside the polygon (even-odd rule).
+/// True if the point lies inside the polygon (even-odd rule).
 fn contains(polygon: &[[f64; 2]], p: [f64; 2]) -> bool {
     let n = polygon.len();
     let mut inside = false;

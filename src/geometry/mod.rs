@@ -1,5 +1,5 @@
-//! Solids → a CAD script for the mesher, exact volumes and contact areas, clash and clearance
-//! checks.
+//! Solids → a CAD script for the mesher, exact volumes and contact areas, and checks of clashes and
+//! clearances.
 
 pub mod error;
 pub mod exact;

@@ -1,9 +1,9 @@
-//! Clashes, slivers of air, missing contacts and clearances: checked with part names before
-//! anything is meshed.
+//! Clashes, thin gaps, missing contacts and clearances, checked before meshing and reported with
+//! part names.
 //!
-//! The mesher does not see overlaps (it drops bodies and reports success), and gaps far below the
-//! element size ruin its mesh. parry finds the pairs; whether material really overlaps is then
-//! asked of the solids themselves, so that a bolt in its hole is no clash.
+//! The mesher does not detect overlaps: it drops bodies and reports success. Gaps far below the
+//! element size spoil its mesh. parry finds the close pairs. The overlap of material is then
+//! computed from the solids themselves, so that a bolt in its hole is not a clash.
 
 use super::error::GeometryError;
 use super::flat::{Bounds, FlatSolid};
@@ -16,17 +16,17 @@ use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query;
 use parry3d_f64::shape::ConvexPolyhedron;
 
-/// Overlap that is still contact \[mm\].
+/// Largest overlap that still counts as contact \[mm\].
 pub const TOUCH: f64 = 1e-3;
 
-/// Gaps between `TOUCH` and this are refused \[mm\].
+/// Gaps between `TOUCH` and this value are rejected \[mm\].
 pub const SMALLEST_GAP: f64 = 1.0;
 
-/// Lines per direction that look for overlapping material; quasi-random, so that no grid is missed
-/// in step.
+/// Number of lines per direction that search for overlapping material. They are quasi-random, so
+/// that no regular pattern of features falls between them.
 const PROBES: usize = 900;
 
-/// A convex piece of a part, centred for precision.
+/// A convex piece of a part, relative to its centre for precision.
 struct Piece {
     shape: ConvexPolyhedron,
     pose: Pose,
@@ -40,7 +40,7 @@ struct Checked<'a> {
     pieces: Vec<Piece>,
 }
 
-/// Checks names, clashes, gaps, contacts and clearances; all faults at once.
+/// Checks names, clashes, gaps, contacts and clearances, and reports all faults at once.
 pub fn check(assembly: &Assembly) -> Result<(), Diagnostics> {
     let mut faults = super::validate::faults(assembly);
     if faults.is_empty() {
@@ -99,7 +99,7 @@ fn proximity_faults(assembly: &Assembly) -> Vec<GeometryError> {
     faults
 }
 
-/// `the end plate of the right beam (PLATE_R)`, twice.
+/// Descriptions of both parts, such as `the end plate of the right beam (PLATE_R)`.
 fn pair(a: &Part, b: &Part) -> [String; 2] {
     [a, b].map(|p| format!("the {} ({})", p.label, p.name))
 }
@@ -128,8 +128,9 @@ fn piece(solid: &Solid) -> Option<Piece> {
     Some(Piece { shape, pose: Pose::translation(centre[0], centre[1], centre[2]), bounds })
 }
 
-/// Overlap of two parts' material: its depth and a point in it. Depth: the longest stretch that a
-/// line along a coordinate axis spends in both, in the direction in which that is shortest.
+/// Overlap of two parts' material: its depth and a point in it. For each coordinate axis the
+/// longest interval common to both parts on a parallel line is found; the depth is the shortest of
+/// the three.
 fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
     let mut worst: Option<(f64, V3)> = None;
     for p in &a.pieces {
@@ -155,8 +156,8 @@ fn overlap(a: &Checked, b: &Checked) -> Option<(f64, V3)> {
     worst
 }
 
-/// Quasi-random lines along one axis through a box: the additive recurrence of the plastic number
-/// covers the rectangle evenly. Parameters count from the box's lower face.
+/// Quasi-random lines along one axis through a box. The additive recurrence of the plastic number
+/// covers the rectangle evenly. The line parameter is zero at the box's lower face.
 fn probes(axis: usize, min: V3, max: V3) -> impl Iterator<Item = Line> {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut direction = [0.0; 3];
@@ -170,7 +171,8 @@ fn probes(axis: usize, min: V3, max: V3) -> impl Iterator<Item = Line> {
     })
 }
 
-/// Longest common stretch along each axis inside a box; the smallest of the three with its middle.
+/// For each axis the longest common interval inside a box; returns the smallest of the three and
+/// its midpoint.
 fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f64, V3)> {
     let mut thinnest: Option<(f64, V3)> = None;
     for axis in 0..3 {
@@ -198,10 +200,10 @@ fn common_material(a: &FlatSolid, b: &FlatSolid, min: V3, max: V3) -> Option<(f6
     thinnest
 }
 
-/// Smallest gap between the two parts that is neither contact nor room.
+/// Smallest gap between the two parts that is neither contact nor sufficient clearance.
 ///
-/// Where pieces come close, lines ask the solids: pieces around a hole stay clear of a shank that
-/// fills it.
+/// Where pieces come close, the gap is measured in the solids with lines: the pieces around a hole
+/// keep clear of a shank that fills the hole, although the solids touch.
 fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
     let mut smallest: Option<f64> = None;
     for p in &a.pieces {
@@ -226,8 +228,8 @@ fn sliver(a: &Checked, b: &Checked) -> Option<f64> {
     smallest
 }
 
-/// Shortest stretch of air in (`TOUCH`, `SMALLEST_GAP`) between the two solids on lines along an
-/// axis.
+/// Shortest interval outside both solids, with a length in (`TOUCH`, `SMALLEST_GAP`), on lines
+/// along an axis.
 fn thin_air(a: &FlatSolid, b: &FlatSolid, axis: usize, min: V3, max: V3) -> Option<f64> {
     let thin = |d: f64| d > TOUCH && d < SMALLEST_GAP;
     let mut shortest: Option<f64> = None;
@@ -279,7 +281,7 @@ mod tests {
     #[test]
     fn bolt_head_in_the_other_plate_is_a_clash() {
         let mut joint = lap_joint();
-        // The bolt slides 3 mm along its axis: its head goes into the upper plate.
+        // The bolt moves 3 mm along its axis, and its head enters the upper plate.
         crate::geometry::fixtures::move_part(&mut joint, "BOLT", [0.0, 0.0, -3.0]);
         let m = messages(&joint);
         assert!(
@@ -293,7 +295,7 @@ mod tests {
     #[test]
     fn overlapping_bolts_are_named() {
         let mut joint = paper_joint();
-        // The row at −125 moves to 7 mm below the one at 110: heads and shanks overlap.
+        // The bolt at −125 mm moves to 7 mm below the one at 110 mm: heads and shanks overlap.
         crate::geometry::fixtures::move_part(&mut joint, "BOLT_RP2", [0.0, 0.0, 228.0]);
         let m = messages(&joint);
         assert!(
@@ -319,7 +321,8 @@ mod tests {
     #[test]
     fn pieces_that_leave_room_around_a_shank_are_no_gap() {
         let mut joint = lap_joint();
-        // Pieces of the upper plate with a square window half a millimetre wider than the hole.
+        // Convex pieces of the upper plate with a square window half a millimetre wider than the
+        // hole.
         let upper = joint.parts.iter_mut().find(|p| p.name == "UPPER").expect("the fixture has it");
         let cuboid = |x: [f64; 2], y: [f64; 2]| Solid::Box {
             min: [x[0], y[0], 0.0],
@@ -351,7 +354,7 @@ mod tests {
             reason: "wrench".into(),
         });
         let m = messages(&joint);
-        // pitch 90 mm less the width across flats 27 mm
+        // pitch of 90 mm minus the width across flats of 27 mm
         assert!(
             m.len() == 1 && m[0].0 == "geometry/clearance" && m[0].1.contains("63.0 mm"),
             "{m:?}"

@@ -1,40 +1,41 @@
-//! What is modelled of an assembly: the parts on the kept side of its symmetry planes, cut there.
+//! The modelled part of an assembly: the parts on the kept side of its symmetry planes, cut at
+//! those planes.
 
 use super::flat::{Bounds, FlatSolid};
 use super::line::{Line, Stretches, intersect};
 use crate::assembly::assembly::{Assembly, MidPlane, Part, Surface, SymmetryPlane};
 
-/// Coordinates closer than this to a plane lie on it \[mm\].
+/// Coordinates closer than this to a plane count as lying on it \[mm\].
 pub const ON_PLANE: f64 = 1e-6;
 
-/// A part that is at least partly kept.
+/// A part of which at least a piece is kept.
 #[derive(Clone, Debug)]
 pub struct Body<'a> {
     /// The part.
     pub part: &'a Part,
     /// Its whole solid, not cut by symmetry.
     pub solid: FlatSolid,
-    /// Box around the whole solid \[mm\].
+    /// Bounding box of the whole solid \[mm\].
     pub whole: Bounds,
-    /// Box around what is kept \[mm\].
+    /// Bounding box of the kept part \[mm\].
     pub bounds: Bounds,
-    /// Axes of all symmetry planes in use; the body keeps `x[axis] ≥ 0`.
+    /// Axes of all symmetry planes in use; the body keeps its part with `x[axis] ≥ 0`.
     pub planes: Vec<usize>,
 }
 
-/// The part of a joint that is meshed.
+/// The meshed part of a joint.
 #[derive(Clone, Debug)]
 pub struct Scene<'a> {
     /// The whole joint.
     pub assembly: &'a Assembly,
     /// The symmetry planes in use.
     pub symmetry: Vec<SymmetryPlane>,
-    /// The parts kept, in the assembly's order.
+    /// The kept parts, in the order of the assembly.
     pub bodies: Vec<Body<'a>>,
 }
 
 impl Body<'_> {
-    /// The stretches of a line inside what is kept of the body.
+    /// The intervals of a line inside the kept part of the body.
     pub fn stretches(&self, line: &Line) -> Stretches {
         let mut inside = line.through(&self.solid);
         for &axis in &self.planes {
@@ -46,14 +47,14 @@ impl Body<'_> {
         inside
     }
 
-    /// Axes of the symmetry planes that really cut the body.
+    /// Axes of the symmetry planes that actually cut the body.
     pub fn cuts(&self) -> Vec<usize> {
         self.planes.iter().copied().filter(|&k| self.whole.min[k] < -ON_PLANE).collect()
     }
 }
 
 impl<'a> Scene<'a> {
-    /// Keeps the positive side of each symmetry plane, or the whole joint.
+    /// The scene of the positive side of each symmetry plane, or of the whole joint if `full`.
     pub fn new(assembly: &'a Assembly, full: bool) -> Self {
         let mut symmetry = if full { Vec::new() } else { assembly.symmetry.clone() };
         symmetry.sort_by_key(|s| s.axis);
@@ -88,12 +89,12 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// Index of the body of a part, if it is kept.
+    /// Index of the body of a part; `None` if the part is not kept.
     pub fn body(&self, name: &str) -> Option<usize> {
         self.bodies.iter().position(|b| b.part.name == name)
     }
 
-    /// Copies of what is modelled that make the whole joint: 1, 2, 4 or 8.
+    /// Number of copies of the modelled part that make the whole joint: 1, 2, 4 or 8.
     pub fn copies(&self) -> u32 {
         1 << self.symmetry.len()
     }

@@ -1,9 +1,10 @@
-//! Wanted element sizes as gmsh fields.
+//! Target element sizes as gmsh fields.
 //!
-//! Near every plate and bolt the part's own size, growing with the distance from it; in members the
-//! part's size near the joint, growing along the span to a limit; at imprinted footprints of loads
-//! and supports, whose edges concentrate stress, a fraction of their width. Only box and formula
-//! fields: they work on gmsh 4.8 too.
+//! Near a plate or bolt the size is that of the part, and it grows with the distance from the part.
+//! In a member the size is that of the part near the joint, and it grows along the span up to a
+//! limit. At the imprinted footprints of loads and supports, whose edges concentrate stress, it is
+//! a fraction of the footprint's width. Only box and formula fields are used, because gmsh 4.8
+//! supports them too.
 
 use super::flat::Bounds;
 use super::scene::{ON_PLANE, Scene};
@@ -11,16 +12,16 @@ use crate::assembly::assembly::{PartRole, Surface};
 use crate::math::vec3::V3;
 use std::fmt::Write;
 
-/// How wanted sizes vary.
+/// Rule for the variation of the target sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SizeRule {
-    /// Multiplies every part's size.
+    /// Factor on every part's size.
     pub factor: f64,
-    /// Growth of the size per mm away from a plate or bolt.
+    /// Growth of the size per mm of distance from a plate or bolt.
     pub growth: f64,
-    /// Growth of a member's size per mm away from the joint.
+    /// Growth of a member's size per mm of distance from the joint.
     pub span_growth: f64,
-    /// Elements across the shorter side of an imprinted footprint (at factor 1).
+    /// Number of elements across the shorter side of an imprinted footprint (at factor 1).
     pub across_footprint: f64,
     /// Largest size in a member's span, as a multiple of its size at the joint.
     pub span_limit: f64,
@@ -38,13 +39,13 @@ impl Default for SizeRule {
     }
 }
 
-/// A size no field ever reaches \[mm\].
+/// A size above that of every field \[mm\].
 const FREE: f64 = 1e6;
 
-/// Distance over which a box field grows \[mm\]; beyond it members decide.
+/// Distance over which a box field grows \[mm\]; beyond it the members' sizes govern.
 const REACH: f64 = 1000.0;
 
-/// The imprinted rectangles on the kept side: normal axis, coordinate, corners.
+/// The imprinted rectangles on the kept side: normal axis, coordinate, lowest and highest corner.
 pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
     scene
@@ -59,7 +60,7 @@ pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
         .collect()
 }
 
-/// The imprinted rectangles of welds on the kept side; they ask for no size of their own.
+/// The imprinted rectangles of welds on the kept side; they set no element size.
 pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
     let kept = scene
@@ -74,7 +75,7 @@ pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
     .collect()
 }
 
-/// The kept part of a rectangle of a coordinate plane; `None` when nothing of it is kept or it lies
+/// The kept part of a rectangle of a coordinate plane; `None` if nothing of it is kept or it lies
 /// on a symmetry plane.
 pub(super) fn clip(
     axis: usize,
@@ -99,7 +100,7 @@ pub(super) fn clip(
     Some((axis, at, min, max))
 }
 
-/// The script lines that define the fields and make their minimum the background.
+/// The script lines that define the fields and use their minimum as the background field.
 pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
     let mut out = String::new();
     let mut id = 0;
@@ -118,7 +119,7 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
                 let limit = size * rule.span_limit;
                 let d = distance(&joint);
                 let (g, rise) = (rule.span_growth, limit - size);
-                // min(g D, rise) written with an absolute value
+                // min(g D, rise), written with an absolute value
                 let formula = format!("{size} + 0.5*({g}*{d} + {rise} - Fabs({g}*{d} - {rise}))");
                 let _ = writeln!(
                     out,
@@ -190,7 +191,7 @@ fn box_field(out: &mut String, id: usize, inside: f64, outside: f64, min: V3, ma
     let _ = writeln!(out, "Field[{id}].Thickness = {reach};");
 }
 
-/// Formula of the distance from a box.
+/// Formula for the distance from a box.
 fn distance(b: &Bounds) -> String {
     let part = |k: usize, name: &str| {
         let (c, h) = (0.5 * (b.min[k] + b.max[k]), 0.5 * (b.max[k] - b.min[k]));

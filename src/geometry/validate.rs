@@ -1,11 +1,11 @@
-//! Names and numbers of an assembly, before any geometry is made of it.
+//! Checks the names and numbers of an assembly before any geometry is built from it.
 
 use super::error::GeometryError;
 use crate::assembly::Assembly;
 use crate::assembly::assembly::Solid;
 use std::collections::BTreeSet;
 
-/// Faults of names, references and dimensions; empty if sound.
+/// Faults of names, references and dimensions; empty if there are none.
 pub fn faults(assembly: &Assembly) -> Vec<GeometryError> {
     let mut out = Vec::new();
     let mut name = |what: String| out.push(GeometryError::Name { what });

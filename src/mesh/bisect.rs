@@ -1,8 +1,10 @@
-//! Conforming refinement by bisection of longest edges: every tet around an edge is halved with it,
-//! so there are no hanging nodes, bodies keep their shared faces, and plane faces stay plane.
+//! Conforming refinement by bisection of longest edges. All tets around an edge are halved
+//! together. So there are no hanging nodes, bodies keep their shared faces, and plane faces stay
+//! plane.
 //!
-//! A tet is refined by a walk to ever longer edges until an edge is the longest of all tets around
-//! it; that edge is halved. Edges are ordered by length, then by their nodes, so the walk ends.
+//! The refinement of a tet walks to ever longer edges until an edge is the longest of all tets
+//! around it; that edge is halved. Edges are ordered by length, then by their nodes, so the walk
+//! ends.
 //!
 //! # Source
 //! Rivara, New longest-edge algorithms for the refinement and/or improvement of unstructured
@@ -15,7 +17,7 @@ use std::collections::HashMap;
 /// A refined mesh and the origin of its tets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined {
-    /// The mesh; bodies, names and sharing of nodes as before.
+    /// The mesh; bodies, names and sharing of nodes are unchanged.
     pub mesh: TetMesh,
     /// The tet of the old mesh that contains each tet of the new mesh.
     pub parent: Vec<u32>,
@@ -50,9 +52,9 @@ fn edge(a: u32, b: u32) -> Edge {
     if a < b { [a, b] } else { [b, a] }
 }
 
-/// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts, to the nearest
-/// power of two, and into more where conformity requires it. Values below √2 leave a tet unchanged:
-/// nothing is coarsened.
+/// Splits each tet of a mesh whose bodies share nodes into about `wanted` parts. The number is
+/// rounded to the nearest power of two, and is larger where conformity requires it. Values below √2
+/// leave a tet unchanged: the mesh is never coarsened.
 pub fn refine(mesh: &TetMesh, wanted: &[f64]) -> Refined {
     let goals: Vec<f64> = wanted
         .iter()
@@ -195,7 +197,7 @@ mod tests {
     use crate::mesh::quality;
     use crate::mesh::topology::FaceTable;
 
-    /// Two blocks side by side, one body each, faces named, refined at one corner far and wide.
+    /// Two adjacent blocks, one body each, with named faces; strongly refined at one corner.
     fn refined() -> (TetMesh, Refined) {
         let cells: Vec<_> = (0..54)
             .map(|i| ([i % 6, i / 6 % 3, i / 18], if i % 6 < 3 { "A" } else { "B" }))
@@ -210,8 +212,9 @@ mod tests {
         (mesh, refined)
     }
 
-    /// No hanging node: every face has one or two owners, those of one lie on the hull; volumes of
-    /// bodies and areas of named faces stay, every named triangle is a face of the mesh.
+    /// There is no hanging node: every face has one or two owners, and faces with one owner lie on
+    /// the hull. Volumes of bodies and areas of named faces are unchanged, and every named triangle
+    /// is a face of the mesh.
     #[test]
     fn stays_conformal() {
         let (old, Refined { mesh, parent }) = refined();
@@ -248,7 +251,8 @@ mod tests {
         }
     }
 
-    /// The wanted parts are made, and a tet far away is left alone; the angles do not decay.
+    /// The wanted number of parts is reached, tets far away are unchanged, and the smallest angle
+    /// stays above half of its old value.
     #[test]
     fn refines_where_wanted() {
         let (old, refined) = refined();

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 pub struct MshPlace {
     /// The file.
     pub file: PathBuf,
-    /// Line, from 1; 0: the file as a whole.
+    /// Line, from 1; 0: the whole file.
     pub line: usize,
 }
 
@@ -20,7 +20,7 @@ pub enum MeshError {
     Io {
         /// Where.
         at: MshPlace,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// Not a gmsh file.
@@ -29,7 +29,7 @@ pub enum MeshError {
         /// Where.
         at: MshPlace,
     },
-    /// A version other than 2.2 and 4.1.
+    /// A version other than 2.2 or 4.1.
     #[error("gmsh format {version} is not read, only 2.2 and 4.1")]
     Version {
         /// Where.
@@ -37,7 +37,7 @@ pub enum MeshError {
         /// The version found.
         version: String,
     },
-    /// Binary flavour.
+    /// A binary file.
     #[error("the mesh file is binary, only ASCII is read")]
     Binary {
         /// Where.
@@ -56,7 +56,7 @@ pub enum MeshError {
     Truncated {
         /// Where.
         at: MshPlace,
-        /// Its name.
+        /// Name of the section.
         section: String,
     },
     /// A line that does not conform to the format.
@@ -66,12 +66,12 @@ pub enum MeshError {
         at: MshPlace,
         /// The section.
         section: String,
-        /// What the format requires there.
+        /// Content that the format requires there.
         expected: &'static str,
-        /// What the file contains there.
+        /// Content of the file there.
         found: String,
     },
-    /// A tag used twice: node, element or name.
+    /// A tag used twice, of a node, an element or a name.
     #[error("{what} is defined twice")]
     Repeated {
         /// Where.
@@ -82,14 +82,14 @@ pub enum MeshError {
     /// A coordinate that is not finite.
     #[error("node {node} has the coordinate {value}, which is not a finite number")]
     NotFinite {
-        /// Where.
+        /// A coordinate that is NaN or infinite.
         at: MshPlace,
         /// Tag of the node.
         node: u64,
         /// The value.
         value: f64,
     },
-    /// An element names a node that is absent.
+    /// An element refers to a node that is absent.
     #[error("element {element} uses node {node}, which the file does not contain")]
     UnknownNode {
         /// Where.
@@ -99,7 +99,7 @@ pub enum MeshError {
         /// Tag of the node.
         node: u64,
     },
-    /// An element block names an entity that `$Entities` lacks (4.1).
+    /// An element block refers to an entity that is absent from `$Entities` (4.1).
     #[error("an element block lies on {kind} {tag}, which `$Entities` does not contain")]
     UnknownEntity {
         /// Where.
@@ -116,20 +116,20 @@ pub enum MeshError {
         at: MshPlace,
         /// Tag of the element.
         element: u64,
-        /// Its type in words.
+        /// Description of its type.
         kind: &'static str,
     },
-    /// An element that is neither tet nor triangle.
+    /// An element that is neither a tet nor a triangle.
     #[error("element {element} is a {kind}: only 4-node tetrahedra and 3-node triangles are read")]
     OtherShape {
         /// Where.
         at: MshPlace,
         /// Tag of the element.
         element: u64,
-        /// Its type in words.
+        /// Description of its type.
         kind: &'static str,
     },
-    /// No tet at all.
+    /// The file contains no tets.
     #[error("the mesh contains no tetrahedron")]
     NoTets {
         /// Where.
@@ -143,17 +143,17 @@ pub enum MeshError {
         /// Tag of the element.
         element: u64,
     },
-    /// A volume in two physical volumes.
+    /// A volume that belongs to two physical volumes.
     #[error("volume {tag} belongs to {count} physical volumes, a body is one")]
     TwoBodies {
         /// Where.
         at: MshPlace,
         /// Tag of the volume.
         tag: i64,
-        /// How many.
+        /// Number of physical volumes.
         count: usize,
     },
-    /// A tet without volume.
+    /// A tet with a volume of nearly zero.
     #[error(
         "tetrahedron {element} is flat: its volume is {volume:e} mm³, at least {limit:e} mm³ is \
          needed for its size"
@@ -193,7 +193,8 @@ pub enum MeshError {
         /// Tag of the other element.
         other: u64,
     },
-    /// Two nodes of one body closer than the distance at which nodes of two bodies are merged.
+    /// Two nodes of one body that are closer than the distance at which nodes of different bodies
+    /// are merged.
     #[error(
         "two nodes of body `{body}` near ({}, {}, {}) mm lie within {distance:.1e} mm of each \
          other",
@@ -207,7 +208,7 @@ pub enum MeshError {
         /// Nodes closer than this are merged \[mm\].
         distance: f64,
     },
-    /// Two bodies meet with different triangles.
+    /// Two bodies whose triangles do not match where they meet.
     #[error(
         "the triangles of bodies `{a}` and `{b}` do not match where they meet, near \
          ({}, {}, {}) mm",
@@ -236,7 +237,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// Stable code, place, and remedy.
+    /// Stable code, place and remedy.
     fn parts(&self) -> (&'static str, Option<&MshPlace>, &'static str) {
         use MeshError as E;
         let again =

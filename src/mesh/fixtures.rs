@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// Edge of a cube \[mm\].
 pub const EDGE: f64 = 10.0;
 
-/// Cubes `[i, j, k]` with the body each belongs to, sharing nodes.
+/// Cubes `[i, j, k]`, each with the name of its body; they share nodes.
 pub fn cubes(cells: &[([i32; 3], &str)]) -> TetMesh {
     let mut mesh = TetMesh::default();
     let mut numbers: BTreeMap<[i32; 3], u32> = BTreeMap::new();
@@ -17,7 +17,7 @@ pub fn cubes(cells: &[([i32; 3], &str)]) -> TetMesh {
             mesh.bodies.push(body.to_string());
             mesh.bodies.len() - 1
         });
-        // the six paths from one corner to the opposite one, along one axis after the other
+        // the six paths from one corner to the opposite one, along one axis after another
         for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let mut p = *cell;
             let mut tet = [0; 4];

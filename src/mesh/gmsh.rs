@@ -1,6 +1,8 @@
-//! gmsh as a separate process: asks its version, runs it under a time limit, reads its log.
+//! Runs gmsh as a separate process: asks for its version, runs it under a time limit, reads its
+//! log.
 //!
-//! gmsh may print errors, go on, and exit with success, so the exit code alone proves nothing.
+//! gmsh may print errors, continue, and exit with success. The exit code alone is therefore no
+//! evidence of success.
 
 use super::mesher_command::find_command;
 use super::mesher_error::{MesherError, OLDEST, final_path};
@@ -22,12 +24,12 @@ pub struct Mesher {
 }
 
 impl Mesher {
-    /// Looks for gmsh (environment variable, project-local venv, PATH) and asks its version.
+    /// Searches for gmsh (environment variable, project-local venv, PATH) and asks for its version.
     pub fn find() -> Result<Self, MesherError> {
         Self::with_command(find_command()?)
     }
 
-    /// Uses this command, after asking its version.
+    /// Uses the given command, after asking for its version.
     pub fn with_command(command: Vec<OsString>) -> Result<Self, MesherError> {
         let version = ask_version(&command)?;
         let mut numbers = version.split('.').map(|w| w.parse::<u32>().unwrap_or(0));
@@ -37,7 +39,7 @@ impl Mesher {
         Ok(Self { command, version })
     }
 
-    /// Runs it in `dir` with `arguments` and returns its log, written to `dir/log_name`.
+    /// Runs the mesher in `dir` with `arguments` and returns its log, written to `dir/log_name`.
     ///
     /// The process and its children are killed when `limit` has passed or `interrupt` is set. Any
     /// error line in the log is a failure, whatever the exit code.
@@ -95,7 +97,7 @@ impl Mesher {
     }
 }
 
-/// The error lines of a log, and the warnings of lost bodies.
+/// The error lines of a log, and its warnings of lost bodies.
 fn error_lines(log: &str) -> Vec<String> {
     log.split(['\n', '\r'])
         .map(str::trim)
@@ -114,8 +116,8 @@ fn shown(command: &[OsString]) -> String {
     command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// Starts the command in a process group of its own: Ctrl-C in the terminal then reaches only this
-/// process, which ends the mesher and all its children (also the gmsh behind a wrapper).
+/// Puts the command in a process group of its own. Ctrl-C in the terminal then reaches only this
+/// process, which ends the mesher and all its children (including the gmsh behind a wrapper).
 #[cfg(unix)]
 fn alone(command: &mut Command) -> &mut Command {
     std::os::unix::process::CommandExt::process_group(command, 0)
@@ -126,14 +128,14 @@ fn alone(command: &mut Command) -> &mut Command {
     command
 }
 
-/// Kills a child and, where it leads a group of its own, the group.
+/// Kills a child and, if it leads a process group, the whole group.
 fn kill(child: &mut Child) -> std::io::Result<()> {
     #[cfg(unix)]
     {
         use nix::sys::signal::{Signal, killpg};
         use nix::unistd::{Pid, getpgid};
         let pid = Pid::from_raw(child.id().cast_signed());
-        // only a child started by `alone` leads a group; any other child is in our group
+        // only a child started by `alone` leads a group; any other child is in this process's group
         if getpgid(Some(pid)) == Ok(pid) {
             let _ = killpg(pid, Signal::SIGKILL);
         }
@@ -145,7 +147,7 @@ fn kill(child: &mut Child) -> std::io::Result<()> {
 /// How a child ended.
 enum End {
     Exit(ExitStatus),
-    /// It was killed because the time was over.
+    /// It was killed because the time limit had passed.
     TimeLimit,
     /// It was killed because the user asked to stop.
     Interrupted,
@@ -199,8 +201,8 @@ fn ask_version(command: &[OsString]) -> Result<String, MesherError> {
     if !matches!(end, End::Exit(_)) {
         return Err(fail("no answer within 60 s".into()));
     }
-    // version 4.8 answers on standard error, later ones on standard output; the answer is too short
-    // to fill the pipes
+    // version 4.8 answers on standard error, later versions on standard output; the answer is too
+    // short to fill the pipes
     let mut text = String::new();
     if let Some(mut out) = child.stdout.take() {
         let _ = out.read_to_string(&mut text);

@@ -1,4 +1,4 @@
-//! Meshes a joint: writes the script, runs the mesher, names bodies and faces, checks the mesh.
+//! Meshes a joint: writes the script, runs the mesher, names bodies and faces, and checks the mesh.
 
 use super::gmsh::Mesher;
 use super::mesher_error::MesherError;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-/// Extent, element sizes and files of meshing a joint.
+/// Options for meshing a joint: extent, element sizes and files.
 #[derive(Clone, Debug)]
 pub struct MeshOptions {
     /// Mesh the whole joint, even if it is symmetric.
@@ -25,20 +25,21 @@ pub struct MeshOptions {
     pub layers: bool,
     /// Element sizes; `sizes.factor` scales all of them.
     pub sizes: SizeRule,
-    /// Target sizes as a view of gmsh; they replace `sizes`.
+    /// Target sizes as a gmsh view; they replace `sizes`.
     pub size_view: Option<String>,
     /// Time the mesher may take.
     pub time_limit: Duration,
     /// Folder for the script, the mesher's file and its log; created if absent.
     pub work_dir: PathBuf,
-    /// The mesher; `None`: searched for.
+    /// The mesher; `None`: search for it.
     pub mesher: Option<Mesher>,
-    /// Set from outside to stop the mesher.
+    /// Set by another thread to stop the mesher.
     pub interrupt: Option<Arc<AtomicBool>>,
 }
 
 impl MeshOptions {
-    /// Defaults: quarter or half if symmetric, layers, the sizes of the parts, ten minutes.
+    /// Default options: a quarter or half if the joint is symmetric, layers on, the sizes of the
+    /// parts, a time limit of ten minutes.
     pub fn new(work_dir: impl Into<PathBuf>) -> Self {
         MeshOptions {
             full: false,
@@ -71,7 +72,7 @@ pub struct JointMesh {
     pub geo: String,
     /// Version of the mesher.
     pub mesher: String,
-    /// Time in the mesher \[s\].
+    /// Time spent in the mesher \[s\].
     pub mesher_seconds: f64,
     /// Total time \[s\].
     pub seconds: f64,
@@ -106,7 +107,7 @@ pub fn mesh_joint(
         };
         progress(if attempt == 0 { "meshing" } else { "meshing again, a tet was all but flat" });
         let found = match mesh_once(&geo, &scene, &mesher, options, progress) {
-            // a tet without volume is a sliver that rounding has flattened
+            // a tet with a volume of nearly zero is a sliver that rounding has flattened
             Err(faults)
                 if !(last && best.is_none())
                     && faults.iter().all(|d| FLAT_CODES.contains(&d.code)) =>
@@ -128,12 +129,13 @@ pub fn mesh_joint(
     })
 }
 
-/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the static program.
+/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the optimisation problem of the
+/// static analysis.
 const FLAT: f64 = 0.5;
 /// Factors on the element sizes, one for each attempt. gmsh occasionally leaves a sliver where a
-/// fillet ends, but not with slightly different sizes.
+/// fillet ends; with slightly different sizes it does not.
 const SCALES: [f64; 4] = [1.0, 0.97, 0.94, 1.03];
-/// Codes of the reader for meshes with tets without volume.
+/// Codes of the reader's errors for meshes with tets of nearly zero volume.
 const FLAT_CODES: [&str; 2] = ["mesh/flat", "mesh/folded"];
 
 impl JointMesh {
@@ -143,7 +145,7 @@ impl JointMesh {
     }
 }
 
-/// One attempt with the mesher.
+/// One run of the mesher.
 fn mesh_once(
     geo: &str,
     scene: &Scene,
@@ -182,7 +184,7 @@ fn mesh_once(
     })
 }
 
-/// Writes the whole joint as a STEP file with true circles and arcs, every part a solid of its own.
+/// Writes the whole joint as a STEP file with true circles and arcs; each part is a separate solid.
 pub fn write_step(
     assembly: &Assembly,
     options: &MeshOptions,
@@ -227,7 +229,7 @@ fn remove(path: &Path) -> Result<(), MesherError> {
     }
 }
 
-/// Reads the mesher's file. A damaged file is a fault of the environment here, not of the input.
+/// Reads the mesher's file. A damaged file is here a fault of the environment, not of the input.
 fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
     let damaged = |why: String| MesherError::NoOutput { what: "mesh", why }.into();
     match std::fs::metadata(raw) {
@@ -236,7 +238,7 @@ fn read_output(raw: &Path) -> Result<TetMesh, Diagnostics> {
         Ok(_) => {}
     }
     msh::read(raw).map_err(|error| match error {
-        // the user did not write this file: its line numbers would not help
+        // the user did not write this file, so its line numbers would not help
         MeshError::NoTets { .. } | MeshError::Flat { .. } | MeshError::Folded { .. } => {
             let mut d = Diagnostic::from(error)
                 .help("try other element sizes: `--size-factor 0.9`, or `analysis.mesh.size`");

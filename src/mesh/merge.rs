@@ -1,5 +1,5 @@
-//! Merges coincident nodes of different bodies in meshes that are already split, so that all meshes
-//! are treated in the same way afterwards.
+//! Merges coincident nodes of different bodies in meshes that are already split. All meshes can
+//! then be treated in the same way.
 
 use super::TetMesh;
 use super::error::MeshError;
@@ -7,8 +7,8 @@ use super::topology::{FaceTable, face_nodes};
 use crate::math::vec3::{cross, dot, sub, unit};
 use std::collections::{BTreeMap, HashMap};
 
-/// Nodes of different bodies closer than this times the size of the mesh (diagonal of its box) are
-/// one.
+/// Nodes of different bodies are merged when their distance is below this fraction of the size of
+/// the mesh (diagonal of its bounding box).
 pub const COINCIDENT: f64 = 1e-6;
 
 /// Merges coincident nodes of different bodies; returns the number of removed nodes.
@@ -40,8 +40,8 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     for n in outer {
         let x = mesh.nodes[n as usize];
         let mut found = None;
-        // cells are two tolerances wide: a near node lies in this cell or a neighbour on the near
-        // side of each axis
+        // cells are two tolerances wide, so a near node lies in this cell or, on each axis, in the
+        // neighbour on the nearer side
         let near: Vec<[i64; 2]> = x
             .iter()
             .map(|c| [c - tolerance, c + tolerance].map(|c| (c / (2.0 * tolerance)).floor() as i64))
@@ -97,8 +97,8 @@ pub fn merge_coincident(mesh: &mut TetMesh) -> Result<usize, MeshError> {
     Ok(gone)
 }
 
-/// Refuses interfaces whose two triangulations differ: outer faces of two bodies that share an
-/// edge, lie in one plane, face each other and overlap.
+/// Rejects interfaces whose two triangulations differ, that is, outer faces of two bodies that
+/// share an edge, lie in one plane, face each other and overlap.
 pub fn check_matching(mesh: &TetMesh, table: &FaceTable) -> Result<(), MeshError> {
     let mut by_edge: Vec<([u32; 2], u32, u32, [u32; 3])> = Vec::new();
     for owners in table.faces().filter(|o| o.len() == 1) {
@@ -123,8 +123,8 @@ pub fn check_matching(mesh: &TetMesh, table: &FaceTable) -> Result<(), MeshError
     Ok(())
 }
 
-/// True when two outward triangles with a common edge lie in one plane, face each other and lie on
-/// one side of the edge.
+/// True if two outward triangles with a common edge lie in one plane, face each other and lie on
+/// the same side of the edge.
 fn facing_overlap(mesh: &TetMesh, edge: [u32; 2], f: (u32, [u32; 3]), g: (u32, [u32; 3])) -> bool {
     let x = |n: u32| mesh.nodes[n as usize];
     let normal = |t: [u32; 3]| unit(cross(sub(x(t[1]), x(t[0])), sub(x(t[2]), x(t[0]))));

@@ -47,9 +47,9 @@ fn parse_command(value: &str) -> Result<Vec<OsString>, MesherError> {
     Ok(words.into_iter().map(OsString::from).collect())
 }
 
-/// The command of a `gmsh` file. The `gmsh` of the Python wheel is a script that asks `env` for
-/// Python, which finds the wrong one without an activated venv; it is run with the Python beside
-/// it.
+/// The command that runs a `gmsh` file. The `gmsh` of the Python wheel is a script that asks `env`
+/// for Python, which finds the wrong one if no venv is activated. It is therefore run with the
+/// Python in its own folder.
 fn command_of_file(gmsh: &Path) -> Vec<OsString> {
     let mut head = [0u8; 64];
     let n = File::open(gmsh).and_then(|mut f| f.read(&mut head)).unwrap_or(0);

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// words.
 pub const VARIABLE: &str = "BRACKET_GMSH";
 
-/// Oldest version the scripts are written for.
+/// Oldest supported version; the scripts are written for it.
 pub const OLDEST: (u32, u32) = (4, 8);
 
 /// Failure of the mesher's process or of its files.
@@ -20,7 +20,7 @@ pub enum MesherError {
          current directory or the program, and there is no gmsh on PATH"
     )]
     Missing,
-    /// The environment variable cannot be read as a command.
+    /// The environment variable does not contain a valid command.
     #[error("{VARIABLE} is `{value}`, which is neither words nor a JSON list of words")]
     BadVariable {
         /// Its value.
@@ -31,10 +31,10 @@ pub enum MesherError {
     Start {
         /// The command.
         command: String,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
-    /// It starts but does not report its version.
+    /// The command starts but does not report its version.
     #[error("the mesher `{command}` does not answer `--version`: {answer}")]
     NoVersion {
         /// The command.
@@ -42,13 +42,13 @@ pub enum MesherError {
         /// Its answer.
         answer: String,
     },
-    /// Too old.
+    /// The version is too old.
     #[error("the mesher is gmsh {found}, at least {}.{} is needed", OLDEST.0, OLDEST.1)]
     TooOld {
         /// Its version.
         found: String,
     },
-    /// It ran longer than allowed and was stopped.
+    /// The mesher exceeded the time limit and was stopped.
     #[error("the mesher was stopped after {seconds:.0} s, the time limit")]
     TimeLimit {
         /// The limit \[s\].
@@ -60,10 +60,10 @@ pub enum MesherError {
          written"
     )]
     Interrupted {
-        /// How long it ran \[s\].
+        /// Duration of the run \[s\].
         seconds: f64,
     },
-    /// Something killed it.
+    /// A signal from outside killed the mesher.
     #[error(
         "the mesher was killed by signal {signal} after {seconds:.0} s{}",
         if *signal == 9 { " (out of memory?)" } else { "" }
@@ -71,27 +71,27 @@ pub enum MesherError {
     Killed {
         /// The signal.
         signal: i32,
-        /// How long it ran \[s\].
+        /// Duration of the run \[s\].
         seconds: f64,
     },
-    /// It reported errors, or ended with an exit code other than 0.
+    /// The mesher reported errors, or ended with an exit code other than 0.
     #[error(
         "the mesher failed{}: {said}",
         code.map_or(String::new(), |c| format!(" (exit code {c})"))
     )]
     Failed {
-        /// Its exit code, when it is not 0.
+        /// Its exit code, if not 0.
         code: Option<i32>,
         /// Its first error lines. They are quoted because the log is deleted with the working
         /// folder.
         said: String,
     },
-    /// It ended without error but left no usable file.
+    /// The mesher ended without an error but left no usable file.
     #[error("the mesher ended without error but left no usable {what}: {why}")]
     NoOutput {
         /// `mesh` or `STEP file`.
         what: &'static str,
-        /// Absent, empty or cut off.
+        /// Reason: absent, empty or truncated.
         why: String,
     },
     /// The disk is full.
@@ -105,13 +105,13 @@ pub enum MesherError {
     Write {
         /// The file.
         file: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
 }
 
 impl MesherError {
-    /// A failed write; a full disk is an error of its own.
+    /// The error for a failed write; a full disk has its own variant.
     pub fn write(file: impl Into<PathBuf>, source: std::io::Error) -> Self {
         use std::io::ErrorKind as K;
         let file = final_path(&file.into());

@@ -14,8 +14,8 @@ use std::path::Path;
 
 /// Reads a mesh file.
 ///
-/// Tets of negative volume are turned (two nodes swapped). Points, lines, and triangles without a
-/// physical surface are ignored; nodes that belong to no tet are dropped.
+/// Tets of negative volume are reoriented (two nodes swapped). Points, lines, and triangles without
+/// a physical surface are ignored. Nodes that belong to no tet are dropped.
 pub fn read(path: &Path) -> Result<TetMesh, MeshError> {
     read_with_notes(path).map(|(mesh, _)| mesh)
 }
@@ -27,10 +27,10 @@ pub fn read_with_notes(path: &Path) -> Result<(TetMesh, Vec<String>), MeshError>
     parse(&bytes, path)
 }
 
-/// Reads the bytes of a mesh file; `file` is named in messages.
+/// Reads the bytes of a mesh file; `file` is the name for messages.
 pub fn parse(bytes: &[u8], file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
-    // the header is read as bytes: in a binary file no text follows it
+    // the header is read as bytes, because no text follows it in a binary file
     let mut head =
         bytes.split(|b| *b == b'\n').map(|l| String::from_utf8_lossy(l).trim().to_string());
     if head.next().as_deref() != Some("$MeshFormat") {

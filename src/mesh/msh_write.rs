@@ -1,4 +1,4 @@
-//! Writes a mesh as gmsh 2.2 ASCII. Every coordinate is read back to the same bits.
+//! Writes a mesh as gmsh 2.2 ASCII. Every coordinate reads back to the same bits.
 
 use super::TetMesh;
 use super::mesher_error::MesherError;
@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// The file's text: bodies are physical volumes 1, 2, …; named faces are physical surfaces 1001,
-/// 1002, ….
+/// The text of the file. Bodies are physical volumes 1, 2, …; named faces are physical surfaces
+/// 1001, 1002, ….
 pub fn text(mesh: &TetMesh) -> String {
     let mut out = String::with_capacity(64 * mesh.nodes.len() + 40 * mesh.tets.len());
     let first_face = 1001;
@@ -51,7 +51,8 @@ pub fn text(mesh: &TetMesh) -> String {
     out
 }
 
-/// Writes the file under a temporary name and renames it: a file of this name is always complete.
+/// Writes the file under a temporary name and renames it, so that a file of the final name is
+/// always complete.
 pub fn write(mesh: &TetMesh, path: &Path) -> Result<(), MesherError> {
     write_whole(path, &text(mesh))
 }
@@ -76,7 +77,7 @@ fn write_and_rename(aside: &Path, path: &Path, bytes: &[u8]) -> Result<(), Meshe
     std::fs::rename(aside, path).map_err(|e| MesherError::write(path, e))
 }
 
-/// Writes to an open file, naming `path` when it fails.
+/// Writes to an open file; an error reports `path`.
 fn write_all(file: &mut std::fs::File, bytes: &[u8], path: &Path) -> Result<(), MesherError> {
     file.write_all(bytes).map_err(|e| MesherError::write(path, e))
 }
@@ -125,7 +126,7 @@ mod tests {
     #[test]
     fn nothing_half_written_is_left() {
         let dir = tempfile::tempdir().expect("temporary folder");
-        // a folder has the name of the file: the rename fails after the text is written
+        // a folder has the name of the file, so the rename fails after the text is written
         let path = dir.path().join("mesh.msh");
         std::fs::create_dir(&path).expect("folder");
         std::fs::write(path.join("keep"), "x").expect("file");

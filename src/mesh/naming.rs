@@ -1,5 +1,5 @@
-//! Names the faces of a freshly meshed joint, found by their coordinates, and checks that the mesh
-//! agrees with the joint.
+//! Finds the faces of a newly meshed joint by their coordinates and names them. Checks that the
+//! mesh agrees with the joint.
 
 mod agreement;
 pub(super) mod surface;
@@ -22,7 +22,7 @@ pub fn symmetry_face(axis: usize) -> &'static str {
     ["SYM_X0", "SYM_Y0", "SYM_Z0"][axis]
 }
 
-/// Moves nodes that lie on symmetry planes up to rounding exactly onto them.
+/// Moves nodes that lie on a symmetry plane up to rounding exactly onto it.
 fn snap(mesh: &mut TetMesh, scene: &Scene) {
     for plane in &scene.symmetry {
         for x in &mut mesh.nodes {
@@ -33,10 +33,10 @@ fn snap(mesh: &mut TetMesh, scene: &Scene) {
     }
 }
 
-/// Names all faces that the model needs, and compares every volume, contact and face with the exact
-/// one.
+/// Names all faces that the model needs. Compares every volume, contact area and face area with the
+/// exact value.
 ///
-/// The bodies of the mesh must be those of the scene, in any order; afterwards they are in the
+/// The bodies of the mesh must be those of the scene, in any order. Afterwards they are in the
 /// order of the scene.
 pub fn name_and_check(mesh: &mut TetMesh, scene: &Scene) -> Result<Checks, Diagnostics> {
     order_bodies(mesh, scene)?;
@@ -76,7 +76,7 @@ fn order_bodies(mesh: &mut TetMesh, scene: &Scene) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Faces named so far, and the comparisons and faults found on the way.
+/// The faces named so far, with the comparisons and faults found for them.
 struct Naming<'a> {
     mesh: &'a TetMesh,
     scene: &'a Scene<'a>,
@@ -107,7 +107,7 @@ impl<'a> Naming<'a> {
             self.interface(&rule.between, on);
         }
         for weld in &scene.assembly.welds {
-            // parts that a symmetry plane halves may have welds wholly on the removed side
+            // welds of parts that a symmetry plane halves may lie wholly on the removed side
             if matches!(weld.surface, Surface::Plane { min, max, .. } if beyond(scene, &min, &max))
             {
                 continue;
@@ -121,7 +121,7 @@ impl<'a> Naming<'a> {
         Ok((self.faces, self.checks))
     }
 
-    /// Records meshed against exact area; `what` starts the message of a fault.
+    /// Records the meshed and the exact area; `what` is the start of the message of a fault.
     fn compare(&mut self, what: String, name: &str, meshed: f64, exact: f64) {
         if disagree(meshed, exact) {
             self.faults.push(area_fault(what, meshed, exact));
@@ -193,7 +193,7 @@ impl<'a> Naming<'a> {
                     && !scene.symmetry.is_empty()
                     && beyond(scene, &min, &max)
                 {
-                    // wholly on the removed side
+                    // the face lies wholly on the removed side
                     continue;
                 }
                 self.compare(format!("the face {} has", rule.name), &rule.name, meshed, exact);

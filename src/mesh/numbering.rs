@@ -7,9 +7,9 @@ use super::tet::{EDGES, FACES, TetMesh};
 pub struct FaceNumbering {
     /// Node indices of each face, increasing.
     pub nodes: Vec<[u32; 3]>,
-    /// Face of each tet's local face (opposite local vertex `i`).
+    /// Face index for each local face of each tet (local face `i` is opposite local vertex `i`).
     pub of_tet: Vec<[u32; 4]>,
-    /// Tets of each face; the second is absent on the outside.
+    /// Tets at each face; the second is absent on the outer surface.
     pub tets: Vec<(u32, Option<u32>)>,
 }
 
@@ -41,8 +41,8 @@ impl FaceNumbering {
         table
     }
 
-    /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the face's
-    /// increasing nodes.
+    /// Position of each vertex of local face `k` of `tet` (in [`FACES`] order) among the increasing
+    /// nodes of the face.
     pub fn positions(&self, mesh: &TetMesh, tet: usize, k: usize) -> [usize; 3] {
         let nodes = self.nodes[self.of_tet[tet][k] as usize];
         FACES[k].map(|i| {
@@ -54,12 +54,12 @@ impl FaceNumbering {
     }
 }
 
-/// The distinct edges of a mesh: the mid-side nodes of its 10-node tets.
+/// The distinct edges of a mesh, which carry the mid-side nodes of its 10-node tets.
 #[derive(Clone, Debug, Default)]
 pub struct EdgeNumbering {
     /// End nodes of each edge, increasing.
     pub nodes: Vec<[u32; 2]>,
-    /// Edge of each tet's local edge.
+    /// Edge index for each local edge of each tet.
     pub of_tet: Vec<[u32; 6]>,
 }
 

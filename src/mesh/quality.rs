@@ -18,11 +18,11 @@ pub struct BodyQuality {
     pub worst_dihedral: f64,
     /// Median over the tets of their smallest dihedral angle \[degrees\].
     pub median_dihedral: f64,
-    /// Largest aspect ratio: longest edge over smallest height, over that of the regular tet (1 =
-    /// regular).
+    /// Largest aspect ratio: longest edge divided by smallest height, relative to the regular tet
+    /// (1 = regular).
     pub worst_aspect: f64,
     /// Fraction of the tets with all four corners on the surface of the body; such a tet spans the
-    /// thickness alone.
+    /// whole thickness.
     pub surface_only: f64,
 }
 
@@ -53,7 +53,7 @@ pub fn table(mesh: &TetMesh) -> Vec<BodyQuality> {
     rows
 }
 
-/// The table as text, columns aligned.
+/// The table as text with aligned columns.
 pub fn text(rows: &[BodyQuality]) -> String {
     use std::fmt::Write;
     let width = rows.iter().map(|r| r.body.len()).max().unwrap_or(0).max(5);
@@ -77,7 +77,7 @@ pub fn text(rows: &[BodyQuality]) -> String {
     out
 }
 
-/// Sorted nodes on each body's own surface (faces of one of its tets only).
+/// Sorted nodes on the surface of each body (faces that belong to only one tet of the body).
 fn surface_nodes(mesh: &TetMesh) -> Vec<Vec<u32>> {
     let mut out = vec![Vec::new(); mesh.bodies.len()];
     let table = super::topology::FaceTable::new(&mesh.tets);
@@ -114,7 +114,7 @@ pub fn smallest_dihedral(x: &[V3; 4]) -> f64 {
     smallest
 }
 
-/// Longest edge over smallest height, 1 for the regular tet.
+/// Longest edge divided by smallest height, relative to the regular tet (1 = regular).
 pub fn aspect(x: &[V3; 4]) -> f64 {
     let mut longest = 0.0f64;
     for [i, j] in super::tet::EDGES {

@@ -1,5 +1,5 @@
-//! Target element sizes at the nodes of a mesh: computed from target subdivisions of its tets,
-//! graded, and written as a view for gmsh.
+//! Target element sizes at the nodes of a mesh. They are computed from target subdivisions of its
+//! tets, graded, and written as a view for gmsh.
 
 use super::TetMesh;
 use super::tet::EDGES;
@@ -7,27 +7,27 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::fmt::Write;
 
-/// Largest change of the target size along an edge, per length of the edge.
+/// Largest change of the target size along an edge, divided by the length of the edge.
 pub const GRADING: f64 = 0.4;
 
-/// Number of tetrahedra in a mesh of gmsh (HXT) over the number of regular tetrahedra of the target
-/// size that fill its volume; measured: 0.66 to 0.77.
+/// Number of tetrahedra in a gmsh mesh (HXT) divided by the number of regular tetrahedra of the
+/// target size that fill its volume; measured: 0.66 to 0.77.
 pub const FILLING: f64 = 0.71;
 
-/// Edge of the regular tetrahedron of volume `v` \[mm from mm³\].
+/// Edge \[mm\] of the regular tetrahedron of volume `v` \[mm³\].
 pub fn regular_edge(v: f64) -> f64 {
     (6.0 * std::f64::consts::SQRT_2 * v).cbrt()
 }
 
-/// Target sizes at the nodes of a mesh whose bodies share nodes, as edges of regular tetrahedra
-/// \[mm\].
+/// Target sizes at the nodes of a mesh whose bodies share nodes. A size is the edge of a regular
+/// tetrahedron \[mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeField {
     /// Size at each node \[mm\].
     pub sizes: Vec<f64>,
 }
 
-/// A node in the queue, smallest size first.
+/// A node in the queue; the smallest size comes first.
 #[derive(PartialEq)]
 struct Visit(f64, u32);
 
@@ -47,13 +47,13 @@ impl Ord for Visit {
 
 /// The edges of a mesh by node.
 pub struct Edges {
-    /// Neighbours of node `n`: `neighbours[start[n]..start[n + 1]]`.
+    /// Start of the neighbours of each node: node `n` has `neighbours[start[n]..start[n + 1]]`.
     start: Vec<u32>,
     neighbours: Vec<(u32, f64)>,
 }
 
 impl Edges {
-    /// The edges of a mesh with their lengths \[mm\].
+    /// Collects the edges of a mesh with their lengths \[mm\].
     pub fn new(mesh: &TetMesh) -> Self {
         let mut pairs: Vec<[u32; 2]> = mesh
             .tets
@@ -79,8 +79,8 @@ impl Edges {
 }
 
 impl SizeField {
-    /// Sizes that split each tet into `wanted` parts (fractions allowed). Densities are averaged at
-    /// the nodes, which keeps the total count, and the sizes are then graded.
+    /// Sizes that split each tet into `wanted` parts (fractions allowed). The densities are
+    /// averaged at the nodes, which keeps the total count; the sizes are then graded.
     pub fn new(mesh: &TetMesh, edges: &Edges, wanted: &[f64]) -> Self {
         let mut density = vec![(0.0, 0.0); mesh.nodes.len()];
         for (e, (t, n)) in mesh.tets.iter().zip(wanted).enumerate() {
@@ -128,7 +128,7 @@ impl SizeField {
         mesh.tets.iter().enumerate().map(|(e, t)| one(e, t)).collect()
     }
 
-    /// The sizes times `scale` as a view of gmsh: a scalar on each tet.
+    /// The sizes times `scale` as a gmsh view: a scalar field on each tet.
     pub fn view(&self, mesh: &TetMesh, scale: f64) -> String {
         let mut text = String::with_capacity(160 * mesh.tets.len());
         text.push_str("View \"size\" {\n");
@@ -157,7 +157,8 @@ mod tests {
     use super::*;
     use crate::mesh::fixtures::cubes;
 
-    /// Edge of the regular tetrahedron; a uniform number of parts is reproduced.
+    /// `regular_edge` inverts the volume of a regular tetrahedron, and a uniform number of parts is
+    /// reproduced.
     #[test]
     fn counts_are_kept() {
         let v = 1.0 / (6.0 * std::f64::consts::SQRT_2);
@@ -172,8 +173,8 @@ mod tests {
         assert_eq!(field.view(&mesh, 1.0).matches("SS(").count(), mesh.tets.len());
     }
 
-    /// One tet is to be split into very many: sizes grow from it no faster than allowed, and
-    /// nowhere exceed the target.
+    /// With one tet to be split into very many parts, the sizes grow from it no faster than allowed
+    /// and nowhere exceed the target.
     #[test]
     fn sizes_are_graded() {
         let cells: Vec<_> = (0..216).map(|i| ([i % 6, i / 6 % 6, i / 36], "B")).collect();

@@ -1,15 +1,16 @@
 //! Separates the nodes of the two sides of every open interface.
 //!
-//! A node gets one copy per connected component of its tets, joined through shared faces that
-//! contain the node and are not open. No list of special junctions is needed: a bolt whose head is
-//! tied to a plate and whose shank is in contact with the same plate keeps common nodes on the
-//! circle where both meet, and two bodies that touch only in a line or a point are separated.
+//! A node gets one copy for each connected component of its tets. Tets are connected through shared
+//! faces that contain the node and are not open. No list of special junctions is needed. A bolt
+//! whose head is tied to a plate and whose shank is in contact with the same plate keeps common
+//! nodes on the circle where both meet. Two bodies that touch only in a line or a point are
+//! separated.
 
 use super::TetMesh;
 use super::tet::FACES;
 use super::topology::{FaceRow, FaceTable, face_nodes};
 
-/// A face of a tet: the one opposite local vertex `local`, see [`FACES`].
+/// A face of a tet, opposite local vertex `local`; see [`FACES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TetFace {
     /// The tet.
@@ -26,7 +27,7 @@ impl From<&FaceRow> for TetFace {
 
 /// The two sides of an opened face.
 ///
-/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit; `nodes_a` is ordered
+/// `nodes_a[i]` and `nodes_b[i]` have the same coordinates, bit for bit. `nodes_a` is ordered
 /// around the normal out of side A. Where the two sides stay connected around an end of the
 /// opening, the two indices are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +49,8 @@ pub struct SplitMesh {
     pub mesh: TetMesh,
     /// One pair for each open face, in the order given.
     pub pairs: Vec<OpenPair>,
-    /// Component of each tet, joined through faces that are not open; numbered by their first tet.
+    /// Component of each tet; tets are connected through faces that are not open. Components are
+    /// numbered by their first tet.
     pub tet_part: Vec<u32>,
     /// Number of components.
     pub parts: usize,
@@ -56,7 +58,7 @@ pub struct SplitMesh {
 
 /// Splits the nodes of `mesh` along the faces `open` (side A, side B).
 ///
-/// `table` is the face table of `mesh`. Every pair of `open` must be the two sides of one interior
+/// `table` is the face table of `mesh`. Every pair in `open` must be the two sides of one interior
 /// face.
 pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitMesh {
     let ne = mesh.tets.len();
@@ -78,8 +80,8 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
         }
     }
 
-    // the first component of a node, in the order of the tets, keeps its number; the others are
-    // appended
+    // the first component of a node, in the order of the tets, keeps its number; the others get new
+    // numbers at the end
     let mut out = mesh.clone();
     let mut taken = vec![false; mesh.nodes.len()];
     let mut number = vec![u32::MAX; 4 * ne];
@@ -133,7 +135,7 @@ pub fn split(mesh: &TetMesh, table: &FaceTable, open: &[[TetFace; 2]]) -> SplitM
     SplitMesh { mesh: out, pairs, tet_part, parts: parts as usize }
 }
 
-/// Local vertex of `tet` at `node`.
+/// Local vertex of `tet` at the node `node`.
 fn vertex(tet: &[u32; 4], node: u32) -> usize {
     tet.iter().position(|n| *n == node).expect("both tets at a face have its nodes")
 }

@@ -1,4 +1,4 @@
-//! Tetrahedral meshes: 4-node tets in bodies, named triangle faces.
+//! Tetrahedral meshes: 4-node tets in bodies, and named triangle faces.
 
 /// A named set of triangles (a physical surface of the mesh file).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,13 +11,13 @@ pub struct NamedFaces {
 
 /// A mesh of straight 4-node tetrahedra.
 ///
-/// As read from a file, bodies that touch share nodes; [`crate::mesh::split`] gives each side of an
-/// open interface its own nodes.
+/// In a mesh as read from a file, bodies that touch share nodes. [`crate::mesh::split`] gives each
+/// side of an open interface its own nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TetMesh {
     /// Node coordinates \[mm\].
     pub nodes: Vec<[f64; 3]>,
-    /// Node indices of each tet, positive volume.
+    /// Node indices of each tet, in an order that makes its volume positive.
     pub tets: Vec<[u32; 4]>,
     /// Body (index into `bodies`) of each tet.
     pub tet_body: Vec<u32>,
@@ -27,10 +27,10 @@ pub struct TetMesh {
     pub faces: Vec<NamedFaces>,
 }
 
-/// Local vertices of the face opposite vertex `i`, ordered outward for a positive tet.
+/// Local vertices of the face opposite vertex `i`, ordered outward for a tet of positive volume.
 pub const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
-/// Local vertices of edge `i`; mid-side node `4 + i` of the 10-node tet sits there.
+/// Local vertices of edge `i`, which carries mid-side node `4 + i` of the 10-node tet.
 pub const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [0, 2], [0, 3], [1, 3], [2, 3]];
 
 impl TetMesh {
@@ -44,7 +44,7 @@ impl TetMesh {
         signed_volume(&self.corners(e))
     }
 
-    /// The faces called `name`, if the mesh has them.
+    /// The faces with the name `name`, if the mesh has them.
     pub fn faces_named(&self, name: &str) -> Option<&NamedFaces> {
         self.faces.iter().find(|f| f.name == name)
     }

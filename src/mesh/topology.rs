@@ -1,11 +1,11 @@
-//! The faces of a mesh and the tets at each of them.
+//! The faces of a mesh and the tets at each face.
 
 use super::tet::FACES;
 
 /// One face of one tet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FaceRow {
-    /// Its nodes, increasing.
+    /// Node indices of the face, increasing.
     pub key: [u32; 3],
     /// The tet.
     pub tet: u32,
@@ -33,13 +33,14 @@ pub fn sorted(mut t: [u32; 3]) -> ([u32; 3], bool) {
     (t, even)
 }
 
-/// Nodes of the face of `tet` opposite local vertex `local`, outward for a positive tet.
+/// Nodes of the face of `tet` opposite local vertex `local`, ordered outward for a tet of positive
+/// volume.
 pub fn face_nodes(tet: &[u32; 4], local: u8) -> [u32; 3] {
     FACES[local as usize].map(|v| tet[v])
 }
 
 impl FaceTable {
-    /// Collects and sorts the faces.
+    /// Collects and sorts the faces of all tets.
     pub fn new(tets: &[[u32; 4]]) -> Self {
         let mut rows = Vec::with_capacity(4 * tets.len());
         for (e, tet) in tets.iter().enumerate() {
@@ -52,8 +53,8 @@ impl FaceTable {
         Self { rows }
     }
 
-    /// The tets at the face with these nodes (any order): none, one (outer face), two, or more in a
-    /// broken mesh.
+    /// The tets at the face with these nodes (in any order): none, one (outer face), two, or more
+    /// in an invalid mesh.
     pub fn owners(&self, nodes: [u32; 3]) -> &[FaceRow] {
         let (key, _) = sorted(nodes);
         let start = self.rows.partition_point(|r| r.key < key);
@@ -61,7 +62,7 @@ impl FaceTable {
         &self.rows[start..end]
     }
 
-    /// Every face once, with its tets.
+    /// Every face once, with all its tets.
     pub fn faces(&self) -> impl Iterator<Item = &[FaceRow]> {
         self.rows.chunk_by(|a, b| a.key == b.key)
     }

@@ -1,12 +1,12 @@
-//! Forces and moments at member ends: statics, symmetry, and what is refused.
+//! Tests of forces and moments at member ends: statics, symmetry, and rejected loads.
 
 use crate::assembly::Joint;
 use crate::assembly::assembly::{Action, FaceLoad};
 use crate::assembly::tests::{joint, ok};
 use crate::math::vec3;
 
-/// A joint of IPE300 on HEB200 with 15 mm plates: column face at x = 100, beam ends at x = 115 +
-/// 400.
+/// A joint of an IPE300 on an HEB200 with 15 mm plates: the column face is at x = 100 mm, the beam
+/// ends are at x = 115 + 400 mm.
 fn spec(loads: &str) -> String {
     format!(
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: S235}}, \
@@ -36,12 +36,13 @@ fn actions_turn_into_global_forces_of_the_same_sense_at_either_beam() {
         )
     };
     let j = ok(&spec(&format!("[{}, {}]", end("beam_right"), end("beam_left"))));
-    // x′ = x, y′ = z × x = y at the right end; x′ = −x, y′ = z × −x = −y at the left end
+    // x′ = x and y′ = z × x = y at the right end; x′ = −x and y′ = z × −x = −y at the left end
     let right = resultant(&j, "BEAM_RIGHT", false);
     assert_eq!(right, ([100.0, 0.0, 0.0], [3e3, 1e3, -2e3], [5e6, 7e6, 11e6]));
     let left = resultant(&j, "BEAM_LEFT", false);
     assert_eq!(left, ([-100.0, 0.0, 0.0], [-3e3, -1e3, -2e3], [-5e6, -7e6, 11e6]));
-    // a positive My pulls the top: its moment about the axis turns a force outwards at z > 0 there
+    // a positive My puts the top in tension: at z > 0 its moment about the axis gives an outward
+    // force
     for (moment, outward) in [(right.2, 1.0), (left.2, -1.0)] {
         let pull = vec3::cross([0.0, 0.0, 1.0], [outward, 0.0, 0.0]);
         assert!(vec3::dot(pull, moment) > 0.0);
@@ -76,14 +77,14 @@ fn symmetry_knows_moments_from_forces() {
     assert_eq!(axes(&pair("N: 7 kN", "N: 7 kN")), [0, 1]);
     assert_eq!(axes(&pair("Vy: 7 kN", "Vy: -7 kN")), [0]);
     assert_eq!(axes(&pair("Vy: 7 kN", "Vy: 7 kN")), [] as [usize; 0]);
-    // a mirror keeps the moment about its normal, and x′ points the other way at the left end
+    // a mirror keeps the moment about its normal, but x′ has the opposite direction at the left end
     assert_eq!(axes(&pair("T: 7 kN m", "T: -7 kN m")), [0]);
     assert_eq!(axes(&pair("T: 7 kN m", "T: 7 kN m")), [] as [usize; 0]);
     assert_eq!(axes(&pair("Mz: 7 kN m", "Mz: -7 kN m")), [0]);
     assert_eq!(axes("[{name: A, end: beam_right, at: column_face, My: 7 kN m}]"), [1]);
 }
 
-/// A wrong load, the path that the error names, and words of the message and its help.
+/// A wrong load, the path that the error reports, and words of the message and of its help.
 const WRONG: &[(&str, &str, &[&str])] = &[
     (
         "end: beam_rigth, at: node, My: 7 kN m",

@@ -14,13 +14,14 @@ use crate::assembly::seen_bolts::{self, Meshed};
 use crate::assembly::template::BoltEntry;
 use std::collections::BTreeMap;
 
-/// A bolt as a line of action. Its force is what the last part it passes puts on it: the nut's
-/// pressure along the shank, and what bears on the shank across.
+/// The line of action of a bolt. The force of the bolt is the force on it from the last part it
+/// passes through: the pressure under the nut along the shank, and the bearing on the shank across
+/// it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct BoltLine {
     /// The bolt's part.
     pub part: String,
-    /// The part under its nut.
+    /// The part under the nut.
     pub last: String,
     /// Unit vector from head to nut.
     pub axis: [f64; 3],
@@ -28,7 +29,7 @@ pub struct BoltLine {
     pub position: [f64; 3],
 }
 
-/// A bolt's hole and the parts it passes, with their thicknesses.
+/// A bolt's hole, and the parts that the bolt passes through with their thicknesses.
 pub(in crate::assembly) struct Bolt<'a> {
     entry: &'a BoltEntry,
     scope: Scope,
@@ -38,7 +39,7 @@ pub(in crate::assembly) struct Bolt<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// The bolts of every turn of their loops.
+    /// The bolts of all passes of their loops.
     pub(in crate::assembly) fn bolts(&self) -> Result<Vec<Bolt<'a>>, AssemblyError> {
         let mut out = Vec::new();
         for entry in &self.template.bolts {
@@ -85,7 +86,7 @@ impl<'a> Context<'a> {
         Ok(out)
     }
 
-    /// Refuses a joint with bolts that the hand checks do not include.
+    /// Rejects a joint with bolts that the hand checks do not include.
     pub(in crate::assembly) fn all_seen(
         &self,
         assembly: &Assembly,
@@ -115,8 +116,8 @@ impl<'a> Context<'a> {
         Ok(out)
     }
 
-    /// The cuts of preloaded shanks: at half the thickness of the part under the head, where its
-    /// own mesh has a plane as well.
+    /// The cuts of preloaded shanks, at half the thickness of the part under the head. The mesh of
+    /// that part has a plane there too.
     pub(in crate::assembly) fn preloads(&self, bolts: &[Bolt<'_>]) -> Vec<BoltPreload> {
         let Some(force) = self.inputs.preload else { return Vec::new() };
         let cut = |b: &Bolt<'_>| {
@@ -135,7 +136,7 @@ impl<'a> Context<'a> {
         bolts.iter().filter_map(cut).collect()
     }
 
-    /// The part of a bolt: shank, head and nut.
+    /// The part of a bolt: shank, head and nut fused.
     pub(in crate::assembly) fn bolt_part(
         &self,
         b: &Bolt<'_>,
@@ -159,7 +160,8 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// The contacts of a bolt: head and nut where they are open, and the shank in every hole.
+    /// The contacts of a bolt: head and nut where the template makes them open, and the shank in
+    /// every hole.
     pub(in crate::assembly) fn bolt_contacts(
         &self,
         b: &Bolt<'_>,

@@ -8,7 +8,7 @@ use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
 use crate::assembly::template::Axis;
 
 impl Context<'_> {
-    /// The supports; adds their faces.
+    /// The supports. Adds their faces to the named faces.
     pub(in crate::assembly) fn supports(
         &self,
         faces: &mut Vec<FaceRule>,
@@ -28,14 +28,14 @@ impl Context<'_> {
         Ok(out)
     }
 
-    /// The loads; adds their faces.
+    /// The loads. Adds their faces to the named faces.
     pub(in crate::assembly) fn loads(
         &self,
         faces: &mut Vec<FaceRule>,
     ) -> Result<Vec<FaceLoad>, AssemblyError> {
         let mut out = Vec::new();
         let ends = actions::ends(self.template, self.scope)?;
-        // anything else would multiply pressures
+        // any other value would multiply pressures
         if let Some(e) = self.template.sections.iter().find(|e| e.outward.abs() != 1) {
             return entry_fault(&e.name, format!("`outward` is {}, not 1 or -1", e.outward));
         }
@@ -44,7 +44,7 @@ impl Context<'_> {
                 out.extend(actions::on_end(l, i, self.template, &ends, faces)?);
                 continue;
             }
-            // spec_checks.rs has refused loads without a known section
+            // spec_checks.rs has rejected loads without a known section
             let Some(e) =
                 self.template.sections.iter().find(|e| Some(&e.name) == l.section.as_ref())
             else {
@@ -71,7 +71,7 @@ impl Context<'_> {
         Ok(out)
     }
 
-    /// The distances to keep.
+    /// The required clearances.
     pub(in crate::assembly) fn clearances(&self) -> Result<Vec<Clearance>, AssemblyError> {
         let mut out = Vec::new();
         for c in &self.template.clearances {

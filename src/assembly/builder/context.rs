@@ -1,4 +1,4 @@
-//! What every builder of the joint reads.
+//! The data that every builder of the joint reads.
 
 use crate::assembly::assembly::{InterfaceRule, Surface};
 use crate::assembly::error::AssemblyError;
@@ -10,7 +10,7 @@ use crate::spec::analysis::MeshSize;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::expr::Expr;
 
-/// The spec, its template and the values of both, from which the parts of a joint are built.
+/// The spec, its template and the values of both. The parts of a joint are built from it.
 pub(in crate::assembly) struct Context<'a> {
     pub spec: &'a ConnectionSpec,
     pub template: &'a Template,
@@ -19,7 +19,7 @@ pub(in crate::assembly) struct Context<'a> {
 }
 
 impl Context<'_> {
-    /// Wanted element size of a part: that of the spec, or the template's.
+    /// Target element size of a part: from the spec, else from the template.
     pub fn size(&self, at: &str, scope: &Scope, auto: &Expr) -> Result<f64, AssemblyError> {
         match self.spec.analysis.mesh.size {
             MeshSize::Fixed(l) => Ok(l.0),
@@ -34,7 +34,7 @@ impl Context<'_> {
         }
     }
 
-    /// An open interface with the friction of the spec.
+    /// An open interface with the friction law and coefficient of the spec.
     pub fn rule(
         &self,
         between: [String; 2],

@@ -1,4 +1,4 @@
-//! Contacts and welds of the joint beside those of its bolts.
+//! Contacts and welds of the joint other than those of its bolts.
 
 use super::context::Context;
 use crate::assembly::assembly::{InterfaceRule, WeldRule};
@@ -6,7 +6,7 @@ use crate::assembly::error::AssemblyError;
 use crate::assembly::evaluate::{entry_fault, identifier, rectangle, within};
 
 impl Context<'_> {
-    /// The contacts that the template lists.
+    /// The contacts listed in the template.
     pub(in crate::assembly) fn contacts(&self) -> Result<Vec<InterfaceRule>, AssemblyError> {
         let mut out = Vec::new();
         for c in &self.template.contacts {
@@ -22,7 +22,7 @@ impl Context<'_> {
         Ok(out)
     }
 
-    /// The welds with a throat.
+    /// The welds with a throat above zero.
     pub(in crate::assembly) fn welds(&self) -> Result<Vec<WeldRule>, AssemblyError> {
         let mut out = Vec::new();
         for w in &self.template.welds {

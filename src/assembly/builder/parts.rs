@@ -12,7 +12,7 @@ use crate::spec::expr::ExprError;
 use std::collections::BTreeMap;
 
 impl Context<'_> {
-    /// A member or plate with its holes.
+    /// A member or plate with its holes cut out.
     pub(in crate::assembly) fn part(
         &self,
         entry: &PartEntry,
@@ -102,7 +102,7 @@ impl Context<'_> {
         })
     }
 
-    /// Strengths of the steel of a member's or plate's part.
+    /// Strengths of the steel of a member or plate.
     pub(super) fn steel_of(&self, at: &str, part: &str) -> Result<Strength, AssemblyError> {
         for entry in &self.template.parts {
             for scope in within(&entry.name, self.scope.turns(&entry.each, entry.when.as_ref()))? {
@@ -116,7 +116,7 @@ impl Context<'_> {
     }
 }
 
-/// The plane at mid-thickness of a box: across its thinnest direction, or as the template says.
+/// The mid-thickness plane of a box: normal to its thinnest direction, or as the template states.
 fn mid_plane(s: &Scope, x: [[f64; 2]; 3], entry: Option<&MidEntry>) -> Result<MidPlane, ExprError> {
     let thickness = |k: usize| x[k][1] - x[k][0];
     let thinnest =

@@ -1,4 +1,4 @@
-//! Faces of a template that carry loads and supports, and distances between its parts.
+//! Template entries of faces that carry loads and supports, and of distances between parts.
 
 use super::common::{Axis, Loop, RectangleEntry};
 use crate::spec::expr::Expr;
@@ -53,7 +53,7 @@ pub struct EndEntry {
 }
 
 impl EndEntry {
-    /// The names it may give, whatever its `when` says.
+    /// The names that the entry can produce, whatever its `when`.
     pub fn names(&self) -> Vec<String> {
         self.each.iter().fold(vec![self.name.clone()], |names, l| {
             let fill = |label: &String| {
@@ -63,7 +63,7 @@ impl EndEntry {
         })
     }
 
-    /// What `at` can say.
+    /// The values that `at` can take.
     pub fn point_words(&self) -> Vec<&'static str> {
         self.points.keys().map(|p| p.word()).collect()
     }

@@ -1,4 +1,4 @@
-//! Entries that several parts of a template share: axes, loops, rectangles.
+//! Entries shared by several parts of a template: axes, loops, rectangles.
 
 use crate::spec::expr::Expr;
 use schemars::JsonSchema;
@@ -17,7 +17,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// 0, 1, 2.
+    /// Index of the axis: 0, 1, 2.
     pub fn index(self) -> usize {
         self as usize
     }

@@ -1,4 +1,4 @@
-//! What joins the parts of a template: bolts, contacts, welds.
+//! Template entries of the connections between parts: bolts, contacts, welds.
 
 use super::common::{Axis, Loop, RectangleEntry};
 use crate::spec::expr::Expr;

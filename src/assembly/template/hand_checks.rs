@@ -1,4 +1,5 @@
-//! The `hand_checks` of a template: which of its names are the quantities of the code.
+//! The `hand_checks` of a template: they assign names of the template to the quantities of the
+//! code.
 
 use crate::spec::expr::Expr;
 use schemars::JsonSchema;

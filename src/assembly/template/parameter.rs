@@ -42,12 +42,12 @@ pub struct Parameter {
     pub about: String,
 }
 
-/// A default: one expression, or one per entry of a list.
+/// A default: one expression, or one expression per entry of a list.
 #[derive(Clone, Debug)]
 pub enum Default {
-    /// One value.
+    /// One expression for one value.
     One(Expr),
-    /// A list.
+    /// One expression per entry of a list.
     Many(Vec<Expr>),
 }
 

@@ -1,5 +1,5 @@
-//! With gmsh: the two fixtures meshed, named, checked. Without: every way a mesher can fail, with
-//! fake mesher scripts.
+//! Tests with gmsh: the two fixtures are meshed, named and checked. Tests without gmsh: every way
+//! in which a mesher can fail, with fake mesher scripts.
 
 use super::*;
 use crate::assembly::assembly::Surface;
@@ -13,7 +13,7 @@ fn meshed(assembly: &Assembly, change: impl FnOnce(&mut MeshOptions)) -> JointMe
     mesh_joint(assembly, &o, &mut |_| {}).unwrap_or_else(|e| panic!("{e:#?}"))
 }
 
-/// The study behind the default sizes; prints a row per size factor.
+/// The study for the choice of the default sizes; prints one row per size factor.
 #[test]
 #[ignore = "a measurement, not a check: run with --nocapture"]
 fn measure_paper_quarter() {
@@ -68,9 +68,9 @@ fn paper_quarter_has_the_bodies_and_faces_of_the_model() {
     );
     assert_eq!(m.copies, 4);
     assert!((13_000..=18_000).contains(&m.mesh.tets.len()), "{}", m.mesh.tets.len());
-    // Hand values: support footprint 15 × 85; half the column's web and flanges at x = 0 with
-    // stiffeners is in `naming`; the plate's back without three holes and without the column's
-    // fillets and the gap beside it.
+    // Values computed by hand: the support footprint 15 × 85, and the plate's back without three
+    // holes, the column's fillets and the gap beside it. Half of the column's web and flanges at x
+    // = 0 with stiffeners is checked in `naming`.
     let area = |name: &str| m.checks.areas.iter().find(|a| a.name == name).expect("checked").meshed;
     assert!((area("SUPPORT_R") - 1275.0).abs() < 1e-6);
     let plate_on_column = 90.0 * 450.0 - 3.0 * std::f64::consts::PI * 81.0;
@@ -90,7 +90,7 @@ fn same_assembly_gives_the_same_bytes() {
 
 #[test]
 fn mid_planes_are_planes_of_the_mesh() {
-    // Cut at mid-thickness: both halves of the 10 mm plates keep exactly half the volume.
+    // Cut at mid-thickness: each half of the 10 mm plates has exactly half the volume.
     for (layers, expected) in [(true, true), (false, false)] {
         let m = meshed(&lap_joint(), |o| o.layers = layers).mesh;
         let upper = m.bodies.iter().position(|b| b == "UPPER").expect("kept");
@@ -123,7 +123,8 @@ fn step_file_holds_every_part_as_a_solid() {
     assert!(text.contains(".MILLI."), "millimetres");
 }
 
-/// The message of a face off its part states where it was searched for and where the part lies.
+/// The message for a face outside its part states where the face was searched for and where the
+/// part lies.
 #[test]
 fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     let mut joint = lap_joint();
@@ -147,7 +148,7 @@ fn an_absent_face_is_told_with_its_place_and_that_of_the_part() {
     }
     let help = d.help.as_deref().unwrap_or_default();
     assert!(help.contains("the part reaches x from ") && help.contains("move the face"), "{help}");
-    // a mantle in its own words
+    // the message describes a mantle as a cylinder
     let mantle =
         Surface::Mantle { base: [1.0, 2.0, 3.0], axis: [0.0, 0.0, 1.0], radius: 9.0, length: 40.0 };
     let words = crate::mesh::naming::surface::looked_for(&mantle);
@@ -223,7 +224,8 @@ fn killed_mesher_is_told_from_a_failed_one() {
 #[test]
 #[cfg(unix)]
 fn success_is_not_believed() {
-    // Errors in the log, a lost volume, no file, an empty file, half a file: all with exit code 0.
+    // Exit code 0 in each case: errors in the log, a lost volume, no file, an empty file, half a
+    // file.
     let d = with_fake("echo 'Error   : PLC Error'; exit 0", 10.0);
     assert!(d.code == "mesher/failed" && d.message.contains("PLC Error"), "{}", d.message);
     let d = with_fake("echo 'Warning : Skipping unknown volume 3'; exit 0", 10.0);
@@ -243,7 +245,8 @@ fn success_is_not_believed() {
 #[test]
 #[cfg(target_os = "linux")]
 fn full_disk_is_named() {
-    // The script's output goes to the device that is always full, as gmsh's would.
+    // The script's output goes to the device that is always full, as the output of gmsh would on a
+    // full disk.
     let d = with_fake("cat /dev/zero > /dev/full", 10.0);
     assert_eq!((d.code, d.fault.exit_code()), ("mesher/disk", 4));
 }
@@ -251,7 +254,7 @@ fn full_disk_is_named() {
 #[test]
 #[cfg(unix)]
 fn body_lost_by_the_mesher_is_named() {
-    // A valid mesh of one tet in one of the three parts.
+    // A valid mesh with one tet, in one of the three parts.
     let body = "cat > joint_raw.msh <<'END'
 $MeshFormat
 2.2 0 8
@@ -300,7 +303,8 @@ fn old_or_mute_mesher_is_refused() {
     assert_eq!(ask("echo no such module; exit 1").code, "mesher/version");
 }
 
-/// The file the command-line tests mesh; fails when the fixture changes without it.
+/// The command-line tests mesh this file; the test fails if the fixture changes but the file does
+/// not.
 #[test]
 fn json_fixture_is_the_lap_joint() {
     let text = include_str!("../../../tests/data/lap_joint.json");

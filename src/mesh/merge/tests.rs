@@ -13,7 +13,7 @@ fn coincident_nodes_of_two_bodies_become_one() {
     let mesh = row();
     let mut apart = explode(&mesh);
     assert_eq!(apart.nodes.len(), 24);
-    // round-off of the mesher, on both sides of a grid line
+    // round-off of the mesher, on both sides of a cell boundary
     for (i, x) in apart.nodes.iter_mut().enumerate() {
         x[0] += 1e-7 * (i % 3) as f64 - 1e-7;
         x[1] -= 1e-7 * (i % 2) as f64;
@@ -34,7 +34,7 @@ fn nodes_farther_apart_stay_apart() {
     let mut apart = explode(&row());
     for (t, b) in apart.tets.iter().zip(&apart.tet_body) {
         for n in t {
-            // body B a thousandth of a millimetre off
+            // body B is a thousandth of a millimetre away
             if *b == 1 {
                 apart.nodes[*n as usize][1] =
                     (apart.nodes[*n as usize][1] / 10.0).round() * 10.0 + 1e-3;
@@ -59,7 +59,7 @@ fn near_nodes_of_one_body_are_an_error() {
 fn different_diagonals_are_an_error() {
     let mesh = cubes(&[([0, 0, 0], "A"), ([1, 0, 0], "B")]);
     let mut apart = explode(&mesh);
-    // B mirrored in y: the same nodes, the other diagonals
+    // B mirrored in y: the same nodes, but the other diagonals
     let own: Vec<u32> = apart.tets[6..].iter().flatten().copied().collect();
     let own: std::collections::BTreeSet<u32> = own.into_iter().collect();
     for n in own {

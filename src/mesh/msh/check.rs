@@ -8,11 +8,12 @@ use crate::mesh::{NamedFaces, TetMesh};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-/// A tet is flat when its volume is below this times the cube of its longest edge. Slivers of a
-/// thousandth of a degree (1e-6) still pass; round-off in the product of three edges is 1e-16.
+/// A tet is flat if its volume is below this factor times the cube of its longest edge. Slivers of
+/// a thousandth of a degree (1e-6) still pass; the round-off in the product of three edges is
+/// 1e-16.
 const FLAT: f64 = 1e-12;
 
-/// Checks the raw mesh, drops unused nodes, turns tets of negative volume.
+/// Checks the raw mesh, drops unused nodes, and reorients tets of negative volume.
 pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), MeshError> {
     let at = |line| MshPlace { file: file.to_path_buf(), line };
     if raw.tets.is_empty() {
@@ -126,7 +127,7 @@ fn longest_edge(x: &[[f64; 3]; 4]) -> f64 {
     longest.sqrt()
 }
 
-/// No two tets have the same nodes.
+/// Checks that no two tets have the same nodes.
 fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     let mut keys: Vec<([u32; 4], u32)> = (0u32..)
         .zip(&mesh.tets)
@@ -152,8 +153,8 @@ fn check_tets(mesh: &TetMesh, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     }
 }
 
-/// A face has at most two tets, on opposite sides. As all volumes are positive, they lie on
-/// opposite sides exactly when their outward orders of the face are opposite.
+/// Checks that a face has at most two tets, on opposite sides. As all volumes are positive, two
+/// tets lie on opposite sides exactly if their outward orders of the face are opposite.
 fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshError> {
     for owners in table.faces() {
         if owners.len() > 2 || (owners.len() == 2 && owners[0].even == owners[1].even) {
@@ -168,11 +169,11 @@ fn check_sides(table: &FaceTable, raw: &Raw, file: &Path) -> Result<(), MeshErro
     Ok(())
 }
 
-/// From node tags to positions in the file.
+/// Map from node tags to positions in the file.
 enum Numbers {
-    /// Tags are small: a table.
+    /// For small tags: a table.
     Dense(Vec<u32>),
-    /// Tags are sparse.
+    /// For sparse tags: a hash map.
     Sparse(HashMap<u64, u32>),
 }
 

@@ -4,7 +4,7 @@ use crate::mesh::error::{MeshError, MshPlace};
 use std::path::Path;
 use std::str::FromStr;
 
-/// A reader of lines that counts them.
+/// A reader of lines that counts them for messages.
 pub(super) struct Lines<'a> {
     rest: &'a str,
     file: &'a Path,
@@ -26,12 +26,12 @@ impl<'a> Lines<'a> {
         Self { rest: text, file, section: "", line: 0 }
     }
 
-    /// Remaining bytes, an upper limit of every count in the file.
+    /// Number of remaining bytes, an upper limit for every count in the file.
     pub fn left(&self) -> usize {
         self.rest.len()
     }
 
-    /// The line read last.
+    /// Place of the line read last.
     pub fn at(&self) -> MshPlace {
         MshPlace { file: self.file.to_path_buf(), line: self.line }
     }
@@ -74,7 +74,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The name of the next section; its `$End` must be taken with [`Lines::end`] or
+    /// The name of the next section. Its `$End` must be read with [`Lines::end`] or
     /// [`Lines::skip`].
     pub fn section(&mut self) -> Result<Option<&'a str>, MeshError> {
         loop {
@@ -86,15 +86,15 @@ impl<'a> Lines<'a> {
                         self.section = name;
                         return Ok(Some(name));
                     }
-                    // gmsh skips lines between sections; here a stray line is treated as a wrong
-                    // count in the section before it
+                    // gmsh skips lines between sections; here a stray line is an error, because it
+                    // indicates a wrong count in the section before it
                     _ => return Err(self.malformed("the start of a section", l)),
                 },
             }
         }
     }
 
-    /// Takes `$EndName`.
+    /// Reads `$EndName`.
     pub fn end(&mut self) -> Result<(), MeshError> {
         let words = self.words()?;
         if words.whole.strip_prefix("$End") == Some(self.section) {

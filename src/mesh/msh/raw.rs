@@ -11,7 +11,7 @@ pub struct Raw {
     pub nodes: Vec<[f64; 3]>,
     /// Tag of each node.
     pub node_tags: Vec<u64>,
-    /// Line of each tag.
+    /// Line of each node tag.
     pub node_lines: Vec<usize>,
     /// Names by dimension and physical tag.
     pub names: BTreeMap<(u8, i64), String>,
@@ -55,7 +55,7 @@ pub fn physical_names(lines: &mut Lines<'_>, raw: &mut Raw) -> Result<(), MeshEr
     Ok(())
 }
 
-/// How the reader treats an element type.
+/// Treatment of an element type by the reader.
 pub enum Kind {
     Tet,
     Triangle,
@@ -84,7 +84,7 @@ fn kind(code: u32) -> Kind {
     }
 }
 
-/// Treatment of an element type; an error for types that cannot be read.
+/// Treatment of an element type; an error for types that the reader does not support.
 pub fn checked_kind(code: u32, element: u64, lines: &Lines<'_>) -> Result<Kind, MeshError> {
     match kind(code) {
         Kind::HigherOrder(kind) => Err(MeshError::HigherOrder { at: lines.at(), element, kind }),

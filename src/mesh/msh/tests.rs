@@ -83,7 +83,7 @@ fn both_formats_give_the_same_mesh() {
     let (mesh, notes) = read_text(TWO).expect("2.2");
     assert_eq!(mesh.bodies, ["LEFT", "RIGHT PART"]);
     assert_eq!(mesh.tet_body, [0, 1]);
-    // the node without a tet is dropped; the inverted second tet is turned and reported
+    // the node without a tet is dropped; the inverted second tet is reoriented and reported
     assert_eq!(mesh.nodes.len(), 5);
     assert_eq!(mesh.tets, [[0, 1, 2, 3], [0, 1, 4, 2]]);
     assert!(notes[0].starts_with("1 of 2 tetrahedra"), "{notes:?}");
@@ -109,7 +109,8 @@ fn groups_without_a_name_get_one_and_windows_lines_are_read() {
     assert!(read_text(&TWO.replace('\n', "\r\n")).is_ok());
 }
 
-/// Old text, new text, code, line, part of the message, part of the cure; on the 2.2 file.
+/// Changes to the 2.2 file: old text, new text, code, line, part of the message, part of the
+/// remedy.
 const WRONG: &[(&str, &str, &str, usize, &str, &str)] = &[
     ("$MeshFormat\n2.2", "$Mesh\n2.2", "mesh/not-gmsh", 1, "$MeshFormat", "-format msh41"),
     ("2.2 0 8", "2.1 0 8", "mesh/version", 2, "2.1", "Mesh.MshFileVersion"),
@@ -208,7 +209,7 @@ fn slivers_of_a_thousandth_of_a_degree_are_kept() {
     assert!(mesh.volume(1) > 0.0);
 }
 
-/// The two reference meshes of `tests/data`; counts by an independent reader.
+/// The two reference meshes of `tests/data`; the expected counts are from an independent reader.
 #[test]
 fn reference_meshes_are_read() {
     for (name, tets, nodes, contact) in [("9k", 8899, 3170, 379), ("33k", 32624, 10643, 1507)] {

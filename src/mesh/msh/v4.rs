@@ -1,4 +1,4 @@
-//! Format 4.1: nodes and elements in blocks, physical tags on the entities.
+//! Format 4.1: nodes and elements in blocks, physical tags on the geometric entities.
 
 use super::lines::Lines;
 use super::raw::{Kind, Raw, RawCell, checked_kind, physical_names};
@@ -52,7 +52,7 @@ fn read_entities(lines: &mut Lines<'_>) -> Result<Entities, MeshError> {
         for _ in 0..n {
             let mut words = lines.words()?;
             let tag: i64 = words.number("an entity tag")?;
-            // a point has one position, the others a box
+            // a point has one position, other entities a bounding box
             for _ in 0..if dim == 0 { 3 } else { 6 } {
                 let _: f64 = words.number("a coordinate")?;
             }

@@ -1,4 +1,4 @@
-//! Agreement of the mesh with the joint: meshed against exact volumes and areas.
+//! Agreement of the mesh with the joint: comparison of meshed and exact volumes and areas.
 
 use super::triangles::{area, nodes_of};
 use crate::diag::Diagnostic;
@@ -7,8 +7,8 @@ use crate::geometry::scene::Scene;
 use crate::mesh::TetMesh;
 use crate::mesh::topology::FaceTable;
 
-/// Allowed relative difference of meshed and exact volumes and areas. All facets are planes, so
-/// both agree to the rounding of the CAD kernel; 0.01 % allows for the strips that `exact`
+/// Allowed relative difference between meshed and exact volumes and areas. All facets are planes,
+/// so both agree up to the rounding of the CAD kernel; 0.01 % allows for the strips that `exact`
 /// approximates.
 const AGREE: f64 = 1e-4;
 

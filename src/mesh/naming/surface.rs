@@ -1,4 +1,4 @@
-//! Surfaces of the joint in the mesh: position tests, and their description in messages.
+//! Surfaces of the joint in the mesh: tests of position, and their description in messages.
 
 use crate::assembly::assembly::Surface;
 use crate::geometry::exact::MANTLE_TOLERANCE;
@@ -18,7 +18,7 @@ pub fn on_surface(surface: &Surface, t: &[V3; 3]) -> bool {
         Surface::Mantle { base, axis, radius, length } => {
             let normal = cross(sub(t[1], t[0]), sub(t[2], t[0]));
             // the annulus at the end of the mantle has corners at the same radius, but its normal
-            // is the axis
+            // is parallel to the axis
             dot(normal, *axis).abs() < 1e-3 * dot(normal, normal).sqrt()
                 && t.iter().all(|x| {
                     let r = sub(*x, *base);
@@ -42,7 +42,7 @@ fn mm(x: f64) -> f64 {
     (1e3 * x).round() / 1e3
 }
 
-/// Position of a surface in words, for messages.
+/// Description of the position of a surface, for messages.
 pub fn looked_for(surface: &Surface) -> String {
     match surface {
         Surface::Plane { axis, at, min, max } => {
@@ -65,7 +65,7 @@ pub fn looked_for(surface: &Surface) -> String {
     }
 }
 
-/// `x from 0 to 200 mm, z from -9 to 9 mm`: the sides of a box, one left out.
+/// The extent of a box as text, with one axis left out: `x from 0 to 200 mm, z from -9 to 9 mm`.
 pub fn extent(min: &V3, max: &V3, without: Option<usize>) -> String {
     let sides = (0..3).filter(|k| Some(*k) != without);
     let words =

@@ -1,4 +1,4 @@
-//! Triangles of the mesh: corners, areas, selection by bodies.
+//! Triangles of the mesh: corners, areas, selection by body.
 
 use crate::math::vec3::{V3, cross, dot, sub};
 use crate::mesh::TetMesh;

@@ -22,13 +22,13 @@ fn open_between(mesh: &TetMesh, a: u32, b: u32, on: impl Fn([f64; 3]) -> bool) -
     cut
 }
 
-/// Faces of one tet only.
+/// Faces that belong to only one tet.
 fn boundary(mesh: &TetMesh) -> BTreeSet<TetFace> {
     let table = FaceTable::new(&mesh.tets);
     table.faces().filter(|o| o.len() == 1).map(|o| TetFace::from(&o[0])).collect()
 }
 
-/// Properties of every split.
+/// Checks properties that every split must have.
 fn check(before: &TetMesh, cut: &SplitMesh, a: u32) {
     let m = &cut.mesh;
     assert!((0..m.tets.len()).all(|e| m.corners(e) == before.corners(e)));
@@ -92,7 +92,7 @@ fn tied_head_and_shank_in_contact_with_one_plate() {
     let cut = open_between(&mesh, plate, shank, |x| {
         x[2] <= 10.0 && (x[0] == 10.0 || x[0] == 20.0 || x[1] == 10.0 || x[1] == 20.0)
     });
-    // 4 sides of the shank, not the underside of the head
+    // 4 sides of the shank, but not the underside of the head
     let cut_sides: Vec<_> = cut
         .pairs
         .iter()
@@ -103,8 +103,8 @@ fn tied_head_and_shank_in_contact_with_one_plate() {
     let open: Vec<[TetFace; 2]> = cut_sides.iter().map(|p| [p.a, p.b]).collect();
     let cut = split(&mesh, &table, &open);
     check(&mesh, &cut, plate);
-    // the four nodes at the foot of the shank are double, the four on the circle under the head are
-    // common
+    // the four nodes at the foot of the shank are doubled; the four on the circle under the head
+    // are common
     assert_eq!(cut.mesh.nodes.len(), mesh.nodes.len() + 4);
     assert_eq!(cut.parts, 1);
     for p in &cut.pairs {
@@ -124,7 +124,7 @@ fn parts_that_touch_in_an_edge_come_apart() {
 
 #[test]
 fn a_face_of_one_body_may_end_inside_another() {
-    // B is open over half of its face only: the end of the opening keeps common nodes
+    // B is open over only half of its face: the nodes at the end of the opening stay common
     let mesh = cubes(&[([0, 0, 0], "A"), ([0, 1, 0], "A"), ([1, 0, 0], "B"), ([1, 1, 0], "B")]);
     let cut = open_between(&mesh, 0, 1, |x| x[1] <= 10.0);
     assert_eq!((cut.mesh.nodes.len(), cut.pairs.len(), cut.parts), (mesh.nodes.len() + 2, 2, 1));
