@@ -150,7 +150,7 @@ fn split_fraction(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let (sign, body) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
     let body = body.trim_start();
-    // returns (value, number of digits). Both parts of a fraction are whole numbers
+    // (value, number of digits); both parts of a fraction are whole numbers
     let whole = |t: &str| -> Option<(f64, usize)> {
         let n = t.bytes().take_while(u8::is_ascii_digit).count();
         Some((t[..n].parse().ok()?, n))
