@@ -1,16 +1,16 @@
-//! One message for one fault: what is wrong, where, which limit it breaks, and what to do next.
+//! One message for each fault: what is wrong, where, which limit it violates, and what to do next.
 //!
-//! Every stage has its own error enum; each converts into a [`Diagnostic`], which the command line
-//! prints (text or JSON) and turns into an exit code.
+//! Every stage has its own error enum. Each of them converts into a [`Diagnostic`], which the
+//! command line prints (as text or JSON) and turns into an exit code.
 
 use std::fmt;
 use std::path::PathBuf;
 
-/// How the process ends. `README.md` has the table of the exit codes and their meanings.
+/// Exit status of the process. `README.md` explains the exit codes in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum ExitStatus {
-    /// The command did its work; what it judged is verified.
+    /// The command completed its work, and what it judged is verified.
     Ok = 0,
     /// The joint is verified not OK, a check fails, or a certificate is refuted.
     NotOk = 1,
@@ -29,7 +29,7 @@ impl ExitStatus {
     }
 }
 
-/// Who has to act on a fault; decides the exit code.
+/// Category of a fault: who has to act on it. It decides the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
@@ -42,7 +42,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// How a process ends that this fault stopped.
+    /// Exit status of a process that this fault stopped.
     pub fn exit_status(self) -> ExitStatus {
         match self {
             Fault::Input => ExitStatus::BadInput,
@@ -57,8 +57,8 @@ impl Fault {
     }
 }
 
-/// Where a fault sits. Everything is optional: a line in a file, a path inside a YAML document, or
-/// nothing.
+/// Place of a fault. Every field is optional: a place may be a line in a file, a path inside a YAML
+/// document, or unknown.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Place {
     /// The file as the user named it.
@@ -75,16 +75,16 @@ pub struct Place {
     pub path: Option<String>,
 }
 
-/// One fault, ready to be shown.
+/// One fault, ready for display.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Diagnostic {
     /// Stable short code, for example `spec/unknown-key`.
     pub code: &'static str,
-    /// Who has to act.
+    /// Category: who has to act.
     pub fault: Fault,
-    /// One sentence: the quantity, its value and the limit it breaks.
+    /// One sentence: the quantity, its value and the limit it violates.
     pub message: String,
-    /// Where.
+    /// Place of the fault.
     pub place: Place,
     /// What to do next.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -103,36 +103,36 @@ impl Diagnostic {
         }
     }
 
-    /// A fault of the machine or its set-up.
+    /// A fault of the machine or of its installation.
     pub fn environment(code: &'static str, message: impl Into<String>) -> Self {
         Self { fault: Fault::Environment, ..Self::input(code, message) }
     }
 
-    /// No certificate within the limits.
+    /// No certificate could be produced within the limits.
     pub fn undecided(code: &'static str, message: impl Into<String>) -> Self {
         Self { fault: Fault::Undecided, ..Self::input(code, message) }
     }
 
-    /// Names the file.
+    /// Sets the file.
     pub fn file(mut self, file: impl Into<PathBuf>) -> Self {
         self.place.file = Some(file.into());
         self
     }
 
-    /// Names the place inside the document.
+    /// Sets the path inside the document.
     pub fn path(mut self, path: impl Into<String>) -> Self {
         self.place.path = Some(path.into());
         self
     }
 
-    /// Gives line and column, both counted from 1.
+    /// Sets line and column, both counted from 1.
     pub fn at(mut self, line: usize, column: usize) -> Self {
         self.place.line = Some(line);
         self.place.column = Some(column);
         self
     }
 
-    /// Adds what to do next.
+    /// Sets the advice on what to do next.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
@@ -150,18 +150,18 @@ impl std::error::Error for Diagnostic {}
 /// The faults that ended a run.
 pub type Diagnostics = AtLeastOne<Diagnostic>;
 
-/// A list that is never empty: no constructor makes it without an entry, and nothing removes the
-/// last one.
+/// A list that is never empty: no constructor creates an empty one, and no method removes the last
+/// entry.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AtLeastOne<T>(Vec<T>);
 
 impl<T> AtLeastOne<T> {
-    /// The list, or `None` where there are no entries.
+    /// The list, or `None` if there are no entries.
     pub fn from_list(entries: Vec<T>) -> Option<Self> {
         (!entries.is_empty()).then_some(Self(entries))
     }
 
-    /// `Ok` where there are no faults, otherwise all of them as the error.
+    /// `Ok` if there are no faults, otherwise an error with all of them.
     pub fn refuse(faults: Vec<T>) -> Result<(), Self> {
         Self::from_list(faults).map_or(Ok(()), Err)
     }
@@ -182,7 +182,7 @@ impl<T> AtLeastOne<T> {
         &mut self.0[last]
     }
 
-    /// The entries in their order, to change them in place.
+    /// The entries in their order, mutable.
     pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, T> {
         self.0.iter_mut()
     }
@@ -220,7 +220,7 @@ impl<T> IntoIterator for AtLeastOne<T> {
 }
 
 impl Diagnostics {
-    /// How a process ends that these faults stopped: the first fault decides.
+    /// Exit status of a process that these faults stopped; the first fault decides.
     pub fn exit_status(&self) -> ExitStatus {
         self.first().fault.exit_status()
     }
@@ -231,7 +231,7 @@ impl Diagnostics {
     }
 }
 
-/// `, did you mean "x"?` for the closest of `known`, empty if nothing is close.
+/// `, did you mean "x"?` for the closest word of `known`; empty if none is close.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     known
         .into_iter()

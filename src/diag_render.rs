@@ -1,4 +1,4 @@
-//! Faults made visible: for people with the line and a caret under the place, for programs as JSON.
+//! Output of faults: for people with the line and a caret under the place, for programs as JSON.
 
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -8,21 +8,21 @@ use std::io::{BufRead, BufReader, Read};
 /// Lines shown before the faulty one.
 const CONTEXT: usize = 1;
 
-/// Longer lines are shown without an excerpt: the caret would be off the screen \[bytes\].
+/// Longest line that is shown as an excerpt \[bytes\]. In a longer one the caret would be off the
+/// screen.
 const LONGEST_LINE: usize = 400;
 
-/// No more than this is read to find a line \[bytes\]; a fault deeper in a huge mesh file is shown
+/// Number of bytes that are read to find a line. A fault further down in a huge mesh file is shown
 /// without excerpt.
 const READ_LIMIT: u64 = 256 << 20;
 
-/// The faults for people, one after the other, with a trailing line end.
+/// The faults as text for people, one after the other, ending with a newline.
 pub fn text(faults: &Diagnostics, colour: bool) -> String {
     faults.iter().map(|d| one(d, colour) + "\n").collect()
 }
 
-/// The faults for programs: one JSON object a line,
-/// `{"code", "fault", "message", "place": {"file", "line", "column", "path"}, "help"}`, absent keys
-/// left out.
+/// The faults for programs, one JSON object per line: `{"code", "fault", "message", "place":
+/// {"file", "line", "column", "path"}, "help"}`. Absent keys are left out.
 pub fn json(faults: &Diagnostics) -> String {
     faults
         .iter()
@@ -76,7 +76,7 @@ fn one(fault: &Diagnostic, colour: bool) -> String {
     renderer.render(&[group])
 }
 
-/// A few lines of the file and the bytes of them that are at fault.
+/// A few lines of a file, and the range of bytes that is at fault.
 struct Excerpt {
     source: String,
     first_line: usize,
@@ -85,7 +85,7 @@ struct Excerpt {
 
 fn excerpt(place: &Place) -> Option<Excerpt> {
     let (file, line) = (place.file.as_ref()?, place.line?);
-    // opening a pipe or a device would wait for ever
+    // opening a pipe or a device would block for ever
     if line == 0 || !file.metadata().ok()?.is_file() {
         return None;
     }
@@ -117,8 +117,8 @@ fn excerpt(place: &Place) -> Option<Excerpt> {
     Some(Excerpt { source, first_line, span })
 }
 
-/// The bytes of the word that starts at a column (counted in characters from 1); the whole text
-/// without a column.
+/// Byte range of the word that starts at a column (counted in characters from 1); of the whole text
+/// if there is no column.
 fn word(line: &str, column: Option<usize>) -> (usize, usize) {
     let Some(column) = column else {
         let start = line.len() - line.trim_start().len();
@@ -129,7 +129,7 @@ fn word(line: &str, column: Option<usize>) -> (usize, usize) {
     let mut ends = rest.char_indices().skip(1);
     let length = match rest.chars().next() {
         None => 0,
-        // a quoted word ends at its quote
+        // a quoted word ends at its closing quote
         Some(q @ ('"' | '\'')) => ends.find(|(_, c)| *c == q).map_or(rest.len(), |(i, _)| i + 1),
         Some(_) => ends
             .find(|(_, c)| c.is_whitespace() || ",:[]{}#".contains(*c))

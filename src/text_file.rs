@@ -1,8 +1,9 @@
-//! Text files as people's programs save them: the one reader of specs, models, templates and
-//! catalogue tables.
+//! Reads text files in the encodings that common programs save. Specs, models, templates and
+//! catalogue tables are all read here.
 //!
-//! UTF-8 with or without byte-order mark and UTF-16 with one are read. Anything else is refused
-//! with line and byte: a guess at the encoding would put wrong letters into names that must match.
+//! UTF-8 is read with or without byte-order mark, UTF-16 only with one. Any other file is refused
+//! with line and byte, because guessing the encoding would put wrong letters into names that must
+//! match.
 
 use crate::diag::Diagnostic;
 use std::path::Path;
@@ -10,7 +11,7 @@ use std::path::Path;
 const HELP: &str =
     "save the file as UTF-8: most editors offer it under `Save as` or `Save with encoding`";
 
-/// Reads a text file; `unread` makes the message for a file that the system does not give.
+/// Reads a text file. `unread` makes the message for a file that the operating system cannot read.
 pub fn read(
     path: &Path,
     unread: impl FnOnce(std::io::Error) -> Diagnostic,
@@ -26,7 +27,7 @@ pub fn read(
     })
 }
 
-/// Why bytes are no text, and where.
+/// Reason and place at which bytes are not text.
 #[derive(Debug, PartialEq)]
 struct NotText {
     problem: String,
@@ -48,13 +49,13 @@ fn decode(bytes: Vec<u8>) -> Result<String, NotText> {
     }
 }
 
-/// UTF-8 that stands `skipped` bytes after the begin of the file.
+/// Decodes UTF-8. `skipped` is the number of bytes of the file before `bytes`.
 fn utf8(bytes: Vec<u8>, skipped: usize) -> Result<String, NotText> {
     let text = String::from_utf8(bytes).map_err(|e| {
         let i = e.utf8_error().valid_up_to();
         let bytes = e.as_bytes();
         let byte = bytes[i];
-        // what older programs on Windows and Linux mean by the byte
+        // older programs on Windows and Linux write Latin-1
         let latin = if byte >= 0xa0 {
             format!("; in Latin-1 it is `{}`", char::from(byte))
         } else {
@@ -79,7 +80,7 @@ fn utf8(bytes: Vec<u8>, skipped: usize) -> Result<String, NotText> {
     }
 }
 
-/// Line and column after a valid beginning.
+/// Line and column of the position after the valid text `before`.
 fn place(before: &[u8]) -> (usize, usize) {
     let text = String::from_utf8_lossy(before);
     let line = text.matches('\n').count() + 1;
@@ -87,7 +88,7 @@ fn place(before: &[u8]) -> (usize, usize) {
     (line, column)
 }
 
-/// UTF-16 after its byte-order mark.
+/// Decodes UTF-16 that follows its byte-order mark.
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NotText> {
     let mut text = String::with_capacity(bytes.len() / 2);
     let cut = |text: &str, problem: String| NotText { problem, at: Some(place(text.as_bytes())) };
@@ -152,10 +153,10 @@ mod tests {
         );
         let f = refused([b"\xef\xbb\xbfa: 1\n", latin.as_slice()].concat());
         assert_eq!((f.at, f.problem.starts_with("byte 18 ")), (Some((2, 10)), true), "{f:?}");
-        // Windows-1252: a dash that Latin-1 does not have
+        // 0x96 is a dash in Windows-1252 and no character in Latin-1
         let f = refused(b"a: 1 \x96 2".to_vec());
         assert_eq!(f.problem, "byte 6 of the file is 0x96, which is not UTF-8 text");
-        // cut within a character
+        // the text ends within a character
         assert_eq!(refused(TEXT.as_bytes()[..10].to_vec()).at, Some((1, 10)));
         let bare = marked(&[], "ab", u16::to_le_bytes);
         assert!(

@@ -1,8 +1,8 @@
-//! Units at the border: one internal system (mm, N, MPa, N mm, rad) and the reading of numbers with
-//! suffixes.
+//! Units of input and output. The program computes in one internal system (mm, N, MPa, N mm, rad)
+//! and reads numbers with unit suffixes.
 //!
 //! A bare number is a length in mm wherever a length is expected. Forces, moments and stresses must
-//! carry a suffix: a moment entered in the wrong unit is the costliest typing error there is.
+//! have a suffix, because a moment in the wrong unit is the costliest typing error.
 
 mod dim;
 mod parse;

@@ -1,4 +1,4 @@
-//! Bolt sizes (with head, nut, washer, hole) and bolt grades.
+//! Bolt sizes (with head, nut, washer and hole) and bolt grades.
 
 use super::error::CatalogError;
 use super::name::bolt_grade_key;
@@ -6,22 +6,22 @@ use super::source::Source;
 use super::table::{Columns, Entry, RawTable};
 use serde::Serialize;
 
-/// The system of plain hexagon bolts, nuts and washers.
+/// Name of the system of plain hexagon bolts, nuts and washers.
 pub const PLAIN_SYSTEM: &str = "ISO 4014";
 
-/// A bolt assembly of one size. All lengths in mm.
+/// A bolt assembly of one size. All lengths are in mm.
 ///
 /// # Source
-/// Thread ISO 261 / ISO 898-1, head ISO 4014, nut ISO 4032, washer ISO 7089, holes EN 1090-2 Table
-/// 11; preloaded systems: head, nut and washer of EN 14399-3 (HR) or EN 14399-4 (HV) with EN
-/// 14399-6.
+/// Plain bolts: thread ISO 261 / ISO 898-1, head ISO 4014, nut ISO 4032, washer ISO 7089, holes EN
+/// 1090-2 Table 11. Preloaded systems: head and nut EN 14399-3 (HR) or EN 14399-4 (HV), washer EN
+/// 14399-6; thread and holes as for plain bolts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoltSize {
     /// System: `ISO 4014` (plain), `HR` or `HV`.
     pub system: String,
     /// Size, for example `M18`.
     pub size: String,
-    /// Standard of head and nut.
+    /// Standard of the head and the nut.
     pub standard: String,
     /// Whether engineers normally specify this size.
     pub preferred: bool,
@@ -29,7 +29,7 @@ pub struct BoltSize {
     pub d: f64,
     /// Pitch of the coarse thread \[mm\].
     pub pitch: f64,
-    /// Gross area of the shank, π d²/4 as tabulated \[mm²\].
+    /// Gross area of the shank as tabulated, π d²/4 \[mm²\].
     pub area: f64,
     /// Tensile stress area of the thread \[mm²\].
     pub stress_area: f64,
@@ -47,7 +47,7 @@ pub struct BoltSize {
     pub head_corners: f64,
     /// Height of the head \[mm\].
     pub head_height: f64,
-    /// Length of the thread, bolts up to 125 mm long \[mm\].
+    /// Length of the thread of bolts up to 125 mm long \[mm\].
     pub thread_length: f64,
     /// Width across flats of the nut \[mm\].
     pub nut_width: f64,
@@ -59,7 +59,7 @@ pub struct BoltSize {
     pub washer_outer: f64,
     /// Thickness of the washer \[mm\].
     pub washer_thickness: f64,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -146,8 +146,8 @@ impl BoltSize {
         Ok(bolts)
     }
 
-    /// Reads a table of preloaded assemblies; thread and holes come from the plain bolt of the same
-    /// size.
+    /// Reads a table of preloaded assemblies. Thread and holes are taken from the plain bolt of the
+    /// same size.
     pub(super) fn read_preloaded<'a>(
         table: &RawTable,
         plain: impl Fn(&str) -> Option<&'a Self>,
@@ -188,7 +188,8 @@ impl BoltSize {
         Ok(bolts)
     }
 
-    /// Sizes that cannot be: a hole smaller than the shank, a head that falls through its hole.
+    /// Refuses impossible sizes: a hole smaller than the shank, a head that passes through its
+    /// hole.
     fn check(&self) -> Result<(), (&'static str, String)> {
         let less = |column, a: f64, what: &str, b: f64| {
             if a < b { Ok(()) } else { Err((column, format!("{what} {b} must exceed {a}"))) }
@@ -236,10 +237,10 @@ pub struct BoltGrade {
     pub alpha_v_shank: f64,
     /// Whether bolts of this grade may be preloaded.
     pub preloadable: bool,
-    /// Standard of the bolts, where EN 1993-1-8 does not name it.
+    /// Standard of the bolts, given where EN 1993-1-8 does not name it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard: Option<String>,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -257,7 +258,7 @@ impl BoltGrade {
         optional: &["standard"],
     };
 
-    /// Reads a table.
+    /// Reads a table of bolt grades.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
         table.check(Self::COLUMNS)?;
         let mut grades = Vec::new();

@@ -1,16 +1,16 @@
-//! What can be wrong with a catalogue or with a name looked up in it.
+//! Errors of a catalogue and of looking up a name in it.
 
 use super::source::Source;
 use crate::diag::{Diagnostic, Fault};
 use std::path::PathBuf;
 
-/// A fault of the catalogue stage.
+/// An error of the catalogue stage.
 #[derive(Debug, thiserror::Error)]
 pub enum CatalogError {
-    /// A name that no row carries.
+    /// No row has this name.
     #[error("{noun} `{name}` is not in the catalogue{hint}")]
     Unknown {
-        /// What was looked for: `profile`, `bolt` …
+        /// The kind of thing looked up: `profile`, `bolt` …
         noun: &'static str,
         /// The kind as `bracket catalog list` names it.
         kind: &'static str,
@@ -19,75 +19,75 @@ pub enum CatalogError {
         /// `, did you mean …?` or empty.
         hint: String,
     },
-    /// A steel grade that several product standards share.
+    /// Several product standards contain this steel grade.
     #[error("steel `{name}` stands in {} standards: {}", choices.len(), choices.join(", "))]
     Ambiguous {
         /// The grade as the user wrote it.
         name: String,
-        /// The full names that would be unambiguous.
+        /// The full names, each of which is unambiguous.
         choices: Vec<String>,
     },
-    /// Two rows with one name.
+    /// Two rows have the same name.
     #[error(
         "{noun} `{name}` is there twice: {first} and {second} (names are compared without blanks, \
          hyphens and case)"
     )]
     Duplicate {
-        /// `profile`, `bolt` …
+        /// The kind of row: `profile`, `bolt` …
         noun: &'static str,
         /// The name of the second row.
         name: String,
-        /// Where the first row stands.
+        /// File and line of the first row.
         first: Source,
-        /// Where the second row stands.
+        /// File and line of the second row.
         second: Source,
     },
-    /// A cell that cannot be used.
+    /// A cell has an invalid value.
     #[error("column `{column}`: {problem}")]
     Cell {
         /// File and line.
         at: Source,
-        /// The column's header.
+        /// Header of the column.
         column: String,
-        /// What is wrong with it, with the value and the limit.
+        /// What is wrong with the cell, with the value and the limit.
         problem: String,
     },
-    /// A column that the kind of table needs.
+    /// A required column is missing.
     #[error("the table of {kind} has no column `{column}`{hint}")]
     MissingColumn {
         /// The file.
         file: String,
         /// The kind of table.
         kind: &'static str,
-        /// The header that is missing.
+        /// Header of the missing column.
         column: &'static str,
         /// `, did you mean …?` or empty.
         hint: String,
     },
-    /// A column no table of this kind has.
+    /// No table of this kind has this column.
     #[error("the table of {kind} has no use for column `{column}`{hint}")]
     UnknownColumn {
         /// The file.
         file: String,
         /// The kind of table.
         kind: &'static str,
-        /// The header that is not understood.
+        /// Header of the unknown column.
         column: String,
         /// `, did you mean …?` or empty.
         hint: String,
     },
-    /// A table whose columns fit no kind.
+    /// The columns match no kind of table.
     #[error("the columns fit no kind of catalogue table")]
     UnknownTable {
         /// The file.
         file: String,
     },
-    /// Not a CSV table at all, or a ragged one.
+    /// The file is not a CSV table, or its rows differ in length.
     #[error("not a readable CSV table: {message}")]
     Csv {
         /// File and line.
         at: Source,
-        /// What the reader said.
+        /// Message of the CSV reader.
         message: String,
     },
     /// The folder or file cannot be read.
@@ -95,19 +95,19 @@ pub enum CatalogError {
     Io {
         /// Folder or file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the operating system.
         cause: std::io::Error,
     },
-    /// A table of the folder that cannot be read, or is no text.
+    /// A table of the folder cannot be read, or is not text.
     #[error("{0}")]
     Unread(Box<Diagnostic>),
-    /// The folder holds no table.
+    /// The folder contains no table.
     #[error("the catalogue folder holds no .csv file")]
     Empty {
         /// The folder.
         path: PathBuf,
     },
-    /// A thickness outside the bands of the grade.
+    /// The thickness is outside the bands of the grade.
     #[error(
         "{quantity} of {grade} is not tabulated in {table} for t = {thickness} mm (limit 0 < t ≤ \
          {limit} mm)"
@@ -117,14 +117,14 @@ pub enum CatalogError {
         quantity: &'static str,
         /// Standard and grade.
         grade: String,
-        /// The table asked.
+        /// The table that was searched.
         table: &'static str,
-        /// Thickness asked \[mm\].
+        /// Requested thickness \[mm\].
         thickness: f64,
         /// Largest tabulated thickness \[mm\].
         limit: f64,
     },
-    /// A grade that the product-standard table does not list.
+    /// The product-standard table does not list the grade.
     #[error("{grade} has no product-standard thickness bands in the catalogue")]
     NoProductBands {
         /// Standard and grade.

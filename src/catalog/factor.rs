@@ -15,9 +15,9 @@ pub struct FrictionClass {
     pub class: String,
     /// Slip factor μ \[-\].
     pub mu: f64,
-    /// The surface treatment that reaches it.
+    /// The surface treatment that reaches this slip factor.
     pub treatment: String,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -28,7 +28,7 @@ impl FrictionClass {
         optional: &[],
     };
 
-    /// Reads a table.
+    /// Reads a table of friction classes.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
         table.check(Self::COLUMNS)?;
         table
@@ -56,7 +56,7 @@ impl Entry for FrictionClass {
     }
 }
 
-/// A partial factor with its recommended value; a national annex may set another.
+/// A partial factor with its recommended value. A national annex may set another value.
 ///
 /// # Source
 /// EN 1993-1-1 6.1, EN 1993-1-8:2005 Table 2.1.
@@ -66,11 +66,11 @@ pub struct PartialFactor {
     pub factor: String,
     /// Recommended value \[-\].
     pub value: f64,
-    /// What it divides.
+    /// The resistance that the factor divides.
     pub applies_to: String,
     /// Standard and clause.
     pub standard: String,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -81,7 +81,7 @@ impl PartialFactor {
         optional: &[],
     };
 
-    /// Reads a table.
+    /// Reads a table of partial factors.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
         table.check(Self::COLUMNS)?;
         table
@@ -110,10 +110,12 @@ impl Entry for PartialFactor {
     }
 }
 
-/// The partial factors of a national annex; a factor the row leaves out has its recommended value.
+/// The partial factors of a national annex. A factor missing from the row has its recommended
+/// value.
 ///
 /// # Source
-/// `basis` says which values were read and which are unverified; `catalogs/README.md` has the rest.
+/// `basis` states which values were read and which are unverified; for details see
+/// `catalogs/README.md`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NationalAnnex {
     /// Name, for example `DE`.
@@ -138,11 +140,11 @@ pub struct NationalAnnex {
     /// γ_M7 \[-\].
     #[serde(rename = "gamma_M7", skip_serializing_if = "Option::is_none")]
     pub gamma_m7: Option<f64>,
-    /// The annexes the values belong to.
+    /// The national annexes that the values are taken from.
     pub standard: String,
     /// How the values were obtained.
     pub basis: String,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -164,7 +166,7 @@ impl NationalAnnex {
         optional: &[],
     };
 
-    /// Reads a table.
+    /// Reads a table of national annexes.
     pub(super) fn read(table: &RawTable) -> Result<Vec<Self>, CatalogError> {
         table.check(Self::COLUMNS)?;
         table

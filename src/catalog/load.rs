@@ -1,4 +1,4 @@
-//! From tables to a [`Catalog`]: the built-in ones and a folder of the user's own.
+//! Builds a [`Catalog`] from the built-in tables and from a folder of the user's tables.
 
 use super::bolt::{BoltGrade, BoltSize};
 use super::error::CatalogError;
@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use crate::text_file;
 use std::path::Path;
 
-/// The tables compiled into the program; profiles of shapes no template uses yet stay outside.
+/// The tables compiled into the program. Profiles of shapes that no template uses yet are left out.
 const BUILTIN: [(&str, &str); 13] = [
     ("catalogs/profiles_i.csv", include_str!("../../catalogs/profiles_i.csv")),
     ("catalogs/profiles_i_other.csv", include_str!("../../catalogs/profiles_i_other.csv")),
@@ -28,11 +28,12 @@ const BUILTIN: [(&str, &str); 13] = [
     ("catalogs/national_annexes.csv", include_str!("../../catalogs/national_annexes.csv")),
 ];
 
-/// Where each built-in table comes from; its table of files is read, not copied.
+/// The file that documents the source of each built-in table. The program reads its table of files,
+/// so that the sources are written down only once.
 const README: &str = include_str!("../../catalogs/README.md");
 
-/// What a table describes, recognised by its columns. The order is the order of reading: sizes
-/// before the assemblies and grades before the bands that refer to them.
+/// Kind of a table, recognised by its columns. Tables are read in this order: sizes before the
+/// assemblies that refer to them, grades before the bands that refer to them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Profiles,
@@ -90,24 +91,24 @@ impl Catalog {
         Ok(catalog)
     }
 
-    /// The built-in catalogue with the tables of a folder added.
+    /// The built-in catalogue together with the tables of a folder.
     pub fn with_dir(path: &Path) -> Result<Self, CatalogError> {
         let mut catalog = Self::builtin()?;
         catalog.merge(path)?;
         Ok(catalog)
     }
 
-    /// A catalogue of nothing but the tables of a folder.
+    /// A catalogue that contains only the tables of a folder.
     pub fn load_dir(path: &Path) -> Result<Self, CatalogError> {
         let mut catalog = Self::default();
         catalog.merge(path)?;
         Ok(catalog)
     }
 
-    /// Adds every `.csv` file of a folder, in the order of their names. A name that is already
-    /// there is refused with both places. Sections whose tabulated and recomputed A or I_y differ
-    /// by more than 0.5 % are added with a warning ([`Catalog::warnings`]). On an error the
-    /// catalogue is left as it was.
+    /// Adds every `.csv` file of a folder, in the order of the file names. A name that already
+    /// exists is refused with both places. A section is added with a warning
+    /// ([`Catalog::warnings`]) if its tabulated A or I_y differs from the recomputed one by more
+    /// than 0.5 %. On an error the catalogue is left unchanged.
     pub fn merge(&mut self, path: &Path) -> Result<(), CatalogError> {
         let io = |cause| CatalogError::Io { path: path.to_owned(), cause };
         let mut files = Vec::new();

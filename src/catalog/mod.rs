@@ -1,5 +1,5 @@
-//! Facts about sections, bolts and steels, each with its source: the tables of `catalogs/` and the
-//! user's own.
+//! Data of sections, bolts and steels, each with its source. The data come from the tables of
+//! `catalogs/` and from the user's tables.
 //!
 //! ```
 //! use bracket::catalog::Catalog;
@@ -32,21 +32,21 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use table::{Entry, Named};
 
-/// Where the numbers of a table were taken from.
+/// Source of the numbers of a table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Provenance {
-    /// The standard or edition the values belong to.
+    /// Standard or edition that the values belong to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard: Option<String>,
-    /// What they were read from.
+    /// Publication or file that the values were read from.
     pub read_from: String,
-    /// How they were checked.
+    /// How the values were checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cross_check: Option<String>,
 }
 
-/// All tables, looked up by name. Names are accepted in the usual spellings: `HE 200 B`, `HEB200`,
-/// `533x210x92 UB`.
+/// All tables, with look-up by name. The usual spellings of a name are accepted: `HE 200 B`,
+/// `HEB200`, `533x210x92 UB`.
 #[derive(Clone, Debug, Default)]
 pub struct Catalog {
     profiles: Named<IProfile>,
@@ -61,13 +61,13 @@ pub struct Catalog {
 }
 
 impl Catalog {
-    /// The rolled I or H section of that name.
+    /// The rolled I or H section with this name.
     pub fn profile(&self, name: &str) -> Result<&IProfile, CatalogError> {
         self.profiles.get(name)
     }
 
-    /// The bolt of that size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` the preloaded
-    /// systems.
+    /// The bolt of this size: `M18` is the plain hexagon bolt, `HR M20` and `HV M20` belong to the
+    /// preloaded systems.
     pub fn bolt(&self, name: &str) -> Result<&BoltSize, CatalogError> {
         self.bolts.get(name)
     }
@@ -77,8 +77,8 @@ impl Catalog {
         self.bolt_grades.get(name)
     }
 
-    /// The steel: a grade (`S235`, `S355 J2+N`) or, where several standards share the grade,
-    /// standard and grade (`EN 10210-1 S355H`).
+    /// The steel, by grade (`S235`, `S355 J2+N`). If several standards contain the grade, `name`
+    /// must give standard and grade (`EN 10210-1 S355H`).
     pub fn steel(&self, name: &str) -> Result<&Steel, CatalogError> {
         if let Some(steel) = self.steels.find(name) {
             return Ok(steel);
@@ -115,8 +115,8 @@ impl Catalog {
         self.factors.get(name)
     }
 
-    /// The national annex by its short name or its country: `DE`, `Germany`; `recommended` is the
-    /// code without one.
+    /// The national annex by its short name or its country: `DE`, `Germany`. `recommended` is the
+    /// code without a national annex.
     pub fn annex(&self, name: &str) -> Result<&NationalAnnex, CatalogError> {
         let country =
             || self.annexes().iter().find(|a| name::normalise(&a.country) == name::normalise(name));
@@ -166,14 +166,13 @@ impl Catalog {
         self.annexes.rows()
     }
 
-    /// Where the numbers of a file come from; nothing where the user's table has no `# source:`
-    /// line.
+    /// Source of the numbers of a file. `None` if the user's table has no `# source:` line.
     pub fn provenance(&self, file: &str) -> Option<&Provenance> {
         self.provenance.get(file)
     }
 
-    /// What was odd in the user's tables: section properties that do not fit the dimensions, tables
-    /// that were skipped.
+    /// Warnings about the user's tables: section properties that do not match the dimensions, and
+    /// tables that were skipped.
     pub fn warnings(&self) -> &[Diagnostic] {
         &self.warnings
     }

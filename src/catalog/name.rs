@@ -1,7 +1,7 @@
-//! Names as engineers write them, brought to one form.
+//! Converts the names that engineers write to one form for comparison.
 
-/// One form for all spellings of a name: upper case, without blanks, hyphens and underscores, `×`
-/// and `*` as `X`.
+/// The common form of all spellings of a name: upper case, no blanks, hyphens or underscores, `×`
+/// and `*` replaced by `X`.
 pub fn normalise(name: &str) -> String {
     name.chars()
         .filter(|c| {
@@ -48,15 +48,15 @@ pub fn bolt_grade_key(name: &str) -> String {
     metric.unwrap_or(flat).to_owned()
 }
 
-/// `ASTMA572GRADE50`, `A572GR.50` → `A57250`: the words that people write around the figures of an
-/// ASTM designation.
+/// Removes the words that people write around the figures of an ASTM designation:
+/// `ASTMA572GRADE50`, `A572GR.50` → `A57250`.
 fn astm_key(flat: &str) -> String {
     flat.replace("ASTM", "").replace("GRADE", "").replace("GR.", "").replace("GR", "")
 }
 
-/// The key of a steel grade: quality letters that do not change the strength are dropped, so
-/// `S355 J2+N` → `S355`, `S275NL` → `S275N`, `S460QL1` → `S460Q`, `S355J2H` → `S355H`. A leading
-/// standard stays: `EN 10210-1 S355H` → `EN102101S355H`.
+/// The key of a steel grade. Quality letters that do not change the strength are dropped: `S355
+/// J2+N` → `S355`, `S275NL` → `S275N`, `S460QL1` → `S460Q`, `S355J2H` → `S355H`. A leading standard
+/// is kept: `EN 10210-1 S355H` → `EN102101S355H`.
 ///
 /// # Source
 /// EN 1993-1-1:2005 Table 3.1 lists the grades without their impact classes (`S 275 N/NL`).
@@ -86,8 +86,8 @@ pub fn steel_key(name: &str) -> String {
     format!("{base}{quality}")
 }
 
-/// Series, numbers and what follows them, of a key: `UB533X210X92` → `UB`, 533 210 92, nothing;
-/// `None` where there are none.
+/// Splits a key into series, numbers and the text after them: `UB533X210X92` → `UB`, 533 210 92,
+/// empty. `None` if the key has no series or no numbers.
 fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
     let first = key.find(|c: char| c.is_ascii_digit())?;
     let end = key.rfind(|c: char| c.is_ascii_digit())? + 1;
@@ -96,9 +96,10 @@ fn sizes(key: &str) -> Option<(&str, Vec<f64>, &str)> {
     Some((&key[..first], numbers, &key[end..]))
 }
 
-/// `, the nearest are …` for a size that a series does not have: `IPE410` has `IPE400` and `IPE450`
-/// for neighbours, while in letters `IPE140` is as near. `rows` are keys with names; `None` where
-/// the name is not a series and numbers, or no row belongs to the series.
+/// `, the nearest are …` for a size that a series does not contain. The neighbours of `IPE410` are
+/// `IPE400` and `IPE450`; comparing spellings would rank `IPE140` just as near. `rows` are pairs of
+/// key and name. `None` if the key does not consist of a series and numbers, or if no row belongs
+/// to the series.
 pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) -> Option<String> {
     let (series, wanted, tail) = sizes(key)?;
     let mut near: Vec<(Vec<f64>, String)> = Vec::new();
@@ -124,8 +125,8 @@ pub fn nearest_sizes(key: &str, rows: impl Iterator<Item = (String, String)>) ->
             pair.iter().map(|(_, name)| name.as_str()).collect()
         }
         (1, ..) if near.first().is_some_and(|(n, _)| n.len() == 1) => {
-            // beyond the ends of the series: a zero too many or too few is likelier than a size far
-            // off
+            // beyond the ends of the series, a zero too many or too few is a likelier error than a
+            // size far outside
             let slip = |n: &[f64]| n[0] == 10.0 * wanted[0] || wanted[0] == 10.0 * n[0];
             if let Some((_, name)) = near.iter().find(|(n, _)| slip(n)) {
                 return Some(format!(", did you mean `{name}`?"));

@@ -7,17 +7,17 @@ use super::table::{Columns, Entry, RawTable, Row};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// A rolled I or H section: nominal dimensions and tabulated properties.
+/// A rolled I or H section with nominal dimensions and tabulated properties.
 ///
 /// # Units
-/// Dimensions in mm, properties in the units of the tables (cm², cm³, cm⁴, cm⁶), mass in kg/m. Axis
-/// y is the strong axis (parallel to the flanges), z the weak one (EN 1993 convention).
+/// Dimensions are in mm, properties in the units of the tables (cm², cm³, cm⁴, cm⁶), mass in kg/m.
+/// Axis y is the strong axis (parallel to the flanges), z the weak axis (EN 1993 convention).
 ///
 /// # Source
-/// `source` names file and line; the provenance of the file is in `catalogs/README.md`.
+/// `source` gives file and line; the source of the file is documented in `catalogs/README.md`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct IProfile {
-    /// Name as catalogued, for example `HEB200`.
+    /// Name in the catalogue, for example `HEB200`.
     pub name: String,
     /// Series, for example `HEB`, `IPE`, `UB`, `W`.
     pub series: String,
@@ -31,7 +31,8 @@ pub struct IProfile {
     pub tw: f64,
     /// Flange thickness \[mm\].
     pub tf: f64,
-    /// Root radius \[mm\], may be 0. W shapes: the radius that reproduces the tabulated area.
+    /// Root radius \[mm\], may be 0. For W shapes it is the radius that reproduces the tabulated
+    /// area.
     pub r: f64,
     /// Root radius implied by the design value k_des \[mm\]; W shapes only.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -52,20 +53,20 @@ pub struct IProfile {
     pub w_el_z: f64,
     /// Plastic section modulus about the weak axis \[cm³\].
     pub w_pl_z: f64,
-    /// Torsion constant \[cm⁴\], where the source tabulates it; good to 5 %.
+    /// Torsion constant \[cm⁴\], accurate to 5 %; only if the source tabulates it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub i_t: Option<f64>,
-    /// Warping constant \[cm⁶\], where the source tabulates it; good to 5 %.
+    /// Warping constant \[cm⁶\], accurate to 5 %; only if the source tabulates it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub i_w: Option<f64>,
-    /// True where the properties were computed from the dimensions and not read in a table.
+    /// True if the properties were computed from the dimensions instead of read from a table.
     pub computed: bool,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
-/// Relative difference above which tabulated and recomputed section properties are said to disagree
-/// (0.5 %).
+/// Largest relative difference between tabulated and recomputed section properties that is accepted
+/// without a warning (0.5 %).
 pub const PROPERTY_TOLERANCE: f64 = 0.005;
 
 impl IProfile {
@@ -96,13 +97,13 @@ impl IProfile {
         2.0 * self.b * self.tf + (self.h - 2.0 * self.tf) * self.tw + 4.0 * fillet_area(self.r)
     }
 
-    /// Second moment of area of the outline about the strong axis, exact quarter-circle fillets
-    /// \[mm⁴\].
+    /// Second moment of area of the outline about the strong axis, with exact quarter-circle
+    /// fillets \[mm⁴\].
     ///
     /// # Source
-    /// Each fillet is a square of side r less a quarter disc: about the flange's inner face its
-    /// moment is (1 − 5π/16) r⁴, its centroid lies (10 − 3π)/(12 − 3π) r from that face; then the
-    /// parallel-axis theorem.
+    /// Each fillet is a square of side r less a quarter disc. Its second moment about the inner
+    /// face of the flange is (1 − 5π/16) r⁴, and its centroid lies (10 − 3π)/(12 − 3π) r from that
+    /// face. The parallel-axis theorem gives the rest.
     pub fn outline_i_y(&self) -> f64 {
         let clear = self.h - 2.0 * self.tf;
         let plates = (self.b * self.h.powi(3) - (self.b - self.tw) * clear.powi(3)) / 12.0;
@@ -112,7 +113,8 @@ impl IProfile {
         plates + 4.0 * (own + area * (clear / 2.0 - offset).powi(2))
     }
 
-    /// Relative differences (outline − tabulated)/tabulated of area and strong-axis second moment.
+    /// Relative differences (outline − tabulated)/tabulated of the area and of the second moment of
+    /// area about the strong axis.
     pub fn mismatch(&self) -> [f64; 2] {
         [
             self.outline_area() / (100.0 * self.area) - 1.0,
@@ -186,7 +188,7 @@ impl IProfile {
     }
 }
 
-/// Area between a root and its quarter circle \[mm²\].
+/// Area between a root corner and its quarter circle \[mm²\].
 fn fillet_area(r: f64) -> f64 {
     (1.0 - PI / 4.0) * r * r
 }

@@ -1,15 +1,15 @@
-//! The place of a row in the file of its table.
+//! File and line of a table row.
 
 use serde::Serialize;
 use std::fmt;
 
-/// Where a row stands.
+/// File and line of a table row.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Source {
-    /// The file, as the user named it; for the built-in catalogue its path in the project
+    /// The file as the user named it; for the built-in catalogue its path in the project
     /// (`catalogs/…`).
     pub file: String,
-    /// 1-based line.
+    /// Line, counted from 1.
     pub line: usize,
 }
 

@@ -7,10 +7,10 @@ use super::table::{Columns, Entry, RawTable};
 use crate::spec::code::FySource;
 use serde::Serialize;
 
-/// Nominal strength of one range of thickness, `over < t ≤ up_to`.
+/// Nominal strength for one range of thickness, `over < t ≤ up_to`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Band {
-    /// Lower end, not included \[mm\].
+    /// Lower end, excluded \[mm\].
     pub over: f64,
     /// Upper end, included \[mm\].
     pub up_to: f64,
@@ -36,18 +36,17 @@ pub struct Steel {
     pub nu: f64,
     /// Density \[kg/m³\].
     pub density: f64,
-    /// Correlation factor of fillet welds β_w \[-\]; absent where Table 4.1 does not list the
-    /// grade.
+    /// Correlation factor of fillet welds β_w \[-\]; absent if Table 4.1 does not list the grade.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beta_w: Option<f64>,
-    /// Bands of Table 3.1, ascending.
+    /// Thickness bands of Table 3.1, ascending.
     pub bands: Vec<Band>,
-    /// Bands of the product standard, ascending; empty where the catalogue has none.
+    /// Thickness bands of the product standard, ascending; empty if the catalogue has none.
     pub product_bands: Vec<Band>,
-    /// How the product bands were obtained: `read`, `unverified`; absent without bands.
+    /// How the product bands were obtained: `read` or `unverified`. Absent if there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub product_basis: Option<String>,
-    /// Where the row stands.
+    /// File and line of the row.
     pub source: Source,
 }
 
@@ -83,22 +82,22 @@ impl Steel {
         optional: &[],
     };
 
-    /// Nominal yield strength of Table 3.1 for a thickness \[mm\], in MPa.
+    /// Nominal yield strength \[MPa\] from Table 3.1, for a thickness \[mm\].
     pub fn fy(&self, thickness: f64) -> Result<f64, CatalogError> {
         self.fy_by(FySource::Table31, thickness)
     }
 
-    /// Nominal ultimate strength of Table 3.1 for a thickness \[mm\], in MPa.
+    /// Nominal ultimate strength \[MPa\] from Table 3.1, for a thickness \[mm\].
     pub fn fu(&self, thickness: f64) -> Result<f64, CatalogError> {
         self.fu_by(FySource::Table31, thickness)
     }
 
-    /// Nominal yield strength by the table asked for, thickness in mm, in MPa.
+    /// Nominal yield strength \[MPa\] from the selected table, for a thickness \[mm\].
     pub fn fy_by(&self, source: FySource, thickness: f64) -> Result<f64, CatalogError> {
         self.band("fy", source, thickness).map(|b| b.fy)
     }
 
-    /// Nominal ultimate strength by the table asked for, thickness in mm, in MPa.
+    /// Nominal ultimate strength \[MPa\] from the selected table, for a thickness \[mm\].
     pub fn fu_by(&self, source: FySource, thickness: f64) -> Result<f64, CatalogError> {
         self.band("fu", source, thickness).map(|b| b.fu)
     }
@@ -174,7 +173,7 @@ impl Steel {
         Ok(steels)
     }
 
-    /// Reads a table of product-standard bands into the grades that `find` returns.
+    /// Reads a table of product-standard bands and adds each band to the grade that `find` returns.
     pub(super) fn read_bands(
         table: &RawTable,
         mut add: impl FnMut(&str, Band, String) -> Option<Result<(), String>>,
@@ -205,7 +204,8 @@ impl Steel {
         Ok(())
     }
 
-    /// Adds the next product band; bands join without gap or overlap.
+    /// Adds the next product band. It must start where the previous one ends, without gap or
+    /// overlap.
     pub(super) fn push_band(&mut self, band: Band, basis: String) -> Result<(), String> {
         let end = self.product_bands.last().map_or(0.0, |b| b.up_to);
         if band.over != end {

@@ -1,4 +1,4 @@
-//! A CSV table read strictly: every cell is checked, every row remembers where it stands.
+//! Strict reading of CSV tables: every cell is checked, and every row keeps its file and line.
 
 use super::error::CatalogError;
 use super::name::{nearest_sizes, normalise};
@@ -6,18 +6,18 @@ use super::source::Source;
 use crate::diag::did_you_mean;
 use std::collections::BTreeMap;
 
-/// Columns of one kind of table.
+/// The columns of one kind of table.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
-    /// Name of the kind, in messages.
+    /// Name of the kind, used in messages.
     pub kind: &'static str,
-    /// These must be there.
+    /// Required columns.
     pub needed: &'static [&'static str],
-    /// These may be there; `note` and `source` always may.
+    /// Optional columns; `note` and `source` are always allowed.
     pub optional: &'static [&'static str],
 }
 
-/// A table as text.
+/// A table whose cells are still text.
 #[derive(Debug)]
 pub(super) struct RawTable {
     file: String,
@@ -67,17 +67,17 @@ impl RawTable {
         Ok(Self { file: file.to_owned(), headers, rows, provenance })
     }
 
-    /// The file the table came from.
+    /// The file that the table was read from.
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// Whether a column is there.
+    /// True if the table has the column.
     pub fn has(&self, column: &str) -> bool {
         self.headers.iter().any(|h| h == column)
     }
 
-    /// Checks the header against the kind: nothing missing, nothing unknown, nothing twice.
+    /// Checks the header for missing, unknown and repeated columns.
     pub fn check(&self, columns: Columns) -> Result<(), CatalogError> {
         let known = || columns.needed.iter().chain(columns.optional).copied();
         let kind = columns.kind;
@@ -123,12 +123,12 @@ impl RawTable {
 }
 
 impl Row<'_> {
-    /// Where the row stands.
+    /// File and line of the row.
     pub fn source(&self) -> Source {
         Source { file: self.table.file.clone(), line: self.line }
     }
 
-    /// A fault of one cell.
+    /// An error about one cell.
     pub fn fault(&self, column: &str, problem: impl Into<String>) -> CatalogError {
         CatalogError::Cell { at: self.source(), column: column.to_owned(), problem: problem.into() }
     }
@@ -137,7 +137,7 @@ impl Row<'_> {
         self.table.headers.iter().position(|h| h == column).map_or("", |i| &self.cells[i])
     }
 
-    /// A text that must not be empty.
+    /// A text; an empty cell is an error.
     pub fn text(&self, column: &str) -> Result<String, CatalogError> {
         match self.cell(column) {
             "" => Err(self.fault(column, "the cell is empty")),
@@ -145,7 +145,7 @@ impl Row<'_> {
         }
     }
 
-    /// A text, if the column is there and the cell holds one.
+    /// A text, or `None` if the column is missing or the cell is empty.
     pub fn text_or_empty(&self, column: &str) -> Option<String> {
         Some(self.cell(column)).filter(|text| !text.is_empty()).map(str::to_owned)
     }
@@ -187,32 +187,32 @@ impl Row<'_> {
         }
     }
 
-    /// A finite number > 0, or nothing where the source tabulates nothing.
+    /// A finite number > 0, or `None` if the cell is empty.
     pub fn positive_or_empty(&self, column: &str) -> Result<Option<f64>, CatalogError> {
         if self.cell(column).is_empty() { Ok(None) } else { self.positive(column).map(Some) }
     }
 }
 
-/// Something with a name and a place.
+/// A row type with a name and a source.
 pub(super) trait Entry {
-    /// What it is called in messages: `profile`, `bolt` …
+    /// The word for it in messages: `profile`, `bolt` …
     const NOUN: &'static str;
-    /// What `bracket catalog list` calls the kind.
+    /// The kind as `bracket catalog list` names it.
     const KIND: &'static str;
-    /// Whether names are a series and sizes, so that the nearest size is a better proposal than the
-    /// nearest spelling.
+    /// True if names consist of a series and sizes. The nearest size is then a better suggestion
+    /// than the nearest spelling.
     const SIZED: bool = false;
-    /// The name as printed.
+    /// The name for output.
     fn name(&self) -> String;
-    /// The name as compared.
+    /// The key used to compare names.
     fn key(name: &str) -> String {
         normalise(name)
     }
-    /// Where it stands.
+    /// File and line of the row.
     fn source(&self) -> &Source;
 }
 
-/// Rows in file order with an index by normalised name.
+/// Rows in file order, with an index by normalised name.
 #[derive(Clone, Debug)]
 pub(super) struct Named<T> {
     rows: Vec<T>,
@@ -226,7 +226,7 @@ impl<T> Default for Named<T> {
 }
 
 impl<T: Entry> Named<T> {
-    /// Adds a row; a second row of the same name is an error with both places.
+    /// Adds a row. A second row with the same name is an error that gives both places.
     pub fn insert(&mut self, row: T) -> Result<(), CatalogError> {
         let name = row.name();
         if let Some(&first) = self.index.get(&T::key(&name)) {
@@ -238,22 +238,22 @@ impl<T: Entry> Named<T> {
         Ok(())
     }
 
-    /// The row of that name, in any accepted spelling.
+    /// The row with this name, in any accepted spelling.
     pub fn find(&self, name: &str) -> Option<&T> {
         self.index.get(&T::key(name)).map(|&i| &self.rows[i])
     }
 
-    /// The same for changing it.
+    /// The row with this name, mutable.
     pub fn find_mut(&mut self, name: &str) -> Option<&mut T> {
         self.index.get(&T::key(name)).map(|&i| &mut self.rows[i])
     }
 
-    /// The row of that name, or an error with the closest name.
+    /// The row with this name, or an error that suggests the closest name.
     pub fn get(&self, name: &str) -> Result<&T, CatalogError> {
         self.find(name).ok_or_else(|| self.unknown(name))
     }
 
-    /// The error for a name that is not there.
+    /// The error for an unknown name.
     pub fn unknown(&self, name: &str) -> CatalogError {
         let key = T::key(name);
         let names: Vec<String> = self.rows.iter().map(Entry::name).collect();

@@ -1,4 +1,4 @@
-//! The shipped tables against themselves.
+//! Checks of the shipped tables: recomputed properties, pinned values, names.
 
 use super::*;
 use crate::diag::Fault;
@@ -36,7 +36,7 @@ fn profile_with(cell: &str, value: &str) -> String {
     format!("{HEAD}{}\n", cells.join(","))
 }
 
-/// The outline formulae against HEB 200 of EN 10365: A = 78.08 cm², I_y = 5696 cm⁴, read in two
+/// The outline formulae reproduce HEB 200 of EN 10365: A = 78.08 cm², I_y = 5696 cm⁴, read from two
 /// tables.
 #[test]
 fn outline_of_heb200() {
@@ -46,7 +46,7 @@ fn outline_of_heb200() {
     assert!((p.outline_i_y() / 1.0e4 - 5696.0).abs() < 0.5, "{}", p.outline_i_y());
 }
 
-/// The closed fillet formula against a midpoint sum over the clear depth between the flanges.
+/// The closed fillet formula agrees with a midpoint sum over the clear depth between the flanges.
 #[test]
 fn outline_i_y_equals_numerical_integration() {
     let catalog = builtin();
@@ -69,8 +69,8 @@ fn outline_i_y_equals_numerical_integration() {
     }
 }
 
-/// Every shipped I section of the European and British tables: A and I_y recomputed within 0.5 %,
-/// no exception.
+/// The recomputed A and I_y of every shipped European and British I section agree with the table
+/// within 0.5 %, without exception.
 #[test]
 fn european_sections_reproduce_their_tables() {
     let catalog = builtin();
@@ -88,11 +88,11 @@ fn european_sections_reproduce_their_tables() {
     }
 }
 
-/// W shapes with the radius that reproduces the area. A: 0.5 %, except W18X234, whose flanges and
-/// web alone (r = 0) already exceed the tabulated area by 0.513 %. I_y: the American tables print
-/// dimensions and I to three figures, and 54 of the 289 rows differ by more than 0.5 %, the worst
-/// (W12X53) by 0.98 %: these figures are pinned, so that a change of the data or of the formula
-/// shows.
+/// W shapes, with the root radius that reproduces the area. The area agrees within 0.5 %, except
+/// for W18X234: its flanges and web alone (r = 0) already exceed the tabulated area by 0.513 %. For
+/// I_y the American tables print dimensions and I to three figures; 54 of the 289 rows differ by
+/// more than 0.5 %, the worst (W12X53) by 0.98 %. The test pins these numbers, so that a change of
+/// the data or of the formula makes it fail.
 #[test]
 fn w_shapes_reproduce_their_tables_with_known_exceptions() {
     let catalog = builtin();
@@ -177,8 +177,8 @@ fn unknown_names_come_with_a_proposal() {
     assert!(d.help.is_some_and(|h| h.contains("bracket catalog list profiles")));
 }
 
-/// 36 ksi and 50 ksi in the figures of the metric editions; no β_w, because EN 1993-1-8 Table 4.1
-/// does not list them.
+/// 36 ksi and 50 ksi have the values of the metric editions. There is no β_w, because EN 1993-1-8
+/// Table 4.1 does not list these grades.
 #[test]
 fn astm_grades_have_the_metric_values_of_their_standards() {
     let catalog = builtin();
@@ -308,7 +308,7 @@ fn a_user_folder_adds_rows_and_warns_of_odd_sections() {
     );
 }
 
-/// The folder of the project itself is a valid user folder; the shapes not used yet are skipped
+/// The project's own folder is a valid user folder. The shapes that are not used yet are skipped
 /// with a warning.
 #[test]
 fn the_shipped_folder_loads_as_a_user_folder() {
@@ -333,7 +333,7 @@ fn a_bolt_size_that_is_not_made_is_answered_with_its_neighbours() {
         let message = catalog.bolt(name).expect_err(name).to_string();
         assert!(message.contains(told), "{name}: {message}");
     }
-    // no size at all: the closest spelling, if any
+    // no size at all: the closest spelling is suggested, if there is one
     for name in ["", "M", "bolt", "Mx", "MNAN", "8.8"] {
         let message = catalog.bolt(name).expect_err(name).to_string();
         assert!(!message.contains("nearest"), "{name}: {message}");

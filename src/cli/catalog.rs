@@ -306,7 +306,7 @@ fn table<T: Serialize>(
     }
 }
 
-/// Every row of any kind that answers to the name.
+/// Prints every row of any kind that matches the name.
 fn show(catalog: &Catalog, name: &str, common: &Common) -> Result<(), Diagnostics> {
     let mut found: Vec<(&str, Value)> = Vec::new();
     let mut refused: Vec<CatalogError> = Vec::new();

@@ -20,8 +20,8 @@ pub struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// The folder of the report. Not the one of `run`: a quick check must not replace an analysis
-    /// of an hour.
+    /// The folder of the report. It differs from that of `run`, so that a quick check does not
+    /// replace an analysis that took an hour.
     fn folder(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| {
             let mut name = self.spec.with_extension("").into_os_string();
@@ -36,7 +36,7 @@ pub fn run(args: &CheckArgs, common: &Common) -> CommandResult {
     let folder = args.folder();
     let finished = check_spec(&args.spec, args.catalog.folder(), &folder, common.quiet);
     let finished = finished.map_err(|mut faults| {
-        // a report that stays must not be read as one of this input
+        // a report of an earlier input must not be taken for one of this input
         let report = folder.join("report.md");
         if let Some(d) = Some(faults.last_mut()).filter(|_| report.is_file()) {
             let old = format!("`{}` is of an earlier input", report.display());

@@ -33,7 +33,7 @@ pub struct Common {
 }
 
 impl Common {
-    /// Prints the result of a run as JSON, if that is asked for; returns the exit status.
+    /// Prints the result of a run as JSON if the user asked for it; returns the exit status.
     pub fn print_result(&self, finished: &Finished) -> CommandResult {
         if finished.written && self.format == Format::Json {
             out::text(&finished.result.to_json().map_err(Diagnostic::from)?)?;

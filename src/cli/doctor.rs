@@ -25,12 +25,12 @@ enum Status {
     Missing,
 }
 
-/// One line of the examination.
+/// One line of the output.
 #[derive(Debug, Serialize)]
 struct Finding {
     item: &'static str,
     status: Status,
-    /// The finding.
+    /// What was found.
     found: String,
     /// The remedy, if one is needed.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,7 +58,7 @@ const LEAST_MEMORY: u64 = 1024;
 /// Least free disk space for one result folder \[MiB\].
 const LEAST_DISK: u64 = 512;
 
-/// How to install the mesher.
+/// Advice on installing the mesher.
 const SETUP: &str = "run scripts/setup.sh in the project's folder";
 
 /// Runs `bracket doctor`.
@@ -118,7 +118,8 @@ fn mesher() -> Finding {
     }
 }
 
-/// The environment `scripts/setup.sh` makes, above the current folder or the program.
+/// The environment that `scripts/setup.sh` creates, searched in the folders above the current
+/// folder or above the program.
 fn venv(here: &Path, mesher_found: bool) -> Finding {
     let program = std::env::current_exe().unwrap_or_default();
     let folder = here
@@ -161,7 +162,7 @@ fn memory() -> Finding {
     judge_memory(&info, limit.map(|bytes| bytes >> 20))
 }
 
-/// From the text of `/proc/meminfo` and the container's limit \[MiB\].
+/// Judges the memory from the text of `/proc/meminfo` and the container's limit \[MiB\].
 fn judge_memory(info: &str, limit: Option<u64>) -> Finding {
     let mib = |key: &str| {
         let line = info.lines().find(|l| l.starts_with(key))?;
@@ -191,9 +192,9 @@ fn disk(here: &Path) -> Finding {
     judge_disk(&answer.map(|a| String::from_utf8_lossy(&a.stdout).into_owned()).unwrap_or_default())
 }
 
-/// From the answer of `df -Pk FOLDER`.
+/// Judges the disk space from the output of `df -Pk FOLDER`.
 fn judge_disk(answer: &str) -> Finding {
-    // the mount point may hold blanks; the free space is the fourth word, before any of them
+    // the mount point may contain blanks; the free space is the fourth word and comes before it
     let free = answer
         .lines()
         .nth(1)

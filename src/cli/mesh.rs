@@ -105,7 +105,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     Ok(ExitStatus::Ok)
 }
 
-/// The content of `quality.json`; without times, so that two runs write the same bytes.
+/// The content of `quality.json`. It contains no times, so that two runs write the same bytes.
 fn summary(joint: &JointMesh) -> serde_json::Value {
     serde_json::json!({
         "schema": 1,
@@ -118,7 +118,7 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-/// The assembly, whether the spec wants mid-thickness layers, and the warnings of the catalogue.
+/// The assembly, whether the spec requests mid-thickness layers, and the warnings of the catalogue.
 fn load(
     path: &Path,
     catalog: &CatalogOptions,

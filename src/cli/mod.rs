@@ -1,4 +1,4 @@
-//! The command line: a file per subcommand.
+//! The command line, with one file for each subcommand.
 
 pub mod analyse;
 pub mod analysis_options;

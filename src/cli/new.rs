@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Component, Path, PathBuf};
 
-/// Bolts of the starter.
+/// Size and grade of the bolts in the starter.
 const BOLT: (&str, &str) = ("M18", "8.8");
 
 /// Write a commented starter spec.
@@ -54,14 +54,14 @@ pub fn run(args: &NewArgs, common: &Common) -> CommandResult {
     Ok(ExitStatus::Ok)
 }
 
-/// The day in ISO form, by the machine's clock in universal time.
+/// Today's date in ISO form, from the machine's clock in UTC.
 fn today() -> String {
     let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    // a clock before 1970 knows no day: its first one shows that it is wrong
+    // a clock before 1970 gives no date; 1970-01-01 shows that the clock is wrong
     iso_date(since.map_or(0, |d| d.as_secs() / 86_400))
 }
 
-/// The date so many days after 1970-01-01.
+/// The date `days` days after 1970-01-01.
 fn iso_date(days: u64) -> String {
     let leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
     let (mut year, mut left) = (1970, days);
@@ -80,14 +80,15 @@ fn iso_date(days: u64) -> String {
     format!("{year:04}-{month:02}-{:02}", left + 1)
 }
 
-/// A template named on the command line has no place in a file.
+/// Removes the YAML path from faults without a file: a template named on the command line has no
+/// place in a spec.
 pub fn named_on_the_command_line(mut faults: Diagnostics) -> Diagnostics {
     faults.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.path = None);
     faults
 }
 
-/// The path of a template as a spec at `spec` says it: relative to the spec's folder, absolute
-/// where there is no such path or the user gave it so.
+/// The path of a template as the spec at `spec` must give it: relative to the spec's folder. The
+/// path is absolute if the user gave an absolute one or if no relative path exists.
 fn seen_from(template: &Path, spec: &Path) -> String {
     let plain = || template.display().to_string();
     let folder = spec.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -104,11 +105,11 @@ fn seen_from(template: &Path, spec: &Path) -> String {
     let up = folder.components().skip(shared).map(|_| Component::ParentDir);
     let path: PathBuf = up.chain(file.components().skip(shared)).collect();
     let text = path.display().to_string();
-    // a name alone is that of a shipped template
+    // a name without folder would be read as that of a shipped template
     if template_file::is_path(&text) { text } else { format!("./{text}") }
 }
 
-/// Writes a file that must not exist yet; leaves nothing behind if the disk is full.
+/// Writes a file that must not exist yet. If the disk is full, nothing is left behind.
 fn write_new(path: &Path, text: &str) -> Result<(), Diagnostics> {
     let fault = |e: std::io::Error| match e.kind() {
         std::io::ErrorKind::AlreadyExists => Diagnostic::input(
@@ -130,14 +131,14 @@ fn write_new(path: &Path, text: &str) -> Result<(), Diagnostics> {
     let mut file =
         std::fs::OpenOptions::new().write(true).create_new(true).open(path).map_err(fault)?;
     file.write_all(text.as_bytes()).map_err(|e| {
-        // a half-written starter would be refused as existing next time
+        // otherwise the next attempt would be refused because a half-written starter exists
         let _ = std::fs::remove_file(path);
         fault(e).into()
     })
 }
 
-/// The spec of a template's starter values: profiles, steels and examples; everything else by
-/// default.
+/// The spec with a template's starter values: profiles, steels and examples. Everything else has
+/// its default.
 fn example(template: &Template, name: &str) -> ConnectionSpec {
     let length = |v: &ParameterValue| -> Option<Length> {
         match v {
@@ -202,8 +203,8 @@ fn example(template: &Template, name: &str) -> ConnectionSpec {
     spec
 }
 
-/// The text of the starter: required values stand, defaults stand in comments that can be switched
-/// on. `date` is that of the title block.
+/// The text of the starter. Required values are written out; defaults are written as comments that
+/// the user can activate. `date` is the date of the title block.
 pub fn starter(
     template: &Template,
     origin: &Origin,
@@ -245,7 +246,7 @@ pub fn starter(
          serviceability\n  # gamma_M7: 1.1  # of the preload of bolts\n  # fy_source: table_3_1  \
          # or product_standard: steps of f_y from 16 mm up\n\n",
     );
-    // blanks, `#` and quotes in a path would end the text
+    // blanks, `#` and quotes in a path would end the YAML text
     let plain = |c: char| c.is_alphanumeric() || "_-./\\".contains(c);
     let name = if name.chars().all(plain) { name.to_owned() } else { format!("{name:?}") };
     let own = "# catalog: my_tables  # folder with .csv tables of your own, beside the built-in \
@@ -351,7 +352,7 @@ pub fn starter(
     Ok(out)
 }
 
-/// A load as a line of the starter.
+/// A load as one line of the starter.
 fn load_words(l: &LoadSpec) -> String {
     let mut words = vec![format!("name: {}", l.name)];
     words.extend(l.section.iter().map(|s| format!("section: {s}")));
@@ -365,7 +366,7 @@ fn load_words(l: &LoadSpec) -> String {
     words.join(", ")
 }
 
-/// Lines of at most `width` characters, broken at blanks.
+/// Breaks a text at blanks into lines of at most `width` characters.
 fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -381,7 +382,7 @@ fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// One parameter: standing if the starter gives it, as a comment if it is the default.
+/// Writes one parameter: as a value if the starter gives it, as a comment if it is the default.
 fn line(out: &mut String, key: &str, r: &Resolved) {
     let mut note = r.about.replace('\n', " ");
     if let Some(d) = r.default.as_ref().filter(|d| **d != r.value) {

@@ -36,7 +36,8 @@ pub fn run(args: &SchemaArgs, _common: &Common) -> CommandResult {
     Ok(ExitStatus::Ok)
 }
 
-/// The schema as JSON text. Draft-07, which the YAML language servers of editors understand.
+/// The schema as JSON text. It is draft-07, because the YAML language servers of editors support
+/// it.
 pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     fn of<T: JsonSchema>() -> Value {
         schemars::generate::SchemaSettings::draft07()
@@ -59,8 +60,8 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     })
 }
 
-/// The schema of a template, or of one that extends another: there every key may be left out but
-/// `extends`, and of the entries of lists every key but the name.
+/// The schema of a template, or of a template that extends another one. In the latter every key
+/// except `extends` may be left out, and in the entries of lists every key except the name.
 fn with_extending(whole: Value) -> Value {
     let mut root = whole;
     let mut definitions = root["definitions"].take();
@@ -98,8 +99,8 @@ fn with_extending(whole: Value) -> Value {
     Value::Object(head)
 }
 
-/// Adds the definition of an entry that takes the keys it leaves out from the entry of its name;
-/// returns the reference. An entry without a name stays whole.
+/// Adds the definition of a partial entry, which takes the keys it leaves out from the entry with
+/// its name, and returns the reference. An entry without a name must be complete.
 fn part_of(entry: &str, definitions: &mut Value) -> String {
     let name = entry.trim_start_matches("#/definitions/");
     let mut part = definitions[name].clone();
@@ -114,7 +115,8 @@ fn part_of(entry: &str, definitions: &mut Value) -> String {
     format!("#/definitions/{of_base}")
 }
 
-/// Doc comments escape square brackets for rustdoc; people who read the schema need them plain.
+/// Removes the backslashes before square brackets. Rustdoc needs them in doc comments, but readers
+/// of the schema do not.
 fn plain(value: &mut Value) {
     match value {
         Value::String(s) if s.contains('\\') && !s.starts_with('^') => {
@@ -153,7 +155,8 @@ mod tests {
         }
     }
 
-    /// What of `value` a schema refuses, as far as the keywords of ours go; paths with reasons.
+    /// The parts of `value` that a schema refuses, as paths with reasons. Only the keywords that
+    /// our schemas use are evaluated.
     fn refused(value: &Value, schema: &Value, root: &Value, at: &str) -> Vec<String> {
         let sub = |key: &str| schema.get(key);
         let mut out = Vec::new();
@@ -231,8 +234,7 @@ mod tests {
         out
     }
 
-    /// The shipped templates are what the schema allows, and what the reader refuses the schema
-    /// refuses too.
+    /// The schema accepts the shipped templates, and it refuses what the reader refuses.
     #[test]
     fn the_schema_of_templates_fits_the_shipped_ones_and_refuses_ten_wrong_ones() {
         let schema: Value =

@@ -8,7 +8,7 @@ use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// Interval between two looks at the files: shorter than a user needs to look up.
+/// Interval between two checks of the files, shorter than the time a user needs to look up.
 const EVERY: Duration = Duration::from_millis(150);
 
 /// Repeat the code's checks on every change of the spec.
@@ -19,10 +19,10 @@ pub struct WatchArgs {
     pub check: CheckArgs,
 }
 
-/// State of the input files: name, time of change, size.
+/// State of the input files: name, time of last change, size.
 type Stamps = Vec<(PathBuf, SystemTime, u64)>;
 
-/// Runs `bracket watch`; it ends with Ctrl-C.
+/// Runs `bracket watch` until Ctrl-C.
 pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
     let mut before: Option<Stamps> = None;
     loop {
@@ -36,7 +36,7 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
             if let Err(faults) = check::run(&args.check, common) {
                 let mut stderr = std::io::stderr();
                 let text = diag_render::text(&faults, stderr.is_terminal());
-                // with standard error closed nobody watches any more
+                // nobody reads the messages any more if standard error is closed
                 if stderr.write_all(text.as_bytes()).is_err() {
                     return Ok(faults.exit_status());
                 }
@@ -47,8 +47,8 @@ pub fn run(args: &WatchArgs, common: &Common) -> CommandResult {
     }
 }
 
-/// The inputs that a check may read: YAML and CSV files beside the spec, and the catalogue folder
-/// of the command line.
+/// State of the files that a check may read: the YAML and CSV files beside the spec, and the
+/// catalogue folder given on the command line.
 fn stamps(args: &CheckArgs) -> Stamps {
     let beside = args.spec.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut out = Stamps::new();

@@ -1,5 +1,5 @@
-//! Adaptive passes: ever better meshes until the target gap or a limit is reached. The best bounds
-//! of all passes are the result.
+//! Adaptive passes: successively better meshes until the target gap or a limit is reached. The
+//! result consists of the best bounds of all passes.
 
 use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::memory::room;
@@ -44,11 +44,11 @@ pub struct Adapted {
     pub entry: CaseResult,
     /// The pass with the best upper bound.
     pub upper: Kept,
-    /// The pass with the best lower bound, if it is another one.
+    /// The pass with the best lower bound, if it is a different pass.
     pub lower: Option<Kept>,
 }
 
-/// What a case shares with the other cases of the run.
+/// Data that a case shares with the other cases of the run.
 pub struct Share<'a> {
     /// Time on the clock of the log at which the case should end, to leave the other cases their
     /// share \[s\].
@@ -57,8 +57,8 @@ pub struct Share<'a> {
     pub patterns: &'a Patterns,
 }
 
-/// Analyses a case, mesh after mesh. `first`: no case was analysed before, so a program that does
-/// not fit into the memory ends the run.
+/// Analyses a case on successive meshes. `first` means that no case was analysed before; a program
+/// that does not fit into the memory then ends the run.
 pub fn analyse(
     case: Case,
     first: bool,
@@ -78,12 +78,12 @@ pub fn analyse(
         let index = entries.len();
         let start = Instant::now();
         let until = if index == 0 { f64::INFINITY } else { share.until };
-        // later meshes belong to this case alone
+        // later meshes are used by this case only
         let own = Patterns::default();
         let patterns = if index == 0 { share.patterns } else { &own };
         let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
         let runs = outcome.runs();
-        // there are no programs if the answer is proved without one
+        // there are no programs if the answer was proved without them
         if index == 0
             && first
             && !runs.is_empty()
@@ -120,7 +120,7 @@ pub fn analyse(
         entries.push(PassResult { entry, bounds });
         kept.push(Kept { outcome, model, made, index });
         let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
-        // the fields of a pass that gives neither best bound are dropped; those of the last pass
+        // fields of a pass without a best bound are dropped, except those of the last pass, which
         // show where to refine
         kept.retain(|k| place.contains(&k.index) || k.index == index);
         let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
@@ -235,14 +235,14 @@ fn finish(
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
-    // both were kept since they became the best
+    // both passes have been kept since they became the best
     let Some(upper) = upper else {
         return Err(lost(name).into());
     };
     Ok(Adapted { entry, upper, lower })
 }
 
-/// Reason why the target gap was missed, with the remedy.
+/// The reason why the target gap was missed, with the remedy.
 fn shortfall(stop: Option<Stop>, passes: usize, context: &RunContext, limits: &Limits) -> String {
     let max_passes = context.adapt.map_or(1, |a| a.max_passes);
     match stop {

@@ -15,15 +15,15 @@ pub struct Case<'a> {
     pub model: AnalysisModel,
     /// Its `MODEL.yaml`, written into the folder under this name.
     pub model_file: (String, ModelFile),
-    /// Makes its further meshes; `None`: there are none.
+    /// Makes further meshes; `None` if the case has only one.
     pub remesh: Option<Box<dyn Remesh + 'a>>,
-    /// Seconds the mesh took, where this run made it.
+    /// Wall time of meshing \[s\], if this run made the mesh.
     pub mesh_seconds: Option<f64>,
     /// For a direction of the spec's polygon: both actions in the units of its axes.
     pub direction: Option<[f64; 2]>,
 }
 
-/// Refuses a case without load: the answer is zero, and most likely a load was forgotten.
+/// Refuses a case without load: its answer is zero, and most likely a load was forgotten.
 pub fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     let m = &case.model;
     let acts = m.surface_loads.iter().any(|l| match l.traction {
@@ -46,7 +46,8 @@ pub fn refuse_idle(case: &Case) -> Result<(), Diagnostics> {
     .into())
 }
 
-/// The file names of the cases: with the kind of analysis where an earlier case has the same name.
+/// The stems of the file names of the cases. The kind of analysis is added if an earlier case has
+/// the same name.
 pub fn stems(cases: &[Case]) -> Vec<String> {
     let again = |i: usize| cases[..i].iter().any(|c| c.name == cases[i].name);
     cases.iter().enumerate().map(|(i, c)| stem_of(&c.name, c.model.analysis, again(i))).collect()

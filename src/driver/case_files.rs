@@ -18,9 +18,9 @@ use crate::result::folder::ResultFolder;
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::yaml;
 
-/// Writes models, meshes and fields of the passes with the best bounds. `first`: the model file of
-/// the first mesh; then the names
-/// of the model file and of a mesh that is not the first.
+/// Writes models, meshes and fields of the passes with the best bounds. `first` is the model file
+/// of the first mesh; `[model, mesh]` are the names of the model file and of the mesh file of a
+/// mesh that is not the first.
 pub fn write_passes(
     upper: &Kept,
     lower: Option<&Kept>,
@@ -32,7 +32,7 @@ pub fn write_passes(
     write_model(upper, first, ["", model, mesh], folder)?;
     write_fields(&upper.outcome, &upper.model, stem, folder, [true, lower.is_none()])?;
     if let Some(lower) = lower {
-        // the better lower bound is on another mesh: its model is beside its field
+        // the better lower bound is on another mesh, whose model is written beside the field
         let [model, mesh] = ["yaml", "msh"].map(|kind| format!("{stem}_static.{kind}"));
         write_model(lower, first, ["fields/", &model, &mesh], folder)?;
         write_fields(&lower.outcome, &lower.model, stem, folder, [false, true])?;
@@ -40,8 +40,8 @@ pub fn write_passes(
     Ok(())
 }
 
-/// Writes the model file of a pass, and its mesh unless it is the first one, which is in the folder
-/// already.
+/// Writes the model file of a pass, and its mesh. The first mesh is in the folder already and is
+/// not written again.
 fn write_model(
     pass: &Kept,
     first: &ModelFile,
@@ -62,7 +62,7 @@ fn write_model(
     Ok(folder.write(&format!("{place}{file}"), text.as_bytes())?)
 }
 
-/// Writes the fields of the kinematic program and of the static one, each if it is wanted.
+/// Writes the fields of the kinematic and of the static program, each only if requested.
 fn write_fields(
     pass: &AnalysisPass,
     model: &AnalysisModel,

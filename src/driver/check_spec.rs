@@ -12,8 +12,8 @@ use crate::result::result_file::ResultFile;
 use crate::result::result_file::input_hash;
 use std::path::Path;
 
-/// Checks a spec and writes report and drawings into `folder`. `catalog`: catalogue folder that
-/// wins over the spec's; `quiet`: show nothing on standard error.
+/// Checks a spec and writes report and drawings into `folder`. `catalog` is a catalogue folder that
+/// takes precedence over that of the spec. With `quiet`, nothing is written to standard error.
 pub fn check_spec(
     spec: &Path,
     catalog: Option<&Path>,
@@ -27,7 +27,7 @@ pub fn check_spec(
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     let folder = ResultFolder::begin(folder)?;
     let mut context = spec_context(spec, &input, checks)?;
-    // the end plate as the checks see it holds the values of the catalogue and the template
+    // the end plate as passed to the checks contains the values of the catalogue and the template
     let seen = serde_json::to_string(&input.joint.end_plate).map_err(|e| {
         Diagnostic::environment("cli/check", format!("the joint cannot be written: {e}"))
     })?;

@@ -1,4 +1,4 @@
-//! The input of a run apart from its cases: title block, checks, drawings, limits of adaptation.
+//! The input of a run except its cases: title block, checks, drawings, limits of adaptation.
 
 use crate::assembly::BoltLine;
 use crate::checks::HandChecks;
@@ -31,11 +31,11 @@ pub struct RunContext {
     pub mesh_quality: Table,
     /// Symmetry planes used (axes).
     pub mirror: Vec<usize>,
-    /// Where adaptation ends; `None`: one mesh, and no gap is asked for.
+    /// Limits of the adaptation; `None`: there is only one mesh, and no gap is requested.
     pub adapt: Option<plan::Limits>,
-    /// How the user gets a finer mesh.
+    /// Advice to the user on how to get a finer mesh.
     pub finer: &'static str,
-    /// How the user gets a coarser mesh.
+    /// Advice to the user on how to get a coarser mesh.
     pub coarser: &'static str,
     /// Hand checks of the code.
     pub checks: HandChecks,
@@ -47,6 +47,6 @@ pub struct RunContext {
     pub schedule: Table,
     /// Positions of the bolts.
     pub bolts: Vec<BoltLine>,
-    /// The polygon asked for.
+    /// The requested polygon.
     pub polygon: Option<PolygonSpec>,
 }

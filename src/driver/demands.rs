@@ -13,7 +13,7 @@ pub struct CaseDemand {
 }
 
 /// The demands among the loads of a spec, in the order of the loads. The directions of a polygon
-/// are no demands.
+/// are not demands.
 pub fn demands(loads: &[LoadSpec]) -> Vec<CaseDemand> {
     let mut out: Vec<CaseDemand> = Vec::new();
     for load in loads.iter().filter(|l| !l.of_polygon) {

@@ -1,5 +1,5 @@
-//! The end of every command that judges a spec: judge the result, write the folder, choose the exit
-//! status.
+//! The end of every command that judges a spec: it judges the result, writes the folder, and
+//! chooses the exit status.
 
 use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, judge};
@@ -18,10 +18,11 @@ use crate::result::result_file::HistoryRow;
 use crate::result::result_file::ResultFile;
 use crate::spec::analysis::AnalysisKind;
 
-/// What the analyses of a run left behind; the default: there were none.
+/// The data that the analyses of a run leave. The default describes a run without analyses.
 #[derive(Default)]
 pub struct Analyses {
-    /// Load case of every analysis asked for; several kinds of analysis repeat it.
+    /// Load case of every requested analysis; it occurs several times if there are several kinds of
+    /// analysis.
     pub asked: Vec<String>,
     /// The user ended the run.
     pub interrupted: bool,
@@ -29,22 +30,22 @@ pub struct Analyses {
     pub pictures: Vec<PictureRef>,
     /// Properties of the models.
     pub traits: ModelTraits,
-    /// Decisions and remarks of the reader of the model.
+    /// Decisions and remarks of the reader of the model file.
     pub notes: Vec<String>,
 }
 
-/// A run that has come to its end.
+/// A completed run.
 pub struct Finished {
-    /// How the process ends.
+    /// Exit status of the process.
     pub status: ExitStatus,
     /// The result with its verdict.
     pub result: ResultFile,
-    /// Whether the folder was written; false after an interrupt that left nothing certified and an
-    /// older result in place.
+    /// True if the folder was written. False if an interrupt left nothing certified; an older
+    /// result then stays in place.
     pub written: bool,
 }
 
-/// Judges, writes result and report, logs the answer.
+/// Judges the result, writes result and report, and logs the answer.
 pub fn finish(
     mut result: ResultFile,
     mut context: RunContext,
@@ -68,7 +69,7 @@ pub fn finish(
         ));
         return Ok(Finished { status: ExitStatus::Undecided, result, written: false });
     }
-    // the file holds the last lines as well; the terminal gets them once the folder is complete
+    // the file contains the last lines too; the terminal shows them once the folder is complete
     let path = folder.target().join("report.md");
     let last = [format!("result: {}", path.display()), verdict_line(&result, status)];
     last.iter().for_each(|line| log.detail(line));
@@ -112,7 +113,7 @@ fn write(
     Ok(data.result)
 }
 
-/// The verdict with the exit code and its meaning, the last line of the log.
+/// The verdict with the exit code and its meaning: the last line of the log.
 fn verdict_line(result: &ResultFile, status: ExitStatus) -> String {
     let code = status.code();
     if let Some(judgement) = &result.judgement {
@@ -130,7 +131,7 @@ fn verdict_line(result: &ResultFile, status: ExitStatus) -> String {
     )
 }
 
-/// The load cases with a demand; in the order of the analyses, where there are any.
+/// The load cases with a demand. If there are analyses, the cases are in the order of the analyses.
 fn demanded(context: &RunContext, analyses: &Analyses) -> Vec<String> {
     let demanded = context.demands.iter().map(|d| &d.case);
     if analyses.asked.is_empty() {
@@ -145,16 +146,16 @@ fn demanded(context: &RunContext, analyses: &Analyses) -> Vec<String> {
     out
 }
 
-/// Judges all load cases with a demand: their verdicts, and the checks with the findings of the
-/// analyses.
+/// Judges all load cases with a demand: sets their verdicts, and completes the checks by the
+/// findings of the analyses.
 fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &Analyses) {
     let of_case = |case: &String| {
         let entries = || result.cases.iter().filter(|c| c.name == *case);
         let limit = entries().find(|c| c.analysis == AnalysisKind::Limit);
         let by_analysis =
             |c: &CaseResult| c.demand.as_ref().map_or(Verdict::None, |d| d.by_analysis);
-        // a bracket of the resistance decides; without one, a missing analysis leaves the case
-        // undecided
+        // a bracket of the resistance decides; without one, the case is undecided if an analysis is
+        // missing
         let verdict = match limit {
             Some(c) => by_analysis(c),
             None if entries().count() < analyses.asked.iter().filter(|a| *a == case).count() => {
@@ -189,8 +190,7 @@ fn judge_result(result: &mut ResultFile, context: &mut RunContext, analyses: &An
     result.checks.clone_from(&context.checks.checks);
 }
 
-/// The exit status that fits the verdict; without a demand it states whether all analyses are
-/// certified.
+/// The exit status for the verdict. Without a demand it states whether all analyses are certified.
 fn exit_status(result: &ResultFile, analyses: &Analyses) -> ExitStatus {
     let complete = analyses.asked.is_empty() || result.cases.len() == analyses.asked.len();
     match result.verdict {

@@ -1,5 +1,5 @@
-//! Ctrl-C and the termination signals of batch systems: the first ends the run in order, the second
-//! at once.
+//! Ctrl-C and the termination signals of batch systems. The first signal ends the run in order, the
+//! second one at once.
 //!
 //! The signals are blocked in every thread and awaited in one. METIS replaces signal handlers by
 //! its own while it orders; blocked signals never reach a handler.
@@ -9,10 +9,10 @@ use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// Clean-up before the program exits at once: it must leave no half-written result.
+/// Clean-up before the program exits at once, so that it leaves no half-written result.
 type LastWords = Box<dyn Fn() + Send>;
 
-/// The user's wish to stop.
+/// The user's request to stop.
 #[derive(Clone, Default)]
 pub struct Interrupt {
     flag: Arc<AtomicBool>,
@@ -21,7 +21,7 @@ pub struct Interrupt {
 
 /// Work in progress.
 struct Work {
-    /// Weak, because the end of the log clears the terminal at the end of the run.
+    /// A weak reference, because dropping the log clears the terminal at the end of the run.
     log: Weak<Log>,
     /// Effect of the first signal, for the log.
     now: &'static str,
@@ -39,8 +39,8 @@ impl Interrupt {
         Ok(interrupt)
     }
 
-    /// Work begins. From now on the first signal only asks for the end of the work and logs its
-    /// effect (`now`); the second one ends the program after `last_words`.
+    /// Marks the begin of the work. From then on the first signal only requests the end of the work
+    /// and logs its effect (`now`); the second one ends the program after `last_words`.
     pub fn begin(&self, log: &Arc<Log>, now: &'static str, last_words: impl Fn() + Send + 'static) {
         let work = Work { log: Arc::downgrade(log), now, last_words: Box::new(last_words) };
         *self.work.lock().unwrap_or_else(PoisonError::into_inner) = Some(work);
@@ -56,7 +56,7 @@ impl Interrupt {
         self.flag.load(Ordering::Relaxed)
     }
 
-    /// Ends a run that has nothing to write yet.
+    /// Ends a run that has nothing to write yet if the user has asked to stop.
     pub fn check(&self, doing: &str) -> Result<(), Diagnostics> {
         if !self.asked() {
             return Ok(());
@@ -80,7 +80,7 @@ impl Interrupt {
         let mut wanted = SigSet::empty();
         wanted.add(Signal::SIGINT);
         wanted.add(Signal::SIGTERM);
-        // a run under nohup is meant to outlive the terminal: it ignores the hang-up
+        // a run under nohup must outlive the terminal: it ignores the hang-up
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         if ignored(&status) >> (Signal::SIGHUP as i32 - 1) & 1 == 0 {
             wanted.add(Signal::SIGHUP);
@@ -108,11 +108,11 @@ impl Interrupt {
         Ok(())
     }
 
-    /// Handles a signal; `first`: time of the first one.
+    /// Handles a signal. `first` is the time of the first signal.
     #[cfg(unix)]
     fn heard(&self, first: &mut Option<std::time::Instant>) {
-        /// `timeout` and some shells send a signal to the process and to its group: that counts as
-        /// one.
+        /// Signals within this interval count as one, because `timeout` and some shells send a
+        /// signal both to the process and to its group.
         const ECHO: std::time::Duration = std::time::Duration::from_millis(300);
         let work = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(work) = &*work else {

@@ -11,19 +11,19 @@ pub const WHEN_INTERRUPTED: &str = "the mesher stops now, the solvers after thei
 
 /// Solver of the conic programs, and the limits that end a run early.
 pub struct Limits {
-    /// The solver asked for.
+    /// The requested solver.
     pub solver: Solver,
     /// Wall time the run may take \[s\].
     pub time: Option<f64>,
     /// Memory the process may use \[bytes\].
     pub memory: Option<u64>,
-    /// The user's wish to stop.
+    /// The user's request to stop.
     pub interrupt: Interrupt,
 }
 
 impl Limits {
-    /// Limits with the text of `--memory-limit`; a wrong text is refused. Call it before any thread
-    /// starts: from here on the user's interrupts are received.
+    /// The limits, with the text of `--memory-limit`; an invalid text is refused. Call it before
+    /// any thread starts: from this call on the user's interrupts are received.
     pub fn new(solver: Solver, memory_limit: Option<&str>) -> Result<Self, Diagnostics> {
         let memory = memory_limit.map(memory_limit::parse).transpose()?;
         Ok(Limits { solver, time: None, memory, interrupt: Interrupt::watch()? })

@@ -10,15 +10,15 @@ const UNITS: [(&str, f64); 8] = [
     ("MB", 1e6),
     ("GB", 1e9),
     ("TB", 1e12),
-    // batch systems mean binary units by a bare letter
+    // in batch systems a single letter denotes a binary unit
     ("M", 1048576.0),
     ("G", 1073741824.0),
 ];
 
-/// Smallest limit: the program with its smallest model needs about as much \[bytes\].
+/// Smallest limit \[bytes\]: the program with its smallest model needs about as much.
 const LEAST: f64 = 64.0 * 1048576.0;
 
-/// Largest limit: no machine has more \[bytes\].
+/// Largest limit \[bytes\]: no machine has more.
 const MOST: f64 = 1099511627776.0 * 1024.0;
 
 /// The limit in bytes: `8GiB`, `500 MiB`, `1.5 TB`, `64G`.

@@ -11,7 +11,7 @@ use crate::report::markdown::report_data::Table;
 use std::path::Path;
 use std::time::Duration;
 
-/// How much of the joint is meshed, and how finely.
+/// Part of the joint that is meshed, and fineness of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The whole joint, even if it is symmetric.
@@ -33,7 +33,7 @@ impl Extent {
     }
 }
 
-/// The options of the mesher, which works in a folder of its own below `folder`.
+/// The options of the mesher, which works in its own folder below `folder`.
 pub fn mesh_options(
     Extent { full, size_factor }: Extent,
     input: &SpecFile,
@@ -70,7 +70,7 @@ pub fn mesh(options: &MeshOptions, input: &SpecFile, log: &Log) -> Result<JointM
     Ok(meshed)
 }
 
-/// Removes the mesher's working folder. Script and log are of use only when the mesher fails, and
+/// Removes the mesher's working folder. Script and log are needed only if the mesher fails, and
 /// then the message quotes them.
 pub fn clean(options: &MeshOptions) -> Result<(), Diagnostics> {
     let dir = &options.work_dir;

@@ -1,4 +1,5 @@
-//! What `run`, `analyse`, `check` and `study` share: context, cases, and the end of a run.
+//! The parts that `run`, `analyse`, `check` and `study` share: context, cases, and the end of a
+//! run.
 
 pub mod adaptive;
 pub mod analyse_model;

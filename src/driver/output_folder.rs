@@ -1,5 +1,5 @@
-//! The output folder of `mesh` and `study`: filled under a temporary name, then renamed; removed if
-//! anything fails.
+//! The output folder of `mesh` and `study`. It is filled under a temporary name and then renamed;
+//! it is removed if anything fails.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::mesher_error::MesherError;
@@ -9,15 +9,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// An output folder that appears only when it is complete.
 pub struct Folder {
     wanted: PathBuf,
-    /// The temporary folder that is filled.
+    /// The temporary folder that receives the files.
     pub aside: PathBuf,
     /// Locked while the folder moves into place.
     moving: Arc<Mutex<()>>,
 }
 
 impl Folder {
-    /// Starts a folder. An existing one is replaced only if it is empty or holds the file `mark`.
-    /// `command`: the subcommand that writes it.
+    /// Starts a folder. An existing folder is replaced only if it is empty or contains the file
+    /// `mark`. `command` is the subcommand that writes it.
     pub fn new(wanted: &Path, mark: &str, command: &str) -> Result<Self, Diagnostics> {
         let free = match std::fs::read_dir(wanted) {
             Ok(mut entries) => entries.next().is_none() || wanted.join(mark).exists(),
@@ -38,17 +38,18 @@ impl Folder {
         Ok(Folder { wanted: wanted.to_path_buf(), aside, moving: Arc::default() })
     }
 
-    /// Removes the files written so far; for a program that ends right after, from any thread.
+    /// Returns a function that removes the files written so far. It is for a program that ends
+    /// right afterwards, on any thread.
     pub fn give_up(&self) -> impl Fn() + Send + 'static {
         let (aside, moving) = (self.aside.clone(), self.moving.clone());
         move || {
-            // the lock is never released: no move may begin from now on
+            // the lock is never released, so that no move can begin from now on
             std::mem::forget(moving.lock().unwrap_or_else(PoisonError::into_inner));
             let _ = std::fs::remove_dir_all(&aside);
         }
     }
 
-    /// Moves it into place.
+    /// Moves the folder into place.
     pub fn finish(self) -> Result<(), MesherError> {
         let _moving = self.moving.lock().unwrap_or_else(PoisonError::into_inner);
         if self.wanted.exists() {
@@ -61,7 +62,7 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // After `finish` nothing is left to remove.
+        // after `finish` nothing is left to remove
         let _ = std::fs::remove_dir_all(&self.aside);
     }
 }

@@ -1,4 +1,4 @@
-//! A pass as an entry of the result.
+//! Converts a pass to an entry of the result.
 
 use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::fields::StressField;
@@ -23,7 +23,7 @@ pub fn pass_entry(
     }
 }
 
-/// The bounds behind an entry of the result.
+/// The bounds that an entry of the result reports.
 pub fn pass_bounds(pass: &AnalysisPass, entry: &CaseResult) -> CaseBounds {
     match pass {
         AnalysisPass::Energy(p) => energy_bounds(p),

@@ -1,4 +1,4 @@
-//! Both programs of a case on one mesh, with the progress in the log.
+//! Runs both programs of a case on one mesh and logs the progress.
 
 use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::event::Progress;
@@ -34,8 +34,8 @@ pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagn
     ))
 }
 
-/// Runs both programs of a case on one mesh. `until`: time on the log's clock at which solves end
-/// \[s\]; `patterns`: sparsity patterns that earlier passes on this mesh have found.
+/// Runs both programs of a case on one mesh. `until` is the time on the log's clock at which solves
+/// end \[s\]. `patterns` are the sparsity patterns that earlier passes on this mesh have found.
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
@@ -44,7 +44,7 @@ pub fn run_pass(
     limits: &Limits,
     log: &Arc<Log>,
 ) -> Result<AnalysisPass, Diagnostics> {
-    // one load case may be analysed in several ways
+    // one load case may have several kinds of analysis
     let kind = match model.analysis {
         AnalysisKind::Limit => " (limit)",
         AnalysisKind::Elastoplastic => " (elastoplastic)",

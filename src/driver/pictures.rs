@@ -41,8 +41,8 @@ pub fn mesh_picture(
     })
 }
 
-/// The contact pressures of a stress field that carries `factor` times the load, a picture for each
-/// pair of parts.
+/// The contact pressures of a stress field that carries `factor` times the load, one picture for
+/// each pair of parts.
 pub fn contact_pictures(
     model: &AnalysisModel,
     (stress, factor): (&StressField, f64),
@@ -64,7 +64,7 @@ pub fn contact_pictures(
     Ok(out)
 }
 
-/// The gap against the size of the mesh, where there was more than one.
+/// The gap against the size of the mesh, if there was more than one mesh.
 pub fn convergence(
     entry: &CaseResult,
     target: Option<f64>,
@@ -91,8 +91,8 @@ pub fn convergence(
     }))
 }
 
-/// Share of a mechanism's dissipation in the bodies; the rest is that of the welds. `None` where
-/// nothing dissipates.
+/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds.
+/// `None` if nothing dissipates.
 fn share_of_bodies(pass: &AnalysisPass) -> Option<f64> {
     let AnalysisPass::Factor(pass) = pass else { return None };
     let c = pass.upper.as_ref()?.certificate();
@@ -133,7 +133,7 @@ pub fn pass_picture(
             let mut densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
             let words = match share_of_bodies(pass) {
                 Some(share) if share < LITTLE => {
-                    // the flow that is left is rounding error: it is not drawn
+                    // the remaining plastic flow is rounding error and is not drawn
                     densities.fill(0.0);
                     "the welds dissipate all, the parts do not flow"
                 }
@@ -159,11 +159,11 @@ pub fn pass_picture(
     Ok(Some(PictureRef { file, caption }))
 }
 
-/// Share of the dissipation below which the bodies count as rigid beside their welds.
+/// Share of the dissipation below which the bodies count as rigid compared with their welds.
 const LITTLE: f64 = 1e-3;
 
-/// A round factor that draws the largest displacement as about a twentieth of the shape; `None`
-/// where nothing moves.
+/// A round factor that draws the largest displacement as about a twentieth of the size of the
+/// shape; `None` if nothing moves.
 fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
     if largest == 0.0 {
@@ -177,9 +177,9 @@ fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
 }
 
-/// Dissipation densities at the nodes, divided by their mean where the mechanism dissipates, and
-/// the range of colours. The range ends at the largest value drawn, at most at the mean: a single
-/// corner with a huge density must not leave the rest dark.
+/// Dissipation densities at the nodes, divided by their mean if the mechanism dissipates, and the
+/// range of colours. The range ends at the largest value drawn, but at most at the mean, so that a
+/// single corner with a huge density does not leave the rest dark.
 fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
     let mesh = &model.mesh;
     let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];

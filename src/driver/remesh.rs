@@ -1,5 +1,5 @@
-//! The next mesh of a case: a spec's geometry is meshed again by a map of sizes, a user's mesh is
-//! bisected.
+//! Makes the next mesh of a case. The geometry of a spec is meshed again with a map of sizes; a
+//! user's mesh is refined by bisection.
 
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, Place};
@@ -18,22 +18,22 @@ use std::time::{Duration, Instant};
 
 /// A mesh made by adaptation.
 pub struct Made {
-    /// The model on it.
+    /// The model on the new mesh.
     pub model: AnalysisModel,
-    /// The mesh as in its file: bodies share nodes.
+    /// The mesh as in its file, where bodies share nodes.
     pub mesh: TetMesh,
     /// The model file; the caller sets the name of its mesh.
     pub file: ModelFile,
     /// Quality.
     pub quality: Table,
-    /// Wall time to make it \[s\].
+    /// Wall time of meshing \[s\].
     pub seconds: f64,
 }
 
 /// Makes the next mesh of a case.
 pub trait Remesh {
-    /// Number of parts that each tet of the last mesh would be divided into, given the wanted
-    /// numbers, as far as that is known beforehand.
+    /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers,
+    /// as far as it is known beforehand.
     fn realised(&self, wanted: &[f64]) -> Vec<f64>;
 
     /// Makes the mesh of a design, in at most `seconds`.
@@ -52,7 +52,7 @@ const MESHER_SECONDS: f64 = 600.0;
 /// Position of a path in the input file.
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 
-/// A spec's geometry, meshed again by a map of sizes.
+/// Meshes a spec's geometry again with a map of sizes.
 pub struct ByMap<'a> {
     assembly: &'a Assembly,
     options: MeshOptions,
@@ -68,7 +68,7 @@ pub struct ByMap<'a> {
 }
 
 impl<'a> ByMap<'a> {
-    /// After the first mesh, which was made with these options.
+    /// Starts from the first mesh, which was made with these options.
     pub fn new(
         assembly: &'a Assembly,
         options: MeshOptions,
@@ -90,7 +90,7 @@ impl<'a> ByMap<'a> {
         }
     }
 
-    /// Estimates the load factor under Coulomb's law on every mesh, if `asked`.
+    /// Requests the estimate of the load factor under Coulomb's law on every mesh, if `asked`.
     pub fn estimating(self, asked: bool) -> Self {
         Self { coulomb_estimate: asked, ..self }
     }
@@ -144,7 +144,7 @@ impl Remesh for ByMap<'_> {
     }
 }
 
-/// A user's mesh, refined by bisection.
+/// Refines a user's mesh by bisection.
 pub struct ByBisection<'a> {
     file: ModelFile,
     place: Places<'a>,
@@ -152,7 +152,8 @@ pub struct ByBisection<'a> {
 }
 
 impl<'a> ByBisection<'a> {
-    /// After the first mesh; `mesh`: as read, with coincident nodes of different bodies merged.
+    /// Starts from the first mesh. `mesh` is the mesh as read, with coincident nodes of different
+    /// bodies merged.
     pub fn new(file: &ModelFile, place: Places<'a>, mesh: TetMesh) -> Self {
         Self { file: ModelFile { nodes: Nodes::Shared, ..file.clone() }, place, mesh }
     }

@@ -30,15 +30,15 @@ use std::time::Instant;
 pub struct SpecRun {
     /// The spec's file.
     pub spec: PathBuf,
-    /// Catalogue folder that wins over the spec's.
+    /// Catalogue folder that takes precedence over that of the spec.
     pub catalog: Option<PathBuf>,
     /// Folder of the result.
     pub folder: PathBuf,
-    /// How much is meshed, and how finely.
+    /// Part of the joint that is meshed, and fineness of the mesh.
     pub extent: Extent,
     /// Kind of analysis, in place of `analysis.kind`.
     pub kind: Option<AnalysisKind>,
-    /// Meshes at most, in place of `analysis.max_passes`.
+    /// Largest number of meshes, in place of `analysis.max_passes`.
     pub max_passes: Option<u32>,
     /// Also write the assembly and the mesher's script.
     pub keep: bool,
@@ -74,7 +74,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
         keep(&input, &meshed, &folder)?;
     }
     let place = |path: &str| input.spec.index.place(path);
-    // a run that leaves out collapse leaves out the polygon
+    // a run without limit analysis has no polygon
     let polygon = input
         .spec
         .value
@@ -103,7 +103,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     run_cases(cases, context, &limits, folder, &log)
 }
 
-/// Writes the plain data between the stages: the assembly and the mesher's script.
+/// Writes the data that pass between the stages: the assembly and the mesher's script.
 fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(), Diagnostics> {
     let text = serde_json::to_string_pretty(&input.joint).map_err(|e| {
         Diagnostic::environment("cli/keep", format!("the assembly cannot be written: {e}"))
@@ -113,8 +113,8 @@ fn keep(input: &SpecFile, meshed: &JointMesh, folder: &ResultFolder) -> Result<(
     Ok(())
 }
 
-/// Hash of the input. The models hold the values of the catalogue and the template, the script
-/// those of the mesher.
+/// Hash of the input. The models contain the values of the catalogue and the template, the script
+/// contains those of the mesher.
 fn spec_hash(
     input: &SpecFile,
     meshed: &JointMesh,
@@ -131,8 +131,8 @@ fn spec_hash(
     input_hash(&pieces)
 }
 
-/// Reports the hand checks before anything is meshed: faults of the detailing, and the verdict by
-/// code alone.
+/// Reports the hand checks before meshing starts: faults of the detailing, and the verdict by code
+/// alone.
 fn report_checks(hand: &HandChecks, demands: &[CaseDemand], log: &Log) {
     for c in hand.checks.iter().filter(|c| c.topic == Topic::Detailing) {
         match c.status {

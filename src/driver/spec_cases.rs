@@ -63,8 +63,8 @@ pub fn cases<'a>(
     Ok(cases)
 }
 
-/// Gives the cases further meshes: the geometry meshed again by a map of sizes. The directions of a
-/// polygon share the first mesh and get none.
+/// Lets the cases make further meshes: the geometry is meshed again with a map of sizes. The
+/// directions of a polygon share the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,

@@ -1,4 +1,4 @@
-//! Checks of a spec that come before the mesher starts.
+//! Checks of a spec before the mesher starts.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_file::SpecFile;
@@ -6,14 +6,14 @@ use crate::result::file_names::{file_stem, stem_of};
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::loads::LoadSpec;
 
-/// All checks of a spec that is to be analysed in these ways; none for the hand checks alone.
+/// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     check_names(input, kinds)?;
     check_preload(input, kinds)?;
     check_sizes(input)
 }
 
-/// The kinds of analysis that the spec asks for, each once.
+/// The kinds of analysis that the spec requests, each once.
 pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics> {
     let place = |path: &str| input.spec.index.place(path);
     let kinds = &input.spec.value.analysis.kind.0;
@@ -31,7 +31,7 @@ pub fn analysis_kinds(input: &SpecFile) -> Result<Vec<AnalysisKind>, Diagnostics
     Ok(wanted)
 }
 
-/// Preload and yielding bodies cannot be analysed together yet.
+/// Refuses preload together with yielding bodies, which is not supported yet.
 fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     if input.joint.assembly.preloads.is_empty() || !kinds.contains(&AnalysisKind::Elastoplastic) {
         return Ok(());
@@ -45,7 +45,8 @@ fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnos
     Err(d.into())
 }
 
-/// Load cases become names of files: each needs a name, and no two the same file.
+/// Checks the names of load cases. They become file names: each case needs a name, and no two may
+/// give the same file.
 fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
     let loads = &input.spec.value.loads;
     let stems = |name: &str| -> Vec<String> {
@@ -112,8 +113,8 @@ fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// A number of a load with its sensible range. Energies are proportional to its square, so the
-/// square must be a number as well.
+/// A number of a load with its permitted range. Energies are proportional to its square, so the
+/// square must be finite too.
 struct Quantity {
     key: &'static str,
     value: f64,

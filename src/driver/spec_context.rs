@@ -66,8 +66,8 @@ pub fn spec_context(
     })
 }
 
-/// The rows of the user's own tables as text for the input hash: no model holds the values that
-/// only the hand checks read.
+/// The rows of the user's own tables as text for the input hash. It is needed because no model
+/// contains the values that only the hand checks read.
 pub fn own_rows(context: &RunContext) -> String {
     context
         .catalogue_rows
@@ -77,14 +77,14 @@ pub fn own_rows(context: &RunContext) -> String {
         .collect()
 }
 
-/// The spec without the loads that only its polygon made.
+/// The spec without the loads that were generated from its polygon.
 fn as_read(input: &SpecFile) -> ConnectionSpec {
     let mut spec = input.spec.value.clone();
     spec.loads.retain(|l| !l.of_polygon);
     spec
 }
 
-/// End plates of the joint.
+/// Number of end plates of the joint.
 fn plates(input: &SpecFile) -> usize {
     input.joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count()
 }
@@ -125,7 +125,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         .resolved
         .iter()
         .map(|r| {
-            // a list carries a unit at every entry
+            // in a list every entry has its unit
             let single = !r.value.starts_with('[');
             let (value, unit) =
                 r.value.split_once(' ').filter(|_| single).unwrap_or((&r.value, ""));
@@ -140,7 +140,7 @@ fn resolved_values(input: &SpecFile) -> Vec<ResolvedValue> {
         .collect()
 }
 
-/// The catalogue rows that the joint takes values from.
+/// The catalogue rows that provide values of the joint.
 fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
     let c = &input.catalog;
     let mut rows: Vec<CatalogueRow> = Vec::new();
@@ -154,7 +154,7 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         } else {
             ("steel", c.steel(name).map(|r| json!(r)))
         };
-        // the joint was built with the same names, so they are all there
+        // the joint was built with the same names, so every row exists
         let Ok(row) = row else { continue };
         let standard = row["standard"].as_str().unwrap_or_default();
         let file = row["source"]["file"].as_str().unwrap_or_default();
@@ -162,7 +162,8 @@ fn catalogue_rows(input: &SpecFile) -> Vec<CatalogueRow> {
         let builtin = provenance.and_then(|p| p.standard.clone());
         let own = builtin.is_none();
         let source = builtin.unwrap_or_else(|| {
-            // the user's own table: the report names file and line, so that the row can be checked
+            // for the user's own tables the report names file and line, so that the row can be
+            // checked
             let mut words =
                 vec![standard.to_string(), format!("{file} line {}", row["source"]["line"])];
             words.extend(provenance.map(|p| p.read_from.clone()));

@@ -1,4 +1,4 @@
-//! A connection spec read from its file, with its catalogue and its joint.
+//! Reads a connection spec from its file, with its catalogue and its joint.
 
 use crate::assembly::{self, Joint};
 use crate::catalog::{Catalog, CatalogError};
@@ -11,18 +11,18 @@ use std::path::Path;
 
 /// A spec, its text and the joint it describes.
 pub struct SpecFile {
-    /// The text as given.
+    /// The text of the file.
     pub text: String,
-    /// The spec with its places; the directions of its polygon are among its loads.
+    /// The spec with its places; its loads include the directions of its polygon.
     pub spec: Parsed<ConnectionSpec>,
     /// The joint.
     pub joint: Joint,
-    /// The catalogue that the spec was resolved with.
+    /// The catalogue used to resolve the spec.
     pub catalog: Catalog,
 }
 
-/// Reads a spec and builds its joint; `catalog_dir` is the folder of `--catalog`, which wins over
-/// `catalog` in the spec.
+/// Reads a spec and builds its joint. `catalog_dir` is the folder of `--catalog`, which takes
+/// precedence over `catalog` in the spec.
 pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnostics> {
     let text = text_file::read(path, |e| {
         Diagnostic::input("spec/read", format!("the spec `{}` cannot be read: {e}", path.display()))
@@ -54,7 +54,7 @@ pub fn read(path: &Path, catalog_dir: Option<&Path>) -> Result<SpecFile, Diagnos
     Ok(SpecFile { text, spec, joint, catalog })
 }
 
-/// The built-in catalogue, with the folder of the option or of the spec.
+/// The built-in catalogue together with the folder of the option or of the spec.
 fn open_catalog(
     spec: &Parsed<ConnectionSpec>,
     base: &Path,
@@ -93,7 +93,8 @@ pub fn catalog_warning(w: &Diagnostic) -> String {
     format!("warning[{}]: {file}{line}{w}", w.code)
 }
 
-/// True if a line of the file begins with this key: enough to distinguish specs from model files.
+/// True if a line of the file begins with this key. This is enough to distinguish specs from model
+/// files.
 pub fn top_level(text: &str, key: &str) -> bool {
     text.lines().any(|l| l.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with(':')))
 }
@@ -109,8 +110,7 @@ mod tests {
                             own,works drawing,200,200,9,15,18,61.3,78.1,5696,2003,569.6,642.5,200.\
                             3,305.8\n";
 
-    /// A folder with `joint.yaml` (the paper's joint, with a column of its own) and the tables
-    /// given.
+    /// A folder with `joint.yaml` (the paper's joint, with its own column) and the given tables.
     fn folder(catalog: &str, tables: &[(&str, &str)]) -> tempfile::TempDir {
         let dir = tempfile::tempdir().expect("a folder");
         let spec = format!("{catalog}{}", JOINT.replace("profile: HEB200", "profile: MY200"));

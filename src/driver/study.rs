@@ -1,4 +1,4 @@
-//! The study of speed against error: uniform and adaptive meshes and solvers side by side.
+//! The study of speed against error: compares uniform and adaptive meshes and solvers.
 
 use crate::analysis::memory::forget_peak;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -39,24 +39,25 @@ pub struct StudyOptions {
     pub out: Option<PathBuf>,
     /// Solvers to compare.
     pub solvers: Vec<Solver>,
-    /// Uniform meshes, each about twice as large as the one before; 0: adaptive ones only.
+    /// Number of uniform meshes, each about twice as large as the one before; 0: adaptive meshes
+    /// only.
     pub uniform: u32,
-    /// Multiplies all element sizes of a spec's first mesh.
+    /// Factor on all element sizes of a spec's first mesh.
     pub size_factor: f64,
-    /// Gap at which adaptive meshes end, a fraction; `None`: as in the file.
+    /// Gap at which the adaptive meshes end, a fraction; `None`: as in the file.
     pub target_gap: Option<f64>,
-    /// Tets at most, uniform meshes too; `None`: as in the file.
+    /// Largest number of tets, for uniform meshes too; `None`: as in the file.
     pub max_macro_tets: Option<usize>,
-    /// Adaptive meshes at most; `None`: as in the file.
+    /// Largest number of adaptive meshes; `None`: as in the file.
     pub max_passes: Option<u32>,
     /// Show nothing on standard error.
     pub quiet: bool,
 }
 
-/// Where the meshes come from.
+/// Source of the meshes.
 trait Source {
-    /// The load cases on the uniform mesh of a level, 0 for the first mesh; with `adaptive` they
-    /// can be meshed again.
+    /// The load cases on the uniform mesh of a level; level 0 is the first mesh. With `adaptive`
+    /// the cases can be meshed again.
     fn cases(&self, level: u32, adaptive: bool) -> Result<Vec<Case<'_>>, Diagnostics>;
 }
 
@@ -77,7 +78,8 @@ struct Model<'a> {
     place: Places<'a>,
 }
 
-/// Ratio of the sizes of a level to those of the level before: about twice the tets.
+/// Ratio of the element sizes of a level to those of the level before. It gives about twice the
+/// tets.
 const FINER: f64 = 0.76;
 
 impl Source for Spec<'_> {
@@ -115,7 +117,7 @@ impl Source for Model<'_> {
     }
 }
 
-/// Most uniform meshes: the last would have a thousand times the tets of the first.
+/// Largest number of uniform meshes: the last would have a thousand times the tets of the first.
 const MOST_UNIFORM: u32 = 10;
 
 /// Refuses options out of range.
@@ -174,7 +176,7 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
         Ok(folder)
     };
     let (study, folder) = if is_model {
-        // all checks of the input come before the folder
+        // the input is checked completely before the folder is created
         load_model(&options.file)?;
         let parsed = yaml::parse::<ModelFile>(&text, &options.file)?;
         let mut file = parsed.value.clone();
@@ -227,7 +229,7 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
 const WHEN_INTERRUPTED: &str =
     "the solvers stop after their current iteration, and the rows so far are written";
 
-/// All rows: for each solver the uniform meshes, then the adaptive ones.
+/// All rows: for each solver first the uniform meshes, then the adaptive ones.
 fn study(
     options: &StudyOptions,
     source: &dyn Source,
@@ -245,7 +247,7 @@ fn study(
     let mut rows = Vec::new();
     for solver in &options.solvers {
         limits.solver = *solver;
-        // uniform levels, then the adaptive meshes, which begin with the first level
+        // uniform levels, then the adaptive meshes, which start from level 0
         for level in (0..options.uniform).map(Some).chain([None]) {
             if limits.interrupt.asked() {
                 break;
@@ -264,7 +266,7 @@ fn study(
                 forget_peak();
                 let until = limits.time.map_or(f64::INFINITY, |t| log.seconds() + t);
                 let meshes = if level.is_none() { Meshes::Adaptive } else { Meshes::Uniform };
-                // a mesh that does not fit into the memory is left out
+                // a mesh that does not fit into the memory is skipped
                 match adaptive::analyse(
                     case,
                     true,

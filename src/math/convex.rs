@@ -1,4 +1,4 @@
-//! Convex polygons in the plane: the hull of points, the intersection of half planes.
+//! Convex polygons in the plane: convex hull of points, intersection of half planes.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,13 +19,13 @@ impl HalfPlane {
     }
 }
 
-/// Twice the area of the triangle a, b, c; positive when it turns left (anticlockwise).
+/// Twice the signed area of the triangle a, b, c; positive if the corners run anticlockwise.
 fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Corners of the convex hull of the points, anticlockwise, starting with the leftmost (of several
-/// the lowest). Points on its sides are left out.
+/// Corners of the convex hull of the points, anticlockwise, starting with the leftmost corner (the
+/// lowest if there are several). Points on the sides of the hull are left out.
 ///
 /// # Source
 /// Andrew's monotone chain.
@@ -52,7 +52,7 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     out
 }
 
-/// Intersection of a convex polygon with all half planes, in the same sense of rotation; may be
+/// Intersection of a convex polygon with all half planes, in the same sense of rotation. May be
 /// empty.
 pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
     let mut left = polygon.to_vec();
@@ -74,8 +74,8 @@ pub fn clip(polygon: &[[f64; 2]], half_planes: &[HalfPlane]) -> Vec<[f64; 2]> {
     left
 }
 
-/// True when the intersection of the half planes is bounded: no gap between their normals reaches
-/// half a turn.
+/// True if the intersection of the half planes is bounded: every gap between the directions of
+/// their normals is smaller than half a turn.
 pub fn bounded(half_planes: &[HalfPlane]) -> bool {
     let mut angles: Vec<f64> = half_planes
         .iter()
@@ -86,7 +86,7 @@ pub fn bounded(half_planes: &[HalfPlane]) -> bool {
     let Some((first, last)) = angles.first().zip(angles.last()) else { return false };
     let around = first + 2.0 * std::f64::consts::PI - last;
     let widest = angles.windows(2).map(|w| w[1] - w[0]).fold(around, f64::max);
-    // a gap of almost half a turn leaves a strip that is practically unbounded
+    // a gap of almost half a turn leaves a strip that is unbounded for practical purposes
     widest < std::f64::consts::PI - 1e-6
 }
 

@@ -1,7 +1,7 @@
-//! Small dense algebra: Cholesky of a fixed-size matrix, symmetric eigenvectors, least squares,
-//! systems that may be singular.
+//! Small dense linear algebra: Cholesky factors of fixed-size matrices, symmetric eigenvectors,
+//! least squares, and systems that may be singular.
 //!
-//! This file and `solve/sparse/dense.rs` alone name faer.
+//! Only this file and `solve/sparse/dense.rs` use faer.
 
 pub use faer::Mat;
 use faer::linalg::solvers::Qr;
@@ -9,8 +9,8 @@ use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::prelude::{Solve, SolveLstsq};
 use faer::{Par, Side};
 
-/// Makes faer's dense kernels sequential in the whole process: with parallel ones the last digits
-/// would depend on the number of threads.
+/// Makes faer's dense kernels sequential in the whole process. With parallel kernels the last
+/// digits of a result would depend on the number of threads.
 pub fn sequential_kernels() {
     faer::set_global_parallelism(Par::Seq);
 }
@@ -22,7 +22,7 @@ pub struct Cholesky<const N: usize> {
 }
 
 impl<const N: usize> Cholesky<N> {
-    /// Factors the lower triangle of `a`; `None` when a pivot is not positive.
+    /// Factors the matrix given by the lower triangle of `a`; `None` if a pivot is not positive.
     pub fn new(mut a: Box<[[f64; N]; N]>) -> Option<Self> {
         for j in 0..N {
             let mut d = a[j][j];
@@ -80,9 +80,9 @@ impl<const N: usize> Cholesky<N> {
     }
 }
 
-/// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: eigenvectors
-/// whose eigenvalue is below `tolerance` times the largest. Columns of the result; empty when the
-/// matrix is regular.
+/// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: the
+/// eigenvectors whose eigenvalue is below `tolerance` times the largest, one per column. Empty if
+/// the matrix is regular.
 pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
     let n = gram.nrows();
     if n == 0 {
@@ -100,7 +100,7 @@ pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
 
 /// Minimum-norm solution of a small symmetric positive semidefinite system.
 pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    // scale to unit diagonal, then drop directions below rounding
+    // scale to unit diagonal, then drop directions below rounding error
     let n = a.nrows();
     let d: Vec<f64> =
         (0..n).map(|i| if a[(i, i)] > 0.0 { a[(i, i)].sqrt().recip() } else { 0.0 }).collect();
@@ -127,7 +127,7 @@ pub fn least_squares(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
 }
 
 /// Least-squares solution of `A x = b` by damped normal equations, refined twice. Directions that A
-/// does not determine stay zero.
+/// does not determine remain zero.
 pub fn damped_least_squares(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     let normal = a.transpose() * a;
     let rhs = a.transpose() * b;
@@ -173,7 +173,7 @@ impl ThinQr {
 #[derive(Clone, Copy, Debug)]
 pub struct NoConvergence;
 
-/// Singular values, decreasing, and the matrix of right singular vectors, one a column.
+/// Singular values in decreasing order, and the matrix of right singular vectors, one per column.
 pub fn right_singular_vectors(a: &Mat<f64>) -> Result<(Vec<f64>, Mat<f64>), NoConvergence> {
     let svd = a.svd().map_err(|_| NoConvergence)?;
     Ok((svd.S().column_vector().iter().copied().collect(), svd.V().to_owned()))

@@ -1,6 +1,6 @@
-//! Numbers for people: significant figures, rounded to the safe side where they are bounds.
+//! Output of numbers for people: significant figures. Bounds are rounded to the safe side.
 
-/// Which way a number is rounded.
+/// Direction of rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
     /// To the nearest.
@@ -11,13 +11,13 @@ pub enum Rounding {
     Up,
 }
 
-/// `x` with `decimals` places (negative: to tens, hundreds), thousands set apart by a no-break
-/// space.
+/// `x` with `decimals` decimal places (negative: rounded to tens, hundreds). A no-break space
+/// separates thousands.
 pub fn fixed(x: f64, decimals: i32, rounding: Rounding) -> String {
     let places = decimals.max(0) as usize;
     let step = 10.0_f64.powi(decimals.saturating_neg().max(0));
     let mut text = plain(x / step, step, places);
-    // compare the printed number, not the intended one
+    // compares the printed number, not the intended one, with `x`
     let printed = text.parse::<f64>().unwrap_or(x);
     let nudge = match rounding {
         Rounding::Down if printed > x => -1.0,
@@ -36,7 +36,7 @@ fn plain(scaled: f64, step: f64, places: usize) -> String {
     } else {
         format!("{scaled:.places$}")
     };
-    // no negative zero
+    // avoids a negative zero
     if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
         text.trim_start_matches('-').into()
     } else {
@@ -74,7 +74,7 @@ pub fn significant(x: f64, digits: i32, rounding: Rounding) -> String {
         };
         let last = 10.0_f64.powi(x.abs().log10().floor() as i32 + 1 - digits);
         let aside = if rounding == Rounding::Down { x - last } else { x + last };
-        // rather all digits than a bound on the wrong side
+        // all digits are better than a bound on the wrong side
         return [written(x), written(aside)]
             .into_iter()
             .find(safe)
@@ -83,9 +83,9 @@ pub fn significant(x: f64, digits: i32, rounding: Rounding) -> String {
     fixed(x, digits - 1 - x.abs().log10().floor() as i32, rounding)
 }
 
-/// Lower and upper bound with so many digits of their distance, four of the larger at least and
-/// twelve at most. The lower one is rounded down, the upper one up: three digits widen the bracket
-/// by 2 % of itself at most, four by 0.2 %.
+/// Lower and upper bound with `gap_digits` significant digits of their difference, but at least
+/// four and at most twelve significant digits of the larger bound. The lower bound is rounded down,
+/// the upper one up. Three digits widen the bracket by at most 2 % of its width, four by 0.2 %.
 pub fn bracket(lower: f64, upper: f64, gap_digits: i32) -> (String, String) {
     let size = lower.abs().max(upper.abs());
     if size == 0.0 {
@@ -104,7 +104,7 @@ pub fn bracket(lower: f64, upper: f64, gap_digits: i32) -> (String, String) {
     (fixed(lower, decimals, Rounding::Down), fixed(upper, decimals, Rounding::Up))
 }
 
-/// A fraction in per cent, rounded up: gaps are never made smaller.
+/// A fraction in per cent, rounded up, so that a printed gap is never smaller than the true one.
 pub fn percent_up(fraction: f64) -> String {
     if fraction > 0.0 && fraction < 1e-6 {
         return "< 0.0001 %".into();
@@ -117,7 +117,7 @@ pub fn residual(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
     }
-    // of a positive number the second digit is raised when cutting lost something
+    // `x` is positive; if the printed number is smaller, its second digit is raised
     let text = format!("{x:.1e}");
     let printed = text.parse::<f64>().unwrap_or(x);
     if printed >= x {

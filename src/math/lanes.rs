@@ -1,7 +1,7 @@
-//! Small dense products and solves of eight interleaved matrices at once.
+//! Dense products and solves of eight small interleaved matrices at once.
 //!
-//! The kernels use registers explicitly: without that, the compiler turns loops over the eight into
-//! gathered loads.
+//! The kernels use registers explicitly. Otherwise the compiler turns loops over the eight matrices
+//! into gathered loads.
 
 use super::wide::{Lane, parts, registers, registers_mut};
 use pulp::Simd;
@@ -9,8 +9,8 @@ use pulp::Simd;
 /// Rows processed together.
 const ROWS: usize = 4;
 
-/// Defines a kernel as a function: a struct passes its arguments to the code of the selected
-/// instruction set.
+/// Defines a kernel as a function. The macro also defines a struct, which passes the arguments to
+/// the code of the selected instruction set.
 macro_rules! kernel {
     (
         $(#[$meta:meta])*
@@ -36,7 +36,7 @@ macro_rules! kernel {
 }
 pub(crate) use kernel;
 
-/// Position of the entries of a vector of registers: entry i is at `stride i + offset`.
+/// Positions of the entries of a vector of registers: entry i is at `stride i + offset`.
 #[derive(Clone, Copy)]
 pub struct Place {
     /// Distance between entries.
@@ -53,8 +53,8 @@ impl Place {
     }
 }
 
-/// `y += A x` for one register of each lane, A by rows; `at` for A and x, `to` for y of the given
-/// number of rows.
+/// `y += A x` for one register of each lane, A stored by rows. `at` gives the positions in A and x,
+/// `to` those in y; `rows` is the number of rows of A and y.
 #[inline(always)]
 pub fn add_times_part<S: Simd>(
     simd: S,
@@ -88,8 +88,8 @@ pub fn add_times_part<S: Simd>(
     }
 }
 
-/// `y += Aᵀ x` for one register of each lane, A by rows; `at` for A and y, `from` for x of the
-/// given number of rows.
+/// `y += Aᵀ x` for one register of each lane, A stored by rows. `at` gives the positions in A and
+/// y, `from` those in x; `rows` is the number of rows of A and x.
 #[inline(always)]
 pub fn add_transposed_part<S: Simd>(
     simd: S,
@@ -122,7 +122,7 @@ pub fn add_transposed_part<S: Simd>(
 }
 
 kernel! {
-    /// `y += A x`, A by rows.
+    /// `y += A x`, A stored by rows.
     pub fn add_times(simd; a: &'a [Lane], x: &'a [Lane], y: &'a mut [Lane]) {
         let rows = y.len();
         let (a, x, y) = (registers::<S>(a), registers::<S>(x), registers_mut::<S>(y));
@@ -134,7 +134,7 @@ kernel! {
 }
 
 kernel! {
-    /// `y += Aᵀ x`, A by rows.
+    /// `y += Aᵀ x`, A stored by rows.
     pub fn add_transposed(simd; a: &'a [Lane], x: &'a [Lane], y: &'a mut [Lane]) {
         let rows = x.len();
         let (a, x, y) = (registers::<S>(a), registers::<S>(x), registers_mut::<S>(y));
@@ -146,7 +146,7 @@ kernel! {
 }
 
 kernel! {
-    /// `y −= A x`, the lower triangle of A by columns.
+    /// `y −= A x` with symmetric A, its lower triangle stored by columns.
     pub fn subtract_symmetric(simd; a: &'a [Lane], x: &'a [Lane], y: &'a mut [Lane]) {
         let order = x.len();
         let (a, x, y) = (registers::<S>(a), registers::<S>(x), registers_mut::<S>(y));
@@ -169,7 +169,7 @@ kernel! {
 }
 
 kernel! {
-    /// Solves with a Cholesky factor in place, its lower triangle by columns.
+    /// Solves in place with a Cholesky factor, its lower triangle stored by columns.
     pub fn solve_packed(simd; factor: &'a [Lane], y: &'a mut [Lane]) {
         let order = y.len();
         let (factor, y) = (registers::<S>(factor), registers_mut::<S>(y));

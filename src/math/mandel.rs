@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 /// A symmetric tensor in Mandel form.
 pub type Mandel = [f64; 6];
 
-/// Isotropic stiffness `σ = C ε` given by its two moduli.
+/// Isotropic stiffness `σ = C ε`, defined by its two moduli.
 ///
 /// # Units
 /// MPa.
@@ -20,12 +20,12 @@ pub struct Isotropic {
 }
 
 impl Isotropic {
-    /// From Young's modulus \[MPa\] and Poisson's ratio.
+    /// The stiffness for Young's modulus \[MPa\] and Poisson's ratio.
     pub fn new(e: f64, nu: f64) -> Self {
         Self { lambda: e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), two_mu: e / (1.0 + nu) }
     }
 
-    /// Stress of a strain.
+    /// Stress for a strain.
     pub fn stress(&self, eps: &Mandel) -> Mandel {
         let p = self.lambda * (eps[0] + eps[1] + eps[2]);
         let mut s = eps.map(|x| self.two_mu * x);
@@ -35,7 +35,7 @@ impl Isotropic {
         s
     }
 
-    /// Strain of a stress.
+    /// Strain for a stress.
     pub fn strain(&self, sig: &Mandel) -> Mandel {
         let tr = sig[0] + sig[1] + sig[2];
         let k = self.lambda / (self.two_mu + 3.0 * self.lambda) * tr;
@@ -101,7 +101,7 @@ pub fn normal_operator(n: V3) -> [Mandel; 3] {
     ]
 }
 
-/// Mandel form of the symmetric part of a matrix.
+/// The symmetric part of a matrix, in Mandel form.
 pub fn symmetric_part(m: &M3) -> Mandel {
     let r = FRAC_1_SQRT_2;
     [
@@ -114,7 +114,7 @@ pub fn symmetric_part(m: &M3) -> Mandel {
     ]
 }
 
-/// The symmetric matrix of a Mandel vector.
+/// The symmetric matrix for a tensor in Mandel form.
 pub fn to_matrix(s: &Mandel) -> M3 {
     let (yz, xz, xy) = (s[3] * FRAC_1_SQRT_2, s[4] * FRAC_1_SQRT_2, s[5] * FRAC_1_SQRT_2);
     [[s[0], xy, xz], [xy, s[1], yz], [xz, yz, s[2]]]
@@ -122,8 +122,8 @@ pub fn to_matrix(s: &Mandel) -> M3 {
 
 /// The 6 × 6 matrix of the contravariant Piola map `σ̂ ↦ J σ̂ Jᵀ / det J` in Mandel form.
 ///
-/// It maps divergence-free fields to divergence-free fields and keeps tractions continuous, so one
-/// null space computed on a reference tetrahedron serves every element.
+/// The map takes divergence-free fields to divergence-free fields and keeps tractions continuous.
+/// One null space computed on a reference tetrahedron therefore serves every element.
 pub fn piola(j: &M3, det: f64) -> [Mandel; 6] {
     let mut p = [[0.0; 6]; 6];
     for c in 0..6 {
@@ -159,8 +159,8 @@ pub fn mul(m: &[Mandel; 6], s: &Mandel) -> Mandel {
 mod tests {
     use super::*;
 
-    /// The components of the deviator keep inner products, drop the trace, and give f_y in uniaxial
-    /// stress.
+    /// The components of the deviator preserve inner products, omit the trace, and give f_y
+    /// in uniaxial stress.
     #[test]
     fn deviators() {
         for (i, a) in DEVIATORIC.iter().enumerate() {

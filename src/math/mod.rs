@@ -1,5 +1,5 @@
-//! Small mathematical tools: convex polygons, vectors, Mandel tensors, quadrature, small dense
-//! matrices, compensated sums, significant figures.
+//! Mathematical tools: convex polygons, vectors, Mandel tensors, quadrature, small dense matrices,
+//! compensated sums, significant figures.
 
 pub mod convex;
 pub mod dense;
@@ -11,7 +11,8 @@ pub mod rigid_motion;
 pub mod vec3;
 pub mod wide;
 
-/// Sum with a running compensation (Neumaier): the error does not grow with the number of terms.
+/// Sum with a running compensation (Neumaier): the rounding error does not grow with the number of
+/// terms.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sum {
     total: f64,

@@ -1,4 +1,4 @@
-//! Quadrature rules on triangles and tetrahedra, in barycentric coordinates; weights sum to one.
+//! Quadrature rules on triangles and tetrahedra in barycentric coordinates. The weights sum to one.
 
 /// Six-point rule on the triangle, exact to degree 4.
 ///
@@ -29,8 +29,8 @@ pub const TETRAHEDRON_2: [([f64; 4], f64); 4] = {
     [([B, A, A, A], 0.25), ([A, B, A, A], 0.25), ([A, A, B, A], 0.25), ([A, A, A, B], 0.25)]
 };
 
-/// Quadratic shape functions of a 6-node triangle at barycentric `l`: three vertices, then edges
-/// 01, 12, 02.
+/// Quadratic shape functions of a 6-node triangle at the barycentric coordinates `l`: first the
+/// three vertices, then the edges 01, 12, 02.
 pub fn triangle_p2(l: [f64; 3]) -> [f64; 6] {
     [
         l[0] * (2.0 * l[0] - 1.0),
@@ -42,12 +42,12 @@ pub fn triangle_p2(l: [f64; 3]) -> [f64; 6] {
     ]
 }
 
-/// Mass of linear functions on a triangle of unit area: `1/12 (1 + δ_ab)`.
+/// Entry of the mass matrix of linear functions on a triangle of unit area: `1/12 (1 + δ_ab)`.
 pub fn triangle_mass(a: usize, b: usize) -> f64 {
     if a == b { 1.0 / 6.0 } else { 1.0 / 12.0 }
 }
 
-/// Mass of linear functions on a tetrahedron of unit volume: `1/20 (1 + δ_ab)`.
+/// Entry of the mass matrix of linear functions on a tetrahedron of unit volume: `1/20 (1 + δ_ab)`.
 pub fn tetrahedron_mass(a: usize, b: usize) -> f64 {
     if a == b { 0.1 } else { 0.05 }
 }

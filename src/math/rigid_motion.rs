@@ -2,8 +2,8 @@
 
 use super::vec3::{self, V3};
 
-/// Displacement `U + θ × (x − at)` of the point `x` of a rigid body in the motion `[U, θ]` about
-/// `at`.
+/// Displacement `U + θ × (x − at)` of the point `x` of a rigid body. `[U, θ]` is the motion of the
+/// body about the point `at`.
 ///
 /// # Units
 /// mm; θ in rad.

@@ -35,7 +35,7 @@ pub fn norm(a: V3) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// `a / |a|`; zero for a vector of no length.
+/// `a / |a|`; zero if `a` has length zero.
 pub fn unit(a: V3) -> V3 {
     let length = norm(a).max(f64::MIN_POSITIVE);
     a.map(|c| c / length)
@@ -61,7 +61,7 @@ pub fn det(m: &M3) -> f64 {
     dot(m[0], cross(m[1], m[2]))
 }
 
-/// Inverse of a matrix whose determinant is `d ≠ 0`.
+/// Inverse of a matrix with the determinant `d ≠ 0`.
 pub fn inverse(m: &M3, d: f64) -> M3 {
     let c = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])];
     let mut inv = [[0.0; 3]; 3];
@@ -73,14 +73,15 @@ pub fn inverse(m: &M3, d: f64) -> M3 {
     inv
 }
 
-/// Area vector of a triangle: half the cross product of its edges, pointing by the right-hand rule.
+/// Area vector of a triangle: half the cross product of its edges, directed by the right-hand rule.
 pub fn area_vector(p: &[V3; 3]) -> V3 {
     scale(0.5, cross(sub(p[1], p[0]), sub(p[2], p[0])))
 }
 
-/// Two unit vectors that make a right-handed orthonormal frame with the unit vector `n`.
+/// Two unit vectors that form a right-handed orthonormal frame with the unit vector `n`.
 pub fn tangents(n: V3) -> (V3, V3) {
-    // the axis least aligned with n gives a well-conditioned frame; ties go to the lower index
+    // the axis least aligned with n gives a well-conditioned frame; if two axes are equal, the
+    // lower index decides
     let k = (0..3).min_by(|&a, &b| n[a].abs().total_cmp(&n[b].abs())).unwrap_or(0);
     let mut axis = [0.0; 3];
     axis[k] = 1.0;

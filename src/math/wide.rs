@@ -1,10 +1,10 @@
-//! Eight numbers side by side, and kernels compiled for the widest registers of the machine they
-//! run on.
+//! Eight numbers side by side, and kernels compiled for the widest registers of the machine that
+//! runs them.
 //!
-//! The build targets a baseline processor. Kernels written against [`Simd`] are compiled once for
-//! each instruction set; the call selects one at run time. Code that is not inlined into a kernel
-//! is compiled for the baseline only: closures passed to pulp's dispatcher (which arrive through a
-//! shim of the compiler), and closures passed to most iterators.
+//! The build targets a baseline processor. Kernels written with [`Simd`] are compiled once for each
+//! instruction set, and the call selects one at run time. Code that is not inlined into a kernel is
+//! compiled for the baseline only. This applies to closures passed to pulp's dispatcher (they
+//! arrive through a shim of the compiler) and to closures passed to most iterators.
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -18,7 +18,7 @@ pub const fn parts<S: Simd>() -> usize {
     LANES / S::F64_LANES
 }
 
-/// Lanes as registers, [`parts`] for each.
+/// Lanes as registers, [`parts`] per lane.
 #[inline(always)]
 pub fn registers<S: Simd>(x: &[Lane]) -> &[S::f64s] {
     S::as_simd_f64s(x.as_flattened()).0

@@ -1,8 +1,8 @@
-//! The certified bounds of a load case as types, and how those of several passes join.
+//! Types for the certified bounds of a load case, and joining the bounds of several passes.
 //!
-//! A pass hands over its bounds with their certificates. Only [`Bracket::new`] and
-//! [`FactorBracket::new`] join a lower and an upper one; numbers appear where the entry of
-//! `result.json` is written.
+//! A pass returns its bounds with their certificates. Only [`Bracket::new`] and
+//! [`FactorBracket::new`] join a lower and an upper bound; plain numbers appear only where the
+//! entry of `result.json` is written.
 
 use crate::certify::bracket::{Bracket, Contradiction, LowerBound, UpperBound};
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
@@ -11,18 +11,18 @@ use crate::result::quantity::Upper;
 /// The bounds of one load case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CaseBounds {
-    /// Of the potential energy.
+    /// Bounds of the potential energy.
     Energy {
-        /// The lower bound, where there is one.
+        /// The lower bound, if there is one.
         lower: Option<LowerBound>,
-        /// The upper bound, where there is one.
+        /// The upper bound, if there is one.
         upper: Option<UpperBound>,
     },
-    /// Of the load factor.
+    /// Bounds of the load factor.
     Factor {
-        /// The lower bound, where there is one; under Coulomb's law the one without friction.
+        /// The lower bound, if there is one; under Coulomb's law the bound without friction.
         lower: Option<LowerFactor>,
-        /// The upper limit, where there is one.
+        /// The upper limit, if there is one.
         upper: Option<FactorLimit>,
     },
 }
@@ -30,11 +30,11 @@ pub enum CaseBounds {
 /// The upper limit of a load factor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FactorLimit {
-    /// A mechanism that dissipates.
+    /// Bounded by a mechanism that dissipates.
     Mechanism(UpperFactor),
-    /// A mechanism at zero load: the load factor is 0.
+    /// Bounded by a mechanism at zero load: the load factor is 0.
     FreeMechanism,
-    /// Nothing: the loads can grow without limit.
+    /// Not bounded: the loads can grow without limit.
     Unbounded,
 }
 
@@ -45,7 +45,7 @@ pub struct JoinedNumbers {
     pub lower: f64,
     /// Upper bound, unit of the case's quantity.
     pub upper: f64,
-    /// Relative gap, a fraction; `None` where a lower bound of 0 leaves it infinite.
+    /// Relative gap, a fraction; `None` if it is infinite because the lower bound is 0.
     pub gap: Option<f64>,
 }
 
@@ -70,9 +70,9 @@ impl CaseBounds {
         }
     }
 
-    /// The upper bound of `self` and the lower bound of `other` as a bracket of one quantity.
-    /// `None` where one of them is missing or the loads can grow without limit. Refuses bounds that
-    /// contradict each other.
+    /// Joins the upper bound of `self` and the lower bound of `other` to a bracket of one quantity.
+    /// `None` if one of them is missing or if the loads can grow without limit. Bounds that
+    /// contradict each other are refused.
     pub fn join(&self, other: &Self) -> Result<Option<JoinedNumbers>, Contradiction> {
         match (self, other) {
             (
@@ -96,8 +96,8 @@ impl CaseBounds {
                 CaseBounds::Factor { upper: Some(FactorLimit::FreeMechanism), .. },
                 CaseBounds::Factor { lower: Some(lower), .. },
             ) => {
-                // the mechanism's own factor is negative where the dead loads drive it as well: the
-                // limit is 0, and a positive lower bound contradicts it
+                // the mechanism's own factor is negative if the dead loads drive it too: the limit
+                // is then 0, and a positive lower bound contradicts it
                 let lower = lower.value();
                 if lower > 0.0 {
                     return Err(Contradiction { lower, upper: 0.0 });
@@ -126,7 +126,7 @@ mod tests {
         Some(FactorLimit::Mechanism(UpperFactor::new(certificate)))
     }
 
-    /// The best bounds of two passes make a bracket with its gap; bounds that contradict each other
+    /// The best bounds of two passes give a bracket with its gap. Bounds that contradict each other
     /// are refused with both numbers.
     #[test]
     fn bounds_of_two_passes_join_or_are_refused() {

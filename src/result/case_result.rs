@@ -46,23 +46,23 @@ pub struct CaseResult {
     /// Raw bracket of the problem with associated friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub associated: Option<RawBracket>,
-    /// Limit analysis, where asked for: the load factor of the fixed point for Coulomb's law, an
-    /// estimate. That law may have several load factors for one structure; this is one of them.
+    /// Limit analysis, if requested: the load factor of the fixed point for Coulomb's law, an
+    /// estimate. Under that law one structure may have several load factors; this is one of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coulomb_estimate: Option<f64>,
     /// The preloaded bolts of an elastic analysis.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preload: Vec<PreloadedBolt>,
-    /// Coulomb friction: course of the fixed point; in limit analysis that of the estimate, where
-    /// it was reached.
+    /// Coulomb friction: course of the fixed point. In limit analysis it is the fixed point of the
+    /// estimate, if that was reached.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_point: Option<FixedPointRun>,
-    /// The only load, at load factor 1, of the whole structure: the one whose displacement or
-    /// collapse is bracketed.
+    /// The only load, at load factor 1, on the whole structure: its displacement or the collapse
+    /// under it is bracketed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<LoadSize>,
     /// Bracket of the load's own displacement −2Π/F at load factor 1 \[mm; rad for a moment\],
-    /// lower first; only where it is rigorous.
+    /// lower first; only if it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement: Option<[f64; 2]>,
     /// Forces of the bolts and between the parts of a joint, from the stress of the lower bound.
@@ -75,7 +75,7 @@ pub struct CaseResult {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
     /// Elastic, perfectly plastic analysis: lower bound of the load's own displacement at load
-    /// factor 1 \[mm; rad for a moment\]; only where it is rigorous.
+    /// factor 1 \[mm; rad for a moment\]; only if it is rigorous.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_displacement_at_least: Option<f64>,
     /// One row for each mesh.
@@ -90,7 +90,7 @@ pub struct CaseResult {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub yielding: Vec<PartYield>,
     /// Limit analysis: the body whose stress is nearest to the yield surface at the lower bound;
-    /// absent where a weld is nearer to its strength.
+    /// absent if a weld is nearer to its strength.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limiting_part: Option<String>,
     /// Each weld of finite strength.
@@ -124,14 +124,14 @@ pub struct WeldUse {
     /// Upper bound of the mean magnitude of that traction over the strength, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mean_utilisation: Option<f64>,
-    /// Strength on the throat, to which both utilisations refer \[MPa\]; absent where the model
-    /// gives the strength as a traction.
+    /// Strength of the throat, to which both utilisations refer \[MPa\]; absent if the model gives
+    /// the strength as a traction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub throat_strength: Option<f64>,
     /// Limit analysis: its share in the dissipation of the mechanism, a fraction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Elastic kinds of analysis: the work that the weld of the meshed part dissipates with the
+    /// Elastic kinds of analysis: work dissipated in the weld of the meshed part under the
     /// displacements of the upper bound \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
@@ -153,27 +153,26 @@ pub struct PartYield {
     pub dissipation: Option<f64>,
 }
 
-/// Largest contact pressure \[MPa\], positive in compression. Estimates: the bounds do not hold for
-/// local values.
+/// Largest contact pressure \[MPa\], positive in compression. The values are estimates, because the
+/// bounds do not apply to local values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PeakPressure {
-    /// Of the displacement's stress at the vertices of contact faces.
+    /// From the stress of the displacement field, at the vertices of contact faces.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kinematic: Option<f64>,
-    /// Of the static program's tractions.
+    /// From the tractions of the static program.
     #[serde(default, skip_serializing_if = "Option::is_none", rename = "static")]
     pub static_: Option<f64>,
 }
 
 impl CaseResult {
-    /// True when both numbers are bounds: every residual of the certificate is within its
-    /// tolerance.
+    /// True if both numbers are bounds: every residual of the certificate is within its tolerance.
     pub fn is_strict(&self) -> bool {
         self.certificate.is_some_and(|c| c.strict)
     }
 
     /// The strict bounds that a verdict is based on. With associated friction the lower bound is
-    /// the one without friction. `None`: no such bound.
+    /// the one without friction. `None` if there is no such bound.
     pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
         if !self.is_strict() {
             return (None, None);
@@ -189,7 +188,7 @@ impl CaseResult {
         (lower, upper)
     }
 
-    /// The strict bounds of the load factor, as [`CaseResult::safe_bounds`]; none where an energy
+    /// The strict bounds of the load factor, as in [`CaseResult::safe_bounds`]; none if an energy
     /// is bracketed.
     pub fn factor_bounds(&self) -> (Option<f64>, Option<f64>) {
         match self.quantity {
@@ -202,7 +201,7 @@ impl CaseResult {
 impl Demand {
     /// The demand of a load case under one kind of analysis. In limit analysis the strict bounds
     /// decide the verdict; a joint without the rotation capacity that limit analysis assumes is at
-    /// most undecided. `certified`: every program that ran gave a certified bound.
+    /// best undecided. `certified` means that every program that ran gave a certified bound.
     pub fn new(
         entry: &CaseResult,
         certified: bool,
@@ -218,7 +217,7 @@ impl Demand {
         };
         let component_method =
             checks.comparisons.iter().filter(|c| c.case == entry.name).cloned().collect();
-        // rotation capacity matters to limit analysis only
+        // only limit analysis needs rotation capacity
         let brittle = checks.brittle.clone().filter(|_| entry.quantity == Quantity::LoadFactor);
         Self {
             verdict: by_analysis,
@@ -236,7 +235,7 @@ mod tests {
     use super::*;
     use crate::result::fixtures::case;
 
-    /// A case of limit analysis with these bounds.
+    /// A limit-analysis case with these bounds.
     fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
         let mut case = case();
         case.quantity = Quantity::LoadFactor;
@@ -245,8 +244,8 @@ mod tests {
         case
     }
 
-    /// Where no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK;
-    /// bounds below 1 still refuse it. Energies judge nothing, but an analysis without a
+    /// If no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK, while
+    /// bounds below 1 still refuse it. Energies give no verdict, but an analysis without a
     /// certificate leaves the case open.
     #[test]
     fn a_brittle_joint_is_at_most_undecided() {

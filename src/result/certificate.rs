@@ -1,4 +1,4 @@
-//! Residuals of the fields behind a pair of bounds, as `result.json` holds them.
+//! Residuals of the fields that prove a pair of bounds, in the form of `result.json`.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ pub use crate::certify::TOLERANCE as RESIDUAL_TOLERANCE;
 /// without the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
-    /// True when every residual is within [`RESIDUAL_TOLERANCE`]: only then `lower` and `upper` are
+    /// True if every residual is within [`RESIDUAL_TOLERANCE`]. Only then `lower` and `upper` are
     /// bounds.
     pub strict: bool,
     /// max |div σ + b| h / max |σ|.

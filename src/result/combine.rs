@@ -1,5 +1,5 @@
-//! The result of several passes: the largest lower bound and the smallest upper bound, each with
-//! the results that belong to it.
+//! Combines several passes: the largest lower bound and the smallest upper bound, each with the
+//! results that belong to it.
 
 use crate::certify::bracket::Contradiction;
 use crate::result::bounds::CaseBounds;
@@ -27,11 +27,12 @@ pub struct Best {
     pub upper: usize,
 }
 
-/// The best bounds of passes, in their order; strict bounds before estimates. `None` without any
-/// pass.
-/// Where every pass solves a problem of its own, with shifted contact cones or frozen preloaded
-/// cuts, bounds of two passes do not form a bracket: then both come from the pass with the smallest
-/// gap.
+/// The best bounds of the passes, which are given in their order; strict bounds take precedence
+/// over estimates. `None` if there is no pass.
+///
+/// If every pass solves its own problem, with shifted contact cones or frozen preloaded cuts,
+/// bounds of two passes do not form a bracket. Both bounds are then taken from the pass with the
+/// smallest gap.
 pub fn best(passes: &[PassResult]) -> Option<Best> {
     let strict = |p: &PassResult| p.entry.is_strict();
     let any = passes.iter().any(strict);
@@ -51,7 +52,7 @@ pub fn best(passes: &[PassResult]) -> Option<Best> {
         let one = narrowest.or_else(bounded).or_else(|| passes.len().checked_sub(1))?;
         return Some(Best { lower: one, upper: one });
     }
-    // the first of equal bounds
+    // the first of equal bounds wins
     let place = |value: &dyn Fn(&CaseBounds) -> Option<f64>| {
         let mut found: Option<(f64, usize)> = None;
         for (i, p) in passes.iter().enumerate().filter(|(_, p)| counts(p)) {
@@ -71,8 +72,8 @@ fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     [a, b].into_iter().flatten().reduce(f64::max)
 }
 
-/// One entry with the upper bound of the first and the lower bound of the second pass of one
-/// structure.
+/// One entry with the upper bound of the first and the lower bound of the second pass. Both passes
+/// must be of the same structure.
 pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradiction> {
     let joined = upper.bounds.join(&lower.bounds)?;
     let (upper, lower) = (upper.entry, lower.entry);
@@ -108,7 +109,8 @@ pub fn join(upper: PassResult, lower: PassResult) -> Result<CaseResult, Contradi
             static_: l.and_then(|p| p.static_),
         }),
     };
-    // values of a stress belong to the lower bound, those of a motion to the upper one
+    // values computed from a stress belong to the lower bound, those computed from a motion to the
+    // upper one
     let stress_of =
         |name: &str| lower.yielding.iter().find(|l| l.part == name).and_then(|l| l.utilisation);
     let yielding = upper

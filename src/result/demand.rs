@@ -8,11 +8,12 @@ use serde::{Deserialize, Serialize};
 /// The demand of a load case and the verdict on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Demand {
-    /// The verdict at load factor 1: the worse of the next two.
+    /// The verdict at load factor 1: the worse of `by_code` and `by_analysis`.
     pub verdict: Verdict,
-    /// By the code's checks of the load case.
+    /// The verdict of the code's checks of the load case.
     pub by_code: Verdict,
-    /// By the strict bounds of this entry; `none` for an analysis that brackets no resistance.
+    /// The verdict of the strict bounds of this entry; `none` for an analysis that brackets no
+    /// resistance.
     pub by_analysis: Verdict,
     /// Forces and moments at member ends, in the order of the spec.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -20,7 +21,7 @@ pub struct Demand {
     /// Result of the component method for the case, one entry for each member end.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub component_method: Vec<Comparison>,
-    /// Why the verdict cannot be `ok`: no rule of rotation capacity is satisfied.
+    /// Reason why the verdict cannot be `ok`: no rule of rotation capacity is satisfied.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub brittle: Option<String>,
 }
@@ -43,7 +44,7 @@ pub struct EndAction {
     pub action: String,
     /// Its value at load factor 1, in the member's own axes.
     pub value: ActionValue,
-    /// Whether the load factor multiplies it.
+    /// True if the load factor multiplies it.
     pub factored: bool,
 }
 
@@ -51,14 +52,14 @@ pub struct EndAction {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ActionValue {
-    /// \[N\].
+    /// A force \[N\].
     Force(f64),
-    /// \[N mm\].
+    /// A moment \[N mm\].
     Moment(f64),
 }
 
 impl ActionValue {
-    /// The value \[N, N mm\] of an action.
+    /// The value of an action \[N, N mm\].
     pub fn of(action: Action, value: f64) -> Self {
         if action.direction().1 { Self::Moment(value) } else { Self::Force(value) }
     }

@@ -1,4 +1,4 @@
-//! From a pass to the entry of its load case in `result.json`.
+//! Converts a pass to the entry of its load case in `result.json`.
 
 use crate::analysis::energy_pass::EnergyPass;
 use crate::analysis::memory::peak_memory_mib;
@@ -51,7 +51,7 @@ fn trace_row(i: &Iteration) -> TraceRow {
     }
 }
 
-/// The residuals of both fields; the larger one where both have it.
+/// The residuals of both fields; if both fields have a residual, the larger one.
 fn certificate(pass: &EnergyPass) -> Option<Certificate> {
     let (l, u) = (pass.lower.as_ref(), pass.upper.as_ref());
     if l.is_none() && u.is_none() {
@@ -82,8 +82,8 @@ pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     if laws.is_empty() {
         FrictionModel::Frictionless
     } else if laws.iter().any(|l| l.is_coulomb()) {
-        // limit analysis brackets the problem under Coulomb's law itself, the other kinds the last
-        // problem of its fixed point
+        // limit analysis brackets the problem under Coulomb's law itself, the other kinds of
+        // analysis bracket the last problem of its fixed point
         if model.analysis == AnalysisKind::Limit {
             FrictionModel::Coulomb
         } else {
@@ -94,9 +94,9 @@ pub(crate) fn problem(model: &AnalysisModel) -> FrictionModel {
     }
 }
 
-/// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous: one
-/// proportional load, no dead load, no initial gap, no preload, no shifted cones, no weld that may
-/// give way.
+/// The resultant of the model's only load, if the load's own displacement `−2Π/F` is rigorous. That
+/// requires one proportional load, no dead load, no initial gap, no preload, no shifted cones, and
+/// no weld that may yield.
 fn proportional_load(model: &AnalysisModel) -> Option<LoadSize> {
     let gaps = contact_faces(model).iter().any(|f| !f.law.gap.is_zero());
     let shifted = model.has_coulomb_friction() || model.has_preload();
@@ -146,22 +146,23 @@ pub(crate) fn only_load(model: &AnalysisModel) -> Option<LoadSize> {
     }
 }
 
-/// Warnings of the programs: why one of them gave no bound.
+/// Warnings of the programs: reasons why one of them gave no bound.
 fn program_warnings(pass: &EnergyPass) -> Vec<String> {
-    // an admissible motion proves it; the status of the static program adds nothing
+    // an admissible motion proves the reason; the status of the static program adds nothing
     if let Some(m) = pass.kinematic.as_ref().and_then(|r| r.mechanism.as_ref()) {
         return vec![format!("no equilibrium exists under these loads: {m}")];
     }
     let mut warnings = Vec::new();
-    // an unbounded program leaves the other without a solution: one fault, reported once
+    // an unbounded program leaves the other one without solution: this is one fault and is reported
+    // once
     let runs_away = pass.statics.as_ref().is_some_and(|r| r.mechanism.is_some());
     for (program, run) in pass.runs() {
         let (name, bound) = (program.name(), program.bound());
         let common = run_warning(name, bound, run);
         warnings.push(match (run.status, run) {
             _ if common.is_some() => common.unwrap_or_default(),
-            // the static program's motion may only show that no stress of this mesh is in
-            // equilibrium
+            // the motion of the static program may only show that no stress field on this mesh is
+            // in equilibrium
             (_, ProgramOutcome { mechanism: Some(m), .. }) => {
                 format!("no stress of this mesh is in equilibrium with the loads: {m}")
             }
@@ -179,8 +180,8 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
     warnings
 }
 
-/// Why a program that was interrupted, refused or not certified gave no bound; `None` for every
-/// other status.
+/// Reason why a program that was interrupted, refused or not certified gave no bound; `None` for
+/// every other status.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramOutcome { trouble: Some(t), .. }) => {
@@ -206,7 +207,7 @@ pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Opti
     })
 }
 
-/// The warning that goes with a certificate that is not strict.
+/// The warning for a certificate that is not strict.
 pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<String> {
     let c = certificate.filter(|c| !c.strict)?;
     let worst = c
@@ -222,7 +223,8 @@ pub(crate) fn estimate_warning(certificate: Option<Certificate>) -> Option<Strin
     })
 }
 
-/// The entry of each weld, from utilisations, shares in the dissipation and works where they exist.
+/// The entry of each weld, from utilisations, shares in the dissipation and works, as far as they
+/// exist.
 pub(crate) fn weld_uses(
     model: &AnalysisModel,
     used: Vec<Utilisation>,
@@ -260,7 +262,7 @@ fn yielding(model: &AnalysisModel, pass: &EnergyPass) -> Vec<PartYield> {
         .collect()
 }
 
-/// The bounds of the potential energy that a pass leaves.
+/// The bounds of the potential energy from a pass.
 pub fn energy_bounds(pass: &EnergyPass) -> CaseBounds {
     CaseBounds::Energy { lower: pass.lower.clone(), upper: pass.upper.clone() }
 }
@@ -284,8 +286,8 @@ pub fn case_result(
         }
         _ => None,
     };
-    // a scaled-down admissible stress stays admissible, so −Π grows at least with the square of the
-    // load and its slope is at least −2Π
+    // an admissible stress remains admissible when scaled down, so −Π grows at least with the
+    // square of the load, and its slope is at least −2Π
     let load_displacement_at_least = match (upper, load) {
         (Some(u), Some(f)) if !elastic => Some((-2.0 * u / f.value()).max(0.0)),
         _ => None,

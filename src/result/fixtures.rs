@@ -1,4 +1,4 @@
-//! An entry that the tests change as they need.
+//! An entry for tests, which change it as they need.
 
 use crate::result::case_result::CaseResult;
 use crate::result::certificate::Certificate;

@@ -1,7 +1,7 @@
-//! A result folder, written aside and renamed: it is whole or it is not there.
+//! A result folder. It is written aside and renamed, so that it is either complete or absent.
 //!
-//! Everything goes into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into
-//! place; when a run ends in any other way the part is removed and the target is as it was.
+//! All files go into `NAME.part` beside the target. Only [`ResultFolder::finish`] moves it into
+//! place. If a run ends in any other way, the part is removed and the target is unchanged.
 
 use crate::diag::Diagnostic;
 use crate::result::result_file::RESULT_FILE;
@@ -12,13 +12,14 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Marks a `.part` folder as ours and is locked while a run writes into it.
+/// File that marks a `.part` folder as written by this program. It is locked while a run writes
+/// into the folder.
 const MARKER: &str = ".bracket-run";
 
-/// Why a result folder cannot be written.
+/// Reason why a result folder cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum FolderError {
-    /// The target exists and is not a result of ours.
+    /// The target exists and is not a result of this program.
     #[error(
         "`{}` exists and is not a result folder of this program ({why}); it was left as it is",
         path.display()
@@ -29,7 +30,7 @@ pub enum FolderError {
         /// The reason.
         why: String,
     },
-    /// The target is the folder the user stands in, or above it.
+    /// The target is the current folder or contains it.
     #[error("`{}` is the current folder or holds it, and cannot be replaced", path.display())]
     StandingInside {
         /// The target.
@@ -41,7 +42,7 @@ pub enum FolderError {
         /// The part folder.
         path: PathBuf,
     },
-    /// A folder of the part's name exists and is not ours.
+    /// A folder with the name of the part exists and is not of this program.
     #[error("`{}` is in the way and is not an unfinished result of this program", path.display())]
     InTheWay {
         /// The part folder.
@@ -53,20 +54,20 @@ pub enum FolderError {
         /// The name.
         name: String,
     },
-    /// The folder holds no valid `result.json` yet.
+    /// The folder does not contain a valid `result.json` yet.
     #[error("the unfinished result has no usable {RESULT_FILE}: {why}")]
     Incomplete {
         /// The fault.
         why: String,
     },
-    /// The system refused.
+    /// The operating system refused.
     #[error("cannot {action} `{}`: {source}", path.display())]
     Io {
         /// The attempted action.
         action: &'static str,
         /// Its path.
         path: PathBuf,
-        /// Error of the system.
+        /// Error of the operating system.
         source: io::Error,
     },
 }
@@ -126,16 +127,16 @@ fn io_error(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Fold
     move |source| FolderError::Io { action, path: path.into(), source }
 }
 
-/// A result folder in the making; dropped unfinished, it leaves nothing behind.
+/// A result folder in progress. If it is dropped before it is finished, it leaves nothing behind.
 #[derive(Debug)]
 pub struct ResultFolder {
     target: PathBuf,
     part: PathBuf,
-    /// Parents made for the part, outermost first.
+    /// Parent folders created for the part, outermost first.
     parents: Vec<PathBuf>,
     /// Holds the lock on the marker.
     _lock: File,
-    /// Locked while the folder moves into place, true once it is there.
+    /// Locked while the folder moves into place; true once it is there.
     finished: Arc<Mutex<bool>>,
 }
 
@@ -165,18 +166,18 @@ impl ResultFolder {
         }
     }
 
-    /// The folder to write into meanwhile, for other programs that write files themselves.
+    /// The folder that receives the files, for other programs that write files themselves.
     pub fn path(&self) -> &Path {
         &self.part
     }
 
-    /// Where the result will be.
+    /// The final place of the result.
     pub fn target(&self) -> &Path {
         &self.target
     }
 
-    /// Writes one file, `name` relative to the folder (`fields/TOP_static.vtu`); sub-folders are
-    /// made.
+    /// Writes one file. `name` is relative to the folder (`fields/TOP_static.vtu`); sub-folders are
+    /// created.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let inside = !name.is_empty()
             && Path::new(name).components().all(|c| matches!(c, std::path::Component::Normal(_)))
@@ -185,14 +186,14 @@ impl ResultFolder {
             return Err(FolderError::Name { name: name.into() });
         }
         let path = self.part.join(name);
-        // the user knows the target, not the part: messages name the former
+        // messages name the target, because the user does not know the part
         let shown = self.target.join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(io_error("create the folder of", &shown))?;
         }
         let mut file = File::create(&path).map_err(io_error("create", &shown))?;
         file.write_all(bytes).map_err(io_error("write", &shown))?;
-        // some file systems find out that the disk is full only now
+        // some file systems report a full disk only now
         file.sync_all().map_err(io_error("write", &shown))
     }
 
@@ -205,25 +206,25 @@ impl ResultFolder {
         move || {
             let finished = finished.lock().unwrap_or_else(PoisonError::into_inner);
             if !*finished {
-                // files written meanwhile stay in the part; the next run to the same target removes
-                // them
+                // files written meanwhile remain in the part; the next run to the same target
+                // removes them
                 let _ = fs::remove_dir_all(&part);
                 remove_empty(&parents);
             }
-            // nothing may begin to move from now on
+            // no move may begin from now on
             std::mem::forget(finished);
         }
     }
 
-    /// Moves the folder into place, replacing an earlier result of ours.
+    /// Moves the folder into place and replaces an earlier result of this program.
     pub fn finish(self) -> Result<PathBuf, FolderError> {
         let result = self.part.join(RESULT_FILE);
         let incomplete = |why: String| FolderError::Incomplete { why };
         let text = fs::read_to_string(&result).map_err(|e| incomplete(e.to_string()))?;
         ResultFile::from_json(&text).map_err(|e| incomplete(e.to_string()))?;
-        // held to the end: nobody may remove the part while it is moved
+        // held to the end, so that nobody removes the part while it is moved
         let mut finished = self.finished.lock().unwrap_or_else(PoisonError::into_inner);
-        // the target may have changed while the run was busy
+        // the target may have changed during the run
         check_replaceable(&self.target)?;
         let marker = self.part.join(MARKER);
         fs::remove_file(&marker).map_err(io_error("remove", &marker))?;
@@ -237,8 +238,8 @@ impl ResultFolder {
         }
         if let Err(source) = fs::rename(&self.part, &self.target) {
             if replaces {
-                // put the earlier result back; if that fails too, it is still there under its aside
-                // name
+                // put the earlier result back; if that fails too, it still exists under its
+                // temporary name
                 let _ = fs::rename(&old, &self.target);
             }
             return Err(FolderError::Io { action: "finish", path: self.target.clone(), source });
@@ -264,13 +265,13 @@ impl Drop for ResultFolder {
 
 fn remove_empty(parents: &[PathBuf]) {
     for parent in parents.iter().rev() {
-        // removes empty folders only: others may have written there meanwhile
+        // removes empty folders only, because others may have written there meanwhile
         let _ = fs::remove_dir(parent);
     }
 }
 
-/// Follows a link or a name such as `.` to the folder itself, so that the part stands beside it on
-/// the same disk.
+/// Resolves a link or a name such as `.` to the folder itself, so that the part is beside it on the
+/// same disk.
 fn resolve(target: &Path) -> Result<PathBuf, FolderError> {
     if target.symlink_metadata().is_ok() && (target.is_symlink() || target.file_name().is_none()) {
         return target.canonicalize().map_err(io_error("find", target));
@@ -291,7 +292,7 @@ fn with_suffix(target: &Path, suffix: &str) -> PathBuf {
     target.with_file_name(name)
 }
 
-/// An existing target must be a folder with a readable `result.json` of ours.
+/// Checks that an existing target is a folder with a readable `result.json` of this program.
 fn check_replaceable(target: &Path) -> Result<(), FolderError> {
     let not_ours = |why: String| FolderError::NotOurs { path: target.into(), why };
     match target.symlink_metadata() {
@@ -313,7 +314,7 @@ fn check_replaceable(target: &Path) -> Result<(), FolderError> {
     Ok(())
 }
 
-/// Makes the part folder and locks its marker; the left-over of a killed run is removed first.
+/// Creates the part folder and locks its marker. The remains of a killed run are removed first.
 /// Messages name the target.
 fn claim(part: &Path, target: &Path) -> Result<File, FolderError> {
     let marker = part.join(MARKER);

@@ -11,16 +11,17 @@ use serde::{Deserialize, Serialize};
 pub(crate) const ON_PLANE: f64 = 1e-6;
 
 /// Forces in equilibrium with the loads times `load_factor`. In elastic analysis they are estimates
-/// of the bolts' forces; in limit analysis one of the distributions that plasticity may choose.
+/// of the forces of the bolts. In limit analysis they are one of the possible plastic
+/// distributions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StaticForces {
     /// The load factor they belong to.
     pub load_factor: f64,
-    /// Bolts of the meshed part; where a plane of symmetry halves a bolt, the forces are those of
-    /// the whole bolt.
+    /// Bolts of the meshed part. If a plane of symmetry halves a bolt, the forces are those of the
+    /// whole bolt.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bolts: Vec<BoltForce>,
-    /// Compression between the parts of the meshed part, contacts with bolts excepted.
+    /// Compression between the parts of the meshed part, except at contacts with bolts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<ContactForce>,
 }
@@ -39,8 +40,8 @@ pub struct BoltForce {
     pub place: Option<BoltPlace>,
 }
 
-/// Position of a bolt and the part its force is taken from: enough to find the force again in the
-/// field.
+/// Position of a bolt and the part from whose stress its force is computed. With these data the
+/// force can be recomputed from the field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoltPlace {
     /// The part under its nut.
@@ -62,7 +63,8 @@ pub struct ContactForce {
     pub centre: [f64; 3],
 }
 
-/// The forces of a stress field; `mirror`: axes of the planes of symmetry, through the origin.
+/// The forces of a stress field. `mirror` contains the axes of the planes of symmetry, which pass
+/// through the origin.
 pub fn static_forces(
     model: &AnalysisModel,
     stress: &StressField,

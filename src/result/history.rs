@@ -3,11 +3,10 @@
 use crate::result::quantity::Upper;
 use serde::{Deserialize, Serialize};
 
-/// Cost and result of one mesh. Bounds hold for the whole structure, sizes are those of the meshed
-/// part.
+/// Cost and result of one mesh. Bounds apply to the whole structure, sizes to the meshed part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HistoryRow {
-    /// Tetrahedra of the mesh, before any is split in four.
+    /// Tetrahedra of the mesh, before any of them is split in four.
     pub macro_tets: usize,
     /// Unknowns of the kinematic program.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -97,15 +96,15 @@ pub struct ProgramRun {
     pub trace: Vec<TraceRow>,
 }
 
-/// One iteration of a solver. Where the numbers start again, another solver took over.
+/// One iteration of a solver. If the numbers start again, another solver took over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TraceRow {
     /// Its number; 0 is the starting point.
     pub number: u32,
-    /// Relative duality gap; absent while it is not finite.
+    /// Relative duality gap; absent if it is not finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
-    /// Largest relative residual; absent while it is not finite.
+    /// Largest relative residual; absent if it is not finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub residual: Option<f64>,
     /// Length of the step that led to this iterate, 0 to 1.

@@ -1,4 +1,4 @@
-//! From a pass of limit analysis to the entry of its load case in `result.json`.
+//! Converts a pass of limit analysis to the entry of its load case in `result.json`.
 
 use crate::analysis::limit::{LimitPass, NO_LIMIT, SUBDIVISIONS};
 use crate::analysis::memory::peak_memory_mib;
@@ -25,8 +25,8 @@ use crate::math::Sum;
 use crate::model::AnalysisModel;
 use crate::solve::SolveStatus;
 
-/// The lower bound, the bracket and the static program of the problem that the user posed: under
-/// Coulomb's law those without friction.
+/// The lower bound, the bracket and the static program of the problem that the user posed. Under
+/// Coulomb's law these are the ones without friction.
 fn answer(
     pass: &LimitPass,
     problem: FrictionModel,
@@ -39,7 +39,7 @@ fn answer(
     }
 }
 
-/// The residuals of both fields; the larger one where both have it.
+/// The residuals of both fields; if both fields have a residual, the larger one.
 fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certificate> {
     if let Some(u) = &pass.unlimited {
         let c = &u.certificate;
@@ -73,13 +73,13 @@ fn certificate(pass: &LimitPass, lower: Option<&LowerFactor>) -> Option<Certific
     })
 }
 
-/// True where the static program finds that the load can grow without limit: every multiple of it
-/// has a stress in equilibrium.
+/// True if the static program finds that the load can grow without limit: a stress field in
+/// equilibrium exists for every multiple of it.
 fn unbounded(run: Option<&ProgramOutcome>) -> bool {
     run.is_some_and(|r| r.status == SolveStatus::Infeasible)
 }
 
-/// Warnings of the programs: why one of them gave no bound.
+/// Warnings of the programs: reasons why one of them gave no bound.
 fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
     let mut runs: Vec<(&str, &str, &ProgramOutcome)> = pass
         .runs()
@@ -138,7 +138,7 @@ fn program_warnings(pass: &LimitPass, problem: FrictionModel) -> Vec<String> {
     warnings
 }
 
-/// Why there is no estimate under Coulomb's law although the model requests one.
+/// Reason why there is no estimate under Coulomb's law although the model requests one.
 fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
     let why = match &pass.coulomb_estimate {
         Some(e) => e.trouble.clone()?,
@@ -171,7 +171,7 @@ pub fn factor_bounds(pass: &LimitPass, problem: FrictionModel) -> CaseBounds {
     let (lower, _, _) = answer(pass, problem);
     let mechanism = pass.upper.clone().map(FactorLimit::Mechanism);
     let limit = mechanism.or(pass.free.is_some().then_some(FactorLimit::FreeMechanism));
-    // where both programs find no limit, the word `unbounded` rests on the static one
+    // if both programs find no limit, the word `unbounded` is based on the static one
     let no_limit = pass.unlimited.is_some() || unbounded(pass.statics.as_ref());
     let upper = limit.or(no_limit.then_some(FactorLimit::Unbounded));
     CaseBounds::Factor { lower: lower.cloned(), upper }
@@ -193,12 +193,13 @@ pub fn limit_case_result(
     let mut warnings = program_warnings(pass, problem);
     warnings.extend(estimate_warning(certificate));
     warnings.extend(estimate_missing(model, pass));
-    // no residual proves the solver's status `infeasible`, and a result is strict only as a whole
+    // no residual proves the solver's status `infeasible`, and a result is either strict as a whole
+    // or not strict
     if let (Some(c), Some(Upper::Unbounded(_)), None) = (&mut certificate, upper, &pass.unlimited) {
         c.strict = false;
     }
-    // the entry holds no certificate of its own for a raw value beside the answer: it is reported
-    // only where it is a bound
+    // the entry has no separate certificate for a raw value beside the answer, so a raw value is
+    // reported only if it is a bound
     let strict =
         |b: &Option<LowerFactor>| b.as_ref().filter(|b| b.is_strict()).map(LowerFactor::value);
     let frictionless =

@@ -1,4 +1,4 @@
-//! The typed result of a run and the files that hold it.
+//! The typed result of a run and its files.
 
 pub mod bounds;
 pub mod case_result;

@@ -1,9 +1,11 @@
-//! The capacity polygon of two actions: inner and outer hull from the bounds of several directions.
+//! The capacity polygon of two actions: inner and outer hull, from the bounds of several
+//! directions.
 //!
-//! Inner: the loads in equilibrium with admissible stresses form a convex set (a weighted mean of
-//! two admissible stresses is admissible and in equilibrium with the mean of their loads), so the
-//! hull of the strict lower points is part of it. Outer: the mechanism of each direction bounds a
-//! half plane, and every load that can be carried lies in all of them.
+//! Inner hull: the loads in equilibrium with admissible stresses form a convex set, because a
+//! weighted mean of two admissible stresses is admissible and in equilibrium with the mean of their
+//! loads. The hull of the strict lower points is therefore part of the set. Outer hull: the
+//! mechanism of each direction bounds a half plane, and every load that can be carried lies in all
+//! of them.
 
 use crate::math::convex::{HalfPlane, bounded, clip, hull};
 use crate::result::demand::ActionValue;
@@ -20,12 +22,12 @@ pub struct CapacityPolygon {
     pub axes: [Axis; 2],
     /// The bounds of each direction.
     pub points: Vec<Point>,
-    /// Corners of the inner hull, in the sense of rotation from the first axis to the second \[N, N
-    /// mm\].
+    /// Corners of the inner hull \[N, N mm\], in the sense of rotation from the first axis to the
+    /// second.
     pub inner: Vec<[f64; 2]>,
-    /// Corners of the outer hull, likewise; where the hull is open, its finite corners.
+    /// Corners of the outer hull, in the same form. If the hull is open, its finite corners.
     pub outer: Vec<[f64; 2]>,
-    /// False where some direction is bounded by no mechanism.
+    /// False if no mechanism bounds some direction.
     pub outer_bounded: bool,
 }
 
@@ -45,15 +47,15 @@ pub struct Point {
     pub case: String,
     /// Both actions at load factor 1, in their units.
     pub direction: [f64; 2],
-    /// Strict lower bound of the load factor; with friction, the bound without it.
+    /// Strict lower bound of the load factor; with friction, the bound without friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<f64>,
     /// Strict upper bound of the load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
     /// Half plane bounded by the mechanism, in the units of the axes. The components of its normal
-    /// are the powers of the two unit actions over the power of the direction; its offset is the
-    /// upper bound.
+    /// are the powers of the two unit actions, divided by the power of the direction. Its offset is
+    /// the upper bound.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub half_plane: Option<HalfPlane>,
 }
@@ -65,11 +67,11 @@ impl Point {
     }
 }
 
-/// Largest distance of a corner, in multiples of the largest bound found; farther corners count as
+/// Largest distance of a corner, in multiples of the largest bound. Corners farther away count as
 /// unbounded.
 const FAR: f64 = 1e3;
 
-/// Inner hull, outer hull and whether that is bounded, in units of the axes.
+/// Inner hull, outer hull and whether the outer hull is bounded, in units of the axes.
 fn hulls(points: &[Point]) -> (Vec<[f64; 2]>, Vec<[f64; 2]>, bool) {
     let mut carried: Vec<[f64; 2]> = points.iter().filter_map(|p| Some(p.at(p.lower?))).collect();
     // zero load is always carried

@@ -1,11 +1,11 @@
-//! The preloaded bolts of a result.
+//! Preloaded bolts of a result.
 
 use crate::analysis::preloaded_bolt::PreloadedBolt;
 use crate::model::AnalysisModel;
 use crate::result::forces::ON_PLANE;
 
-/// Marks the bolts that a plane of symmetry halves; `mirror`: normals of these planes, which pass
-/// through the origin.
+/// Marks the bolts that a plane of symmetry halves. `mirror` contains the normals of these planes,
+/// which pass through the origin.
 pub fn mark_halved(bolts: &mut [PreloadedBolt], model: &AnalysisModel, mirror: &[usize]) {
     for bolt in bolts {
         let cut = model

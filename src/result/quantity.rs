@@ -1,5 +1,5 @@
-//! The bracketed quantity, the problem it belongs to, and the numbers of a bracket as `result.json`
-//! holds them.
+//! The bracketed quantity, the problem it belongs to, and the numbers of a bracket in the form of
+//! `result.json`.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub enum Quantity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FrictionModel {
-    /// No friction anywhere (also: no contact at all).
+    /// No friction anywhere, or no contact at all.
     Frictionless,
     /// Associated friction: slip dilates.
     Associated,

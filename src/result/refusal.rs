@@ -1,4 +1,4 @@
-//! Why a program was not started, in words.
+//! The reason why a program was not started, in words.
 
 use crate::analysis::memory::{Limit, Room};
 use crate::analysis::program_outcome::InsufficientMemory;
@@ -9,7 +9,7 @@ pub(crate) fn gib(bytes: u64, rounding: Rounding) -> String {
     format!("{} GiB", significant(bytes as f64 / f64::from(1u32 << 30), 3, rounding))
 }
 
-/// The room there is, and who sets it.
+/// The available memory, and what limits it.
 pub(crate) fn room_words(room: &Room) -> String {
     let bytes = gib(room.bytes, Rounding::Down);
     match room.limit {
@@ -23,7 +23,7 @@ pub(crate) fn room_words(room: &Room) -> String {
     }
 }
 
-/// Why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
+/// Reason why a program was not started: `needs 14.2 GiB more memory, 8.1 GiB are available`.
 pub fn refusal_words(refusal: &InsufficientMemory) -> String {
     format!(
         "needs {} more memory, {}",

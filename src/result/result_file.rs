@@ -1,8 +1,8 @@
 //! `result.json` (docs/results.md, schema 1): the results of a run for other programs.
 //!
-//! A value that was not computed is `None` and has no key in the file; no zero, NaN or null stands
-//! for it. [`ResultFile::to_json`] refuses a result that breaks this rule, and one that claims to
-//! be strict without residuals within the tolerance.
+//! A value that was not computed is `None` and has no key in the file; it is never written as zero,
+//! NaN or null. [`ResultFile::to_json`] refuses a result that breaks this rule. It also refuses a
+//! result that claims to be strict without residuals within the tolerance.
 
 pub use crate::checks::verdict::Verdict;
 use crate::checks::{Check, Judgement};
@@ -39,7 +39,7 @@ pub struct ResultFile {
     pub symmetry: u32,
     /// The verdict on the whole result.
     pub verdict: Verdict,
-    /// Where a demand is judged: the verdicts by code and by analysis, the reason and the governing
+    /// If a demand is judged: the verdicts by code and by analysis, the reason and the governing
     /// check.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judgement: Option<Judgement>,
@@ -72,7 +72,7 @@ impl Tool {
     }
 }
 
-/// Why a `result.json` cannot be written or read.
+/// Reason why a `result.json` cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultError {
     /// A number is NaN or infinite.
@@ -155,7 +155,7 @@ impl ResultFile {
         }
     }
 
-    /// The text of `result.json`, the same for the same result.
+    /// The text of `result.json`. Equal results give equal texts.
     pub fn to_json(&self) -> Result<String, ResultError> {
         for case in &self.cases {
             let Some(certificate) = case.certificate.filter(|c| c.strict) else { continue };
@@ -164,7 +164,7 @@ impl ResultFile {
             if known.is_empty() {
                 return Err(ResultError::NoResidual { case: case.name.clone() });
             }
-            // a NaN residual passes here and is caught below with its place
+            // a NaN residual passes here and is reported below with its place
             if let Some(&(residual, value)) = known.iter().find(|(_, v)| *v > RESIDUAL_TOLERANCE) {
                 return Err(ResultError::NotStrict { case: case.name.clone(), residual, value });
             }
@@ -179,7 +179,7 @@ impl ResultFile {
         Ok(text)
     }
 
-    /// Reads `result.json`; another schema or tool is refused.
+    /// Reads `result.json`. Another schema or another program is refused.
     pub fn from_json(text: &str) -> Result<Self, ResultError> {
         #[derive(Deserialize)]
         struct Head {
@@ -212,9 +212,9 @@ fn find_null(value: &serde_json::Value, path: String) -> Option<String> {
     }
 }
 
-/// Hash of the named pieces of an input (spec, mesh, catalogue): BLAKE3 in hex, over names and
-/// lengths as well, so that two different lists of pieces cannot have the same hash by
-/// concatenation.
+/// Hash of the named parts of an input (spec, mesh, catalogue): BLAKE3 in hex. It covers names and
+/// lengths as well, so that two different lists of parts with the same concatenation have different
+/// hashes.
 pub fn input_hash(pieces: &[(&str, &[u8])]) -> String {
     let mut hasher = blake3::Hasher::new();
     for (name, bytes) in pieces {

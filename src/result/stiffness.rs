@@ -4,8 +4,7 @@ use crate::checks::{JointStiffness, PureMoment};
 use crate::result::case_result::CaseResult;
 use crate::result::quantity::LoadSize;
 
-/// The stiffness of a joint, where the only load of the case is a moment whose rotation is
-/// bracketed.
+/// The stiffness of a joint, if the only load of the case is a moment whose rotation is bracketed.
 pub fn joint_stiffness(case: &CaseResult, moments: &[PureMoment]) -> Option<JointStiffness> {
     let mine: Vec<&PureMoment> = moments.iter().filter(|m| m.case == case.name).collect();
     let LoadSize::Moment(total) = case.load? else { return None };

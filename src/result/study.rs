@@ -6,13 +6,13 @@ use crate::result::quantity::Upper;
 use crate::spec::analysis::AnalysisKind;
 use serde::Serialize;
 
-/// Where the meshes of a row come from.
+/// Source of the meshes of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Meshes {
-    /// Refined uniformly; every row stands alone.
+    /// Refined uniformly; every row is independent of the others.
     Uniform,
-    /// Refined where the gap comes from; a row includes the cost of the rows before it.
+    /// Refined where the gap originates; a row includes the cost of the rows before it.
     Adaptive,
 }
 
@@ -23,7 +23,7 @@ pub struct Row {
     pub case: String,
     /// Kind of analysis.
     pub analysis: AnalysisKind,
-    /// Where the mesh comes from.
+    /// Source of the mesh.
     pub meshes: Meshes,
     /// Solver.
     pub solver: String,
@@ -33,7 +33,7 @@ pub struct Row {
     pub macro_tets: usize,
     /// Unknowns of both programs.
     pub dofs: usize,
-    /// Largest certified lower bound so far, of the meshes whose cost the row includes.
+    /// Largest certified lower bound so far, over the meshes whose cost the row includes.
     pub lower: Option<f64>,
     /// Smallest certified upper bound so far.
     pub upper: Option<f64>,
@@ -43,7 +43,7 @@ pub struct Row {
     pub expected_gap: Option<f64>,
     /// Wall time of everything on this mesh, the mesher included \[s\].
     pub seconds: f64,
-    /// Wall time of all meshes up to this one that led to it \[s\].
+    /// Wall time of this mesh and of all meshes that led to it \[s\].
     pub total_seconds: f64,
     /// Peak resident memory \[MiB\].
     pub peak_memory_mib: Option<u64>,

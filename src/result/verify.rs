@@ -34,7 +34,7 @@ pub struct Verification {
 }
 
 impl Verification {
-    /// Whether every claim is confirmed.
+    /// True if every claim is confirmed.
     pub fn confirmed(&self) -> bool {
         self.findings.iter().all(|f| f.confirmed) && self.refuted.is_empty()
     }
@@ -62,10 +62,10 @@ pub fn verify(folder: &Path) -> Result<Verification, Diagnostics> {
     Ok(Verification { findings, refuted })
 }
 
-/// Sentences for the disagreements, and what the files of a case have proved.
+/// Sentences about the differences, and the results that the files of a case have proved.
 type Confirmed = (Vec<String>, Option<Proved>);
 
-/// Recomputes the bounds of a case, and everything that follows from them.
+/// Recomputes the bounds of a case and everything derived from them.
 fn verify_case(
     folder: &Path,
     case: &CaseResult,
@@ -74,7 +74,7 @@ fn verify_case(
 ) -> Result<(Vec<Finding>, Confirmed), Diagnostics> {
     let own = folder.join(format!("model_{stem}.yaml"));
     let model = load_model(&if own.exists() { own } else { folder.join("model.yaml") })?;
-    // if the better lower bound is on another mesh, that mesh is beside its field
+    // if the better lower bound is on another mesh, that mesh is stored beside its field
     let beside = folder.join("fields").join(format!("{stem}_static.yaml"));
     let other = if beside.exists() { Some(load_model(&beside)?) } else { None };
     let mut refuted = Vec::new();

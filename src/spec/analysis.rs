@@ -1,4 +1,4 @@
-//! `analysis` of a spec: what to compute, how far, on what mesh.
+//! The `analysis` section of a spec: kind of analysis, limits, mesh.
 
 use crate::units::{Length, Seconds};
 use schemars::JsonSchema;
@@ -57,7 +57,7 @@ pub enum AnalysisKind {
 }
 
 impl AnalysisKind {
-    /// The word of the files.
+    /// Name of the kind in the files.
     pub fn word(self) -> &'static str {
         match self {
             AnalysisKind::Elastic => "elastic",
@@ -89,7 +89,7 @@ enum OneOrMany {
 }
 
 impl<'de> Deserialize<'de> for Kinds {
-    // by hand: an untagged enum would lose the place and the list of known words
+    // written by hand, because an untagged enum loses the place and the list of known words
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         struct V;
         impl<'de> de::Visitor<'de> for V {
@@ -135,12 +135,12 @@ impl Default for MeshSpec {
     }
 }
 
-/// Element size.
+/// Element size of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeshSize {
-    /// Per part, as the template says.
+    /// Each part has the size that the template gives.
     Auto,
-    /// The same for all parts.
+    /// All parts have this size.
     Fixed(Length),
 }
 

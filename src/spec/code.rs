@@ -1,4 +1,4 @@
-//! `code` of a spec: the design code and its factors.
+//! The `code` section of a spec: the design code and its partial factors.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,8 +1,8 @@
-//! `SPEC.yaml` (docs/contract.md): a connection as an engineer describes it.
+//! The types of `SPEC.yaml` (docs/contract.md), the engineer's description of a connection.
 //!
-//! The fixed part is the same for all templates; what a template needs beyond it stands under
-//! `parameters`. Values that may be left out are `Option`s here: their defaults are the template's,
-//! and depend on profiles.
+//! The fixed part is the same for all templates. Further values that a template needs are given
+//! under `parameters`. Values that may be left out are `Option`s in these types: their defaults
+//! come from the template and depend on the profiles.
 
 use super::analysis::AnalysisSpec;
 use super::code::Code;
@@ -64,8 +64,8 @@ pub struct ConnectionSpec {
     pub analysis: AnalysisSpec,
 }
 
-/// A key with nothing but comments below it, as in `parameters:`, says no more than one that is
-/// left out.
+/// Reads an empty key, such as `parameters:` with only comments below it, as a key that is left
+/// out.
 fn null_is_default<'de, T: Default + Deserialize<'de>, D: Deserializer<'de>>(
     d: D,
 ) -> Result<T, D::Error> {
@@ -180,17 +180,18 @@ pub enum BoltCategory {
 /// Preload of every bolt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PreloadSpec {
-    /// None: the bolts are tightened by hand.
+    /// No preload: the bolts are tightened by hand.
     None,
-    /// A part of the tensile strength of the thread, `f_ub A_s`: 0.7 for F_p,C of EN 1993-1-8:2005
-    /// 3.9.1(2).
+    /// A fraction of the tensile strength of the thread, `f_ub A_s`: 0.7 for F_p,C of EN
+    /// 1993-1-8:2005 3.9.1(2).
     Part(f64),
     /// A force \[N\].
     Force(f64),
 }
 
 impl<'de> Deserialize<'de> for PreloadSpec {
-    // by hand: an untagged enum would lose what is wrong with a number or a unit
+    // written by hand, because an untagged enum does not report what is wrong with a number or a
+    // unit
     fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
         struct V;
         impl de::Visitor<'_> for V {

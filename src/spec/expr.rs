@@ -1,9 +1,9 @@
-//! Expressions of templates: numbers with units, dotted names, arithmetic, comparisons and a few
+//! Expressions in templates: numbers with units, dotted names, arithmetic, comparisons and a few
 //! functions.
 //!
-//! A Pratt parser; every node keeps its byte range so that an error points at its operand.
-//! Dimensions are checked while evaluating: `t + F` is an error, not a number. A result that is not
-//! finite is an error too.
+//! The parser is a Pratt parser. Every node keeps its byte range, so that an error can point at the
+//! operand. The evaluation checks dimensions: `t + F` is an error, not a number. A result that is
+//! not finite is an error too.
 
 mod evaluate;
 mod lex;
@@ -21,8 +21,8 @@ use std::fmt;
 use value::fault;
 pub use value::{ExprError, Value};
 
-/// Opens the message of an expression that cannot be read, so that the YAML reader knows it from a
-/// syntax error.
+/// First words of the message about an invalid expression. The YAML reader recognises the message
+/// by them and does not report a syntax error.
 pub const INVALID_EXPRESSION: &str = "invalid expression: ";
 
 /// A parsed expression.
@@ -30,12 +30,12 @@ pub const INVALID_EXPRESSION: &str = "invalid expression: ";
 pub struct Expr {
     text: String,
     root: Node,
-    /// A plain number of the YAML file, read as mm where a length is wanted.
+    /// True for a plain number of the YAML file. Where a length is expected it is read as mm.
     bare: bool,
 }
 
 impl Expr {
-    /// Parses a text.
+    /// Parses an expression.
     pub fn parse(text: &str) -> Result<Expr, ExprError> {
         let tokens = lex(text)?;
         let mut parser = Parser { text, tokens, next: 0, depth: 0 };
@@ -46,19 +46,19 @@ impl Expr {
         }
     }
 
-    /// A plain number.
+    /// The expression of a plain number.
     pub fn number(value: f64) -> Expr {
         let text = value.to_string();
         let span = 0..text.len();
         Expr { text, root: Node { kind: Kind::Literal(Value::number(value)), span }, bare: true }
     }
 
-    /// The text it was read from.
+    /// The source text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The names it mentions, in order of appearance.
+    /// The names in the expression, in order of appearance.
     pub fn names(&self) -> Vec<&str> {
         fn walk<'a>(node: &'a Node, out: &mut Vec<&'a str>) {
             match &node.kind {
@@ -77,7 +77,8 @@ impl Expr {
         out
     }
 
-    /// Its value; `lookup` gives the values of names, or says why there is none.
+    /// Evaluates the expression. `lookup` returns the value of a name, or the reason why it has
+    /// none.
     pub fn eval(
         &self,
         lookup: &mut dyn FnMut(&str) -> Result<Value, String>,
@@ -85,8 +86,8 @@ impl Expr {
         Eval { text: &self.text, lookup }.node(&self.root)
     }
 
-    /// Its value as a quantity of dimension `dim`; a bare number counts as mm where a length is
-    /// wanted.
+    /// Evaluates the expression as a quantity of dimension `dim`. Where a length is expected, a
+    /// bare number is read as mm.
     pub fn eval_as(
         &self,
         dim: Dim,
@@ -104,7 +105,7 @@ impl Expr {
         }
     }
 
-    /// Its value as a truth.
+    /// Evaluates the expression as true or false.
     pub fn eval_truth(
         &self,
         lookup: &mut dyn FnMut(&str) -> Result<Value, String>,

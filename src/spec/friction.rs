@@ -1,4 +1,4 @@
-//! `friction` of a spec, and the friction law of any contact.
+//! The `friction` section of a spec, and the friction law of any contact.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

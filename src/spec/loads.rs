@@ -1,4 +1,5 @@
-//! Load cases of a connection spec: pressure on a named section, or actions at a member's end.
+//! Load cases of a connection spec: pressure on a named section, or forces and moments at a member
+//! end.
 
 use crate::units::{Force, Moment, Stress};
 use schemars::JsonSchema;
@@ -75,14 +76,14 @@ pub enum LimitState {
 }
 
 impl LimitState {
-    /// Whether it is the ultimate limit state.
+    /// True for the ultimate limit state.
     pub fn is_ultimate(&self) -> bool {
         *self == Self::Ultimate
     }
 }
 
 impl LoadSpec {
-    /// The actions that are given, with their sizes \[N, N mm\].
+    /// The actions that are given, with their values \[N, N mm\].
     pub fn actions(&self) -> Vec<(Action, f64)> {
         let forces = [(Action::N, self.n), (Action::Vy, self.vy), (Action::Vz, self.vz)];
         let moments = [(Action::T, self.t), (Action::My, self.my), (Action::Mz, self.mz)];
@@ -90,7 +91,7 @@ impl LoadSpec {
         forces.chain(moments.into_iter().filter_map(|(a, v)| Some((a, v?.0)))).collect()
     }
 
-    /// Gives an action its size \[N, N mm\].
+    /// Sets the value of an action \[N, N mm\].
     pub fn set(&mut self, action: Action, size: f64) {
         match action {
             Action::N => self.n = Some(Force(size)),
@@ -102,7 +103,7 @@ impl LoadSpec {
         }
     }
 
-    /// Path of the load in the spec; of a direction of the polygon that of the polygon.
+    /// Path of the load in the spec. For a direction of the polygon it is the path of the polygon.
     pub fn path(&self, i: usize) -> String {
         if self.of_polygon { "polygon".into() } else { format!("loads[{i}]") }
     }
@@ -114,7 +115,7 @@ impl LoadSpec {
 }
 
 impl ActionPoint {
-    /// The word in a spec.
+    /// Name in a spec.
     pub fn word(self) -> &'static str {
         match self {
             ActionPoint::Node => "node",
@@ -125,7 +126,7 @@ impl ActionPoint {
 }
 
 impl Action {
-    /// The word in a spec.
+    /// Name in a spec.
     pub fn word(self) -> &'static str {
         match self {
             Action::N => "N",
@@ -137,7 +138,8 @@ impl Action {
         }
     }
 
-    /// Axis of the member it acts along or about (0: x′, 1: y′, 2: z′), and whether it is a moment.
+    /// Axis of the member that the action is parallel to or turns about (0: x′, 1: y′, 2: z′), and
+    /// whether it is a moment.
     pub fn direction(self) -> (usize, bool) {
         match self {
             Action::N => (0, false),

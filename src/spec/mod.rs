@@ -1,4 +1,4 @@
-//! What a user writes: YAML files, strictly read.
+//! The YAML files that a user writes, and their strict reader.
 
 pub mod analysis;
 pub mod code;

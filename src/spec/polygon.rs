@@ -1,4 +1,4 @@
-//! A capacity polygon of a connection spec: two actions at a member's end, run in several
+//! Capacity polygon of a connection spec: two actions at a member end, analysed in several
 //! directions.
 
 use super::loads::{Action, ActionPoint, LoadSpec};
@@ -7,9 +7,9 @@ use crate::units::{Force, Moment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Directions at most.
+/// Largest number of directions.
 const MOST: u32 = 32;
-/// Sizes an action may have as the unit of its axis \[N, N mm\].
+/// Range of values that an action may have as the unit of its axis \[N, N mm\].
 const SIZES: std::ops::RangeInclusive<f64> = 1.0..=1e12;
 
 /// The capacity polygon of two actions at a member's end: what it carries of both at once, by limit
@@ -48,14 +48,14 @@ fn eight() -> u32 {
     8
 }
 
-/// What is wrong with a polygon.
+/// A fault of a polygon.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PolygonFault {
     /// YAML path.
     pub path: String,
     /// What is wrong.
     pub problem: String,
-    /// What to do.
+    /// Remedy.
     pub help: String,
 }
 
@@ -64,21 +64,22 @@ pub struct PolygonFault {
 pub struct Direction {
     /// Name of its load case: `polygon_45`.
     pub case: String,
-    /// In units of the two axes; length 1.
+    /// The two actions in units of their axes; the vector has length 1.
     pub unit: [f64; 2],
 }
 
 impl PolygonSpec {
-    /// The two actions and their units \[N, N mm\]: a moment, if there is just one, comes first.
+    /// The two actions and their units \[N, N mm\]. If exactly one of them is a moment, it comes
+    /// first.
     ///
-    /// `None` unless there are two.
+    /// `None` unless exactly two actions are given.
     pub fn axes(&self) -> Option<[(Action, f64); 2]> {
         let mut given = self.as_load().actions();
         given.sort_by_key(|(a, _)| !a.direction().1);
         <[(Action, f64); 2]>::try_from(given).ok()
     }
 
-    /// Its directions, from the first axis towards the second; quarter turns are exact.
+    /// The directions, from the first axis towards the second. Multiples of 90° are exact.
     pub fn directions(&self) -> Vec<Direction> {
         let n = self.directions;
         let quarter = (n / 4).max(1);
@@ -100,8 +101,8 @@ impl PolygonSpec {
             .collect()
     }
 
-    /// The load cases of the directions, beside the other loads of the spec; an error for every
-    /// value that makes no sense.
+    /// The load cases of the directions. `others` are the other loads of the spec. Every value that
+    /// makes no sense is an error.
     pub fn loads(&self, others: &[LoadSpec]) -> Result<Vec<LoadSpec>, AtLeastOne<PolygonFault>> {
         let mut faults = Vec::new();
         let mut fault = |key: &str, problem: String, help: &str| {

@@ -1,8 +1,9 @@
-//! YAML in and out; the only file that names a YAML crate.
+//! Reads and writes YAML; only this file uses a YAML crate.
 //!
-//! Three readings of one text. The first, without a type, refuses what no file of ours may hold:
-//! duplicate keys, non-finite numbers, tags, aliases that blow up. The second makes the typed
-//! value. The third gives places only, so that checks made much later can still point at a line.
+//! A text is read three times. The first reading has no type and refuses what none of the program's
+//! files may contain: duplicate keys, non-finite numbers, tags, and aliases that expand too far.
+//! The second reading makes the typed value. The third collects the places, so that later checks
+//! can still report a line.
 
 mod extend;
 mod outline;
@@ -17,7 +18,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
-/// A value read from YAML, and where each of its parts stood.
+/// A value read from YAML, with the place of each of its parts.
 #[derive(Clone, Debug)]
 pub struct Parsed<T> {
     /// The value.
@@ -26,18 +27,19 @@ pub struct Parsed<T> {
     pub index: PlaceIndex,
 }
 
-/// Reads one YAML document into `T`; `file` is named in messages.
+/// Reads one YAML document into `T`. Messages name `file`.
 ///
-/// Refuses, each with line and column: syntax errors, more than one document, unknown keys (when
-/// `T` denies them), missing keys, duplicate keys in any mapping, NaN and infinities, tags, and
-/// aliases that expand beyond a million values.
+/// The function refuses the following, each with line and column: syntax errors, more than one
+/// document, unknown keys (if `T` denies them), missing keys, duplicate keys in any mapping, NaN
+/// and infinity, tags, and aliases that expand beyond a million values.
 pub fn parse<T: DeserializeOwned>(text: &str, file: &Path) -> Result<Parsed<T>, Diagnostics> {
     let index = accepted(text, file)?;
     let value = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
     Ok(Parsed { value, index })
 }
 
-/// Refuses what no document may hold, whatever its type; the places of one that is accepted.
+/// Refuses what no document may contain, whatever its type. Returns the places of an accepted
+/// document.
 fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
     if text.lines().all(|l| l.trim_start().is_empty() || l.trim_start().starts_with('#')) {
         let d = Diagnostic::input("yaml/empty", "the file is empty").file(file);
@@ -54,7 +56,7 @@ fn accepted(text: &str, file: &Path) -> Result<PlaceIndex, Diagnostics> {
     Ok(index)
 }
 
-/// A document of keys with values that has no type yet, so that it can extend another one.
+/// A document of keys and values that is not typed yet, so that it can extend another one.
 #[derive(Clone, Debug)]
 pub struct Document {
     keys: serde_yaml::Mapping,
@@ -63,14 +65,14 @@ pub struct Document {
 }
 
 impl Document {
-    /// Reads one document; refuses what [`parse`] refuses of any type.
+    /// Reads one document. Refuses what [`parse`] refuses for every type.
     pub fn read(text: &str, file: &Path) -> Result<Self, Diagnostics> {
         let index = accepted(text, file)?;
         let keys = serde_yaml::from_str(text).map_err(|e| from_serde(&e, &index, file))?;
         Ok(Self { keys, index, file: file.to_path_buf() })
     }
 
-    /// The text at a key; `None` where the key is absent.
+    /// The text at a key; `None` if the key is absent.
     pub fn text(&self, key: &str) -> Result<Option<&str>, Diagnostics> {
         let Some(value) = self.keys.get(key) else { return Ok(None) };
         value.as_str().map(Some).ok_or_else(|| {
@@ -80,23 +82,24 @@ impl Document {
         })
     }
 
-    /// Where a path stands.
+    /// The place of a path.
     pub fn place(&self, path: &str) -> Place {
         self.index.place(path)
     }
 
-    /// This document, and from `base` what it leaves out; of the keys `merged`, which hold keys
-    /// with values, each of these on its own. Lists with names: see [`REST`].
+    /// This document, completed by the keys of `base` that it leaves out. The values of the keys
+    /// `merged` are mappings and are completed key by key. For lists with names see [`REST`].
     pub fn onto(self, base: Self, merged: &[&str]) -> Self {
         let own = (self.keys, &self.index);
         let (keys, index) = extend::extend(own, (base.keys, &base.index), merged);
         Self { keys, index, file: self.file }
     }
 
-    /// The typed value; a fault is placed in the file that the entry comes from.
+    /// The typed value. A fault is reported in the file that the entry comes from.
     pub fn typed<T: DeserializeOwned>(self) -> Result<Parsed<T>, Diagnostics> {
         let (index, file) = (self.index, self.file);
-        // through text: this reader names the path of a fault, the one of values does not
+        // the value is converted through text, because only the reader of text reports the path of
+        // a fault
         let value = serde_yaml::to_string(&self.keys)
             .and_then(|text| serde_yaml::from_str(&text))
             .map_err(|e| from_serde(&e, &index, &file))?;
@@ -104,7 +107,7 @@ impl Document {
     }
 }
 
-/// The first line that is indented with a tab, which YAML does not allow.
+/// The fault of the first line that is indented with a tab, which YAML does not allow.
 fn tab(text: &str, file: &Path) -> Option<Diagnostic> {
     let at = text.lines().enumerate().find_map(|(i, line)| {
         let body = line.trim_start_matches([' ', '\t']);
@@ -130,7 +133,7 @@ pub fn to_string<T: Serialize>(value: &T) -> Result<String, Diagnostics> {
     })
 }
 
-/// Makes a diagnostic of a serde message: its kind becomes the code, its path the place.
+/// Converts a serde message into a diagnostic: its kind becomes the code, its path the place.
 fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Diagnostic {
     let text = error.to_string();
     let text = without_position(&text);
@@ -158,7 +161,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
             format!("the keys known here are: {}", known.join(", "))
         };
         let full = if path.is_empty() { key.to_string() } else { format!("{path}.{key}") };
-        // a path that ends in the unknown key itself already names it
+        // a path that ends in the unknown key already names it
         return named(d.help(help), if index.has(&full) { &full } else { path });
     }
     if let Some((path, rest)) = split_at_marker(text, "missing field `") {
@@ -231,7 +234,7 @@ fn from_serde(error: &serde_yaml::Error, index: &PlaceIndex, file: &Path) -> Dia
     d
 }
 
-/// Cuts the trailing ` at line L column C`; the place is reported separately.
+/// Removes the trailing ` at line L column C`; the place is reported separately.
 fn without_position(text: &str) -> &str {
     match text.rfind(" at line ") {
         Some(i) if text[i + 9..].chars().all(|c| c.is_ascii_digit() || " column".contains(c)) => {
@@ -247,7 +250,8 @@ fn split_at_marker<'a>(text: &'a str, marker: &str) -> Option<(&'a str, &'a str)
     Some((text[..i].trim_end().trim_end_matches(':'), &text[i + marker.len()..]))
 }
 
-/// The types of a serde message in words: `unit value, expected u32` is what a programmer reads.
+/// Replaces the type names of a serde message by plain words; only programmers understand `unit
+/// value, expected u32`.
 fn in_words(text: &str) -> String {
     let Some((found, expected)) = text.rsplit_once(", expected ") else { return text.into() };
     let found = match found {

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// Exponents of length, force and angle; everything the tool computes with is a product of these.
+/// Exponents of length, force and angle. Every physical quantity in the program has a dimension of
+/// this form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dim {
     /// Exponent of length (mm).
@@ -67,18 +68,18 @@ impl fmt::Display for Dim {
 pub struct Quantity {
     /// Value in mm, N, MPa, N mm, rad.
     pub value: f64,
-    /// What it measures.
+    /// Dimension of the quantity.
     pub dim: Dim,
 }
 
-/// An inch \[mm\], exact.
+/// One inch \[mm\], exact.
 pub(super) const INCH: f64 = 25.4;
-/// A foot \[mm\], exact.
+/// One foot \[mm\], exact.
 const FOOT: f64 = 12.0 * INCH;
-/// A pound-force \[N\], exact: 0.45359237 kg at 9.80665 m/s².
+/// One pound-force \[N\], exact: 0.45359237 kg at 9.80665 m/s².
 const POUND: f64 = 4.448_221_615_260_5;
 
-/// Suffix, factor to the internal unit, dimension.
+/// Suffix, factor to the internal unit, and dimension of each unit.
 const UNITS: &[(&str, f64, Dim)] = &[
     ("mm", 1.0, Dim::LENGTH),
     ("cm", 10.0, Dim::LENGTH),
@@ -112,7 +113,7 @@ const UNITS: &[(&str, f64, Dim)] = &[
     ("deg", std::f64::consts::PI / 180.0, Dim::ANGLE),
 ];
 
-/// Factor and dimension of a unit suffix; `*`, `·` and repeated blanks between factors count as one
+/// Factor and dimension of a unit suffix. `*`, `·` and repeated blanks between factors count as one
 /// blank.
 pub fn unit(suffix: &str) -> Option<(f64, Dim)> {
     let spaced = suffix.replace(['*', '·', '\u{a0}'], " ").replace('²', "2");

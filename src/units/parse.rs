@@ -1,8 +1,8 @@
-//! Reading of numbers with suffixes.
+//! Reads numbers with unit suffixes.
 
 use super::dim::{Dim, INCH, unit};
 
-/// What a field of an input file holds.
+/// Kind of quantity that a field of an input file contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A length; a bare number is mm.
@@ -26,7 +26,7 @@ impl Kind {
         }
     }
 
-    /// The units a person may write.
+    /// The accepted units, for messages.
     pub fn accepted(self) -> &'static str {
         match self {
             Kind::Length => "mm, cm, m, in, ft, or a bare number for mm",
@@ -36,7 +36,7 @@ impl Kind {
         }
     }
 
-    /// The unit engineers write most.
+    /// The unit that engineers use most.
     pub fn usual(self) -> &'static str {
         match self {
             Kind::Length => "mm",
@@ -57,41 +57,41 @@ impl Kind {
     }
 }
 
-/// Why a text is not a quantity.
+/// Reason why a text is not a quantity.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum UnitError {
-    /// No number at the front.
+    /// The text does not begin with a number.
     #[error("`{text}` is not a {}: write a number and a unit ({})", kind.word(), kind.accepted())]
     NotANumber {
-        /// What was written.
+        /// The text as written.
         text: String,
-        /// What was expected.
+        /// The expected kind.
         kind: Kind,
     },
-    /// The suffix is no unit of this kind.
+    /// The suffix is not a unit of this kind.
     #[error(
         "`{text}` is not a {}: `{suffix}` is not one of its units ({})",
         kind.word(),
         kind.accepted()
     )]
     WrongUnit {
-        /// What was written.
+        /// The text as written.
         text: String,
         /// Its suffix.
         suffix: String,
-        /// What was expected.
+        /// The expected kind.
         kind: Kind,
     },
-    /// A fraction of anything but inches.
+    /// A fraction with a unit other than inches.
     #[error(
         "`{text}` is not a length: a fraction is of inches, `3/4 in` or `1 1/4 in`; of other \
          units write decimals"
     )]
     Fraction {
-        /// What was written.
+        /// The text as written.
         text: String,
     },
-    /// A comma among digits.
+    /// The number contains a comma.
     #[error(
         "`{text}` is not a {}: a number has a point before its decimals and nothing between its \
          thousands{}",
@@ -99,12 +99,12 @@ pub enum UnitError {
         pointed(text)
     )]
     Comma {
-        /// What was written.
+        /// The text as written.
         text: String,
-        /// What was expected.
+        /// The expected kind.
         kind: Kind,
     },
-    /// A unit is required.
+    /// The unit is missing.
     #[error(
         "{} {number} needs a unit: write `{number} {}` ({})",
         kind.word(),
@@ -112,17 +112,17 @@ pub enum UnitError {
         kind.accepted()
     )]
     NoUnit {
-        /// What was written.
+        /// The number as written.
         number: String,
-        /// What was expected.
+        /// The expected kind.
         kind: Kind,
     },
-    /// NaN or infinity.
+    /// The number is NaN or infinite.
     #[error("{} must be finite, not {number}", kind.word())]
     NotFinite {
-        /// What was written.
+        /// The number as written.
         number: String,
-        /// What was expected.
+        /// The expected kind.
         kind: Kind,
     },
 }
@@ -144,13 +144,13 @@ pub(super) fn split(text: &str) -> Option<(f64, &str)> {
     Some((text[..end].parse().ok()?, text[end..].trim()))
 }
 
-/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix; `None` where there is no
+/// Splits `3/4 in`, `1 1/4 in`, `1-1/4"` into the number and its suffix. `None` if the text has no
 /// fraction.
 fn split_fraction(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let (sign, body) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
     let body = body.trim_start();
-    // (value, number of digits): both parts of a fraction are whole numbers
+    // (value, number of digits); both parts of a fraction are whole numbers
     let whole = |t: &str| -> Option<(f64, usize)> {
         let n = t.bytes().take_while(u8::is_ascii_digit).count();
         Some((t[..n].parse().ok()?, n))
@@ -168,8 +168,8 @@ fn split_fraction(text: &str) -> Option<(f64, &str)> {
     (bottom != 0.0).then(|| (sign * (units + top / bottom), rest[n..].trim()))
 }
 
-/// `20.5 mm` for `20,5 mm`; `None` where the comma may stand between thousands, or for anything
-/// else.
+/// Replaces a decimal comma: `20.5 mm` for `20,5 mm`. `None` if the comma may separate thousands,
+/// or if the text has any other form.
 pub fn with_point(text: &str) -> Option<String> {
     let (whole, rest) = text.trim().split_once(',')?;
     let digits = whole.trim_start_matches(['+', '-']);
@@ -181,7 +181,7 @@ pub fn with_point(text: &str) -> Option<String> {
     (a_number && clear).then(|| format!("{whole}.{decimals}{unit}"))
 }
 
-/// The end of a message about a comma.
+/// Last part of a message about a comma: the text with a decimal point, if it is clear.
 fn pointed(text: &str) -> String {
     with_point(text).map_or_else(String::new, |t| format!("; write `{t}`"))
 }
@@ -217,14 +217,15 @@ pub fn parse(text: &str, kind: Kind) -> Result<f64, UnitError> {
     }
 }
 
-/// Inches in mm, without the last digits of a product of decimal fractions: 0.75 in are 19.05 mm.
+/// Converts inches to mm and removes the rounding error of the product: 0.75 in are exactly 19.05
+/// mm.
 fn inches(number: f64) -> f64 {
     let mm = number * INCH;
     let rounded = (mm * 1e9).round() / 1e9;
     if rounded.is_finite() { rounded } else { mm }
 }
 
-/// A number without suffix: mm for a length, an error for everything else.
+/// Value of a number without suffix: mm for a length, an error for every other kind.
 pub fn bare(number: f64, kind: Kind) -> Result<f64, UnitError> {
     match kind {
         Kind::Length => finite(number, kind),

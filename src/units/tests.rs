@@ -1,4 +1,4 @@
-//! Numbers with units: what is read, what is refused, what is written.
+//! Numbers with units: accepted input, refused input, output.
 
 use super::*;
 
@@ -91,7 +91,7 @@ fn a_comma_is_told_to_be_a_point_only_where_it_must_be() {
     {
         assert_eq!(with_point(text).as_deref(), told, "{text}");
     }
-    // thousands, two commas, no number
+    // the comma may separate thousands, there are two commas, or the text is not a number
     for text in ["1,200 mm", "1,2,3", "1,2.5", ",5", "1,", "a,5", "12 mm", ""] {
         assert_eq!(with_point(text), None, "{text}");
     }
@@ -109,7 +109,7 @@ fn times_need_a_unit() {
     assert!(Seconds::parse("-1 s").is_err());
 }
 
-/// What the report shows of the input is read again as the same number.
+/// A value that the report shows for the input reads back as the same number.
 #[test]
 fn forces_and_moments_are_written_in_the_unit_people_use() {
     fn text(value: impl serde::Serialize) -> String {

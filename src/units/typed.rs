@@ -1,11 +1,11 @@
-//! Lengths, forces, moments, stresses and times as YAML writes them.
+//! Types for lengths, forces, moments, stresses and times in YAML files.
 
 use super::parse::{Kind, bare, parse, split};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 
-/// Opens the message of a quantity that cannot be read, so that the YAML reader knows it from a
-/// syntax error.
+/// First words of the message about an invalid quantity. The YAML reader recognises the message by
+/// them and does not report a syntax error.
 pub const INVALID_QUANTITY: &str = "invalid quantity: ";
 
 struct QuantityVisitor(Kind);
@@ -30,8 +30,8 @@ impl de::Visitor<'_> for QuantityVisitor {
     }
 }
 
-/// A value with the larger unit that people write, where that reads back as the same number, else
-/// with the internal one.
+/// Writes a value in the larger unit that engineers use, if the text reads back as the same number;
+/// otherwise in the internal unit.
 fn shown(value: f64, unit: &str, large: Option<(f64, &str)>) -> String {
     match large {
         Some((factor, large))

@@ -56,7 +56,7 @@ fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
         }
         let all = assemble(&on);
         assert!(all.resolved.iter().all(|r| r.given), "{name}: {:#?}", all.resolved);
-        // messages show nine decimals; the defaults come back through them
+        // messages show nine decimals; the defaults are read back with that precision
         let text = |j: &crate::assembly::Joint| {
             serde_json::to_string(&j.assembly.parts).expect("JSON").len()
         };
@@ -65,8 +65,8 @@ fn every_starter_assembles_as_it_is_and_with_all_defaults_switched_on() {
     }
 }
 
-/// Whatever the two folders are: the spec's folder and the path in the spec lead to the
-/// template's file.
+/// Wherever the two folders are, the spec's folder and the path in the spec lead to the template's
+/// file.
 #[test]
 fn a_template_by_path_is_named_as_the_spec_sees_it() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -80,7 +80,7 @@ fn a_template_by_path_is_named_as_the_spec_sees_it() {
         ("own/s.yaml", "t.yaml"),
         ("s.yaml", "own/t.yaml"),
     ] {
-        // an absolute path stays; a relative one is turned to the spec's folder
+        // an absolute path is kept; a relative one is converted to the spec's folder
         assert_eq!(seen_from(&at("own/t.yaml"), &at(spec)), at("own/t.yaml").display().to_string());
         let relative = relative_to_here(&dots("own/t.yaml"));
         assert_eq!(seen_from(&relative, &dots(spec)), told, "{spec}");

@@ -26,10 +26,10 @@ const STRESS: &str = "stress_mandel";
 /// vertices, then of the edges \[mm\].
 const SHIFT: &str = "shift_bernstein";
 
-/// Why a field file does not fit its model.
+/// Reason why a field file does not fit its model.
 #[derive(Debug, thiserror::Error)]
 pub enum FieldFileError {
-    /// The file itself.
+    /// The file itself is faulty.
     #[error(transparent)]
     Vtu(#[from] VtuError),
     /// An array is missing.
@@ -86,8 +86,8 @@ pub fn displacement_grid(
     }
 }
 
-/// The stress field on the four subtets of every tet, each with points of its own: stress jumps
-/// between them.
+/// The stress field on the four subtets of every tet. Each subtet has its own points, because
+/// stress jumps between subtets.
 pub fn stress_grid(model: &AnalysisModel, field: &StressField) -> VtuGrid {
     let points: Vec<[f64; 3]> = (0..model.mesh.tets.len())
         .flat_map(|e| SuperElement::points(&model.mesh.corners(e)).into_iter().flatten())

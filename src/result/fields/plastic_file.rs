@@ -1,9 +1,9 @@
 //! Displacements with plastic strain as a `.vtu` file: written for ParaView, read back exactly for
 //! `bracket verify`.
 //!
-//! A plain tet is one quadratic cell, a split one four of them, with five points of its own inside:
-//! so the drawn field is the field itself. The plastic strain jumps between cells: each has its
-//! five deviatoric components at its four vertices.
+//! A plain tet is one quadratic cell. A split tet is four quadratic cells with five additional
+//! points inside, so that the drawn field is the field itself. The plastic strain jumps between
+//! cells: each cell has the five deviatoric components at its four vertices.
 
 use crate::certify::fields::DisplacementField;
 use crate::certify::plastic_field::{Deviator, PlasticField, PlasticTet, VertexFlow, length};
@@ -23,7 +23,7 @@ const TET: &str = "tet";
 /// Nodes inside a split tet.
 const INNER: usize = NODES - OUTER;
 
-/// Points and cells, `split` telling which tets are split.
+/// Points and cells; `split` states which tets are split.
 fn layout(model: &AnalysisModel, split: &[bool]) -> (Vec<V3>, Vec<u32>) {
     let space = Tet10Space::new(&model.mesh);
     let mut points = space.nodes.clone();

@@ -1,8 +1,9 @@
 //! Fields as `.vtu` files (VTK XML, appended raw): written for ParaView, read back bit for bit by
 //! `bracket verify`.
 //!
-//! Little-endian, 64-bit block headers, 64-bit floats, one cell type in a file. The reader accepts
-//! only the form that the writer produces; it never trusts a length it has not checked.
+//! The format is little-endian, with 64-bit block headers, 64-bit floats, and one cell type per
+//! file. The reader accepts only the form that the writer produces, and checks every length before
+//! use.
 
 use crate::diag::Diagnostic;
 
@@ -24,25 +25,25 @@ pub type Array = (String, usize, Vec<f64>);
 pub struct VtuGrid {
     /// Node coordinates \[mm\].
     pub points: Vec<[f64; 3]>,
-    /// Node indices, [`nodes_per_cell`] a cell.
+    /// Node indices, [`nodes_per_cell`] per cell.
     pub cells: Vec<u32>,
     /// VTK's number of the cell type.
     pub cell_type: u8,
-    /// Fields with one value a point.
+    /// Fields with one value per point.
     pub point_data: Vec<Array>,
-    /// Fields with one value a cell.
+    /// Fields with one value per cell.
     pub cell_data: Vec<Array>,
     /// Values of the whole grid.
     pub field_data: Vec<Array>,
 }
 
-/// Why a `.vtu` cannot be written or read.
+/// Reason why a `.vtu` file cannot be written or read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum VtuError {
-    /// Cell type that is not one of ours.
+    /// The cell type is not supported.
     #[error("cell type {0} is not one of 5, 10, 22, 24")]
     CellType(u64),
-    /// An array of the wrong length.
+    /// An array has the wrong length.
     #[error("array `{name}` has {found} values where {wanted} are wanted")]
     Length {
         /// Name of the array.
@@ -52,7 +53,7 @@ pub enum VtuError {
         /// The length it must have.
         wanted: usize,
     },
-    /// An array name that is empty or used twice.
+    /// An array name is empty or used twice.
     #[error("array name `{0}` is empty or used twice")]
     Name(String),
     /// A cell refers to a point that does not exist.
@@ -63,7 +64,7 @@ pub enum VtuError {
         /// Number of points.
         points: usize,
     },
-    /// The file is not of the form this program writes.
+    /// The file does not have the form that this program writes.
     #[error("not a `.vtu` file of this program: {0}")]
     Form(String),
     /// The file ends early.

@@ -86,7 +86,7 @@ impl VtuGrid {
         length("Points", points.len(), point_count.saturating_mul(3))?;
         length("offsets", offsets.len(), cell_count)?;
         length("types", types.len(), cell_count)?;
-        // an empty grid has no cell that gives its type: take it as linear
+        // an empty grid has no cell that states its type: it is read as linear
         grid.cell_type = types.first().copied().unwrap_or(TETRA);
         let per_cell = nodes_per_cell(grid.cell_type)?;
         if types.iter().any(|&t| t != grid.cell_type)
@@ -111,7 +111,8 @@ fn unescape(text: &str) -> String {
     text.replace("&quot;", "\"").replace("&gt;", ">").replace("&lt;", "<").replace("&amp;", "&")
 }
 
-/// Value of an attribute; the blank before its name keeps `Name` from matching inside `FileName`.
+/// Value of an attribute. The blank before its name prevents `Name` from matching inside
+/// `FileName`.
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
     let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
     tag[start..].split('"').next()

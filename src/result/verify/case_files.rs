@@ -18,7 +18,7 @@ pub struct CaseFiles<'a> {
     pub folder: &'a Path,
     /// Stem of the file names.
     pub stem: &'a str,
-    /// Whether the fields of the kinematic and of the static program are of this model's mesh.
+    /// Whether the fields of the kinematic and of the static program are on this model's mesh.
     pub wanted: [bool; 2],
 }
 

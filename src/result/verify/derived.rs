@@ -1,5 +1,5 @@
-//! The derived results that `verify` recomputes beside the bounds, from the fields it has
-//! confirmed: the capacity polygon, the joint's stiffness and the forces of the static field.
+//! The derived results that `verify` recomputes from the confirmed fields, in addition to the
+//! bounds: the capacity polygon, the stiffness of the joint and the forces of the static field.
 
 use crate::assembly::BoltLine;
 use crate::certify::UpperFactor;
@@ -32,17 +32,17 @@ pub struct Proved {
 }
 
 fn near(a: f64, b: f64) -> bool {
-    // infinities and NaN are never near
+    // infinities and NaN never agree
     (a - b).abs() <= SAME * a.abs().max(b.abs())
 }
 
-/// Equal up to rounding of numbers as large as `size`.
+/// True if two numbers are equal up to the rounding error of numbers as large as `size`.
 fn near_beside(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= SAME * size
 }
 
-/// Compares a claimed polygon with the bounds and half planes of the proved cases; a sentence for
-/// each difference.
+/// Compares a claimed polygon with the bounds and half planes of the proved cases. Returns a
+/// sentence for each difference.
 pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<String> {
     let of_case = |name: &str| proved.iter().find(|p| p.entry.name == name);
     let along = |direction: [f64; 2]| {
@@ -58,7 +58,8 @@ pub fn polygon_differences(claimed: &CapacityPolygon, proved: &[Proved]) -> Vec<
         let same = match (axis.unit, case.entry.load) {
             (ActionValue::Force(unit), Some(LoadSize::Force(load)))
             | (ActionValue::Moment(unit), Some(LoadSize::Moment(load))) => near(unit.abs(), load),
-            // several components at the reference point: the model has no size of its own for them
+            // several components act at the reference point: the model has no separate value for
+            // each of them
             (_, None) => true,
             _ => false,
         };

@@ -1,4 +1,4 @@
-//! The values that a result derives from its bounds, claimed against recomputed.
+//! Compares the values that a result derives from its bounds with recomputed ones.
 
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::RawBracket;
@@ -12,8 +12,8 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
     };
     let end = |c: &CaseResult, i: usize| c.load_displacement.map(|d| d[i]);
     let strict = |c: &CaseResult| c.certificate.is_some_and(|x| x.strict);
-    // the answer is the best of its history: each bound is in a row, both with their gap where one
-    // mesh gave both
+    // the answer is the best of its history: each bound is in a row; if one mesh gave both bounds,
+    // the gap is in that row too
     let upper = |u: Option<Upper>| u.and_then(|u| u.finite());
     let row = |l: bool, u: bool| {
         claimed.history.iter().any(|h| {

@@ -19,12 +19,12 @@ use crate::result::result_file::CaseResult;
 use crate::spec::analysis::AnalysisKind;
 
 /// Largest distance of the shift of the contact cones from the slips of the displacement, as a
-/// fraction of the largest slip. The fixed point ends far below; a shift that contradicts Coulomb's
-/// law is above.
+/// fraction of the largest slip. The fixed point ends far below this value; a shift that
+/// contradicts Coulomb's law is above it.
 const FAR_FROM_COULOMB: f64 = 0.02;
 
 impl CaseFiles<'_> {
-    /// The bounds of the energy, and the entry they make.
+    /// Recomputes the bounds of the energy and the entry made from them.
     pub fn energies(
         &self,
         refuted: &mut Vec<String>,

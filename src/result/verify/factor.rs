@@ -23,7 +23,7 @@ use crate::result::result_file::FrictionModel;
 use crate::result::result_file::Upper;
 
 impl CaseFiles<'_> {
-    /// The bounds of the load factor, and the entry they make.
+    /// Recomputes the bounds of the load factor and the entry made from them.
     pub fn factors(
         &self,
         refuted: &mut Vec<String>,
@@ -35,7 +35,7 @@ impl CaseFiles<'_> {
         let mut pass = LimitPass::default();
         let raw = if coulomb { case.associated.and_then(|a| a.lower) } else { case.lower };
         if let Some(claimed) = raw.filter(|_| statics) {
-            // a raw bound beside the answer is reported only where it is strict
+            // a raw bound beside the answer is reported only if it is strict
             let (mut found, bound, stress) =
                 self.lower_factor(model, "static", claimed, claims_strict || coulomb)?;
             found.bound = if coulomb { "lower, associated" } else { "lower" };
@@ -66,7 +66,7 @@ impl CaseFiles<'_> {
                     .rigid
                     .max(certificate.compatibility)
                     .max(certificate.contact.unwrap_or(0.0));
-                // velocities that are no free mechanism do not prove the bound zero
+                // velocities that are not a free mechanism do not prove that the bound is zero
                 let recomputed = if free { 0.0 } else { f64::INFINITY };
                 let random = sample_upper(model, &field, POINTS).gap_cone;
                 findings.push(Finding::new(
@@ -130,8 +130,8 @@ impl CaseFiles<'_> {
         (Finding::new(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
     }
 
-    /// Proof from the stored fields that the load factor has no limit. The finding's numbers are
-    /// the remaining deviator: nothing else is claimed.
+    /// Proves from the stored fields that the load factor has no limit. The numbers of the finding
+    /// are the remaining deviator, because nothing else is claimed.
     fn no_limit(&self) -> Result<(Finding, Unlimited), Diagnostics> {
         let model = self.model;
         let field = read_stress(model, &self.field(LIVE_FIELD)?).map_err(Diagnostic::from)?;

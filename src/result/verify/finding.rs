@@ -1,15 +1,15 @@
-//! The comparison of one bound of a result with the one recomputed from its field.
+//! Compares one bound of a result with the bound recomputed from its field.
 
 use crate::certify::TOLERANCE;
 use crate::result::result_file::CaseResult;
 use serde::Serialize;
 
-/// A bound as claimed and as recomputed.
+/// A claimed and a recomputed bound.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {
     /// Load case.
     pub case: String,
-    /// Which bound.
+    /// Name of the bound.
     pub bound: &'static str,
     /// Value in the result.
     pub claimed: f64,
@@ -19,9 +19,9 @@ pub struct Finding {
     pub worst_residual: f64,
     /// Worst residual at random points.
     pub worst_at_random_points: f64,
-    /// Whether the recomputed certificate is strict, at the random points as well.
+    /// True if the recomputed certificate is strict, at the random points as well.
     pub strict: bool,
-    /// Whether the claim holds.
+    /// True if the claim is confirmed.
     pub confirmed: bool,
 }
 
@@ -38,8 +38,8 @@ pub struct Numbers {
 }
 
 impl Finding {
-    /// Confirms a claim if the numbers agree to 1e-9 and the certificate is strict where strictness
-    /// is claimed, at random points as well.
+    /// Confirms a claim if the numbers agree to 1e-9 and, where strictness is claimed, the
+    /// certificate is strict at the random points as well.
     pub fn new(
         case: &CaseResult,
         bound: &'static str,

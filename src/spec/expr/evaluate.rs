@@ -1,4 +1,4 @@
-//! The value of a syntax tree; dimensions are checked on the way.
+//! Evaluates the syntax tree of an expression and checks dimensions on the way.
 
 use super::node::{Kind, Node};
 use super::value::{ExprError, Value, fault};
@@ -67,7 +67,7 @@ impl Eval<'_> {
     fn binary(&mut self, op: &str, a: &Node, b: &Node, node: &Node) -> Result<Value, ExprError> {
         let overflow = || fault(self.text, node.span.clone(), "the unit's exponent is too large");
         Ok(match op {
-            // lazy, so that a guard protects what follows it
+            // short-circuit evaluation, so that a condition can protect what follows it
             "and" => Value::Truth(self.truth(a)? && self.truth(b)?),
             "or" => Value::Truth(self.truth(a)? || self.truth(b)?),
             "*" | "/" => {
@@ -179,7 +179,8 @@ impl Eval<'_> {
                         "the step of `round_up` must be positive",
                     ));
                 }
-                // a hair below a multiple counts as the multiple: 0.1 + 0.2 is not 0.4
+                // a value that exceeds a multiple only by rounding error counts as the multiple:
+                // 0.1 + 0.2 exceeds 0.3
                 Ok(Value::Quantity(Quantity { value: (x / step - 1e-9).ceil() * step, dim }))
             }
             _ => {

@@ -1,4 +1,4 @@
-//! The tokens of an expression.
+//! Splits an expression into tokens.
 
 use super::value::{ExprError, fault};
 use std::ops::Range;
@@ -36,7 +36,7 @@ pub(super) fn lex(text: &str) -> Result<Vec<Spanned>, ExprError> {
             while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'.') {
                 i += 1;
             }
-            // an exponent only if digits follow, so that `2 e` stays a number and a name
+            // an exponent needs digits; without them, `2 e` is a number and a name
             if matches!(bytes.get(i), Some(b'e' | b'E')) {
                 let sign = usize::from(matches!(bytes.get(i + 1), Some(b'+' | b'-')));
                 if bytes.get(i + 1 + sign).is_some_and(u8::is_ascii_digit) {

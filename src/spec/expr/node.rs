@@ -4,7 +4,7 @@ use super::value::Value;
 use std::ops::Range;
 
 #[derive(Clone, Debug, PartialEq)]
-/// Kind of a node, with its operands.
+/// Kind of a node with its operands.
 pub(super) enum Kind {
     Literal(Value),
     Name(String),

@@ -1,4 +1,4 @@
-//! The parser of expressions (Pratt): binding powers decide what an operator takes.
+//! Parser of expressions (Pratt). Binding powers decide which operands belong to an operator.
 
 use super::lex::{Spanned, Token};
 use super::node::{Kind, Node};
@@ -6,7 +6,7 @@ use super::value::{ExprError, Value, fault};
 use crate::units::{self, Quantity};
 use std::ops::Range;
 
-/// Deepest nesting accepted; guards the stack against hostile input.
+/// Deepest nesting that is accepted. It protects the stack against hostile input.
 const MAX_DEPTH: usize = 64;
 
 pub(super) struct Parser<'a> {
@@ -16,7 +16,8 @@ pub(super) struct Parser<'a> {
     pub(super) depth: usize,
 }
 
-/// Binding powers (left, right) of binary operators; right-associative where right < left.
+/// Left and right binding powers of the binary operators. An operator with right < left is
+/// right-associative.
 fn binding(op: &str) -> Option<(&'static str, u8, u8)> {
     Some(match op {
         "or" => ("or", 1, 2),
@@ -121,7 +122,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A number takes the longest unit that follows it: `12 mm`, `8 kN`, `8 kN m`, `5 N/mm2`.
+    /// Reads the unit after a number, as long as possible: `12 mm`, `8 kN`, `8 kN m`, `5 N/mm2`.
     fn with_unit(&mut self, value: f64, span: Range<usize>) -> Node {
         let rest = &self.tokens[self.next.min(self.tokens.len())..];
         for n in (1..=3.min(rest.len())).rev() {

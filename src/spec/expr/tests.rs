@@ -1,4 +1,4 @@
-//! Values, faults and hostile input of expressions.
+//! Expressions: values, errors and hostile input.
 
 use super::*;
 use crate::units::Quantity;

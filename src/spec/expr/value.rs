@@ -1,10 +1,10 @@
-//! Values of expressions, and why an expression has none.
+//! Values of expressions, and the error of an expression that has no value.
 
 use crate::units::{Dim, Quantity};
 use std::fmt;
 use std::ops::Range;
 
-/// A value: a quantity or a truth.
+/// Value of an expression: a quantity, or true or false.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// A number with its dimension, in internal units.
@@ -33,7 +33,7 @@ impl fmt::Display for Value {
         match self {
             Value::Truth(t) => write!(f, "{t}"),
             Value::Quantity(q) => {
-                // nine digits hide the rounding of decimal input; messages need no more
+                // nine decimals hide the rounding error of decimal input; messages need no more
                 let text = format!("{:.9}", q.value);
                 let text = text.trim_end_matches('0').trim_end_matches('.');
                 f.write_str(if text == "-0" { "0" } else { text })?;
@@ -51,7 +51,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// Why an expression has no value; `span` is a byte range of `text`.
+/// Reason why an expression has no value. `span` is a byte range of `text`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message} (in `{text}`, at `{}`)", self.excerpt())]
 pub struct ExprError {
@@ -59,18 +59,18 @@ pub struct ExprError {
     pub message: String,
     /// The whole expression.
     pub text: String,
-    /// The faulty piece of it.
+    /// Byte range of the faulty part.
     pub span: Range<usize>,
 }
 
 impl ExprError {
-    /// The faulty piece; `end` when it lies behind the last character.
+    /// The faulty part; `end` if it is behind the last character.
     pub fn excerpt(&self) -> &str {
         self.text.get(self.span.clone()).filter(|t| !t.is_empty()).unwrap_or("end")
     }
 }
 
-/// An error at a piece of a text.
+/// An error at a part of a text.
 pub(super) fn fault(text: &str, span: Range<usize>, message: impl Into<String>) -> ExprError {
     ExprError { message: message.into(), text: text.to_owned(), span }
 }

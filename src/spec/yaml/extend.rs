@@ -1,23 +1,23 @@
-//! One document that extends another: what it leaves out is taken from the other one.
+//! Lets one document extend another: what it leaves out is taken from the other document.
 
 use super::place::PlaceIndex;
 use serde_yaml::{Mapping, Value};
 
-/// The entry of a list that stands for all entries of the other document's list that this one does
-/// not name.
+/// A list entry with this text stands for all entries of the base document's list that this list
+/// does not name.
 pub const REST: &str = "base";
 
-/// Keys that name an entry of a list.
+/// Keys whose value names an entry of a list.
 const NAMES: [&str; 2] = ["name", "role"];
 
-/// The two as one. A key of `own` replaces that of `base`, except that
-/// - a list whose entries have names is `own`'s, in its order: an entry that `base` names too takes
-///   the keys that it leaves out from there, and the entry [`REST`] stands for all entries of
-///   `base` that the list does not name, in their order;
-/// - of the keys `merged`, which hold keys with values, every key that `own` leaves out is taken
-///   from `base`.
+/// Merges two documents. A key of `own` replaces the same key of `base`, with two exceptions:
+/// - A list whose entries have names keeps the entries of `own` in their order. An entry that
+///   `base` names too takes the keys that it leaves out from `base`. The entry [`REST`] stands for
+///   all entries of `base` that the list does not name, in their order.
+/// - The values of the keys `merged` are mappings. Every key that such a mapping of `own` leaves
+///   out is taken from `base`.
 ///
-/// The index has the place of every entry in the document that it comes from.
+/// The index gives the place of every entry in the document that it comes from.
 pub(super) fn extend(
     own: (Mapping, &PlaceIndex),
     base: (Mapping, &PlaceIndex),
@@ -55,7 +55,7 @@ pub(super) fn extend(
     (all, index)
 }
 
-/// A list that extends another one; `index` gets the places of its entries.
+/// Merges a list with the list that it extends. `index` receives the places of its entries.
 fn entries(
     path: &str,
     (own, own_index): (Vec<Value>, &PlaceIndex),
@@ -93,12 +93,12 @@ fn at(path: &str, i: usize) -> String {
     format!("{path}[{i}]")
 }
 
-/// The name of an entry, where it has one.
+/// The name of an entry, if it has one.
 fn name(entry: &Value) -> Option<&str> {
     NAMES.iter().find_map(|key| entry.get(key)?.as_str())
 }
 
-/// The keys of `own`, and those of `base` that it leaves out.
+/// The keys of `own`, completed by those of `base` that it leaves out.
 fn filled(mut own: Mapping, base: &Mapping) -> Mapping {
     for (key, value) in base {
         if !own.contains_key(key) {

@@ -1,4 +1,4 @@
-//! A document without types: only what the general rules need.
+//! Reads a document without types, only as far as the general rules need it.
 
 use super::place::PlaceIndex;
 use crate::diag::Diagnostic;
@@ -11,21 +11,21 @@ use std::fmt;
 pub(super) const TOO_LARGE: &str = "more than a million values";
 /// Part of the message when a value carries a tag.
 pub(super) const TAGGED: &str = "tagged value";
-/// Values a document may hold, aliases written out.
+/// Number of values that a document may contain after aliases are expanded.
 const BUDGET: usize = 1_000_000;
 
 /// A document reduced to its keys and its numbers.
 #[derive(Debug)]
 pub(super) enum Outline {
-    /// Entries in file order, duplicates kept.
+    /// A mapping: entries in file order, with duplicates.
     Map(Vec<(String, Outline)>),
-    /// Items.
+    /// A sequence.
     Seq(Vec<Outline>),
     /// A number that is NaN or infinite.
     NotFinite,
-    /// Nothing after the key.
+    /// A key without value.
     Nothing,
-    /// Anything else.
+    /// Any other value.
     Other,
 }
 
@@ -36,7 +36,7 @@ impl Outline {
         Seed(&left).deserialize(serde_yaml::Deserializer::from_str(text))
     }
 
-    /// Duplicate keys and non-finite numbers, in file order.
+    /// Adds a fault for each duplicate key and each non-finite number, in file order.
     pub(super) fn faults(&self, index: &PlaceIndex, text: &str, faults: &mut Vec<Diagnostic>) {
         self.walk("", index, text, faults);
     }
@@ -92,13 +92,13 @@ impl Outline {
     }
 }
 
-/// What a decimal comma leaves behind between braces: `{t: 20,5 mm}` has the keys `t` and `5 mm`.
-/// No key of ours begins with a digit.
+/// True for the rest of a number with decimal comma between braces: `{t: 20,5 mm}` has the keys `t`
+/// and `5 mm`. No valid key begins with a digit.
 fn is_half_a_number(key: &str) -> bool {
     key.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// Counts values down while reading.
+/// Counts down the number of values that may still be read.
 #[derive(Clone, Copy)]
 struct Seed<'a>(&'a Cell<usize>);
 

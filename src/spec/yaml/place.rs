@@ -5,29 +5,29 @@ use saphyr::{LoadableYamlNode, MarkedYaml, Marker, YamlData};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Where each path of a YAML file stands; places only, never values.
+/// The place of each path of a YAML file, without its value.
 #[derive(Clone, Debug, Default)]
 pub struct PlaceIndex {
     file: PathBuf,
-    /// Line, column (both from 1) of the place to show, and character index at which the value
-    /// starts.
+    /// Line and column (both from 1) of the place to report, and the index of the character at
+    /// which the value starts.
     at: BTreeMap<String, (usize, usize, usize)>,
-    /// The file of those paths that stand in another one.
+    /// The file of each path that is in another file.
     elsewhere: BTreeMap<String, PathBuf>,
 }
 
 impl PlaceIndex {
-    /// An index that knows only the file's name; for models made in memory.
+    /// An index that knows only the file name, for models made in memory.
     pub fn new(file: &Path) -> Self {
         Self { file: file.to_path_buf(), ..Self::default() }
     }
 
-    /// Reads the places of a text that has already been accepted as YAML (so its aliases are
-    /// harmless).
+    /// Collects the places of a text. The text must be accepted as YAML before, so its aliases are
+    /// harmless.
     pub(super) fn read(text: &str, file: &Path) -> Self {
         let mut index = Self::new(file);
-        // a second parser: where it disagrees with the first, messages lose their line, nothing
-        // else
+        // this is a second parser; where it disagrees with the first one, messages lose only their
+        // line
         if let Ok(documents) = MarkedYaml::load_from_str(text)
             && let Some(root) = documents.first()
         {
@@ -90,15 +90,15 @@ impl PlaceIndex {
         }
     }
 
-    /// An index of the same file that knows the place of the document alone.
+    /// An index of the same file that knows only the place of the whole document.
     pub(super) fn root(&self) -> Self {
         let mut root = Self::new(&self.file);
         root.at.extend(self.at.get_key_value("").map(|(k, v)| (k.clone(), *v)));
         root
     }
 
-    /// Takes over the places at and below the path `there` of another index, as those of the path
-    /// `here`; a path that is known already keeps its place.
+    /// Copies the places at and below the path `there` of another index to the path `here`. A path
+    /// that is already known keeps its place.
     pub(super) fn take(&mut self, here: &str, from: &Self, there: &str) {
         for (path, spot) in &from.at {
             let Some(below) = path.strip_prefix(there) else { continue };
@@ -114,13 +114,13 @@ impl PlaceIndex {
         }
     }
 
-    /// True when the file holds this very path.
+    /// True if the file contains exactly this path.
     pub fn has(&self, path: &str) -> bool {
         self.at.contains_key(path)
     }
 
-    /// The place of the last `key` at `path`: the parser for places keeps the last value of a key,
-    /// whose key is the nearest one before it.
+    /// The place of the last `key` at `path`. The parser for places keeps the last value of a
+    /// duplicate key, and the nearest key before that value belongs to it.
     pub(super) fn duplicate(&self, path: &str, key: &str, text: &str) -> Place {
         let mut place = self.place(path);
         if let Some((_, _, start)) = self.at.get(path) {

@@ -51,7 +51,7 @@ fn values_and_places() {
     assert_eq!(at("bolts[0].rows[1]"), (4, 15));
     assert_eq!(at("bolts[1]"), (5, 5));
     assert_eq!(at("bolts[1].rows[1]"), (5, 27));
-    // what is not there falls back to its nearest parent
+    // a path that does not exist has the place of its nearest parent
     assert_eq!(at("bolts[1].grade.name"), (5, 5));
     assert_eq!(at("nothing"), (1, 1));
     assert_eq!(p.index.place("bolts[1].grade").path.as_deref(), Some("bolts[1].grade"));
@@ -198,11 +198,11 @@ fn alias_bombs_are_refused() {
         bomb += &format!("a{i}: &a{i} [{items}]\n");
     }
     assert_eq!(read(&bomb).expect_err("bomb").first().code, "yaml/too-large");
-    // one long list named many times: few jumps, many values
+    // one long list used many times: few aliases, many values
     let long =
         format!("l: &l [{}]\nm: [{}]\n", vec!["1"; 3000].join(","), vec!["*l"; 3000].join(","));
     assert_eq!(read(&long).expect_err("long").first().code, "yaml/too-large");
-    // harmless aliases work
+    // harmless aliases are accepted
     assert!(read("title: &t a\nbolts: [{size: *t, rows: []}]\n").is_ok());
 }
 
