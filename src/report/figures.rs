@@ -1,4 +1,4 @@
-//! Loads and actions in the units engineers read them in. The rounding is that of
+//! Loads and actions in the units that engineers use. The rounding is that of
 //! [`crate::math::figures`].
 
 pub use crate::math::figures::{Rounding, bracket, fixed, percent_up, residual, significant};
@@ -29,7 +29,7 @@ impl LoadSize {
         }
     }
 
-    /// Factor from its own unit to that of the report.
+    /// Factor from the internal unit to that of the report.
     pub fn scale(self) -> f64 {
         match self {
             LoadSize::Force(_) => 1e-3,
@@ -37,7 +37,7 @@ impl LoadSize {
         }
     }
 
-    /// `351.4 kN`.
+    /// The value in words: `351.4 kN`.
     pub fn words(self) -> String {
         format!(
             "{} {}",
@@ -46,7 +46,7 @@ impl LoadSize {
         )
     }
 
-    /// The motion it does work on, and the unit of that motion.
+    /// The motion on which the load does work, and the unit of that motion.
     pub fn moves(self) -> (&'static str, &'static str) {
         match self {
             LoadSize::Force(_) => ("displacement", "mm"),

@@ -1,12 +1,12 @@
-//! `report.html`: the report as one page that needs no other file, to read and to print.
+//! `report.html`: the report as one page, to read and to print, that needs no other file.
 //!
-//! The text is that of `report.md`; pictures are put into it as data URIs.
+//! The text is that of `report.md`; pictures are embedded as data URIs.
 
 use crate::result::folder::ResultFolder;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
-/// The look of the page: narrow tables that do not break, headings on the page of the text that
-/// follows, A4 when printed.
+/// Style of the page: narrow tables that do not break, headings on the same page as the text that
+/// follows, A4 for printing.
 const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;color:#1b1f24;max-width:60rem;margin:2rem auto;padding:0 \
                      1rem}
@@ -37,7 +37,7 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
     let mut title = String::new();
     let mut in_title = false;
     let mut events = Vec::new();
-    // the text contains user input: raw HTML in it is shown, not executed
+    // the text contains user input: raw HTML in it is shown as text, not executed
     for event in Parser::new_ext(markdown, Options::ENABLE_TABLES) {
         match event {
             Event::Html(text) | Event::InlineHtml(text) => {
@@ -74,7 +74,7 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
     let mut page =
         String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n<title>");
-    // a text event is escaped where it is written
+    // a text event is escaped when it is written
     push_html(&mut page, std::iter::once(Event::Text(title.into())));
     page.push_str(&format!("</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n"));
     push_html(&mut page, events.into_iter());
@@ -82,7 +82,7 @@ pub fn report_html(markdown: &str, picture: impl Fn(&str) -> Option<Vec<u8>>) ->
     page
 }
 
-/// Writes `report.html` beside `report.md`, with the pictures that are in the folder by now.
+/// Writes `report.html` beside `report.md`, with the pictures that are already in the folder.
 pub fn write(folder: &ResultFolder, markdown: &str) -> Result<(), crate::diag::Diagnostics> {
     let inside = |name: &str| std::path::Path::new(name).components().count() == 1;
     let read =
@@ -114,7 +114,7 @@ fn base64(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    /// RFC 4648, section 10.
+    /// The test vectors of RFC 4648, section 10.
     #[test]
     fn base64_has_the_vectors_of_its_standard() {
         let cases = [

@@ -1,4 +1,4 @@
-//! Words and pictures of a result.
+//! Text and pictures of a result.
 
 pub mod console;
 pub mod draw;

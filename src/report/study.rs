@@ -1,4 +1,4 @@
-//! A study of speed against error as table, CSV and plots.
+//! Output of a study of speed against error: table, CSV and plots.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::mesh::mesher_error::MesherError;
@@ -10,7 +10,7 @@ use crate::result::study::{Meshes, Row, Study};
 use std::fmt::Write;
 use std::path::Path;
 
-/// The file that marks a folder as a study.
+/// The file that marks a folder as that of a study.
 pub const MARK: &str = "study.csv";
 
 impl Row {

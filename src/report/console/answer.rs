@@ -5,7 +5,7 @@ use crate::result::result_file::CaseResult;
 use crate::result::result_file::Quantity;
 use crate::result::result_file::Upper;
 
-/// The answer in a sentence, in the user's units, its warnings below.
+/// The answer in a sentence, in the user's units, followed by its warnings.
 pub fn answer(c: &CaseResult) -> String {
     let strict = c.certificate.is_some_and(|x| x.strict);
     let word = if strict { "certified" } else { "ESTIMATE, not certified" };

@@ -16,7 +16,7 @@ const WHOLE: u64 = 1000;
 /// Program, bar, time left, iteration.
 const TEMPLATE: &str = "{prefix:9} [{bar:8}] {left:>17}  {wide_msg}";
 
-/// How often a bar is drawn again.
+/// Interval at which a bar is redrawn.
 const TICK: Duration = Duration::from_millis(250);
 
 /// Collects the log of a run and shows it on standard error.
@@ -52,7 +52,8 @@ fn held<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 }
 
 impl Log {
-    /// A log that shows its lines on standard error unless `quiet`, with bars only on a terminal.
+    /// A log that shows its lines on standard error unless `quiet`. Bars are shown only on a
+    /// terminal.
     pub fn new(quiet: bool) -> Self {
         let drawn = !quiet && std::io::stderr().is_terminal();
         let target =
@@ -66,7 +67,7 @@ impl Log {
         Self { start: Instant::now(), quiet, lines: Mutex::default(), bars, stage, programs, drawn }
     }
 
-    /// Logs a line: it is kept, and shown unless quiet.
+    /// Logs a line; shows it unless quiet.
     pub fn line(&self, text: impl AsRef<str>) {
         self.keep(text.as_ref());
         self.say(text);
@@ -75,7 +76,7 @@ impl Log {
     /// Shows a line that is in `log.txt` already.
     pub fn say(&self, text: impl AsRef<str>) {
         if !self.quiet {
-            // the run goes on where the terminal is gone
+            // the run continues if the terminal is gone
             self.bars.suspend(|| _ = writeln!(std::io::stderr(), "{}", text.as_ref()));
         }
     }
@@ -85,14 +86,14 @@ impl Log {
         self.keep(text.as_ref());
     }
 
-    /// Logs the current step and shows it beside the spinner until the next one.
+    /// Logs the current step and shows it beside the spinner until the next step.
     pub fn stage(&self, text: impl Into<String>) {
         let text = text.into();
         self.keep(&text);
         self.stage.set_message(text);
     }
 
-    /// A program's solve begins: on a terminal it gets a bar.
+    /// Marks the begin of a program's solve. On a terminal the solve gets a bar.
     pub fn begin(&self, program: Program, pace: Pace) {
         if !self.drawn {
             return;
@@ -107,7 +108,7 @@ impl Log {
         }
     }
 
-    /// The next iteration of a program, with the words that stand beside its bar.
+    /// Shows the next iteration of a program, with the words beside its bar.
     pub fn iteration(&self, program: Program, i: &Iteration, words: &str) {
         let programs = held(&self.programs);
         let Some(Bar { bar, pace }) = programs.get(&program) else { return };
@@ -115,13 +116,13 @@ impl Log {
         timed.pace.add(i);
         timed.updated = Instant::now();
         let share = timed.pace.share();
-        // drawing asks for the pace again
+        // drawing locks the pace again
         drop(timed);
         bar.set_position((share * WHOLE as f64) as u64);
         bar.set_message(words.to_string());
     }
 
-    /// A program's solve has ended: its bar goes.
+    /// Marks the end of a program's solve and removes its bar.
     pub fn end(&self, program: Program) {
         if let Some(Bar { bar, .. }) = held(&self.programs).remove(&program) {
             bar.finish_and_clear();
@@ -133,7 +134,7 @@ impl Log {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// The text of `log.txt`: seconds since the start before each line.
+    /// The text of `log.txt`: each line begins with the seconds since the start.
     pub fn text(&self) -> String {
         held(&self.lines).clone()
     }
@@ -147,7 +148,7 @@ impl Log {
     }
 }
 
-/// The bar of a program; the time left runs on between iterations.
+/// The bar of a program. The time left counts down between iterations.
 fn style(pace: Arc<Mutex<Timed>>) -> ProgressStyle {
     let left = move |_: &ProgressState, out: &mut dyn fmt::Write| {
         let timed = held(&pace);

@@ -1,10 +1,11 @@
-//! Data on standard output; talk goes to standard error.
+//! Data on standard output; messages go to standard error.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
-/// Writes text to standard output. A reader that has seen enough (`bracket … | head`) is no fault.
+/// Writes text to standard output. A reader that closes the pipe early (`bracket … | head`) is not
+/// a fault.
 pub fn text(data: &str) -> Result<(), Diagnostics> {
     let mut out = std::io::stdout().lock();
     match out.write_all(data.as_bytes()).and_then(|()| out.flush()) {
@@ -18,12 +19,13 @@ pub fn text(data: &str) -> Result<(), Diagnostics> {
     }
 }
 
-/// Writes one JSON document and a line end to standard output.
+/// Writes one JSON document and a newline to standard output.
 pub fn json(data: &impl Serialize) -> Result<(), Diagnostics> {
     text(&format!("{:#}\n", serde_json::json!(data)))
 }
 
-/// Lines of cells in columns: the first column left, numbers right, two blanks between.
+/// Arranges the cells of each line in columns: the first column left-aligned, numbers
+/// right-aligned, two blanks between columns.
 pub fn columns(head: &[&str], rows: &[Vec<String>]) -> String {
     let width = |i: usize| {
         rows.iter()

@@ -1,19 +1,19 @@
-//! Remaining time of a solve: at first from its forecast, then from its own pace.
+//! Remaining time of a solve, estimated at first from its forecast, then from its own pace.
 
 use crate::solve::Iteration;
 
 /// Iterations of a typical solve.
 const TYPICAL: f64 = 20.0;
 
-/// Iterations over which the trend is taken.
+/// Number of iterations from which the trend is computed.
 const WINDOW: usize = 5;
 
-/// Iterations after which only the trend counts: the first ones are not representative, their steps
-/// are short.
+/// Number of iterations after which only the trend counts. The first iterations are not
+/// representative, because their steps are short.
 const SETTLED: f64 = 8.0;
 
-/// Slowest trend that is assumed, in decades per iteration: a stalled solve ends earlier than its
-/// trend predicts.
+/// Slowest assumed trend, in decades per iteration: a stalled solve ends earlier than its trend
+/// predicts.
 const SLOWEST: f64 = 0.1;
 
 /// The iterations of one solve so far, and the remaining time they predict.
@@ -27,13 +27,13 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// For a solve that ends at `tolerance` and is expected to take `forecast` seconds.
+    /// The pace of a solve that ends at `tolerance` and is expected to take `forecast` seconds.
     pub fn new(tolerance: f64, forecast: Option<f64>) -> Self {
         Self { tolerance, forecast, iterations: Vec::new(), last: None }
     }
 
-    /// Adds the next iteration. Where the numbers start again, another solver has taken over: its
-    /// pace is measured afresh.
+    /// Adds the next iteration. If the numbers start again, another solver has taken over, and its
+    /// pace is measured anew.
     pub fn add(&mut self, i: &Iteration) {
         if self.last.is_some_and(|last| i.number <= last) {
             self.iterations.clear();
@@ -45,7 +45,7 @@ impl Pace {
         self.iterations.push((i.seconds, if merit.is_finite() { merit.min(0.0) } else { 0.0 }));
     }
 
-    /// Seconds left from the last iteration on; `None` where nothing is known yet.
+    /// Seconds left after the last iteration; `None` if nothing is known yet.
     pub fn left(&self) -> Option<f64> {
         let done = self.iterations.len().saturating_sub(1);
         let (Some(&(start, _)), Some(&(now, merit))) =
@@ -98,7 +98,7 @@ mod tests {
         Iteration { number, gap, residual: 0.1 * gap, step: 0.9, seconds }
     }
 
-    /// Ten seconds an iteration, a decade each second iteration: 18 iterations from 1 to 1e-9.
+    /// Ten seconds per iteration and one decade per two iterations: 18 iterations from 1 to 1e-9.
     #[test]
     fn the_forecast_counts_until_the_pace_is_known() {
         let mut pace = Pace::new(1e-9, Some(200.0));
@@ -111,7 +111,7 @@ mod tests {
             pace.add(&at(k, 10f64.powf(-0.5 * f64::from(k)), 10.0 + 10.0 * f64::from(k)));
             let left = pace.left().expect("known");
             let truth = 10.0 * f64::from(18 - k);
-            // the usual 20 iterations weigh less and less
+            // the weight of the typical 20 iterations decreases steadily
             assert!((left - truth).abs() <= 20.0 && left < before, "{k}: {left} against {truth}");
             assert!(k < 8 || (left - truth).abs() < 1e-6, "{k}: {left} against {truth}");
             before = left;

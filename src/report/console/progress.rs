@@ -1,4 +1,4 @@
-//! The events of a pass as lines and bars.
+//! Shows the events of a pass as lines and bars.
 
 use crate::analysis::event::Event;
 use crate::analysis::program::Program;
@@ -21,7 +21,7 @@ fn forecast_words(unknowns: usize, forecast: Option<&Forecast>) -> String {
     text
 }
 
-/// Notes in the log an event of a program of a load case; `tolerance`: gap at which its solve ends.
+/// Logs an event of a program of a load case. `tolerance` is the gap at which its solve ends.
 pub fn note(log: &Log, case: &str, tolerance: f64, program: Program, event: Event<'_>) {
     let name = program.name();
     match event {

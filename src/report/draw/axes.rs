@@ -13,7 +13,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// With a little room beyond the largest values.
+    /// Axes with a margin beyond the largest values.
     pub fn new(largest: [f64; 2]) -> Self {
         Self { reach: largest.map(|r| if r > 0.0 { 1.08 * r } else { 1.0 }) }
     }
@@ -23,14 +23,14 @@ impl Axes {
         self.reach
     }
 
-    /// A point of the plot \[pixels\].
+    /// Position of a point in the plot \[pixels\].
     pub fn at(&self, c: [f64; 2]) -> [f64; 2] {
         let part = |k: usize| c[k] / self.reach[k];
         [MARGIN + 0.5 * SIDE * (1.0 + part(0)), LINE + 0.5 * SIDE * (1.0 - part(1))]
     }
 
-    /// Draws the frame with its ticks; the names of the axes are those of the quantities to the
-    /// right and upwards. Returns the point where a legend begins.
+    /// Draws the frame with its ticks. `names` are the quantities to the right and upwards. Returns
+    /// the point where a legend begins.
     pub fn draw(&self, d: &mut Drawing, names: [&str; 2]) -> [f64; 2] {
         let reach = self.reach;
         let [left, top] = self.at([-reach[0], reach[1]]);
@@ -62,7 +62,7 @@ impl Axes {
     }
 }
 
-/// A round step that divides a range into four to ten.
+/// A round step that divides a range into four to ten parts.
 fn step(range: f64) -> f64 {
     let power = 10f64.powf((range / 4.0).log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| range / s >= 4.0).unwrap_or(power)

@@ -1,11 +1,11 @@
-//! A canvas with depth, drawn at twice the resolution and averaged down to the picture.
+//! A canvas with depth buffer, drawn at twice the resolution and averaged down to the picture.
 
 use crate::report::draw::lettering::text_segments;
 
 /// A colour, red green blue, 0 … 255.
 pub type Rgb = [f32; 3];
 
-/// Samples a pixel along each side.
+/// Number of samples of a pixel along each side.
 pub const SAMPLES: usize = 2;
 
 /// A finished picture, 8 bit red green blue.
@@ -15,7 +15,7 @@ pub struct Picture {
     pub width: usize,
     /// Height \[pixels\].
     pub height: usize,
-    /// Rows from the top, three bytes a pixel.
+    /// Rows from the top, three bytes per pixel.
     pub rgb: Vec<u8>,
 }
 
@@ -40,13 +40,13 @@ impl Picture {
     }
 }
 
-/// Colour and depth of every sample. Coordinates are pixels from the top left unless said
+/// Colour and depth of every sample. Coordinates are pixels from the top left unless stated
 /// otherwise.
 pub struct Canvas {
     width: usize,
     height: usize,
     colour: Vec<[u8; 3]>,
-    /// Larger is nearer; −∞ where there is nothing.
+    /// Depth of each sample; larger is nearer, −∞ where nothing is drawn.
     depth: Vec<f32>,
 }
 
@@ -67,8 +67,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a triangle given in sample coordinates and depth. `shade` gets the barycentric
-    /// coordinates of a sample and twice the triangle's area in samples.
+    /// Draws a triangle given in sample coordinates and depth. `shade` receives the barycentric
+    /// coordinates of a sample and twice the area of the triangle in samples.
     pub fn triangle(&mut self, corners: [[f64; 3]; 3], shade: impl Fn([f64; 3], f64) -> Rgb) {
         let [a, b, c] = corners;
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -86,7 +86,8 @@ impl Canvas {
                 let u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
                 let v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
                 let w = [1.0 - u - v, u, v];
-                // samples on a shared edge are drawn by both triangles: better than a pinhole
+                // samples on a shared edge are drawn by both triangles, because a gap would show as
+                // a pinhole
                 if w.iter().any(|&w| w < -1e-9) {
                     continue;
                 }
@@ -100,8 +101,8 @@ impl Canvas {
         }
     }
 
-    /// Darkens samples whose neighbour is empty or farther by more than `jump`: the outline of the
-    /// parts in front.
+    /// Darkens samples whose neighbour is empty or farther by more than `jump`. This draws the
+    /// outline of the parts in front.
     pub fn outline(&mut self, ink: Rgb, jump: f64) {
         let ink = bytes(ink);
         let mut marked = Vec::new();
@@ -159,7 +160,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a line with round ends; `half` is half its width.
+    /// Draws a line with round ends. `half` is half its width.
     pub fn line(&mut self, from: [f64; 2], to: [f64; 2], half: f64, ink: Rgb) {
         let s = SAMPLES as f64;
         let (a, b, half) = (from.map(|x| x * s), to.map(|x| x * s), half * s);

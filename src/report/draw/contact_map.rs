@@ -22,9 +22,9 @@ const BANDS: [&str; 5] = ["#fde0c5", "#f8b58b", "#f2855d", "#e34f38", "#a50f15"]
 /// A face on its plane: corners \[mm\] and mean pressure \[MPa\].
 type Patch = ([[f64; 2]; 3], f64);
 
-/// The map of the contact between two parts as SVG text, completed by the planes of symmetry whose
-/// normals are `mirror`; `None` without pressure, or where the faces do not lie on one plane normal
-/// to an axis.
+/// The map of the contact between two parts as SVG text, completed by reflection in the planes of
+/// symmetry with the normals `mirror`. `None` if there is no pressure, or if the faces do not lie
+/// on one plane normal to an axis.
 pub fn contact_map(
     model: &AnalysisModel,
     stress: &StressField,
@@ -77,7 +77,8 @@ pub fn contact_map(
     Some(draw(&patches, peak, [u, v], pair))
 }
 
-/// The axes across and up the page for a plane across `axis`: z stays up where it can.
+/// The axes that point right and up on the page, for a plane normal to `axis`. z points up where
+/// possible.
 fn page_axes(axis: usize) -> [usize; 2] {
     match axis {
         0 => [1, 2],
@@ -92,7 +93,7 @@ fn colour(pressure: f64, peak: f64) -> &'static str {
     if part < OPEN {
         return NOTHING;
     }
-    // the largest one belongs to the last band
+    // the largest pressure belongs to the last band
     BANDS[((part * BANDS.len() as f64) as usize).min(BANDS.len() - 1)]
 }
 
@@ -146,7 +147,7 @@ fn draw(patches: &[Patch], peak: f64, [u, v]: [usize; 2], pair: &ContactForce) -
 mod tests {
     use super::*;
 
-    /// Every band has its colour, open faces have none, and the map names its peak and its sides.
+    /// Every band has its colour, open faces have none, and the map shows its peak and its sides.
     #[test]
     fn bands_cover_the_pressures() {
         let found: Vec<&str> =

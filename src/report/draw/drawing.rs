@@ -1,8 +1,8 @@
-//! Drawings of an end plate joint: side view and front view with dimensions, and the sketch of the
+//! Drawings of an end plate joint: side view and front view with dimensions, and a sketch of the
 //! actions with their signs.
 //!
-//! They show the input of the hand checks (`assembly::EndPlate`), so that a wrong value of a spec
-//! is visible.
+//! They show the input of the hand checks (`assembly::EndPlate`), so that the reader sees a wrong
+//! value of a spec.
 
 use crate::assembly::{EndPlate, PlaneActions};
 use crate::checks::check::{Unit, number as n};
@@ -10,14 +10,14 @@ use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
 /// Height of the joint on the page \[pixels\].
 const HEIGHT: f64 = 380.0;
-/// Widest view \[pixels\].
+/// Largest width of a view \[pixels\].
 const WIDTH: f64 = 420.0;
 const STEEL: &str = "#eef1f4";
 const BOLT: &str = "#c9d3dc";
 const MARGIN: f64 = 24.0;
 
-/// Side view and front view. `plates`: end plates of the joint, 1 or 2; `length`: nominal length of
-/// the bolts, where one is stocked.
+/// Side view and front view. `plates` is the number of end plates of the joint, 1 or 2. `length` is
+/// the nominal length of the bolts, if a suitable length is stocked.
 pub fn views(e: &EndPlate, plates: usize, length: Option<f64>) -> String {
     sheet(e, plates, length).finish("Joint, side view and front view of the end plate")
 }
@@ -27,9 +27,9 @@ pub fn actions(e: &EndPlate) -> String {
     loads(e).finish("Actions at the member ends, positive senses")
 }
 
-/// Millimetres of the joint to pixels of the page.
+/// Maps millimetres of the joint to pixels of the page.
 struct Scale {
-    /// Pixels a millimetre.
+    /// Pixels per millimetre.
     k: f64,
     /// Page coordinates of x = 0, z = 0.
     origin: [f64; 2],
@@ -93,7 +93,7 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
                 d.rectangle(Pen::Edge, BOLT, s.at(-h + tf, z - t), s.at(h - tf, z + t));
             }
         }
-        // the column goes on
+        // the column continues beyond the drawing
         for z in [low, high] {
             break_line(d, s.at(-h, z), s.at(h, z));
         }
@@ -109,14 +109,14 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
         }
         break_line(d, s.at(end, -half), s.at(end, half));
     }
-    // drawn over the parts that they pass through
+    // drawn last, over the parts that they pass through
     for &side in sides {
         if e.column.is_some() || side > 0.0 {
             let inner = e.column.as_ref().map_or(-e.thickness, |c| face - c.section.tf);
             e.rows.iter().for_each(|z| bolt(d, e, s, side, [face + e.thickness, inner], *z));
         }
     }
-    // below: the column and a plate, or both plates
+    // below: column and plate, or both plates
     let from = s.at(0.0, low)[1];
     let (points, show) = match &e.column {
         Some(c) => (vec![-face, face, face + e.thickness], vec![n(c.section.h), n(e.thickness)]),
@@ -129,7 +129,7 @@ fn side_view(d: &mut Drawing, e: &EndPlate, s: &Scale, both: bool, [low, high]: 
     d.vertical_chain(x + 22.0, true, x, &ys, &[n(e.beam.h)]);
 }
 
-/// A bolt in the side view: head on the plate, shank, nut; `side` −1 mirrors it.
+/// A bolt in the side view: head on the plate, shank, nut. `side` = −1 mirrors it.
 fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, side: f64, [outer, inner]: [f64; 2], z: f64) {
     let b = &e.bolt;
     let mut piece = |x: [f64; 2], half: f64| {
@@ -140,7 +140,7 @@ fn bolt(d: &mut Drawing, e: &EndPlate, s: &Scale, side: f64, [outer, inner]: [f6
     piece([inner - b.nut_height, inner], 0.5 * b.nut_width);
 }
 
-/// The end of a member that goes on: a line with a zigzag in its middle.
+/// The end of a member that continues: a line with a zigzag in its middle.
 fn break_line(d: &mut Drawing, a: [f64; 2], b: [f64; 2]) {
     let at = |t: f64, off: f64| {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -170,7 +170,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
     }
     for &z in &e.rows {
         for y in e.columns() {
-            // a hexagon with two sides upright
+            // a hexagon with two vertical sides
             let r = 0.5 * e.bolt.head_corners;
             let corners: Vec<[f64; 2]> = (0..6)
                 .map(|i| std::f64::consts::FRAC_PI_3 * (f64::from(i) + 0.5))
@@ -183,7 +183,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
             d.line(Pen::Thin, s.at(y, z - reach), s.at(y, z + reach));
         }
     }
-    // right: ends and rows, then the whole; left: the flanges of the beam
+    // right: ends and rows, then the total; left: the flanges of the beam
     let wide = w.max(e.column.as_ref().map_or(0.0, |c| 0.5 * c.section.b));
     let [right, left] = [s.at(wide, 0.0)[0], s.at(-wide, 0.0)[0]];
     let mut rows = e.rows.clone();
@@ -199,7 +199,7 @@ fn front_view(d: &mut Drawing, e: &EndPlate, s: &Scale, [low, high]: [f64; 2]) {
     d.vertical_chain(right + 74.0, true, right + 60.0, &ys, &show);
     let (ys, show) = chain(&[e.bottom, -half, half, e.top]);
     d.vertical_chain(left - 22.0, false, left, &ys, &show);
-    // below: edges and gauge, then the whole
+    // below: edges and gauge, then the total
     let from = s.at(0.0, low)[1];
     let ys: Vec<f64> = [-w].into_iter().chain(e.columns()).chain([w]).collect();
     let show: Vec<String> = ys.windows(2).map(|w| n(w[1] - w[0])).collect();
@@ -249,7 +249,7 @@ fn legend(e: &EndPlate, both: bool, length: Option<f64>) -> Vec<String> {
     out
 }
 
-/// The joint in lines, an arrow for every positive action, and the values of the load cases.
+/// The joint as lines, an arrow for every positive action, and the values of the load cases.
 fn loads(e: &EndPlate) -> Drawing {
     let mut d = Drawing::default();
     let ends: Vec<&str> = e.actions.iter().fold(Vec::new(), |mut ends, a| {
@@ -277,7 +277,7 @@ fn loads(e: &EndPlate) -> Drawing {
         };
         d.text([x + side * 110.0, y + 38.0], Anchor::Middle, end_name);
         d.line(Pen::Hidden, [plane, y - 70.0], [plane, y + 70.0]);
-        // pull, lift, and the moment that pulls the top
+        // tension, lift, and the moment that pulls the top
         d.arrow([end, y], [end + side * 46.0, y]);
         d.arrow([end, y - 26.0], [end, y - 70.0]);
         d.turn([end, y], 34.0, side > 0.0);
@@ -340,7 +340,7 @@ mod tests {
                           grade: \"8.8\", rows: [-350, -200, -155, 155]}\nloads: [{name: A, end: \
                           beam_right, at: bolt_plane, My: 40 kN m}]\n";
 
-    /// No two texts overlap, and every dimension that a fitter needs is there.
+    /// No two texts overlap, and the drawing gives every dimension that a fitter needs.
     #[test]
     fn drawings_give_every_size_and_no_text_covers_another() {
         for (text, plates) in [(COLUMN, 2), (COLUMN, 1), (SPLICE, 2)] {

@@ -23,7 +23,7 @@ pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64
     let top = y;
     let label_every = (1.6 * LETTER / height).ceil().max(1.0) as usize;
     for i in 0..bands.count {
-        // high values on top
+        // high values at the top
         let box_top = top + (bands.count - 1 - i) as f64 * height;
         canvas.rectangle([left, box_top], [left + 34.0, box_top + height], bands.colour(i));
         canvas.frame([left, box_top], [left + 34.0, box_top + height], INK);
@@ -112,7 +112,7 @@ fn four_digits_plain(x: f64) -> String {
     }
 }
 
-/// The three axes as seen; returns where they end on the right.
+/// The three axes in the view; returns their right end.
 fn axes(canvas: &mut Canvas, view: &View, at: [f64; 2]) -> f64 {
     let directions = [0, 1, 2].map(|k| [30.0 * view.right[k], -30.0 * view.up[k]]);
     for (direction, name) in directions.iter().zip(["x", "y", "z"]) {

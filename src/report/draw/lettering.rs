@@ -1,13 +1,13 @@
-//! Letters as strokes, the way a plotter draws them: no font file, readable at any size.
+//! Letters drawn as strokes, as on a plotter: no font file, readable at any size.
 //!
-//! A glyph is a list of polylines on a grid four units wide; `y` counts up from the descender at 0
-//! over the baseline at 2 to the top of capitals at 8. Each point is two digits, polylines are
-//! separated by blanks.
+//! A glyph is a list of polylines on a grid four units wide. `y` increases upwards: the descender
+//! is at 0, the baseline at 2, the top of capitals at 8. Each point has two digits; blanks separate
+//! polylines.
 
 /// Width of a glyph with the space after it, in grid units.
 const ADVANCE: f64 = 6.0;
 
-/// Strokes of one letter; letters that are not drawn show as an empty box.
+/// Strokes of one letter. Letters without strokes are shown as an empty box.
 fn strokes(letter: char) -> &'static str {
     match letter {
         ' ' => "",

@@ -1,12 +1,12 @@
-//! The M–N diagram of the component method: resistance of a joint to moment and axial force, and
+//! The M–N diagram of the component method: resistance of a joint to moment and axial force, with
 //! the load cases.
 
 use crate::checks::MomentAxial;
 use crate::report::draw::axes::Axes;
 use crate::report::draw::svg::{Anchor, Drawing, LINE, Pen};
 
-/// The diagram as SVG text; axial force to the right (tension positive), moment upwards (tension at
-/// the top positive).
+/// The diagram as SVG text. The axial force points to the right (tension positive), the moment
+/// upwards (tension at the top positive).
 pub fn drawing(diagram: &MomentAxial) -> String {
     let show = |p: [f64; 2]| [1e-3 * p[0], 1e-6 * p[1]];
     let border: Vec<[f64; 2]> = diagram.border.iter().copied().map(show).collect();

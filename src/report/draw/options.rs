@@ -1,4 +1,4 @@
-//! How a picture of a mesh is made: size, view, colours.
+//! Options for a picture of a mesh: size, view, colours.
 
 /// A field at the nodes of the mesh, shown in bands of colour.
 #[derive(Clone, Copy, Debug)]
@@ -7,38 +7,39 @@ pub struct Field<'a> {
     pub name: &'a str,
     /// Its unit, for the legend; empty for a plain number.
     pub unit: &'a str,
-    /// One value a node; NaN where the field is not defined (shown grey).
+    /// One value per node; NaN where the field is not defined (shown grey).
     pub values: &'a [f64],
-    /// Lowest and highest value of the colours; absent: of the field. Values beyond keep the last
-    /// colour.
+    /// Lowest and highest value of the colours; absent: those of the field. Values outside have the
+    /// first or last colour.
     pub range: Option<[f64; 2]>,
 }
 
-/// Displacements drawn larger than they are.
+/// Magnified displacements.
 #[derive(Clone, Copy, Debug)]
 pub struct Deformed<'a> {
     /// Displacement of each node of the mesh \[mm\].
     pub displacement: &'a [[f64; 3]],
-    /// Times this.
+    /// Magnification.
     pub factor: f64,
-    /// Whether the factor means anything: velocities of a mechanism have no size.
+    /// True if the factor has a meaning. It has none for a mechanism, whose velocities have no
+    /// scale.
     pub to_scale: bool,
 }
 
-/// How a picture is made.
+/// Options for a picture.
 #[derive(Clone, Debug)]
 pub struct PictureOptions<'a> {
     /// Width \[pixels\], at least 320.
     pub width: usize,
-    /// Height at most \[pixels\], at least 240; less is used where the shape is flat.
+    /// Largest height \[pixels\], at least 240; the picture is lower if the shape is flat.
     pub max_height: usize,
-    /// Axes (0 = x, 1 = y, 2 = z) whose plane through the origin is a symmetry plane to complete
-    /// the shape by.
+    /// Axes (0 = x, 1 = y, 2 = z) whose normal plane through the origin is a symmetry plane. The
+    /// shape is completed by reflection in these planes.
     pub mirror: &'a [usize],
     /// Direction from the shape to the eye; absent: chosen from the shape.
     pub eye: Option<[f64; 3]>,
-    /// Bodies to come close to: the frame is theirs plus a quarter, the rest is cut at its border.
-    /// Empty: everything.
+    /// Bodies to zoom in on. The frame is their extent plus a quarter, and the rest is cut at its
+    /// border. Empty: the whole shape.
     pub focus: &'a [&'a str],
     /// Whether the lines of the mesh are drawn.
     pub mesh_lines: bool,

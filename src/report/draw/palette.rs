@@ -31,7 +31,7 @@ const FIELD_COLOURS: [Rgb; 7] = [
     [190.0, 36.0, 44.0],
 ];
 
-/// Bodies that share a colour: those whose names agree up to the first `_` or digit.
+/// Groups of bodies that share a colour: bodies whose names agree up to the first `_` or digit.
 pub(super) struct Groups {
     pub names: Vec<String>,
     pub of_body: Vec<usize>,
@@ -78,7 +78,7 @@ impl Bands {
         ];
         let [low, high] = field.range.unwrap_or(extremes);
         if !(low.is_finite() && high.is_finite() && high > low) {
-            // nothing, or one value everywhere: a single band around it
+            // no value, or one value everywhere: a single band around it
             let value = if low.is_finite() { low } else { 0.0 };
             let step = nice(value.abs().max(1.0));
             return Self { low: (value / step).floor() * step, step, count: 1, extremes };
@@ -117,7 +117,7 @@ impl Bands {
     }
 }
 
-/// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is not below `x`.
+/// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is at least `x`.
 pub(super) fn nice(x: f64) -> f64 {
     let power = 10.0_f64.powf(x.log10().floor());
     [1.0, 2.0, 2.5, 5.0, 10.0]

@@ -1,4 +1,5 @@
-//! A plot with two logarithmic axes, as a picture and as SVG text, both from the same strokes.
+//! A plot with two logarithmic axes, as a picture and as SVG text, both drawn from the same
+//! strokes.
 
 use crate::report::draw::canvas::{Canvas, Picture, Rgb};
 use crate::report::draw::lettering::text_width;
@@ -15,7 +16,7 @@ const LETTERS: f64 = 10.0;
 const PAPER: Rgb = [255.0; 3];
 const INK: Rgb = [30.0; 3];
 const GRID: Rgb = [222.0; 3];
-/// Colours that stay apart in grey and for colour-blind eyes (Okabe and Ito).
+/// Colours that remain distinct in grey and for colour-blind readers (Okabe and Ito).
 const COLOURS: [Rgb; 6] = [
     [0.0, 114.0, 178.0],
     [213.0, 94.0, 0.0],
@@ -25,12 +26,12 @@ const COLOURS: [Rgb; 6] = [
     [120.0, 120.0, 0.0],
 ];
 
-/// Points that belong together, joined by lines in their order.
+/// Points of one series, joined by lines in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
-    /// Abscissa and ordinate, both above zero; others are left out.
+    /// Abscissa and ordinate, both positive; other points are left out.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -45,7 +46,7 @@ pub struct Plot {
     pub y: String,
     /// The series.
     pub series: Vec<Series>,
-    /// A level of the ordinate to be marked, and its name.
+    /// A level of the ordinate to mark, and its name.
     pub level: Option<(f64, String)>,
 }
 
@@ -69,14 +70,14 @@ enum Mark {
     },
 }
 
-/// A logarithmic axis from `low` to `high`, decades of one, two and five marked.
+/// A logarithmic axis from `low` to `high`, with marks at one, two and five in each decade.
 struct Axis {
     low: f64,
     high: f64,
 }
 
 impl Axis {
-    /// Around the values, with a margin.
+    /// The axis around the values, with a margin.
     fn around(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values.fold((f64::INFINITY, 0.0f64), |(l, h), v| (l.min(v), h.max(v)));
         if !(low > 0.0 && high > 0.0) {
@@ -86,7 +87,7 @@ impl Axis {
         Self { low: low / margin, high: high * margin }
     }
 
-    /// From 0 at the low end to 1 at the high one.
+    /// Position on the axis, from 0 at the low end to 1 at the high end.
     fn share(&self, value: f64) -> f64 {
         (value / self.low).ln() / (self.high / self.low).ln()
     }
@@ -95,7 +96,7 @@ impl Axis {
         let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
         let all = decades.flat_map(|d| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(d)));
         let inside: Vec<f64> = all.filter(|v| (self.low..=self.high).contains(v)).collect();
-        // over many decades the powers of ten are enough
+        // over many decades the powers of ten are sufficient
         let many = inside.len() > 10;
         inside
             .into_iter()
@@ -104,7 +105,7 @@ impl Axis {
     }
 }
 
-/// A mark's value in few letters: `0.02`, `500`, `20k`.
+/// Short label of a mark: `0.02`, `500`, `20k`.
 fn label(value: f64) -> String {
     match value {
         v if v >= 0.9995e6 => format!("{}M", short(v / 1e6)),
@@ -167,7 +168,7 @@ impl Plot {
             let places: Vec<[f64; 2]> = s.points.iter().filter(good).map(|p| place(*p)).collect();
             marks.extend(places.windows(2).map(|p| line(p[0], p[1], 0.9, colour)));
             marks.extend(places.iter().map(|p| Mark::Dot { at: *p, colour }));
-            // where curves fall from left to right the top right corner is free
+            // curves that fall from left to right leave the top right corner free
             let at = [right - 14.0 - text_width(&s.name, LETTERS), top + 20.0 + 18.0 * i as f64];
             marks.push(line(
                 [at[0] - 30.0, at[1] - 0.5 * LETTERS],
@@ -263,7 +264,7 @@ mod tests {
         }
     }
 
-    /// Equal ratios are equal distances, and a decade's marks lie where the logarithm says.
+    /// Equal ratios have equal distances, and the marks of a decade lie at their logarithms.
     #[test]
     fn axes_are_logarithmic() {
         let axis = Axis { low: 10.0, high: 1000.0 };
@@ -277,8 +278,8 @@ mod tests {
         assert!(Axis::around([].into_iter()).marks().len() > 1);
     }
 
-    /// Both forms have a dot for every valid point and for each name in the legend; names cannot
-    /// break the text; points without a logarithm are left out.
+    /// Both forms have a dot for every valid point and for each name in the legend. Names cannot
+    /// break the text. Points without a logarithm are left out.
     #[test]
     fn every_good_point_is_drawn() {
         let svg = plot().svg();

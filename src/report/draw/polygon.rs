@@ -17,7 +17,7 @@ pub fn drawing(polygon: &CapacityPolygon) -> String {
     let (lower, upper) = (points(|p| p.lower), points(|p| p.upper));
     let inner: Vec<[f64; 2]> = polygon.inner.iter().map(show).collect();
     let corners: Vec<[f64; 2]> = polygon.outer.iter().map(show).collect();
-    // open sides leave the frame, far corners as well
+    // open sides extend beyond the frame, and so do far corners
     let seen = lower.iter().chain(&upper).chain(&inner);
     let mut reach = seen.fold([0.0f64; 2], |r, c| [r[0].max(c[0].abs()), r[1].max(c[1].abs())]);
     for c in &corners {

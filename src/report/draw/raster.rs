@@ -1,8 +1,9 @@
-//! Pictures of the meshed joint: a z-buffer, no graphics card, the same bytes every time.
+//! Pictures of the meshed joint, drawn with a z-buffer. They need no graphics card and have the
+//! same bytes every time.
 //!
-//! Orthographic view, flat shading, 2 × 2 supersampling. Lines of the mesh and of the shape are
-//! drawn where a pixel of a triangle lies near one of its edges: hidden lines stay hidden without a
-//! depth offset.
+//! The view is orthographic, with flat shading and 2 × 2 supersampling. Lines of the mesh and of
+//! the shape are drawn where a pixel of a triangle lies near one of its edges, so that hidden lines
+//! remain hidden without a depth offset.
 
 use crate::math::vec3::{dot, unit};
 use crate::mesh::TetMesh;
@@ -13,9 +14,9 @@ use crate::report::draw::palette::{BACKGROUND, Bands, FRAME, Groups, INK, UNDEFI
 use crate::report::draw::surface::{EdgeKind, Surface, unit_normal};
 use crate::report::draw::view::{LEGEND, View, natural_eye};
 
-/// A crease sharper than this is drawn as an edge of the shape \[rad\]: above the 30° between the
-/// facets of a bolt's twelve-sided shank and those of a fillet in three facets, below the 60° of
-/// its head.
+/// Smallest angle of a crease that is drawn as an edge of the shape \[rad\]. It is above the 30°
+/// between the facets of a bolt's twelve-sided shank and those of a fillet in three facets, and
+/// below the 60° of the bolt's head.
 const FEATURE_ANGLE: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
 /// Draws a mesh.
@@ -24,7 +25,7 @@ pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
     draw_surface(surface, options)
 }
 
-/// Draws a surface; nodal arrays of the options are numbered as in [`Surface::origin`].
+/// Draws a surface. Nodal arrays of the options are numbered as in [`Surface::origin`].
 pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let kinds = surface.edge_kinds(FEATURE_ANGLE);
     let eye = unit(options.eye.unwrap_or_else(|| natural_eye(&surface)));
@@ -55,7 +56,7 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         canvas.blank_right(view.width as f64 - LEGEND, BACKGROUND);
     }
     if view.close {
-        // the frame cuts the shape on purpose: show the frame
+        // the frame cuts the shape on purpose, so the frame is drawn
         let right = view.width as f64 - if bands.is_some() { LEGEND } else { 0.0 };
         canvas.frame([1.0, 1.0], [right - 1.0, view.strip_top - 1.0], FRAME);
     }
@@ -110,7 +111,7 @@ impl Drawing<'_> {
                         } else {
                             bands.colour(bands.band(value))
                         };
-                        // pale shading, so that colours still match the legend
+                        // pale shading, so that the colours still match the legend
                         flat.map(|c| c * (0.45 + 0.55 * light.min(1.0)) as f32)
                     }
                     _ => body.map(|c| c * light as f32),
@@ -130,7 +131,7 @@ impl Drawing<'_> {
     }
 
     /// Strength of mesh lines: full for coarse meshes, fading where lines would merge into a grey
-    /// blur.
+    /// area.
     fn mesh_ink(&self, points: &[[f64; 3]]) -> f64 {
         let mut lengths: Vec<f64> = self
             .surface

@@ -1,5 +1,4 @@
-//! The outer surface of a mesh, as the pictures need it: triangles by body, mirrored copies,
-//! feature edges.
+//! The outer surface of a mesh for the pictures: triangles by body, mirrored copies, feature edges.
 
 use crate::math::vec3::{cross, dot, sub, unit};
 use crate::mesh::TetMesh;
@@ -8,7 +7,7 @@ use crate::mesh::tet::FACES;
 /// One triangle of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SurfaceTriangle {
-    /// Nodes, ordered outward.
+    /// Nodes, ordered so that the normal points outward.
     pub nodes: [u32; 3],
     /// Body it belongs to.
     pub body: u32,
@@ -23,9 +22,10 @@ pub struct Surface {
     pub triangles: Vec<SurfaceTriangle>,
     /// Names of the bodies.
     pub bodies: Vec<String>,
-    /// Node of the mesh each point is (a mirrored copy of).
+    /// The node of the mesh that each point is, or is a mirrored copy of.
     pub origin: Vec<u32>,
-    /// Signs a vector field of the mesh takes at each point: −1 along the axes it was mirrored in.
+    /// Signs of the components of a vector field of the mesh at each point: −1 along the axes in
+    /// which the point was mirrored.
     pub signs: Vec<[f64; 3]>,
 }
 
@@ -39,7 +39,8 @@ pub enum EdgeKind {
 }
 
 impl Surface {
-    /// The faces that one tet alone has. Interfaces of a split mesh are outer faces of both sides.
+    /// The faces that belong to one tet only. At interfaces of a split mesh both sides have outer
+    /// faces.
     pub fn of(mesh: &TetMesh) -> Self {
         let mut faces: Vec<([u32; 3], SurfaceTriangle)> = Vec::with_capacity(4 * mesh.tets.len());
         for (tet, &body) in mesh.tets.iter().zip(&mesh.tet_body) {
@@ -66,8 +67,8 @@ impl Surface {
         }
     }
 
-    /// The surface with its mirror image in the plane `x[axis] = 0`, sewn together along it:
-    /// triangles in the plane become interior and are removed.
+    /// The surface together with its mirror image in the plane `x[axis] = 0`. The two are joined
+    /// along the plane; triangles in the plane become interior and are removed.
     pub fn mirrored(mut self, axis: usize) -> Self {
         let (low, high) = self.extents();
         let tolerance = 1e-6 * (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
@@ -152,7 +153,7 @@ pub(crate) fn unit_normal(x: [[f64; 3]; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    /// The tet of the origin and the three unit points, with a second body glued to its slanted
+    /// The tet of the origin and the three unit points, with a second body glued to its inclined
     /// face.
     fn two_tets() -> TetMesh {
         TetMesh {
@@ -170,7 +171,7 @@ mod tests {
         assert!((0..2).all(|e| mesh.volume(e) > 0.0));
         let surface = Surface::of(&mesh);
         assert_eq!(surface.triangles.len(), 6);
-        // divergence theorem: Σ area·n·x / 3 is the volume when all normals point out
+        // divergence theorem: Σ area·n·x / 3 is the volume if all normals point outwards
         let volume: f64 = surface
             .triangles
             .iter()
@@ -196,8 +197,8 @@ mod tests {
                 .iter()
                 .all(|t| !t.nodes.iter().all(|&n| surface.points[n as usize][0] == 0.0))
         );
-        // on y = 0 the triangles (0 1 3) and its image meet along the z axis: flat, so no feature
-        // there
+        // on y = 0 the triangle (0 1 3) and its image meet along the z axis: they are coplanar, so
+        // there is no feature
         let kinds = surface.edge_kinds(0.4);
         let mut seam = 0;
         for (t, kind) in surface.triangles.iter().zip(&kinds) {

@@ -1,5 +1,4 @@
-//! Line drawings as SVG text: strokes, arrows, texts that keep clear of each other, chains of
-//! dimensions.
+//! Line drawings as SVG text: strokes, arrows, texts that do not overlap, chains of dimensions.
 
 use std::fmt::Write;
 
@@ -36,18 +35,18 @@ impl Pen {
     }
 }
 
-/// Position of a text beside its point.
+/// Position of a text relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Anchor {
-    /// Right of it.
+    /// Right of the point.
     Start,
-    /// Centred.
+    /// Centred on the point.
     Middle,
-    /// Left of it.
+    /// Left of the point.
     End,
 }
 
-/// A drawing under way; y points down, as in SVG \[pixels\].
+/// A drawing in progress; y points down, as in SVG \[pixels\].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Drawing {
     body: String,
@@ -106,7 +105,7 @@ impl Drawing {
         );
     }
 
-    /// An arrow to `to`.
+    /// An arrow that ends at `to`.
     pub fn arrow(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.line(Pen::Action, from, to);
         self.head(to, [to[0] - from[0], to[1] - from[1]]);
@@ -120,12 +119,13 @@ impl Drawing {
         self.polygon(Pen::Action, "#c03a00", &[tip, at(9.0, 4.0), at(9.0, -4.0)]);
     }
 
-    /// A moment about `centre`: three quarters of a circle with an arrow, clockwise on the page or
-    /// not.
+    /// A moment about `centre`: three quarters of a circle with an arrow, clockwise on the page if
+    /// `clockwise`.
     pub fn turn(&mut self, [x, y]: [f64; 2], radius: f64, clockwise: bool) {
         self.reach(x + radius, y + radius);
         let side = if clockwise { 1.0 } else { -1.0 };
-        // from below the centre on the far side of the arrow, over the top, to its other side
+        // the arc starts below the centre, on the side away from the arrow, and runs over the top
+        // to the other side
         let angle = 0.75 * std::f64::consts::PI;
         let at = |a: f64| [x + side * radius * a.sin(), y - radius * a.cos()];
         let (from, to) = (at(-angle), at(angle));
@@ -143,7 +143,7 @@ impl Drawing {
         self.head(to, [side * angle.cos(), angle.sin()]);
     }
 
-    /// A text, its middle at the height of the point.
+    /// A text, vertically centred on the point.
     pub fn text(&mut self, [x, y]: [f64; 2], anchor: Anchor, text: &str) {
         let width = width(text);
         let (name, left) = match anchor {
@@ -161,9 +161,9 @@ impl Drawing {
         );
     }
 
-    /// A vertical chain of dimensions at `x`; of each point its y and the line it comes from, from
-    /// the bottom; the texts stand to the `right` or left and make room for each other. `show` is
-    /// the text between two neighbours.
+    /// A vertical chain of dimensions at `x`. `ys` are the y of the points from the bottom, `from`
+    /// is the x of the line they come from. The texts are placed to the `right` or to the left of
+    /// the chain and do not overlap. `show` contains the text between each two neighbours.
     pub fn vertical_chain(&mut self, x: f64, right: bool, from: f64, ys: &[f64], show: &[String]) {
         let side = if right { 1.0 } else { -1.0 };
         for y in ys {
@@ -180,8 +180,8 @@ impl Drawing {
         }
     }
 
-    /// A horizontal chain of dimensions at `y`, from the left, below the line `from`; a text too
-    /// wide for its interval stands one line lower.
+    /// A horizontal chain of dimensions at `y`, from the left, below the line `from`. A text that
+    /// is too wide for its interval is placed one line lower.
     pub fn horizontal_chain(&mut self, y: f64, from: f64, xs: &[f64], show: &[String]) {
         for x in xs {
             self.line(Pen::Thin, [*x, from + 3.0], [*x, y + TICK]);
@@ -193,7 +193,7 @@ impl Drawing {
         let mut taken: Vec<f64> = Vec::new();
         for (w, text) in xs.windows(2).zip(show) {
             let (middle, half) = (0.5 * (w[0] + w[1]), 0.5 * width(text) + 3.0);
-            // the first line below the chain on which the text before it has ended
+            // the first text line below the chain in which the previous text has ended
             let line = taken.iter().position(|end| *end <= middle - half).unwrap_or(taken.len());
             if line == taken.len() {
                 taken.push(0.0);
@@ -203,7 +203,7 @@ impl Drawing {
         }
     }
 
-    /// The file.
+    /// The text of the SVG file.
     pub fn finish(self, title: &str) -> String {
         let [width, height] = self.size.map(|s| (s + 16.0).ceil());
         let title = title.replace('&', "&amp;").replace('<', "&lt;");
@@ -217,17 +217,19 @@ impl Drawing {
     }
 }
 
-/// Width of a text, on the safe side: letters of common fonts are narrower \[pixels\].
+/// Width of a text \[pixels\]. The estimate is on the safe side: letters of common fonts are
+/// narrower.
 pub(crate) fn width(text: &str) -> f64 {
     0.58 * LETTERS * text.chars().count() as f64
 }
 
-/// Positions in the order of `wanted`, as near to it as leaves `least` between neighbours.
+/// Positions in the order of `wanted`, as close to it as a distance of `least` between neighbours
+/// allows.
 fn apart(wanted: &[f64], least: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|a, b| wanted[*a].total_cmp(&wanted[*b]));
     let mut at = wanted.to_vec();
-    // clusters of texts that touch, each centred on the mean of its members' wanted positions
+    // clusters of touching texts, each centred on the mean of the wanted positions of its members
     let mut clusters: Vec<Vec<usize>> = Vec::new();
     for i in order {
         clusters.push(vec![i]);
@@ -270,7 +272,7 @@ mod tests {
     fn texts_make_room_for_each_other() {
         assert_eq!(apart(&[0.0, 100.0, 200.0], 16.0), [0.0, 100.0, 200.0]);
         assert_eq!(apart(&[10.0, 10.0], 16.0), [2.0, 18.0]);
-        // from the bottom, as the chain gives them; the third joins the cluster of the first two
+        // from the bottom, as in the chain; the third text joins the cluster of the first two
         let found = apart(&[30.0, 20.0, 10.0, -100.0], 16.0);
         assert_eq!(found, [36.0, 20.0, 4.0, -100.0]);
         let mut d = Drawing::default();

@@ -1,21 +1,21 @@
-//! Projection of a shape onto a picture, and the room around the shape.
+//! Projection of a shape onto a picture, and the space around the shape.
 
 use crate::math::vec3::{cross, dot, unit};
 use crate::report::draw::canvas::SAMPLES;
 use crate::report::draw::options::PictureOptions;
 use crate::report::draw::surface::Surface;
 
-/// Room for the legend of a field \[pixels\].
+/// Space for the legend of a field \[pixels\].
 pub(super) const LEGEND: f64 = 230.0;
-/// Room below the shape for scale bar, names and axes \[pixels\].
+/// Space below the shape for scale bar, names and axes \[pixels\].
 const STRIP: f64 = 84.0;
 /// White border \[pixels\].
 pub(super) const MARGIN: f64 = 24.0;
 /// Height of capitals \[pixels\].
 pub(super) const LETTER: f64 = 14.0;
 
-/// A view a little from above that shows the long side wide. A shape on one side of the planes x =
-/// 0 or y = 0 (a half or quarter model) is seen from its outside.
+/// A view from slightly above that shows the long side across the picture. A shape on one side of
+/// the plane x = 0 or y = 0 (a half or quarter model) is seen from its outside.
 pub(super) fn natural_eye(surface: &Surface) -> [f64; 3] {
     let (low, high) = surface.extents();
     let size = [0, 1, 2].map(|k| high[k] - low[k]);
@@ -26,14 +26,14 @@ pub(super) fn natural_eye(surface: &Surface) -> [f64; 3] {
     [x * tilt.cos(), if one_sided(1) { y } else { -y } * tilt.cos(), tilt.sin()]
 }
 
-/// Where points of the shape come to lie on the picture.
+/// Maps points of the shape to the picture.
 pub(super) struct View {
     pub right: [f64; 3],
     pub up: [f64; 3],
     pub eye: [f64; 3],
-    /// Pixels a millimetre.
+    /// Pixels per millimetre.
     pub scale: f64,
-    /// Pixel of the shape's zero.
+    /// Pixel of the shape's origin.
     pub zero: [f64; 2],
     pub width: usize,
     pub height: usize,
@@ -41,7 +41,7 @@ pub(super) struct View {
     pub strip_top: f64,
     /// Diagonal of the shape \[mm\].
     pub diagonal: f64,
-    /// Whether the frame cuts the shape.
+    /// True if the frame cuts the shape.
     pub close: bool,
 }
 
@@ -106,7 +106,7 @@ impl View {
     }
 }
 
-/// A rectangle that grows around points.
+/// A rectangle that is enlarged to contain points.
 struct Frame([f64; 2], [f64; 2]);
 
 impl Default for Frame {
@@ -130,7 +130,7 @@ impl Frame {
     }
 
     fn size(&self) -> [f64; 2] {
-        // an empty or flat shape still needs a scale
+        // an empty or flat shape needs a scale too
         [0, 1].map(|k| (self.1[k] - self.0[k]).max(1e-9))
     }
 

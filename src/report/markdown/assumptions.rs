@@ -4,7 +4,7 @@ use crate::report::markdown::report_data::ReportData;
 use crate::result::result_file::FrictionModel;
 use crate::spec::analysis::AnalysisKind;
 
-/// A sentence each.
+/// The assumptions, one sentence each.
 pub(crate) fn assumptions(data: &ReportData) -> Vec<String> {
     let kinds: Vec<AnalysisKind> = data.result.cases.iter().map(|c| c.analysis).collect();
     let limit = kinds.contains(&AnalysisKind::Limit);

@@ -1,5 +1,5 @@
-//! The sentences on a load factor beyond its bracket: the load at collapse, the effect of friction,
-//! the mechanism and the welds.
+//! The sentences on a load factor in addition to its bracket: the load at collapse, the effect of
+//! friction, the mechanism and the welds.
 
 use crate::analysis::cone_shift::FixedPointRun;
 use crate::report::figures::{Rounding, bracket, percent_up, significant};
@@ -59,7 +59,7 @@ pub(crate) fn collapse(page: &mut String, case: &CaseResult) {
     }
     if let Some(lower) = case.lower.filter(|l| *l > 0.0) {
         let low = significant(lower, 4, Rounding::Down);
-        // the associated model is stronger than the Coulomb structure it may stand for
+        // the associated model is stronger than the Coulomb structure that it may represent
         let dilates = if case.problem == FrictionModel::Associated {
             " with its associated friction"
         } else {
@@ -174,7 +174,7 @@ fn welds(page: &mut String, case: &CaseResult) {
         "strength of the throat [MPa]",
         "work dissipated, upper bound [N mm]",
     ]);
-    // columns that no weld fills are left out
+    // columns that are empty for every weld are left out
     let filled: Vec<bool> =
         (0..columns.len()).map(|k| rows.iter().any(|row| !row[k].is_empty())).collect();
     let cut = |row: Vec<String>| {

@@ -1,4 +1,4 @@
-//! The component method beside the bracket of a load case.
+//! Compares the component method with the bracket of a load case.
 
 use crate::checks::Comparison;
 use crate::checks::check::Unit;
@@ -6,12 +6,12 @@ use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{inline, paragraph};
 use crate::result::result_file::CaseResult;
 
-/// Factor on the bending strength of a plate that cannot contract along its hinge (plane strain,
-/// von Mises): 2/√3.
+/// Factor on the bending strength of a plate that cannot contract along its yield line (plane
+/// strain, von Mises): 2/√3.
 const PLANE_STRAIN: f64 = 1.154_700_538_379_251_5;
 
-/// A line for each member end; where the component method lies outside the bracket, with the
-/// reasons.
+/// One line for each member end. If the component method lies outside the bracket, the line gives
+/// the reasons.
 pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     let Some(demand) = &case.demand else { return };
     for c in &demand.component_method {
@@ -63,7 +63,7 @@ fn line(case: &str, c: &Comparison, bounds: (Option<f64>, Option<f64>)) -> Strin
     text
 }
 
-/// Where the component method lies, with the numbers that account for it.
+/// Position of the component method relative to the bracket, with the numbers that explain it.
 fn place(method: f64, low: f64, up: f64, c: &Comparison) -> String {
     let percent = |part: f64| significant(100.0 * part, 2, Rounding::Nearest);
     let rows = format!(
@@ -147,7 +147,7 @@ mod tests {
             below.contains("17 % below the lower bound") && below.contains("2/√3 = 1.155"),
             "{below}"
         );
-        // with possible buckling a method below the bracket must not be called safe
+        // if buckling is possible, a component method below the bracket must not be called safe
         let mut unstable = comparison(1.0);
         unstable.stability =
             vec!["the column web buckles: ρ = 0.645 (EN 1993-1-8:2005 6.2.6.2)".into()];

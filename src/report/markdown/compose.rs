@@ -1,4 +1,4 @@
-//! `report.md`: one page with the answer first and everything that backs it below.
+//! `report.md`: one page with the answer first and its justification below.
 
 use crate::report::markdown::answer::answer;
 use crate::report::markdown::assumptions::assumptions;
@@ -15,7 +15,7 @@ use crate::report::markdown::{
     component_method, demand, forces, hand_checks, input, polygon, stiffness, summary, verdict,
 };
 
-/// The text of `report.md`, the same for the same data.
+/// The text of `report.md`. Equal data give equal texts.
 pub fn report_markdown(data: &ReportData) -> String {
     let mut page = String::new();
     title_block(&mut page, data);

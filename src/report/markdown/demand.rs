@@ -7,7 +7,7 @@ use crate::result::demand::Demand;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::ResultFile;
 
-/// Verdicts and capacities, a row a case and a row an action; nothing without a demand.
+/// Verdicts and capacities, one row per case and one row per action; empty without a demand.
 pub(crate) fn demands(page: &mut String, result: &ResultFile) {
     let judged: Vec<(&CaseResult, &Demand)> =
         result.cases.iter().filter_map(|c| Some((c, c.demand.as_ref()?))).collect();
@@ -44,7 +44,7 @@ pub(crate) fn demands(page: &mut String, result: &ResultFile) {
                     (format!("{sign}{l}"), format!("{sign}{u}"))
                 }
                 _ if !a.factored => ("fixed".into(), "fixed".into()),
-                // a single bound is marked in words as lower or upper
+                // words state whether a single bound is a lower or an upper one
                 (Some(l), None) if value != 0.0 => {
                     (format!("at least {}", size(l.next_down(), Rounding::Down)), "–".into())
                 }
@@ -82,7 +82,7 @@ mod tests {
     use crate::result::result_file::Quantity;
     use crate::result::result_file::Upper;
 
-    /// A case of limit analysis with these bounds.
+    /// A limit-analysis case with these bounds.
     fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
         let mut case = case();
         case.quantity = Quantity::LoadFactor;
@@ -91,7 +91,7 @@ mod tests {
         case
     }
 
-    /// Where one bound is missing the other is reported, with its side in words.
+    /// If one bound is missing, the other is reported, and words state its side.
     #[test]
     fn one_bound_alone_is_named_as_lower_or_upper() {
         let action = |value| EndAction {

@@ -1,11 +1,11 @@
-//! The hand checks on the page: one table a topic, with the numbers of every formula.
+//! The hand checks in the report: one table per topic, with the numbers of every formula.
 
 use crate::checks::{Check, Status, Topic};
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::Table;
 
-/// Below the verdict: the checks that failed, and those the code leaves undecided.
+/// The lines below the verdict: the checks that failed, and those that the code leaves undecided.
 pub(crate) fn failed(page: &mut String, checks: &[Check]) {
     for (status, one, many) in [
         (Status::Failed, "A check fails", "Checks fail"),
@@ -27,7 +27,7 @@ pub(crate) fn failed(page: &mut String, checks: &[Check]) {
     }
 }
 
-/// The hand checks, below the input.
+/// The section of hand checks, below the input.
 pub(crate) fn checks(page: &mut String, checks: &[Check]) {
     if checks.is_empty() {
         return;

@@ -1,4 +1,4 @@
-//! The meshes of a case: bounds, cost of the programs, expectations.
+//! The meshes of a case: bounds, cost of the programs, predictions.
 
 use crate::report::figures::{Rounding, bracket, fixed, percent_up, significant};
 use crate::report::markdown::markup::{dash, inline, paragraph, strings, table};
@@ -10,7 +10,7 @@ use crate::result::result_file::ProgramRun;
 use crate::result::result_file::Quantity;
 use crate::result::result_file::Upper;
 
-/// The tables of one case; `symmetry` copies of the meshed part make the structure.
+/// The tables of one case. The structure consists of `symmetry` copies of the meshed part.
 pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     let part = match symmetry {
         1 => "the whole structure is meshed".to_string(),
@@ -131,7 +131,7 @@ fn programs(mesh: usize, h: &HistoryRow) -> Vec<Vec<String>> {
     };
     let kinematic = h.kinematic.as_ref().map(|r| row("kinematic", h.kinematic_dofs, r));
     let static_ = h.static_.as_ref().map(|r| row("static", h.static_dofs, r));
-    // its unknowns are those of the static program: friction adds none
+    // its unknowns are those of the static program, because friction adds none
     let smooth =
         h.static_frictionless.as_ref().map(|r| row("static, frictionless", h.static_dofs, r));
     kinematic.into_iter().chain(static_).chain(smooth).collect()

@@ -1,5 +1,5 @@
-//! The sections on the input: as it was read, the values derived from it, and at the end the file
-//! itself.
+//! The sections on the input: the input as read, the values derived from it, and at the end the
+//! file itself.
 
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
 use crate::report::markdown::report_data::ReportData;
@@ -17,7 +17,7 @@ pub(crate) fn sections(page: &mut String, data: &ReportData) {
     values(page, data);
 }
 
-/// The file as it was given: the end of the report.
+/// The input file as given, at the end of the report.
 pub(crate) fn file(page: &mut String, data: &ReportData) {
     heading(page, "Input file as given");
     yaml(page, &data.input_text);
@@ -26,7 +26,7 @@ pub(crate) fn file(page: &mut String, data: &ReportData) {
 }
 
 fn yaml(page: &mut String, text: &str) {
-    // a fence longer than any run of backticks inside cannot be closed by the input
+    // the input cannot close a fence that is longer than any run of backticks in it
     let mut longest = 2;
     let mut run = 0;
     for c in text.chars() {

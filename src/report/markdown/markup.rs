@@ -1,4 +1,4 @@
-//! Markdown primitives: headings, paragraphs, tables, and text that is safe inside them.
+//! Markdown elements: headings, paragraphs, tables, and text that is safe inside them.
 
 use crate::report::markdown::report_data::Table;
 
@@ -16,7 +16,7 @@ pub(crate) fn paragraph(page: &mut String, text: &str) {
     page.push_str("\n\n");
 }
 
-/// Text that must not break out of its line or cell.
+/// Escapes a text so that it remains within its line or cell.
 pub(crate) fn inline(text: &str) -> String {
     text.replace(['\n', '\r'], " ").replace('|', "\\|").replace('<', "&lt;")
 }

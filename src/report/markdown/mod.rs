@@ -1,4 +1,4 @@
-//! The report in Markdown: `compose` puts the sections together, each section is a file.
+//! The report in Markdown. `compose` assembles the sections; each section has its own file.
 
 pub mod answer;
 pub mod assumptions;

@@ -1,4 +1,4 @@
-//! The section on the capacity in two actions together.
+//! The section on the capacity under two actions together.
 
 use crate::report::figures::{Rounding, significant};
 use crate::report::markdown::markup::{heading, inline, paragraph, strings, table};
@@ -6,7 +6,7 @@ use crate::report::markdown::report_data::Table;
 use crate::result::polygon::Axis;
 use crate::result::result_file::ResultFile;
 
-/// The section of the report; nothing without a polygon.
+/// The section of the report; empty without a polygon.
 pub(crate) fn section(page: &mut String, result: &ResultFile) {
     let Some(polygon) = &result.polygon else { return };
     let [first, second] = &polygon.axes;

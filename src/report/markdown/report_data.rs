@@ -1,14 +1,14 @@
-//! The data of the printed report: plain strings and tables, so that the sections do not depend on
-//! the engine.
+//! The data of the printed report. They are plain strings and tables, so that the sections do not
+//! depend on the engine.
 
 use crate::result::result_file::ResultFile;
 
-/// Everything on the page. The numbers of the analyses come from `result`, the same as in
+/// All data of the report. The numbers of the analyses come from `result`, the same as in
 /// `result.json`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReportData {
-    /// Lines of the title block, in order: name (`title`, `number`, `author`, …) and value. The
-    /// first is the heading.
+    /// Lines of the title block in order, as name (`title`, `number`, `author`, …) and value. The
+    /// first line is the heading.
     pub project: Vec<(String, String)>,
     /// The result.
     pub result: ResultFile,
@@ -18,13 +18,13 @@ pub struct ReportData {
     pub input_text: String,
     /// The input as read, as YAML: without comments, with the defaults of its fixed part.
     pub input_read: String,
-    /// Values the program looked up, computed or assumed.
+    /// Values that the program looked up, computed or assumed.
     pub resolved: Vec<ResolvedValue>,
     /// Rows taken from catalogues.
     pub catalogue_rows: Vec<CatalogueRow>,
     /// Drawings of the joint and of its actions.
     pub drawings: Vec<PictureRef>,
-    /// Bolts, plates and their masses; empty where they are not known.
+    /// Bolts, plates and their masses; empty if they are not known.
     pub schedule: Table,
     /// Pictures of the result folder.
     pub pictures: Vec<PictureRef>,
@@ -38,7 +38,7 @@ pub struct ReportData {
     pub notes: Vec<String>,
 }
 
-/// A value the program resolved.
+/// A value that the program resolved.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ResolvedValue {
     /// Its name: `bolts.rows[1]`.
@@ -58,9 +58,9 @@ pub struct CatalogueRow {
     pub kind: String,
     /// Name of the row.
     pub name: String,
-    /// Standard and edition the numbers come from.
+    /// Standard and edition of the numbers.
     pub source: String,
-    /// Whether the row is from a table of the user.
+    /// True if the row is from a table of the user.
     pub own: bool,
     /// Column with unit (`h [mm]`) and value.
     pub values: Vec<(String, String)>,
@@ -93,7 +93,7 @@ pub struct ModelTraits {
     pub friction: bool,
     /// Some contact with friction follows Coulomb's law (otherwise all of it is associated).
     pub coulomb: bool,
-    /// Some contact opens with a gap.
+    /// Some contact has an initial gap.
     pub initial_gap: bool,
     /// Some bolt is preloaded.
     pub preload: bool,

@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 /// Density of steel \[kg/mm³\], EN 1991-1-1 Table A.4 and EN 1993-1-1 3.2.6 as used in practice.
 const DENSITY: f64 = 7.85e-6;
 
-/// Mass of a bolt with nut and two washers \[kg\], from nominal sizes: shank as a cylinder of the
-/// nominal diameter, head and nut as hexagons.
+/// Mass of a bolt with nut and two washers \[kg\], from nominal sizes: the shank is a cylinder of
+/// the nominal diameter, head and nut are hexagons.
 pub fn bolt_mass(b: &BoltSize, length: f64) -> f64 {
     let circle = |d: f64| 0.25 * PI * d * d;
     let hexagon = |flats: f64| 0.5 * 3f64.sqrt() * flats * flats;
@@ -21,8 +21,8 @@ pub fn bolt_mass(b: &BoltSize, length: f64) -> f64 {
     DENSITY * (head + circle(b.d) * length + nut + 2.0 * washer)
 }
 
-/// Bolts, end plates, stiffeners and doubler; `plates`: end plates of the joint, `length`: nominal
-/// length of the bolts \[mm\], `grip`: clamped thickness \[mm\].
+/// Bolts, end plates, stiffeners and doubler. `plates` is the number of end plates of the joint,
+/// `length` the nominal length of the bolts \[mm\], `grip` the clamped thickness \[mm\].
 pub fn schedule(e: &EndPlate, plates: usize, length: Option<f64>, grip: f64) -> Table {
     let sets = if e.column.is_some() { plates } else { 1 };
     let mut rows = Vec::new();
@@ -63,8 +63,8 @@ mod tests {
     use super::*;
     use crate::catalog::Catalog;
 
-    /// A set M20 × 80 weighs about 0.36 kg in the lists of suppliers (bolt 0.26, nut 0.06, washers
-    /// 0.03).
+    /// An M20 × 80 bolt set has a mass of about 0.36 kg in the lists of suppliers (bolt 0.26, nut
+    /// 0.06, washers 0.03).
     #[test]
     fn a_bolt_set_weighs_what_lists_say() {
         let catalog = Catalog::builtin().expect("the shipped catalogue is sound");

@@ -1,5 +1,5 @@
 //! The initial stiffness of a joint from its elastic analysis: the bracket, the component method
-//! beside it, and the class.
+//! for comparison, and the class.
 
 use crate::checks::JointStiffness;
 use crate::checks::check::Unit;
@@ -65,7 +65,7 @@ pub(crate) fn lines(page: &mut String, case: &CaseResult) {
     table(page, &Table { columns, rows: s.classes.iter().map(row).collect() });
 }
 
-/// The component method beside the bracket.
+/// Compares the component method with the bracket.
 fn method(s: &JointStiffness) -> String {
     let cm = s.component_method;
     let ratio = |x: f64, rounding| significant(x / cm, 3, rounding);
@@ -145,7 +145,7 @@ mod tests {
         assert!(open.ends_with("above the lower bound: FE_low/CM = 0.625"), "{open}");
     }
 
-    /// Lengths on the safe side, and a class that the bracket does not settle.
+    /// The lengths are on the safe side, and a class that the bracket does not decide is undecided.
     #[test]
     fn an_open_class_is_undecided() {
         let c = FrameClass {

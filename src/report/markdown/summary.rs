@@ -1,4 +1,4 @@
-//! The table that a checker reads first: every check with a demand, the governing one in bold.
+//! The table that a checker reads first: every check with a demand, with the governing one in bold.
 
 use crate::checks::check::number;
 use crate::checks::verdict::Verdict;
@@ -9,13 +9,13 @@ use crate::report::markdown::report_data::Table;
 use crate::result::result_file::Quantity;
 use crate::result::result_file::ResultFile;
 
-/// A row, and the utilisation by which it may govern; `None`: the row decides nothing.
+/// A row, with the utilisation by which it may govern; `None` if the row decides nothing.
 struct Row {
     cells: Vec<String>,
     governs_by: Option<f64>,
 }
 
-/// Check, Ed, Rd, utilisation, clause, status; nothing without a demand.
+/// Writes check, Ed, Rd, utilisation, clause and status; empty without a demand.
 pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
     let mut rows: Vec<Row> = Vec::new();
     for case in &result.cases {
@@ -60,7 +60,7 @@ pub(crate) fn table_of_checks(page: &mut String, result: &ResultFile) {
         return;
     }
     rows.extend(worst_distance(&result.checks).map(row));
-    // checks that decide without a load; distances have a row of their own
+    // checks that decide without a load; the distances have their own row
     let open =
         |c: &&Check| matches!(c.status, Status::Failed | Status::Undecided) && c.case.is_none();
     rows.extend(result.checks.iter().filter(open).filter(|c| c.unit != Unit::Length).map(row));
@@ -106,7 +106,7 @@ fn row(c: &Check) -> Row {
         c.clause.clone(),
         status.into(),
     ];
-    // a minimum distance or throat decides, but is no measure of strength
+    // a minimum distance or throat decides, but does not measure strength
     let strength = decides && (c.unit != Unit::Length || c.status == Status::Failed);
     Row { cells, governs_by: strength.then_some(c.utilisation.unwrap_or(f64::INFINITY)) }
 }
@@ -116,8 +116,8 @@ mod tests {
     use super::*;
     use crate::checks::{Unit, Worked};
 
-    /// The largest utilisation of a check that decides is bold; the component method is not,
-    /// however much it is used.
+    /// The largest utilisation of a deciding check is bold. That of the component method is never
+    /// bold, however large it is.
     #[test]
     fn what_governs_is_bold_and_information_never() {
         let check = |topic, value: f64, otherwise| {
@@ -144,7 +144,7 @@ mod tests {
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("**FAILED**") && !page.contains("**0.9**"), "{page}");
-        // a throat below its minimum governs, one above it does not, however close it is
+        // a throat below its minimum governs; a throat above it does not, however close it is
         result.checks.pop();
         let throat = |a: f64, case: &str| {
             let what = ((Topic::Welds, "beam web"), ("4.5.2", "least throat"));
@@ -164,13 +164,13 @@ mod tests {
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("**ULS2**") && page.contains("**FAILED**"), "{page}");
-        // information that is satisfied has the same word as other checks
+        // information that is satisfied is reported with the same word as other checks
         let held = check(Topic::ComponentMethod, 0.5, Status::Warning);
         result.checks.push(Check { status: Status::Information, ..held });
         let mut page = String::new();
         table_of_checks(&mut page, &result);
         assert!(page.contains("OK, information") && !page.contains("holds"), "{page}");
-        // without a load nothing is a demand
+        // without a load there is no demand
         result.checks.iter_mut().for_each(|c| c.case = None);
         let mut page = String::new();
         table_of_checks(&mut page, &result);

@@ -1,5 +1,5 @@
-//! The box at the top of a report: the verdict by code, by analysis, and the joint verdict with its
-//! reason.
+//! The box at the top of a report: the verdicts by code and by analysis, and the joint verdict with
+//! its reason.
 
 use crate::checks::Judgement;
 use crate::checks::verdict::Verdict;

@@ -1,5 +1,5 @@
 //! The section on yielding in an elastic, perfectly plastic analysis: yielded volume, lower bound
-//! of the load's displacement, and where yield conditions were needed.
+//! of the load's displacement, and the places that needed yield conditions.
 
 use crate::report::figures::{Rounding, fixed, significant};
 use crate::report::markdown::markup::{inline, paragraph, strings, table};
@@ -25,7 +25,7 @@ pub(crate) fn displacement(page: &mut String, case: &CaseResult) {
     }
 }
 
-/// How much has yielded, body by body, and where yield conditions were needed.
+/// The yielded volume of each body, and the places that needed yield conditions.
 pub(crate) fn yielding(page: &mut String, case: &CaseResult) {
     if case.yielding.is_empty() {
         return;
