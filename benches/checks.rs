@@ -1,5 +1,5 @@
-//! How many specs the hand checks judge in a second, on one core: the checks alone, and with the
-//! reading of the spec.
+//! Measures how many specs the hand checks judge per second on one core, with and without reading
+//! the spec.
 //!
 //! `cargo bench --bench checks`
 
@@ -21,7 +21,7 @@ const EXAMPLES: [&str; 5] = [
     "splice_extended",
 ];
 
-/// Seconds a call takes: the least mean of five batches of a fifth of a second.
+/// Seconds per call: the smallest mean of five batches of 0.2 s each.
 fn seconds(mut call: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     for _ in 0..5 {

@@ -1,9 +1,9 @@
-//! What a solve costs: `cargo bench --bench solve -- [--limit] [OPTIONS] MODEL.yaml…`, or
+//! Measures the cost of a solve: `cargo bench --bench solve -- [--limit] [OPTIONS] MODEL.yaml…`, or
 //! `--size-factor F SPEC.yaml` for a spec.
 //!
-//! For each model and program: sizes, forecast, iterations, the whole solve, one factor and two
-//! solves of the same matrix in the same run, and the yardstick Y = solve ÷ (iterations × (one
-//! factor + two solves)).
+//! Prints for each model and program: the sizes, the forecast, the iterations, the time of the
+//! whole solve, and the time of one factorisation and two solves of the same matrix in the same
+//! run. It also prints the ratio Y = solve ÷ (iterations × (one factorisation + two solves)).
 
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
@@ -48,7 +48,7 @@ fn main() {
             "--factor" => options.factor_only = true,
             "--threads" => threads = args.next().and_then(|n| n.parse().ok()).unwrap_or(1),
             "--size-factor" => size_factor = args.next().and_then(|n| n.parse().ok()),
-            // cargo passes this to every bench
+            // cargo passes this argument to every bench
             "--bench" => {}
             model => models.push(model.to_string()),
         }

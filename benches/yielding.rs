@@ -3,10 +3,10 @@
 //! `cargo bench --bench yielding -- [block|plate] [plain|split|static]
 //! [clarabel|condensed|factor|build] [CELLS] [FACTOR]`
 //!
-//! CELLS: cells along a side of the block or plate; FACTOR of the load. `build` only builds the
-//! programs, `factor` only factors and solves once. One row each: tets, shared and own unknowns,
-//! cones, seconds to build, status, iterations, seconds to solve, objective \[N mm\], part of the
-//! elements that yield.
+//! CELLS is the number of cells along a side of the block or plate. FACTOR multiplies the load.
+//! `build` only builds the programs. `factor` only factors and solves once. Prints one row for
+//! each: tets, shared and own unknowns, cones, seconds to build, status, iterations, seconds to
+//! solve, objective \[N mm\], share of the elements that yield.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 #[path = "../tests/common/mod.rs"]

@@ -1,5 +1,5 @@
-//! `bracket analyse` and `bracket verify` through the real program, on a mesh that the test makes:
-//! what they leave, under which limits, and when they are interrupted.
+//! `bracket analyse` and `bracket verify` as the compiled program, on a mesh that the test makes:
+//! the files they write, their limits, and interrupts.
 
 #[path = "cli/adaptive.rs"]
 mod adaptive;
@@ -37,8 +37,8 @@ use bench::Bench;
 use bracket::mesh::msh_write;
 use common::Block;
 
-/// A block that stands on another with friction and is pressed obliquely: contact, friction, two
-/// bodies, 144 tets.
+/// A block on another one with friction, under an oblique load: contact, friction, two bodies, 144
+/// tets.
 pub const MODEL: &str = "\
 mesh: m.msh
 analysis: elastic
@@ -57,12 +57,12 @@ pub fn mesh(height: f64) -> String {
     mesh_of([2, 2, 6], height)
 }
 
-/// [`MODEL`] with a gap that closes, pushed so far sideways that the joint stays open at one edge.
+/// [`MODEL`] with a gap that closes. A large sideways push keeps the joint open at one edge.
 pub fn opening() -> String {
     MODEL.replace("[2, 0, -40]", "[4, 0, -40]").replace("associated}", "associated, gap: 0.001}")
 }
 
-/// The same with so many cells a side, an even number in height.
+/// The same mesh with `cells` along each side; the number in height must be even.
 pub fn mesh_of(cells: [usize; 3], height: f64) -> String {
     let block = Block::new(cells, [20.0, 20.0, height]).jittered(3);
     let joint = height / 2.0;

@@ -1,4 +1,4 @@
-//! `bracket catalog` as people and scripts call it.
+//! `bracket catalog` as users and scripts call it.
 
 use std::process::{Command, Output};
 

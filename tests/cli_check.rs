@@ -1,4 +1,4 @@
-//! `bracket check`, `bracket watch` and the verdict by code of `bracket run`, through the real
+//! `bracket check`, `bracket watch` and the verdict by code of `bracket run`, as the compiled
 //! program.
 
 #[path = "cli/bench.rs"]

@@ -1,4 +1,4 @@
-//! `bracket mesh`: files, exit codes, nothing half-written.
+//! `bracket mesh`: its files, its exit codes, and no incomplete files after an error.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -45,8 +45,8 @@ fn writes_geometry_mesh_step_and_table_and_replaces_its_own_folder() {
     }
 }
 
-/// With these sizes gmsh leaves a sliver of 0.00° where the column's fillet ends; slightly other
-/// sizes leave none.
+/// With these sizes gmsh makes a sliver of 0.00° where the fillet of the column ends. Slightly
+/// different sizes make none.
 #[test]
 fn a_mesh_with_a_flat_tet_is_made_again() {
     let joint = include_str!("../examples/one_sided_unstiffened/joint.yaml");
@@ -67,7 +67,8 @@ fn a_mesh_with_a_flat_tet_is_made_again() {
     );
 }
 
-/// Runs with input or a mesher that must fail; returns the message and checks that nothing is left.
+/// Runs with an input or a mesher that must fail. Checks that no files are left and returns the
+/// message.
 fn refused(spec: &str, mesher: &str, code: i32) -> String {
     let dir = folder(spec);
     let run = bracket(dir.path(), Some(mesher), &["mesh", "lap.json"]);

@@ -1,5 +1,5 @@
-//! Inputs and machines that are wrong, through the real program: each ends with the exit code of
-//! its kind and one message that names place and cure, and leaves the folder as it was.
+//! Wrong inputs and machines, with the compiled program. Each run ends with the exit code for the
+//! kind of error and one message that names place and cure. It leaves the folder unchanged.
 
 #[path = "cli/bench.rs"]
 mod bench;

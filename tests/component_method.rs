@@ -1,5 +1,5 @@
-//! The component method against a second implementation, written from the clauses in another
-//! language (`tests/independent/component_method.py`), over random joints.
+//! Compares the component method over random joints with a second implementation, which was written
+//! from the clauses in another language (`tests/independent/component_method.py`).
 
 #[path = "common/numbers.rs"]
 mod numbers;
@@ -22,9 +22,9 @@ const BOLTS: [(f64, f64, f64); 6] = [
     (269_280.0, 561.0, 30.0),
 ];
 
-/// A joint that a drawing could show: sections of all series, one or two beams or a splice, flush
-/// or extended on one side or both, stiffeners, doublers, ends of the column near and far, fillet
-/// and butt welds.
+/// A random joint as in practice: sections of all series, one beam, two beams or a splice, end
+/// plates flush or extended on one side or both, stiffeners, doublers, column ends near and far,
+/// fillet and butt welds.
 fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
     let strength = [235.0, 275.0, 355.0, 460.0];
     let beam = n.of(profiles);
@@ -117,7 +117,7 @@ fn random_joint(n: &mut Numbers, profiles: &[&IProfile]) -> EndPlateJoint {
     }
 }
 
-/// The answers of the second implementation.
+/// The results of the second implementation.
 fn independent(joints: &[EndPlateJoint]) -> Vec<Value> {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/independent/component_method.py");
     let mut python = Command::new("python3")
@@ -135,7 +135,7 @@ fn independent(joints: &[EndPlateJoint]) -> Vec<Value> {
     serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
-/// What was compared, and by how much the two differ at most.
+/// Counts the compared values and records the largest difference.
 #[derive(Default)]
 struct Compared {
     count: usize,
@@ -204,8 +204,8 @@ fn compare(
     );
 }
 
-/// Every component, row force, M_j,Rd, S_j,ini and N_j,Rd of 500 random joints, both senses of
-/// bending, within 1 %.
+/// Compares every component, the row forces, M_j,Rd, S_j,ini and N_j,Rd of 500 random joints in
+/// both senses of bending. They agree within 1 %.
 #[test]
 fn random_joints_agree_with_the_second_implementation() {
     let catalog = Catalog::builtin().expect("the shipped catalogue is sound");
@@ -247,7 +247,7 @@ fn random_joints_agree_with_the_second_implementation() {
     assert!(senses >= 600 && axial >= 250, "{senses} senses, {axial} N_j,Rd were covered");
 }
 
-/// The second implementation meets its own published and closed-form cases.
+/// The second implementation reproduces its own published and closed-form cases.
 #[test]
 fn the_second_implementation_meets_its_published_cases() {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/independent/component_method.py");

@@ -1,5 +1,5 @@
-//! The documents say what the program does: every key of `result.json` is explained, the specs of
-//! the guide are valid, links lead somewhere, the README is short.
+//! The documents agree with the program: they explain every key of `result.json`, the specs of the
+//! guide are valid, links lead to existing targets, and the README is short.
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Most lines of the README: it is read in one go.
+/// Maximum number of lines of the README, which users read in one go.
 const README_LINES: usize = 150;
 
 /// The type that is written as `result.json`.
@@ -21,7 +21,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}"))
 }
 
-/// Files with this ending below a folder, as paths relative to the root.
+/// All files with this ending below a folder, as paths relative to the root.
 fn files(folder: &str, ending: &str) -> Vec<String> {
     let mut found = Vec::new();
     let entries = fs::read_dir(root().join(folder)).expect(folder);
@@ -38,14 +38,14 @@ fn files(folder: &str, ending: &str) -> Vec<String> {
     found
 }
 
-/// The words in backticks; of a path such as `cases[].gap` or `joint.lower` every part.
+/// The words in backticks. A path such as `cases[].gap` or `joint.lower` gives each of its parts.
 fn explained(document: &str) -> BTreeSet<String> {
     let spans = document.lines().flat_map(|line| line.split('`').skip(1).step_by(2));
     let parts = spans.flat_map(|span| span.split('.')).map(|part| part.trim_end_matches("[]"));
     parts.map(str::to_owned).collect()
 }
 
-/// Every key of a JSON document. Keys of `result.json` are never names given by the user.
+/// All keys of a JSON document. Names given by the user are never keys of `result.json`.
 fn keys(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(map) => {
@@ -59,7 +59,8 @@ fn keys(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
-/// A type of the source that serde writes: the names of its fields or variants and the types in it.
+/// A type of the source that serde writes: the names of its fields or variants, and the types in
+/// it.
 #[derive(Clone, Debug, Default)]
 struct Written {
     file: String,
@@ -84,8 +85,9 @@ fn renamed(attributes: &str) -> Option<String> {
     rest.split('"').next().map(str::to_owned)
 }
 
-/// Public types of a source file that derive `Serialize` and `Deserialize`, by name. Reads the form
-/// that rustfmt gives them: one field or variant a line, the closing brace in the first column.
+/// Public types of a source file that derive `Serialize` and `Deserialize`, by name. The parser
+/// expects the format of rustfmt: one field or variant per line and the closing brace in the first
+/// column.
 fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>) {
     let mut derives = String::new();
     let mut lines = source.lines();
@@ -120,7 +122,7 @@ fn written(file: &str, source: &str, found: &mut BTreeMap<String, Vec<Written>>)
             let is_field = line.starts_with("pub ");
             let plain = if is_field { word } else { snake(&word) };
             let rest = line.split_once(if is_field { ": " } else { "(" }).map_or("", |(_, t)| t);
-            // of an untagged enum only what its variants hold is written
+            // serde writes only the contents of the variants of an untagged enum
             if !container.contains("untagged") {
                 entry.names.insert(renamed(&attributes).unwrap_or(plain));
             }
@@ -143,7 +145,7 @@ fn names_of_the_source() -> BTreeMap<String, String> {
     let mut todo = vec![(RESULT_TYPE.to_owned(), String::new())];
     while let Some((name, user)) = todo.pop() {
         let Some(candidates) = all.get(&name) else { continue };
-        // of types with the same name the one of the same file, otherwise each of them
+        // if several types have the name, the one in the same file is meant, otherwise each of them
         let own: Vec<&Written> = candidates.iter().filter(|w| w.file == user).collect();
         let meant = if own.is_empty() { candidates.iter().collect() } else { own };
         for w in meant {
@@ -156,7 +158,7 @@ fn names_of_the_source() -> BTreeMap<String, String> {
     names
 }
 
-/// docs/results.md explains every key that the source can write and that the golden result holds.
+/// docs/results.md explains every key that the source can write and every key of the golden result.
 #[test]
 fn every_key_of_a_result_is_explained() {
     let explained = explained(&read("docs/results.md"));
@@ -192,7 +194,7 @@ fn documents() -> Vec<String> {
     out
 }
 
-/// The anchor that a heading gets on the usual pages: lower case, `-` for blanks, no punctuation.
+/// The anchor that common renderers give a heading: lower case, `-` for spaces, no punctuation.
 fn anchor(heading: &str) -> String {
     let kept = heading.to_lowercase();
     let kept = kept.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
@@ -244,7 +246,7 @@ fn relative_links_lead_to_files_and_headings() {
     assert!(broken.is_empty(), "links that lead nowhere: {broken:#?}");
 }
 
-/// Blocks of YAML in a document.
+/// The YAML blocks of a document.
 fn yaml_blocks(text: &str) -> Vec<String> {
     let blocks = text.split("```yaml\n").skip(1);
     blocks.filter_map(|rest| rest.split("\n```").next()).map(str::to_owned).collect()
@@ -263,7 +265,8 @@ fn entries(block: &str) -> BTreeMap<String, String> {
     out
 }
 
-/// A fragment in the guide replaces the keys of the first spec; every spec made so is accepted.
+/// A fragment in the guide replaces the keys of the first spec. The program accepts every spec that
+/// results.
 #[test]
 fn the_specs_of_the_documents_are_valid() {
     let guide = read("docs/guide.md");
@@ -292,11 +295,11 @@ fn the_specs_of_the_documents_are_valid() {
     assert!(tried >= 10, "only {tried} specs were found");
 }
 
-/// The exit codes stand in one table, so that no second one can contradict it.
+/// Only one table lists the exit codes, so that no second table can contradict it.
 #[test]
 fn the_exit_codes_stand_in_one_table() {
     let rows = |d: &String, start: &str| read(d).lines().any(|line| line.starts_with(start));
-    // a table of codes with a row for code 0; benchmark cases have codes too
+    // a table of exit codes has a row for code 0; benchmark cases have codes too
     let is_table = |d: &String| rows(d, "| code |") && rows(d, "| 0 |");
     let with: Vec<String> = documents().into_iter().filter(is_table).collect();
     assert_eq!(with, ["README.md"]);

@@ -1,5 +1,5 @@
-//! Joints from their specs: invariance of the bounds, verdicts of a bolted joint, T-stubs by their
-//! template.
+//! Joints from their specs: invariance of the bounds, verdicts of a bolted joint, T-stubs from
+//! their template.
 #![allow(clippy::unwrap_used)]
 
 #[path = "cli/bench.rs"]

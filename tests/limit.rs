@@ -1,5 +1,5 @@
-//! Limit analysis: strict brackets of load factors known exactly or bracketed in the literature,
-//! and of random assemblies.
+//! Limit analysis: strict brackets of load factors that are known exactly or bracketed in the
+//! literature, and of random assemblies.
 #![allow(clippy::unwrap_used)]
 
 #[path = "limit/bracketed.rs"]

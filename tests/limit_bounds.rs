@@ -1,5 +1,5 @@
-//! From approximate fields to strict bounds of the load factor: exact fields with noise, projected
-//! and certified; wrong fields, which must not pass. No solver takes part.
+//! Computes strict bounds of the load factor from approximate fields. Exact fields with noise are
+//! projected and certified. Wrong fields must not pass. No solver is involved.
 #![allow(clippy::unwrap_used)]
 
 #[path = "limit_bounds/cases.rs"]

@@ -1,5 +1,5 @@
-//! The paper's joint from its spec, as a user runs it: finer meshes and the whole joint. Minutes
-//! each: the heavy tier.
+//! The paper's joint from its spec, as a user runs it: finer meshes and the whole joint. Each test
+//! takes minutes and belongs to the heavy tier.
 #![allow(clippy::unwrap_used)]
 
 use serde_json::Value;
@@ -36,8 +36,8 @@ fn bounds(result: &Value) -> (f64, f64) {
     (case["lower"].as_f64().unwrap(), case["upper"].as_f64().unwrap())
 }
 
-/// The whole joint and its quarter are different meshes of the same body: their brackets must share
-/// the exact energy.
+/// The whole joint and its quarter are different meshes of the same body. Both brackets contain the
+/// exact energy, so they must overlap.
 #[test]
 #[ignore = "heavy: about ten minutes"]
 fn full_agrees_with_the_quarter() {
@@ -48,7 +48,7 @@ fn full_agrees_with_the_quarter() {
     assert!(l1.max(l2) <= u1.min(u2), "[{l1}, {u1}] and [{l2}, {u2}] share nothing");
 }
 
-/// About 33 000 tets in the quarter: gap at most 2.6 %.
+/// About 33 000 tets in the quarter: the gap is at most 2.6 %.
 #[test]
 #[ignore = "heavy: about ten minutes"]
 fn thirty_three_thousand() {

@@ -1,4 +1,5 @@
-//! Passes under limits: memory, interrupts, time; and the message of a program without solution.
+//! Passes under limits of memory and time and under interrupts, and the message for a program
+//! without a solution.
 
 #[path = "common/mod.rs"]
 mod common;
@@ -31,8 +32,8 @@ fn on_ground() -> AnalysisModel {
     resolve(ON_GROUND, mesh).expect("a sound model")
 }
 
-/// Events of a pass, as words.
-fn told(run: impl FnOnce(&Progress) -> EnergyPass) -> (EnergyPass, Vec<String>) {
+/// Runs a pass and records its events as words.
+fn with_events(run: impl FnOnce(&Progress) -> EnergyPass) -> (EnergyPass, Vec<String>) {
     let words: Arc<Mutex<Vec<String>>> = Arc::default();
     let kept = words.clone();
     let progress: Progress = Arc::new(move |program, event| {
@@ -64,7 +65,8 @@ fn both(pass: &EnergyPass) -> [&ProgramOutcome; 2] {
     [pass.kinematic.as_ref().expect("asked for"), pass.statics.as_ref().expect("asked for")]
 }
 
-/// Rooms of the given sizes, one at each asking, the last one for good.
+/// Options with the given amounts of free memory: one amount for each query, the last one for all
+/// further queries.
 fn rooms(limit: Limit, bytes: &[u64]) -> PassOptions {
     let (asked, bytes) = (AtomicUsize::new(0), bytes.to_vec());
     let room = move || {
@@ -74,9 +76,9 @@ fn rooms(limit: Limit, bytes: &[u64]) -> PassOptions {
     PassOptions { room: Arc::new(room), ..PassOptions::default() }
 }
 
-/// Runs the model with these rooms.
+/// Runs the model with these amounts of free memory.
 fn in_rooms(model: &AnalysisModel, limit: Limit, bytes: &[u64]) -> (EnergyPass, Vec<String>) {
-    told(|p| elastic::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
+    with_events(|p| elastic::run(model, &rooms(limit, bytes), p).expect("no fault of the model"))
 }
 
 /// Which programs gave a bound.
@@ -111,7 +113,7 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
     let values =
         |p: &EnergyPass| [p.lower.as_ref().map(|b| b.value()), p.upper.as_ref().map(|b| b.value())];
 
-    // exactly both; one byte less; exactly the larger one
+    // free memory for exactly both, for one byte less, and for exactly the larger one
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k + s]);
     assert!(!words.iter().any(|w| w.contains("waits")), "{words:?}");
     assert_eq!(values(&pass), values(&free));
@@ -121,7 +123,7 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
         let order = ["kinematic solve true", "kinematic ended optimal", "static solve true"]
             .map(|w| at(&words, w));
         assert!(waits < order[0] && order.is_sorted(), "{words:?}");
-        // in turn or side by side, the answer is the same to the last digit
+        // in turn or side by side, the result is the same to the last digit
         assert_eq!(values(&pass), values(&free));
     }
     // the larger one alone does not fit
@@ -143,23 +145,24 @@ fn what_does_not_fit_side_by_side_takes_turns_and_what_does_not_fit_alone_is_ref
     }
     let warnings = |pass: &EnergyPass| case_result("A", &model, pass, None).warnings;
     let (pass, _) = in_rooms(&model, Limit::Machine, &[k]);
-    let told = warnings(&pass);
+    let messages = warnings(&pass);
     assert!(
-        told.len() == 1
-            && told[0].starts_with(
+        messages.len() == 1
+            && messages[0].starts_with(
                 "the static program was not started, so there is no lower bound: it needs"
             )
     );
-    // neither fits: the caller says so, no event does
+    // neither fits: the caller reports it, so there is no event
     let (pass, words) = in_rooms(&model, Limit::Machine, &[k - 1]);
     assert_eq!(bounds(&pass), [false, false]);
     assert!(both(&pass).iter().all(|r| r.status == SolveStatus::TooLarge && r.refusal.is_some()));
     assert!(!words.iter().any(|w| w.contains("solve") || w.contains("refused")), "{words:?}");
 }
 
-/// Others may take the memory while the first program runs; what the user allows does not shrink.
+/// Other processes may take memory while the first program runs. A limit set by the user does not
+/// shrink.
 #[test]
-fn the_one_that_waits_looks_again() {
+fn a_program_that_waits_checks_the_free_memory_again() {
     let model = on_ground();
     let (free, _) = in_rooms(&model, Limit::Machine, &[u64::MAX]);
     let [k, s] = both(&free).map(|r| r.forecast.expect("condensed").bytes);
@@ -194,14 +197,15 @@ fn one_program_alone_needs_its_own_room_only() {
     assert!(pass.kinematic.is_none() && pass.lower.is_some());
 }
 
-/// The general solver does not tell what it needs: it starts whatever room there is, and says that
-/// nothing is known.
+/// The general solver has no memory forecast. It starts with any amount of free memory and reports
+/// that its demand is not known.
 #[test]
 fn a_solver_without_forecast_is_not_held_back() {
     let model = on_ground();
     let mut options = rooms(Limit::Machine, &[0]);
     options.solve.solver = Solver::Clarabel;
-    let (pass, words) = told(|p| elastic::run(&model, &options, p).expect("no fault of the model"));
+    let (pass, words) =
+        with_events(|p| elastic::run(&model, &options, p).expect("no fault of the model"));
     assert_eq!(bounds(&pass), [true, true]);
     let n = both(&pass)[0].dofs;
     at(&words, &format!("kinematic forecast {n} false"));
@@ -209,7 +213,7 @@ fn a_solver_without_forecast_is_not_held_back() {
 }
 
 #[test]
-fn every_iteration_is_kept_and_told() {
+fn every_iteration_is_kept_and_reported() {
     let model = on_ground();
     for solver in [Solver::Condensed, Solver::Clarabel] {
         let solve = SolveOptions { solver, ..SolveOptions::default() };
@@ -223,9 +227,9 @@ fn every_iteration_is_kept_and_told() {
         let pass =
             elastic::run(&model, &PassOptions { solve, ..PassOptions::default() }, &progress)
                 .expect("sound");
-        for (run, told) in both(&pass).into_iter().zip(count.iter()) {
+        for (run, reported) in both(&pass).into_iter().zip(count.iter()) {
             let trace = &run.trace;
-            assert_eq!(trace.len(), told.load(Ordering::Relaxed));
+            assert_eq!(trace.len(), reported.load(Ordering::Relaxed));
             assert!(trace.len() > run.iterations as usize && run.iterations > 3, "{trace:?}");
             assert_eq!(trace[0].number, 0);
             assert!(
@@ -255,7 +259,7 @@ fn interrupted_at(
         }
     });
     let solve = SolveOptions { solver, interrupt: Some(flag), ..SolveOptions::default() };
-    // in turn, the kinematic one first, so that where the interrupt falls is known
+    // in turn, the kinematic program first, so that the position of the interrupt is known
     let (free, _) = in_rooms(model, Limit::Machine, &[u64::MAX]);
     let s = both(&free)[1].forecast.expect("condensed").bytes;
     let options = PassOptions { solve, ..rooms(Limit::Machine, &[s]) };
@@ -273,7 +277,7 @@ fn an_interrupt_ends_at_the_next_iteration_and_leaves_what_is_certified() {
     assert_eq!((k.status, k.iterations, k.trace.len()), (SolveStatus::Interrupted, 2, 3));
     assert_eq!((s.status, s.iterations, s.trace.len()), (SolveStatus::Interrupted, 0, 0));
 
-    // the kinematic bound stands, certified
+    // the kinematic bound is kept and certified
     let pass = interrupted_at(&model, Solver::Condensed, |p, e| {
         p == Program::Static && matches!(e, Event::Iteration(i) if i.number == 3)
     });
@@ -287,13 +291,14 @@ fn an_interrupt_ends_at_the_next_iteration_and_leaves_what_is_certified() {
     );
     assert!(entry.upper.is_some() && entry.lower.is_none() && entry.load_displacement.is_none());
 
-    // while the first field is certified: it is, the other program does not begin
+    // interrupt during the certification of the first field: it is completed, and the other program
+    // does not start
     let pass = interrupted_at(&model, Solver::Condensed, |p, e| {
         p == Program::Kinematic && matches!(e, Event::Certify)
     });
     assert_eq!(bounds(&pass), [true, false]);
 
-    // before anything is ordered
+    // before the ordering starts
     let pass = interrupted_at(&model, Solver::Condensed, |_, e| matches!(e, Event::Assembly));
     assert_eq!(bounds(&pass), [false, false]);
     assert!(
@@ -313,7 +318,8 @@ fn the_general_solver_is_interrupted_too() {
     assert!(both(&pass).iter().any(|r| r.status == SolveStatus::Interrupted && r.iterations >= 2));
 }
 
-/// The time limit counts from the start of the pass, not anew for a program that waits.
+/// The time limit counts from the start of the pass. It does not start again for a program that
+/// waits.
 #[test]
 fn a_program_that_waits_has_less_time() {
     let model = on_ground();
@@ -331,9 +337,9 @@ fn a_program_that_waits_has_less_time() {
     assert_eq!(both(&pass)[1].status, SolveStatus::TimeLimit);
 }
 
-/// A block between two walls whose sides can only shift rigidly along x, and initial gaps that are
-/// nowhere negative but whose quadratic coefficients on the mesh are: the kinematic program must
-/// open both walls at once, by shifting. It cannot.
+/// A block between two walls. Its sides can only shift rigidly along x. The initial gaps are
+/// negative nowhere, but their quadratic coefficients on the mesh are negative. The kinematic
+/// program would have to open both walls at once by a shift, which is impossible.
 fn wedged(mu: f64) -> (String, TetMesh) {
     let mut mesh = Block::new([2, 1, 2], [20.0, 10.0, 20.0]).mesh(&["BLOCK"], |_| 0, |_, _| false);
     let mut triangles = triangles_where(&mesh, |x| x[1] == 0.0);
@@ -379,7 +385,7 @@ fn contacts_that_exclude_each_other_are_named() {
     }
 }
 
-/// Multipliers that prove nothing name nothing.
+/// Multipliers that prove nothing name no contact.
 #[test]
 fn what_is_no_certificate_names_no_contact() {
     let (yaml, mesh) = wedged(0.3);
@@ -388,7 +394,7 @@ fn what_is_no_certificate_names_no_contact() {
     let contacts: Vec<usize> = kinematic.points.iter().map(|p| p.contact).collect();
     let conflict = |z: &[f64]| diagnosis::conflict(&model, &kinematic.program, &contacts, z);
     let rows = kinematic.program.h.len();
-    // the first row of each cone of three
+    // the first row of each cone with three rows
     let pressed =
         |size: f64| (0..rows).map(|r| if r % 3 == 0 { size } else { 0.0 }).collect::<Vec<f64>>();
     assert!(contacts.contains(&0) && contacts.contains(&1) && rows == 3 * contacts.len());
@@ -404,7 +410,7 @@ fn what_is_no_certificate_names_no_contact() {
     }
 }
 
-/// A body beside that has nothing to do with it is not named.
+/// A further body without influence is not named.
 #[test]
 fn only_the_contacts_in_conflict_are_named() {
     let (yaml, mesh) = wedged(0.0);

@@ -1,4 +1,4 @@
-//! Verdicts by code: the joints a checker would stop at, and random demands on random joints.
+//! Verdicts by code: joints with a decisive check, and random demands on random joints.
 
 #[path = "common/numbers.rs"]
 mod numbers;
@@ -12,7 +12,7 @@ use bracket::spec::yaml;
 use numbers::Numbers;
 use std::path::Path;
 
-/// The hand checks of a spec; `None` where the template refuses it.
+/// The hand checks of a spec; `None` if the template refuses it.
 fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     let path = Path::new("joint.yaml");
     let spec =
@@ -20,7 +20,7 @@ fn checks(text: &str, catalog: &Catalog) -> Option<HandChecks> {
     assembly::build(&spec, Path::new(""), catalog).ok()?.end_plate.as_ref().map(hand_checks)
 }
 
-/// The verdict on the case `A`, given the verdict of an analysis of it.
+/// The verdict on the case `A`, given the verdict of its analysis.
 fn verdict(hand: &HandChecks, analysis: Verdict) -> (Judgement, Vec<Check>) {
     let mut hand = hand.clone();
     let a = Analysed { verdict: analysis, ..Analysed::not("A") };
@@ -32,8 +32,8 @@ fn builtin() -> Catalog {
     Catalog::builtin().expect("the shipped catalogue is sound")
 }
 
-/// UB457x191x67 of S460M between two beams: the web buckles, ρ = 0.645, at F_c,wc,Rd = 406 kN.
-/// Whatever the bracket, 142 kNm are NOT OK by the check of buckling.
+/// UB457x191x67 of S460M between two beams: the web buckles, ρ = 0.645, at F_c,wc,Rd = 406 kN. The
+/// check of buckling makes 142 kNm NOT OK, whatever the bracket.
 #[test]
 fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
     let of = |my: f64| {
@@ -67,13 +67,13 @@ fn a_web_that_buckles_refuses_what_a_bracket_would_carry() {
         .and_then(|c| c.utilisation);
     assert!(share.is_some_and(|u| (u - 1.05).abs() < 0.01), "{share:?}");
     assert!(j.reason.contains("limit analysis does not know"), "{}", j.reason);
-    // by code alone the same; where the web is strong enough for the load the analysis decides
+    // the same by code alone; if the web is strong enough for the load, the analysis decides
     assert_eq!(verdict(&hand, Verdict::None).0.verdict, Verdict::NotOk);
     assert_eq!(verdict(&of(120.0), Verdict::Ok).0.verdict, Verdict::Ok);
 }
 
-/// HEB140 and IPE270 with M16 under 2.3 times M_j,Rd: without a limit analysis the component method
-/// gives NOT OK, and the tension of the bolts is not capped at their resistance.
+/// HEB140 and IPE270 with M16 under 2.3 times M_j,Rd. Without a limit analysis the component method
+/// gives NOT OK. The tension of the bolts is not limited to their resistance.
 #[test]
 fn an_overload_is_refused_without_an_analysis() {
     let text = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB140, steel: \
@@ -93,8 +93,8 @@ fn an_overload_is_refused_without_an_analysis() {
     }
 }
 
-/// A web panel beyond 69 ε keeps its checks: NOT OK where the load exceeds even its buckling
-/// resistance, undecided below.
+/// A web panel with a slenderness above 69 ε keeps its checks: NOT OK if the load exceeds even its
+/// buckling resistance, undecided below.
 #[test]
 fn a_slender_panel_keeps_its_checks_and_is_never_ok() {
     let of = |my: f64| {
@@ -168,8 +168,8 @@ fn rank(v: Verdict) -> usize {
         .unwrap_or(9)
 }
 
-/// Demands of 0.5 to 3 times M_j,Rd beside axial and shear forces on 200 joints: OK only where
-/// every binding check holds, and a larger load never has a better verdict or a smaller
+/// Demands of 0.5 to 3 times M_j,Rd with axial and shear forces on 200 joints. The verdict is OK
+/// only if every binding check holds. A larger load never has a better verdict or a smaller
 /// utilisation.
 #[test]
 fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_load() {
@@ -222,7 +222,7 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
             }
             seen[rank(j.verdict)] += 1;
             assert!(rank(j.verdict) >= before, "{:?} after {before}: {}", j.verdict, place());
-            // no number: the resistance is 0, or the code gives none
+            // there is no number if the resistance is 0 or the code gives none
             let of = |c: &Check| c.utilisation.unwrap_or(f64::INFINITY);
             let used = binding().filter(|c| c.case.is_some()).map(of).fold(0.0, f64::max);
             assert!(used >= used_before - 1e-9, "{used} after {used_before}: {}", place());
@@ -234,7 +234,7 @@ fn random_demands_are_ok_only_where_every_check_holds_and_grow_worse_with_the_lo
     assert!(seen[1] > 100 && seen[3] > 400 && seen[0] == 0, "{seen:?}");
 }
 
-/// A one-sided joint of HEB200 and IPE300 with more keys and these actions.
+/// A one-sided joint of HEB200 and IPE300 with further keys and these actions.
 fn one_sided(more: &str, members: &str, rows: &str, actions: &str) -> Option<HandChecks> {
     let text = format!(
         "template: beam_to_column_end_plate\nmembers: {{column: {{profile: HEB200, steel: \
@@ -247,28 +247,28 @@ fn one_sided(more: &str, members: &str, rows: &str, actions: &str) -> Option<Han
 
 const ROWS: &str = "[-90, 90, 190]";
 
-/// A bracket does not replace hand checks that cannot be made: the verdict is undecided, whatever
+/// A bracket does not replace hand checks that cannot be made. The verdict is undecided, whatever
 /// load the limit analysis carries.
 #[test]
 fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     let open = |hand: &HandChecks, words: &str| {
         let (j, all) = verdict(hand, Verdict::Ok);
         assert_eq!(j.verdict, Verdict::Undecided, "{words}: {}", j.reason);
-        let told = all.iter().any(|c| {
+        let stated = all.iter().any(|c| {
             c.status == Status::Undecided && (c.title.contains(words) || c.formula.contains(words))
         });
-        assert!(told, "{words}");
+        assert!(stated, "{words}");
     };
     let small = "My: 20 kN m";
     for actions in ["My: 20 kN m, T: 1 kN m", "My: 20 kN m, Mz: 1 kN m", "My: 20 kN m, Vy: 5 kN"] {
         open(&one_sided("", "", ROWS, actions).expect("a joint"), "leave");
     }
-    // Table 6.6 covers one row outside the flange
+    // table 6.6 covers one row outside the flange
     open(
         &one_sided("", "", "[-90, 90, 190, 260]", small).expect("a joint"),
         "outside the tension flange",
     );
-    // compression of the column beside the moment
+    // compression of the column in addition to the moment
     let pressed = "My: 20 kN m}, {name: A, section: column_top, pressure: 50 MPa";
     open(&one_sided("", "", ROWS, pressed).expect("a joint"), "members.column.N_Ed");
     assert_eq!(
@@ -287,8 +287,8 @@ fn a_bracket_does_not_stand_for_checks_that_are_missing() {
     open(&checks(text, &builtin()).expect("a joint"), "Table 4.1 has no β_w");
 }
 
-/// 5 % of N_pl,Rd of the beam are neglected beside a moment, but not on a joint whose resistance is
-/// smaller.
+/// An axial force up to 5 % of N_pl,Rd of the beam is neglected beside a moment, except on a joint
+/// with a smaller resistance.
 #[test]
 fn a_small_axial_force_is_held_against_a_weak_joint() {
     let text = |n: f64, m: f64| {
@@ -317,8 +317,8 @@ fn a_small_axial_force_is_held_against_a_weak_joint() {
     assert_eq!(of(30.0, 1.0).0.verdict, Verdict::Ok);
 }
 
-/// Compression over the depth of the beam: the unstiffened web buckles, which binds beside a
-/// bracket.
+/// Compression over the depth of the beam: the unstiffened web buckles. This check is binding
+/// beside a bracket.
 #[test]
 fn a_push_that_makes_the_web_buckle_binds() {
     let of = |n: f64| {
@@ -335,8 +335,8 @@ fn a_push_that_makes_the_web_buckle_binds() {
     assert_eq!(of(-50.0).verdict, Verdict::Ok, "{}", of(-50.0).reason);
 }
 
-/// The shear of the column reduces or increases the shear of the panel, by its sign and that of the
-/// moment.
+/// The shear force of the column reduces or increases the shear of the panel, depending on its sign
+/// and that of the moment.
 #[test]
 fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
     let panel = |v: &str, my: f64| {
@@ -358,8 +358,9 @@ fn clause_5_3_3_the_shear_of_the_column_has_a_sign() {
     assert!((panel(", V_Ed: 1000 kN", 30.0) - (1000e3 - up)).abs() < 1.0);
 }
 
-/// UB762x267x134 of S355: h_w/t_w = 59.9 > 72 ε = 58.6. χ_w = 0.83/(718.9/(86.4 · 12 · 0.8136)) =
-/// 0.974, V_bw,Rd = 0.974 · 718.9 · 12 · 355/√3 = 1722 kN.
+/// UB762x267x134 of S355: h_w/t_w = 59.9 > 72 ε = 58.6, so shear buckling governs.
+/// χ_w = 0.83/(718.9/(86.4 · 12 · 0.8136)) = 0.974, V_bw,Rd = 0.974 · 718.9 · 12 · 355/√3 = 1722
+/// kN.
 #[test]
 fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     let of = |v: f64| {
@@ -384,8 +385,8 @@ fn a_slender_beam_web_is_held_against_its_shear_buckling() {
     assert_eq!(of(1750.0).status, Status::Failed);
 }
 
-/// Four bolts in a row: geometry, drawing and list have all of them; the checks count the inner two
-/// and state it; spacing is checked for all.
+/// Four bolts in a row: geometry, drawing and list contain all of them. The checks count the inner
+/// two and state it. Spacing is checked for all.
 #[test]
 fn four_bolts_in_a_row_are_listed_and_the_inner_two_are_checked() {
     let spec = |outer: &str, gauge: f64| {

@@ -1,5 +1,5 @@
-//! The elastic, perfectly plastic programs: valid as data, exact where both elements hold the exact
-//! fields, and dual to each other. Solved by Clarabel alone.
+//! The elastic, perfectly plastic programs: they are valid as data, exact where both elements
+//! represent the exact fields, and dual to each other. Clarabel alone solves them.
 #![allow(clippy::unwrap_used)]
 
 #[path = "yielding/closed_forms.rs"]

@@ -1,21 +1,22 @@
-//! Where the width of a limit load's bracket comes from, and what makes it smaller.
+//! Shows which tets make the bracket of a limit load wide, and what narrows it.
 //!
 //! `cargo bench --bench limit_width -- [OPTIONS] (SPEC.yaml | cantilever | grid NX NY NZ LAYERS)`
 //!
-//! The joint of a spec; an I-beam of 900 mm (IPE360 without fillets), clamped at one end and
-//! sheared at the other, meshed by gmsh or as a structured grid (NX along the span, NY across half
-//! a flange, NZ over the web's height, LAYERS in a flange). Options: `--size-factor F`,
-//! `--size PART=MM`, `--layers 1|2|4` through plates, flanges and webs, `--stretch FROM,TO,S`
-//! (elements of the spans FROM ≤ |x| ≤ TO are S times as long as they are wide), `--span-growth G`,
-//! `--foot N` elements across a footprint, `--bins MM`, `--static`, `--kinematic`, `--threads N`.
+//! The model is the joint of a spec, or an I-beam of 900 mm (IPE360 without fillets). The beam is
+//! clamped at one end and sheared at the other. It is meshed by gmsh or as a structured grid (NX
+//! cells along the span, NY across half a flange, NZ over the height of the web, LAYERS in a
+//! flange). Options: `--size-factor F`, `--size PART=MM`, `--layers 1|2|4` through plates, flanges
+//! and webs, `--stretch FROM,TO,S` (elements in the spans FROM ≤ |x| ≤ TO are S times as long as
+//! they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--bins MM`,
+//! `--static`, `--kinematic`, `--threads N`.
 //!
-//! `--weak` solves the static program alone and prints whose yield conditions hold its load factor
-//! down: its multipliers are velocities with a dissipation of their own, which adds up to the load
-//! factor.
+//! `--weak` solves the static program alone and prints which yield conditions limit its load
+//! factor. The multipliers of these conditions are velocities with a dissipation of their own. This
+//! dissipation adds up to the load factor.
 //!
-//! Prints both bounds, seconds, and a table by body and place along x: share of the tets, of the
-//! dissipation, and of the width `∫ π(ε) − σ:ε`, which is positive tet by tet and adds up to the
-//! bracket's width at unit power.
+//! Prints both bounds, the seconds, and a table by body and position along x. The table gives the
+//! share of the tets, of the dissipation, and of the width `∫ π(ε) − σ:ε`. The width is positive in
+//! every tet and adds up to the width of the bracket at unit power.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 #[path = "../../tests/common/mod.rs"]
@@ -54,7 +55,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use stretch::{Stretch, lengthen, shorten, shorten_solid};
 
-/// Tets with the largest shares that are printed one by one.
+/// Number of tets that are printed one by one, those with the largest shares.
 const STRONGEST: usize = 40;
 
 #[derive(Default)]
@@ -122,7 +123,7 @@ fn main() {
         return;
     }
     let start = Instant::now();
-    // the third program, without friction, is not asked for
+    // the third program, without friction, is not requested
     let enough = Arc::new(AtomicBool::new(false));
     let stop = enough.clone();
     let progress: Progress = Arc::new(move |_, event| {
@@ -152,8 +153,8 @@ fn main() {
     table(&model, &pass, o.bins);
 }
 
-/// Shares of the static program's load factor by body and place: multipliers of the yield points
-/// times strength.
+/// Shares of the static program's load factor by body and place: the multiplier of each yield point
+/// times the strength.
 fn weak(model: &AnalysisModel, width: f64) {
     let statics = Static::limit(model).expect("the model is sound");
     let program = &statics.program;
@@ -276,8 +277,8 @@ fn changed(assembly: &Assembly, o: &Options) -> Assembly {
     a
 }
 
-/// Planes at the quarters of what has one at its middle: half the thickness is the distance along
-/// the normal to the surface.
+/// Adds planes at the quarters of every plate that has one plane at its middle. Half the thickness
+/// is the distance along the normal to the surface.
 fn more_planes(p: &mut Part) {
     let solid = bracket::geometry::FlatSolid::from_solid(&p.solid);
     let planes = p.mid_planes.clone();
@@ -335,7 +336,7 @@ const SPAN: f64 = 900.0;
 const CANTILEVER: &str =
     "bodies: {BEAM: s}\nsupports:\n- {face: CLAMP, fix: [x, z]}\n- {face: SYM_Y0, fix: [y]}\n";
 
-/// The factor is the moment at the clamp over `f_y (b t_f (h − t_f) + t_w (h − 2 t_f)²/4)`.
+/// The load factor is the moment at the clamp over `f_y (b t_f (h − t_f) + t_w (h − 2 t_f)²/4)`.
 fn loaded(mesh: TetMesh) -> AnalysisModel {
     let plastic = 235.0 * (170.0 * 12.7 * 347.3 + 8.0 * 334.6 * 334.6 / 4.0);
     let materials = common::yielding::MATERIALS;

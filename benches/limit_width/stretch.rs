@@ -1,5 +1,5 @@
-//! Spans that are meshed shorter than they are and stretched afterwards, so that their elements are
-//! long.
+//! Spans that are meshed shorter than they are. They are stretched afterwards, so that their
+//! elements are long.
 
 use bracket::assembly::assembly::Solid;
 
@@ -23,7 +23,7 @@ pub fn shorten(stretch: &[Stretch], x: f64) -> f64 {
     x.signum() * (x.abs() - stretch.iter().map(cut).sum::<f64>())
 }
 
-/// The coordinate a shortened one stands for; stretches in ascending order.
+/// The original coordinate of a shortened one. The stretches must be in ascending order.
 pub fn lengthen(stretch: &[Stretch], x: f64) -> f64 {
     let mut at = x.abs();
     for s in stretch {

@@ -1,9 +1,9 @@
-//! Circles of imports: modules that use each other, directly or through others.
+//! Circular imports: modules that use each other, directly or through other modules.
 
 use super::modules::Graph;
 use std::collections::BTreeSet;
 
-/// Every module that can be reached from `start` by at least one step.
+/// All modules that can be reached from `start` in one or more steps.
 pub fn reached(graph: &Graph, start: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     let mut open = vec![start.to_owned()];
@@ -17,7 +17,7 @@ pub fn reached(graph: &Graph, start: &str) -> BTreeSet<String> {
     found
 }
 
-/// The strongly connected components of more than one module, each in order.
+/// The strongly connected components with more than one module, each in order.
 pub fn circles(graph: &Graph) -> Vec<Vec<String>> {
     let reach: Vec<(&String, BTreeSet<String>)> =
         graph.keys().map(|m| (m, reached(graph, m))).collect();
@@ -35,7 +35,7 @@ pub fn circles(graph: &Graph) -> Vec<Vec<String>> {
     found
 }
 
-/// A circle as text: a line for each of its edges, with the path that makes it.
+/// Describes a circle as text: one line for each edge, with the path that makes it.
 pub fn described(graph: &Graph, circle: &[String]) -> String {
     let mut lines = vec![format!("circle of {} modules:", circle.len())];
     for module in circle {

@@ -13,27 +13,27 @@ use std::fs;
 use text::{columns, machine_path, root, rust_files, tracked};
 use tokens::{names_crate, tokens, without_tests};
 
-/// The stages in the order of the data flow; a stage uses itself and earlier ones.
+/// The stages in the order of the data flow. A stage may use itself and earlier stages.
 const STAGES: [&str; 19] = [
     "spec", "catalog", "assembly", "geometry", "mesh", "elements", "model", "certify", "programs",
     "solve", "recover", "analysis", "refine", "checks", "result", "report", "driver", "batch",
     "cli",
 ];
 
-/// Below everything: any stage may use them, they use only each other.
+/// Modules below all stages. Any stage may use them. They may use only each other.
 const FOUNDATION: [&str; 5] = ["diag", "diag_render", "text_file", "units", "math"];
 
-/// Longest Rust file in lines.
+/// Maximum length of a Rust file in lines.
 const LONGEST: usize = 450;
 
-/// Files that are longer, each with its reason.
+/// Files that are longer, each with the reason.
 const ARGUED: [(&str, &str); 1] =
     [("tests/cli/wrong_specs.rs", "a table: a row for each wrong spec and the message it gets")];
 
-/// Longest line in characters.
+/// Maximum length of a line in characters.
 const WIDEST: usize = 100;
 
-/// Crates that only one place may name, and that place.
+/// Crates that only certain places may name, and these places.
 const CONFINED: [(&str, &[&str]); 7] = [
     ("serde_yaml", &["src/spec/yaml"]),
     ("saphyr", &["src/spec/yaml"]),
@@ -44,12 +44,13 @@ const CONFINED: [(&str, &[&str]); 7] = [
     ("clap", &["src/cli/", "src/main.rs"]),
 ];
 
-/// The library's sources, and what they say without tests.
+/// The source files of the library with their text.
 fn library() -> Vec<(String, String)> {
     rust_files(&["src"])
 }
 
-/// Why code in `room` may not use `path`, which lies in the room `target`; nothing if it may.
+/// The reason why code in `room` may not use `path`, which lies in the room `target`. `None` if it
+/// may.
 fn backward(room: &str, target: &str, path: &str) -> Option<String> {
     if FOUNDATION.contains(&target) {
         return None;
@@ -89,8 +90,8 @@ fn no_circles_of_imports() {
     assert_none(circles(&graph).iter().map(|circle| described(&graph, circle)).collect());
 }
 
-/// The certificates share nothing with the solver and the programs that it solves, not through
-/// other modules either.
+/// The certificates share no code with the solver or with the programs that it solves, not even
+/// through other modules.
 #[test]
 fn certify_is_independent_of_the_solver_and_its_programs() {
     let graph = Modules::read(&library()).graph();
@@ -136,8 +137,8 @@ fn lines_stay_narrow() {
     assert_none(faults);
 }
 
-/// A crate that may one day be exchanged is named in one place. Unit tests are free: an oracle may
-/// use what the code may not.
+/// A crate that may be replaced one day is named in one place only. Unit tests are exempt: they may
+/// use crates as oracles that the code may not use.
 #[test]
 fn crates_stay_in_their_rooms() {
     let files = library();
@@ -166,7 +167,7 @@ fn no_machine_paths_in_text() {
     assert_none(faults);
 }
 
-/// The map shows every room that exists.
+/// `ARCHITECTURE.md` shows every room that exists.
 #[test]
 fn the_map_names_every_module() {
     let map = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");

@@ -1,37 +1,38 @@
-//! The modules of the library, the paths that each one names, and where these lead.
+//! The modules of the library, the paths that each module names, and the modules these paths lead
+//! to.
 
 use super::tokens::{is_name, tokens, without_tests};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A path from the root of the crate: `["checks", "verdict", "Verdict"]`.
+/// A path from the root of the crate, such as `["checks", "verdict", "Verdict"]`.
 pub type Path = Vec<String>;
 
-/// Modules that each module uses, with one of the paths that say so.
+/// The modules that each module uses, each with one of the paths that use it.
 pub type Graph = BTreeMap<String, BTreeMap<String, String>>;
 
-/// One binding of a `use`: `use a::{b as c, d::*};` has two.
+/// One binding of a `use`. `use a::{b as c, d::*};` has two.
 struct Import {
     path: Path,
-    /// The name it binds; none for `*`.
+    /// The name that is bound; `None` for `*`.
     name: Option<String>,
     public: bool,
 }
 
 struct Module {
     path: Path,
-    /// Names of the items that its file defines itself.
+    /// Names of the items that the file of the module defines itself.
     items: BTreeSet<String>,
     imports: Vec<Import>,
-    /// Paths named in code, imports apart.
+    /// Paths named in the code, without imports.
     paths: Vec<Path>,
-    /// Every identifier of the code, imports and methods apart.
+    /// All identifiers of the code, without imports and methods.
     words: BTreeSet<String>,
 }
 
-/// The modules of `src`, those of tests apart.
+/// The modules of `src` without the test modules.
 pub struct Modules(BTreeMap<Path, Module>);
 
-/// The path of the module that a file holds.
+/// The path of the module in a file.
 pub fn module_of(file: &str) -> Path {
     let stem = file.trim_start_matches("src/").trim_end_matches(".rs");
     let mut path: Path = stem.split('/').map(str::to_owned).collect();
@@ -42,7 +43,7 @@ pub fn module_of(file: &str) -> Path {
 }
 
 impl Modules {
-    /// From files with paths as `src/checks/mod.rs`, and their text.
+    /// Reads the modules from files, given as paths such as `src/checks/mod.rs` and their text.
     pub fn read(files: &[(String, String)]) -> Self {
         let mut all = BTreeMap::new();
         let mut tests: Vec<Path> = Vec::new();
@@ -56,12 +57,12 @@ impl Modules {
         Self(all)
     }
 
-    /// Whether there is such a module, outside the tests.
+    /// Whether this module exists outside the tests.
     pub fn contains(&self, path: &[String]) -> bool {
         self.0.contains_key(path) || path == ["main"]
     }
 
-    /// The path from the root that a path means in a module; none if it leads to another crate.
+    /// The path from the root for a path used in a module; `None` if it leads to another crate.
     fn absolute(&self, module: &Module, path: &[String]) -> Option<Path> {
         let mut base = module.path.clone();
         let mut rest = path;
@@ -75,7 +76,7 @@ impl Modules {
                     return Some(joined(&base, rest));
                 }
                 let import = module.imports.iter().find(|i| i.name.as_deref() == Some(first))?;
-                // `use clap::Parser as clap` leads nowhere
+                // `use clap::Parser as clap` leads to no module
                 if import.path.first() == path.first() {
                     return None;
                 }
@@ -89,8 +90,8 @@ impl Modules {
         Some(joined(&base, rest))
     }
 
-    /// The module that has the end of a path: through modules as long as there are some, then
-    /// through `use` of the last one.
+    /// The module that holds the item at the end of a path. Follows modules as long as there are
+    /// any, then the `use` items of the last one.
     fn resolve(&self, path: &[String], depth: usize) -> Option<&Module> {
         let mut module = self.0.get(&Path::new())?;
         for (i, word) in path.iter().enumerate() {
@@ -116,7 +117,7 @@ impl Modules {
         Some(module)
     }
 
-    /// The module that has `word`, if a `use …::*` of `module` brings it.
+    /// The module that holds `word`, if a `use …::*` of `module` imports it.
     fn through(
         &self,
         module: &Module,
@@ -125,7 +126,7 @@ impl Modules {
         depth: usize,
     ) -> Option<&Module> {
         let target = self.absolute(module, &glob.path)?;
-        // a glob of an enum or of another crate brings no module
+        // a glob import of an enum or of another crate names no module
         let of = self.0.get(&target)?;
         if of.path == module.path {
             return None;
@@ -144,7 +145,8 @@ impl Modules {
         }
     }
 
-    /// Every path of a module into the library: where it starts, and the module it ends in.
+    /// All paths of a module into the library: the path where it starts and the module where it
+    /// ends.
     fn uses<'a>(&'a self, module: &'a Module) -> Vec<(Path, &'a Module)> {
         let mut found = Vec::new();
         let mut add = |path: Path| {
@@ -155,13 +157,13 @@ impl Modules {
         for import in &module.imports {
             let Some(path) = self.absolute(module, &import.path) else { continue };
             match &import.name {
-                // what a parent only passes on from its children it does not use
+                // a parent does not use what it only re-exports from its children
                 Some(name) if import.public && path.starts_with(&module.path) => {
                     if module.words.contains(name) {
                         add(path);
                     }
                 }
-                // a glob of a module is seen by the words it brings
+                // a glob import of a module is resolved by the names it imports
                 None if self.0.contains_key(&path) => {}
                 _ => add(path),
             }
@@ -184,8 +186,8 @@ impl Modules {
         found
     }
 
-    /// Module by module, what it uses. Files that only declare modules and pass names on are no
-    /// modules here: who uses a name through them uses the module behind.
+    /// The modules that each module uses. A file that only declares modules and re-exports names is
+    /// not a module here: whoever uses such a name uses the module that defines it.
     pub fn graph(&self) -> Graph {
         let mut graph = Graph::new();
         for module in self.0.values().filter(|m| !m.items.is_empty()) {
@@ -199,7 +201,7 @@ impl Modules {
         graph
     }
 
-    /// Rooms that a module names: where its paths start, and where they end.
+    /// The rooms that a module names: where its paths start and where they end.
     pub fn rooms(&self) -> Vec<(String, Vec<(String, String)>)> {
         let named = |module: &Module| {
             let mut rooms = BTreeSet::new();
@@ -229,7 +231,7 @@ impl Module {
             words: BTreeSet::new(),
         };
         let at = |i: usize| code.get(i).map_or("", String::as_str);
-        // modules in the file itself: `super` of theirs leads to this one
+        // modules inside the file: their `super` leads to this module
         let mut inside: Vec<(usize, String)> = Vec::new();
         let (mut depth, mut i) = (0, 0);
         while i < code.len() {
@@ -252,11 +254,11 @@ impl Module {
                     let name = if at(i + 1) == "mut" { at(i + 2) } else { at(i + 1) };
                     module.items.insert(name.to_owned());
                 }
-                // something that defines no name but is no declaration either
+                // items that define no name but are no declarations either
                 "impl" if depth == inside.len() => {
                     module.items.insert("impl".to_owned());
                 }
-                // precise capturing, `impl Trait + use<'a>`, is no import
+                // precise capturing, `impl Trait + use<'a>`, is not an import
                 "use" if at(i + 1) != "<" => {
                     let public =
                         i > 0 && (at(i - 1) == "pub" || at(i - 1) == ")" && restricted(code, i));
@@ -274,7 +276,7 @@ impl Module {
         module
     }
 
-    /// Reads the tree of a `use` from `i`, below `prefix`; the place after it.
+    /// Reads the tree of a `use` from position `i`, below `prefix`. Returns the position after it.
     fn import(
         &mut self,
         code: &[String],
@@ -334,11 +336,11 @@ impl Module {
         }
     }
 
-    /// Reads the word at `i`, or the path that starts there; the place after it.
+    /// Reads the word at `i`, or the path that starts there. Returns the position after it.
     fn path_at(&mut self, code: &[String], i: usize, inside: &[(usize, String)]) -> usize {
         let at = |i: usize| code.get(i).map_or("", String::as_str);
         let before = if i > 0 { at(i - 1) } else { "" };
-        // `pub(in crate::solve)` says who may use an item
+        // `pub(in crate::solve)` only limits who may use an item
         let visibility = before == "in" && i > 2 && at(i - 2) == "(" && at(i - 3) == "pub";
         let mut path = vec![at(i).to_owned()];
         let mut end = i + 1;
@@ -350,7 +352,7 @@ impl Module {
             return end;
         }
         self.words.insert(path[0].clone());
-        // `$crate` of a macro leads to the root as `crate` does
+        // `$crate` in a macro leads to the root, as `crate` does
         if path.len() > 1 && !(before == "::" && i > 1) {
             self.paths.extend(outward(path, inside));
         }
@@ -358,13 +360,13 @@ impl Module {
     }
 }
 
-/// Whether the `)` before `i` closes the `pub(crate)` or `pub(in …)` of an item.
+/// Whether the `)` before `i` closes a `pub(crate)` or `pub(in …)`.
 fn restricted(code: &[String], i: usize) -> bool {
     let open = code[..i].iter().rposition(|t| t == "(");
     open.is_some_and(|o| o > 0 && code[o - 1] == "pub")
 }
 
-/// A path as seen from the file's module, if it leads out of the modules inside the file.
+/// The path as seen from the module of the file; `None` if it stays in a module inside the file.
 fn outward(mut path: Path, inside: &[(usize, String)]) -> Option<Path> {
     if inside.is_empty() || path.first().is_none_or(|w| w != "super" && w != "self") {
         return Some(path);

@@ -3,14 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders that are no part of the project's text.
+/// Folders that do not belong to the text of the project.
 const SKIPPED: [&str; 5] = ["target", ".git", ".venv", "results", "__pycache__"];
 
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every file below `dir`, as path relative to the root with `/`, in order.
+/// All files below `dir` in order, as paths relative to the root with `/`.
 fn files(dir: &Path, found: &mut Vec<String>) {
     let mut entries: Vec<_> =
         fs::read_dir(dir).expect("folder").map(|e| e.expect("entry").path()).collect();
@@ -29,7 +29,7 @@ fn files(dir: &Path, found: &mut Vec<String>) {
     }
 }
 
-/// Every Rust file below the folders, with its text.
+/// All Rust files below the folders, with their text.
 pub fn rust_files(folders: &[&str]) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for folder in folders {
@@ -42,7 +42,7 @@ pub fn rust_files(folders: &[&str]) -> Vec<(String, String)> {
     found.into_iter().map(read).collect()
 }
 
-/// The files under version control; without git, every file of the folder.
+/// The files under version control; without git, all files of the folder.
 pub fn tracked() -> Vec<String> {
     let git =
         std::process::Command::new("git").arg("-C").arg(root()).args(["ls-files", "-z"]).output();
@@ -66,7 +66,7 @@ pub fn columns(line: &str) -> usize {
     line.chars().count()
 }
 
-/// A path of somebody's machine: a home, root or scratch folder at the start of a path.
+/// A path on a particular machine: a home, root or scratch folder at the start of a path.
 pub fn machine_path(line: &str) -> Option<String> {
     ["home", "root", "tmp", "work", "Users"].iter().map(|d| format!("/{d}/")).find(|p| {
         line.match_indices(p.as_str()).any(|(at, _)| {

@@ -1,4 +1,4 @@
-//! The checks themselves: each fires on what it forbids and is silent on what it allows.
+//! Tests of the checks themselves: each check reports what it forbids and accepts what it allows.
 
 use super::backward;
 use super::circles::{circles, described, reached};
@@ -6,14 +6,14 @@ use super::modules::{Graph, Modules};
 use super::text::{columns, machine_path};
 use super::tokens::{names_crate, tokens, without_tests};
 
-/// The library of some made-up files.
+/// The modules of made-up files.
 fn made_up(files: &[(&str, &str)]) -> Modules {
     let owned: Vec<_> = files.iter().map(|(f, t)| (f.to_string(), t.to_string())).collect();
     let library = ("src/lib.rs".to_owned(), String::new());
     Modules::read(&[vec![library], owned].concat())
 }
 
-/// What a module uses, in order.
+/// The modules that a module uses, in order.
 fn used(graph: &Graph, module: &str) -> Vec<String> {
     graph[module].keys().cloned().collect()
 }
@@ -47,7 +47,7 @@ fn tests_are_left_out_and_the_code_after_them_is_not() {
     assert_eq!(untested("#![cfg(test)] fn f() {}"), "");
     let code = tokens("#[cfg(test)] pub(crate) mod fixtures; mod a;");
     assert_eq!(without_tests(&code).1, ["fixtures"]);
-    // modules of tests, and what lies below them, may look at later rooms
+    // test modules, and modules below them, may use later rooms
     let modules = made_up(&[
         ("src/mesh/mod.rs", "#[cfg(test)] mod tests; pub struct Mesh;"),
         ("src/mesh/tests.rs", "use crate::cli::run; mod more; fn f() {}"),
@@ -58,7 +58,7 @@ fn tests_are_left_out_and_the_code_after_them_is_not() {
     assert!(circles(&modules.graph()).is_empty());
 }
 
-/// Groups, `super`, `self`, bare paths of children, renames, globs, names passed on.
+/// Groups, `super`, `self`, bare paths of children, renames, globs and re-exports.
 #[test]
 fn paths_are_followed_to_the_file_that_has_the_item() {
     let items = "pub struct A; pub fn f() {}";
@@ -104,7 +104,7 @@ fn parents_and_children_make_circles() {
     assert!(text[0].contains("a::b -> a   by a::Shared"), "{text:?}");
     assert_eq!(found("mod b; use b::f; pub struct Shared; fn g() { f(Shared) }").len(), 1);
     assert_eq!(found("mod b; pub use b::f; pub struct Shared; fn g() { f(Shared) }").len(), 1);
-    // a name that is only passed on is not used
+    // a re-exported name is not used
     assert!(found("mod b; pub use b::f; pub struct Shared;").is_empty());
     let glob = made_up(&[
         ("src/a/mod.rs", "mod b; mod c; use c::Shared; pub fn g() { b::f() }"),
@@ -161,7 +161,7 @@ fn arrows_between_rooms_have_a_direction() {
     ] {
         assert!(backward(from, to, to).is_none(), "{from} {to}");
     }
-    // a name that one room passes on from another leads to both
+    // a name that one room re-exports from another counts as a use of both
     let rooms = made_up(&[
         ("src/mesh/mod.rs", "use crate::model::Later;"),
         ("src/model/mod.rs", "mod x; pub use x::Later;"),

@@ -1,6 +1,7 @@
-//! Rust source as words and marks: no comments, no literals, no tests.
+//! Splits Rust source into tokens, without comments, literals and tests.
 
-/// Identifiers, numbers, `::` and single marks; every string or character literal is one `"`.
+/// Identifiers, numbers, `::` and single characters. Each string or character literal becomes one
+/// `"`.
 pub fn tokens(text: &str) -> Vec<String> {
     let c: Vec<char> = text.chars().collect();
     let at = |i: usize| c.get(i).copied().unwrap_or('\0');
@@ -65,7 +66,7 @@ fn after_block_comment(c: &[char], start: usize) -> usize {
     i
 }
 
-/// The place after the string or character literal that starts at `start`, if one does.
+/// The position after the string or character literal that starts at `start`, if there is one.
 fn after_literal(c: &[char], start: usize) -> Option<usize> {
     let at = |i: usize| c.get(i).copied().unwrap_or('\0');
     let mut i = start;
@@ -101,8 +102,8 @@ fn after_literal(c: &[char], start: usize) -> Option<usize> {
     }
 }
 
-/// What is left without the items under `#[cfg(test)]`, and the modules that were declared under
-/// it (`mod tests;` lies in a file of its own).
+/// The tokens without the items under `#[cfg(test)]`, and the modules declared under that attribute
+/// (`mod tests;` is in a file of its own).
 pub fn without_tests(tokens: &[String]) -> (Vec<String>, Vec<String>) {
     let (mut kept, mut modules) = (Vec::new(), Vec::new());
     let mut i = 0;
@@ -124,8 +125,8 @@ pub fn without_tests(tokens: &[String]) -> (Vec<String>, Vec<String>) {
     (kept, modules)
 }
 
-/// The place after the attribute `#[cfg(test)]` or `#![cfg(test)]` at `i`, and whether it is the
-/// second, which is about the whole file. `cfg(all(test, …))` counts as well.
+/// The position after the attribute `#[cfg(test)]` or `#![cfg(test)]` at `i`, and whether it is the
+/// second form, which applies to the whole file. `cfg(all(test, …))` counts as well.
 fn test_attribute(tokens: &[String], i: usize) -> Option<(usize, bool)> {
     if tokens[i] != "#" {
         return None;
@@ -140,7 +141,7 @@ fn test_attribute(tokens: &[String], i: usize) -> Option<(usize, bool)> {
     test.then(|| (after_group(tokens, open), inner))
 }
 
-/// The place after the bracket that closes the one at `open`.
+/// The position after the bracket that closes the one at `open`.
 fn after_group(tokens: &[String], open: usize) -> usize {
     let mut depth = 0;
     for (i, t) in tokens.iter().enumerate().skip(open) {
@@ -156,12 +157,13 @@ fn after_group(tokens: &[String], open: usize) -> usize {
     tokens.len()
 }
 
-/// The place after the item, field or statement that starts at `i`, its other attributes included.
+/// The position after the item, field or statement that starts at `i`, including its other
+/// attributes.
 fn after_item(tokens: &[String], mut i: usize) -> usize {
     while tokens.get(i).is_some_and(|t| t == "#") {
         i = after_group(tokens, i + 1);
     }
-    // these end with `;` and may have braces before it
+    // these items end with `;` and may contain braces before it
     let mut semicolon = false;
     let mut item = false;
     while let Some(t) = tokens.get(i) {
@@ -190,8 +192,8 @@ fn after_item(tokens: &[String], mut i: usize) -> usize {
     i
 }
 
-/// Whether code names a crate in a path or a `use`: `serde_yaml::…`, `use serde_yaml;`, never
-/// `self::clarabel`.
+/// Whether the code names a crate in a path or a `use`: `serde_yaml::…` or `use serde_yaml;`, but
+/// not `self::clarabel`.
 pub fn names_crate(tokens: &[String], name: &str) -> bool {
     let at = |i: usize| tokens.get(i).map_or("", String::as_str);
     tokens.iter().enumerate().filter(|(_, t)| *t == name).any(|(i, _)| {

@@ -1,7 +1,7 @@
-//! Mesh after mesh from the command line: the target, every limit, what is left in the folder, and
-//! `bracket study`.
+//! Adaptive meshes from the command line: the target gap, every limit, the files in the result
+//! folder, and `bracket study`.
 
-use crate::bench::{Told, refusal};
+use crate::bench::{Want, refusal};
 use crate::{MODEL, bench, expect, opening};
 use serde_json::Value;
 
@@ -13,8 +13,9 @@ fn number(v: &Value) -> f64 {
     v.as_f64().unwrap_or_else(|| panic!("{v}"))
 }
 
-/// A gap below the first mesh's is reached; the answer is the best of its history, which holds the
-/// predictions; `verify` confirms it from the refined mesh; the report shows it.
+/// The run reaches a gap below that of the first mesh. Its answer is the best of its history, and
+/// the history holds the predictions. `verify` confirms the answer on the refined mesh. The report
+/// shows it.
 #[test]
 fn a_target_is_reached_and_verified() {
     for (name, model) in [("elastic", opening()), ("limit", limit())] {
@@ -42,8 +43,8 @@ fn a_target_is_reached_and_verified() {
             (c["lower"].as_f64(), c["upper"].as_f64())
         );
         for h in &history[1..] {
-            let [found, told] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
-            assert!((found / told - 1.0).abs() < 0.15, "{name}: {found} tets, {told} expected");
+            let [found, want] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
+            assert!((found / want - 1.0).abs() < 0.15, "{name}: {found} tets, {want} expected");
         }
         let (found, _) = expect(&adaptive, &["verify", "block"], 0);
         assert!(found.contains("confirmed") && !found.contains("REFUTED"), "{found}");
@@ -53,21 +54,21 @@ fn a_target_is_reached_and_verified() {
                 && report.contains("convergence_"),
             "{report}"
         );
-        // a tampered bound in the history is found
+        // `verify` detects a changed bound in the history
         let text = adaptive.read("block/result.json").replace(&c["upper"].to_string(), "1.0e99");
         std::fs::write(adaptive.path().join("block/result.json"), text).expect("written");
         expect(&adaptive, &["verify", "block"], 1);
     }
 }
 
-/// [`MODEL`] at collapse.
+/// [`MODEL`] loaded to its limit load.
 fn limit() -> String {
     MODEL.replace("analysis: elastic", "analysis: limit").replace("nu: 0.3}", "nu: 0.3, fy: 235}")
 }
 
-/// The reason for stopping is reported, and the best result so far is kept.
+/// The program reports why it stopped and keeps the best result so far.
 #[test]
-fn limits_are_told() {
+fn limits_are_reported() {
     for (adapt, why) in [
         ("{target_gap: 0.0001, max_passes: 2}", "2 meshes were allowed"),
         ("{target_gap: 0.0001, max_macro_tets: 200}", "no mesh within `max_macro_tets`"),
@@ -88,8 +89,8 @@ fn limits_are_told() {
     }
 }
 
-/// Uniform and adaptive meshes, both solvers: rows, CSV and plots are there, gaps fall with the
-/// meshes, a solver does not change them.
+/// A study with uniform and adaptive meshes and both solvers writes rows, CSV and plots. The gap
+/// falls from mesh to mesh and does not depend on the solver.
 #[test]
 fn a_study_is_a_table_and_plots() {
     let b = bench(&opening());
@@ -123,11 +124,11 @@ fn a_study_is_a_table_and_plots() {
         assert!(b.read(&format!("block_study/{name}.svg")).ends_with("</svg>\n"));
         assert!(b.path().join(format!("block_study/{name}.png")).is_file());
     }
-    // an earlier study is replaced, a folder without one is not
+    // an earlier study is replaced; a folder that holds no study is kept
     expect(&b, &["study", "block.yaml", "--uniform", "1", "--max-passes", "1", "--quiet"], 0);
     std::fs::create_dir(b.path().join("other")).expect("folder");
     let b = b.file("other/notes.txt", "mine");
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "cli/out-exists",
         place: "",
@@ -135,7 +136,7 @@ fn a_study_is_a_table_and_plots() {
         cure: "--out",
     };
     let mut run = b.command(&["study", "block.yaml", "--out", "other"]);
-    refusal(&b, &mut run, &told).unwrap_or_else(|e| panic!("{e}"));
+    refusal(&b, &mut run, &want).unwrap_or_else(|e| panic!("{e}"));
 }
 
 #[test]

@@ -1,11 +1,11 @@
-//! A folder to run the program in, and what a refusal must look like.
+//! A folder to run the program in, and the checks that every refused input must pass.
 #![allow(dead_code, missing_docs)]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The paper's joint, the sound spec that the tests spoil.
+/// The paper's joint: a valid spec that the tests make wrong.
 pub const JOINT: &str = include_str!("../../examples/paper_joint/joint.yaml");
 
 /// A temporary folder with input files.
@@ -41,15 +41,15 @@ impl Bench {
         self.command(args).output().expect("the program starts")
     }
 
-    /// Every file below the folder with its bytes, every empty folder with none.
+    /// All files below the folder with their bytes, and all empty folders with none.
     pub fn everything(&self) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut found = BTreeMap::new();
         collect(self.path(), self.path(), &mut found);
         found
     }
 
-    /// A mesher that prints a version and then runs `script` (`sh`; the arguments are those of
-    /// gmsh).
+    /// Creates a mesher that prints a version and then runs `script` (`sh`; the arguments are those
+    /// of gmsh). Returns its path.
     pub fn mesher(&self, script: &str) -> String {
         let path = self.path().join("mesher.sh");
         let text = format!("[ \"$1\" = --version ] && {{ echo 4.15.2; exit 0; }}\n{script}\n");
@@ -71,9 +71,9 @@ fn collect(root: &Path, dir: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) {
     }
 }
 
-/// What the error of a refused input must contain: exit code, code, place as it is printed (empty:
-/// the message holds it), words of the message, words of the help.
-pub struct Told<'a> {
+/// What the error for a refused input must contain: the exit code, the error code, the place as it
+/// is printed (empty if the message holds it), words of the message and words of the help.
+pub struct Want<'a> {
     pub exit: i32,
     pub code: &'a str,
     pub place: &'a str,
@@ -81,27 +81,28 @@ pub struct Told<'a> {
     pub cure: &'a str,
 }
 
-/// Runs the command; the exit code, one message with place and cure, nothing on standard output,
-/// and not a byte in the folder changed. Returns what is wrong.
-pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<String, String> {
+/// Runs the command. It must end with the exit code and one message that names place and cure. It
+/// must print nothing on standard output and change no byte in the folder. The error lists every
+/// violation.
+pub fn refusal(bench: &Bench, command: &mut Command, want: &Want<'_>) -> Result<String, String> {
     let before = bench.everything();
     let run = command.output().expect("the program starts");
     let text = String::from_utf8_lossy(&run.stderr).into_owned();
     let mut faults = Vec::new();
-    if run.status.code() != Some(told.exit) {
-        faults.push(format!("exit {:?}, expected {}", run.status.code(), told.exit));
+    if run.status.code() != Some(want.exit) {
+        faults.push(format!("exit {:?}, expected {}", run.status.code(), want.exit));
     }
     let titles: Vec<&str> = text.lines().filter(|l| l.starts_with("error")).collect();
     match titles[..] {
         [title] => {
-            if !title.starts_with(&format!("error[{}]: ", told.code)) {
-                faults.push(format!("code is not {}", told.code));
+            if !title.starts_with(&format!("error[{}]: ", want.code)) {
+                faults.push(format!("code is not {}", want.code));
             }
         }
         _ => faults.push(format!("{} messages", titles.len())),
     }
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    for (what, words) in [("place", told.place), ("message", told.message), ("cure", told.cure)] {
+    for (what, words) in [("place", want.place), ("message", want.message), ("cure", want.cure)] {
         if !flat.contains(words) {
             faults.push(format!("lacks the {what} {words:?}"));
         }
@@ -129,7 +130,7 @@ pub fn refusal(bench: &Bench, command: &mut Command, told: &Told<'_>) -> Result<
     if faults.is_empty() { Ok(text) } else { Err(format!("{}:\n{text}", faults.join("; "))) }
 }
 
-/// Fails with all that is wrong in a table of cases.
+/// Fails with a list of all violations in a table of cases.
 pub fn none_wrong(results: Vec<(String, Result<String, String>)>) {
     assert!(results.len() > 1, "an empty table proves nothing");
     let wrong: Vec<String> = results

@@ -1,4 +1,4 @@
-//! `bracket check` and `bracket watch`, and what `run` says by code: verdicts and exit codes
+//! `bracket check` and `bracket watch`, and the verdict by code of `run`: verdicts and exit codes
 //! without an analysis of the resistance.
 
 use crate::bench::Bench;
@@ -21,13 +21,13 @@ fn result(bench: &Bench, folder: &str) -> Value {
     serde_json::from_str(&bench.read(&format!("{folder}/result.json"))).expect("JSON")
 }
 
-/// The last line of a run.
+/// The last line of standard error of a run.
 fn last(err: &str) -> &str {
     err.lines().last().unwrap_or_default()
 }
 
-/// An overload is refused by `check` without mesher, and by `run` whatever elastic analysis finds;
-/// a small load is OK by both.
+/// `check` refuses an overload without a mesher, and `run` refuses it whatever the elastic analysis
+/// finds. Both accept a small load.
 #[test]
 fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
     let bench = Bench::new()
@@ -35,7 +35,7 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
         .file("well.yaml", joint(20.0, "elastic"));
     for (name, code, word, says) in [("over", 1, "not_ok", "NOT OK"), ("well", 0, "ok", "OK")] {
         let spec = format!("{name}.yaml");
-        // no mesher is needed: one that is not there is not missed
+        // `check` needs no mesher: it does not notice that this one does not exist
         let mut command = bench.command(&["check", &spec]);
         command.env("BRACKET_GMSH", "/nowhere/gmsh");
         let ended = command.output().expect("the program starts");
@@ -76,7 +76,7 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
             last(&err).starts_with(&format!("verdict: {says} (by code {says}, by analysis none)")),
             "{err}"
         );
-        // the verdict by code stands before anything is meshed
+        // the verdict by code is printed before meshing starts
         let early =
             err.lines().position(|l| l.starts_with(&format!("by code alone: {says}: ULS1")));
         let meshed = err.lines().position(|l| l.contains("tets,"));
@@ -85,13 +85,13 @@ fn a_demand_ends_with_a_verdict_by_check_and_by_an_elastic_run() {
         assert_eq!(run["verdict"], word);
         let demand = &run["cases"][0]["demand"];
         assert_eq!((&demand["verdict"], &demand["by_analysis"]), (&word.into(), &"none".into()));
-        // the same checks, to the digit
+        // `run` reports the same checks, digit by digit
         assert_eq!(run["checks"], checked["checks"]);
     }
 }
 
-/// Pressures are no demand; a part of a joint that the checks do not cover and no limit analysis
-/// judges is undecided.
+/// A pressure is no demand and has no verdict. The verdict is undecided for a part of a joint that
+/// neither the checks nor a limit analysis cover.
 #[test]
 fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
     let bench = Bench::new().file("paper.yaml", crate::bench::JOINT).file(
@@ -107,8 +107,8 @@ fn what_is_no_demand_has_no_verdict_and_what_nothing_covers_is_undecided() {
     assert!(bench.read("tee_check/report.md").contains("no check of the code covers the load"));
 }
 
-/// `--out` names the folder, `--format json` prints the result, a folder that is not ours stays,
-/// and a second look replaces the first.
+/// `--out` names the folder. `--format json` prints the result. A folder that the program did not
+/// write is kept. A second check replaces the first.
 #[test]
 fn check_writes_its_own_folder_and_nothing_else() {
     let bench = Bench::new().file("well.yaml", joint(20.0, "limit"));
@@ -116,19 +116,19 @@ fn check_writes_its_own_folder_and_nothing_else() {
     let bench = bench.file("mine/notes.txt", "mine");
     let ended = bench.run(&["check", "well.yaml", "--out", "looked", "--format", "json", "-q"]);
     assert_eq!(ended.status.code(), Some(0));
-    let told: Value = serde_json::from_slice(&ended.stdout).expect("JSON on standard output");
-    assert_eq!(told, result(&bench, "looked"));
+    let json: Value = serde_json::from_slice(&ended.stdout).expect("JSON on standard output");
+    assert_eq!(json, result(&bench, "looked"));
     assert!(ended.stderr.is_empty(), "{}", String::from_utf8_lossy(&ended.stderr));
     expect(&bench, &["check", "well.yaml", "--out", "looked"], 0);
     let before = bench.everything();
     let (_, err) = expect(&bench, &["check", "well.yaml", "--out", "mine"], 2);
     assert!(err.contains("is not a result folder"), "{err}");
     assert_eq!(bench.everything(), before);
-    // `run` has the folder named after the spec for itself
+    // the folder named after the spec is reserved for `run`
     assert!(!bench.path().join("well").exists() && !bench.path().join("well_check").exists());
 }
 
-/// The checks come again when the spec changes, also after a spec that is wrong.
+/// `watch` repeats the checks when the spec changes, also after a wrong spec.
 #[test]
 fn watch_repeats_on_every_change() {
     let bench = Bench::new().file("joint.yaml", joint(20.0, "limit"));
@@ -146,7 +146,7 @@ fn watch_repeats_on_every_change() {
         ("template: [".into(), "error"),
         (joint(20.0, "limit"), "verdict: OK"),
     ] {
-        // written in one step, as editors do
+        // the file is replaced in one step, as editors do
         std::fs::write(bench.path().join("new"), text).expect("written");
         std::fs::rename(bench.path().join("new"), bench.path().join("joint.yaml"))
             .expect("renamed");
@@ -156,7 +156,7 @@ fn watch_repeats_on_every_change() {
     watching.wait().expect("it ended");
 }
 
-/// Wrong inputs of the new keys and options: one message each, and nothing is written.
+/// Wrong keys and options of `check` are refused with one message each, and nothing is written.
 #[test]
 fn wrong_inputs_of_check_are_refused_with_place_and_cure() {
     let sound = joint(20.0, "limit");

@@ -1,18 +1,18 @@
-//! Coulomb friction in elastic and elastoplastic analysis through the real program: the result, the
-//! report, `bracket verify`.
+//! Coulomb friction in elastic and elastoplastic analysis by the compiled program: the result, the
+//! report and `bracket verify`.
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// A block that widens less under its load than the softer one below it: the edges of the joint
-/// slip.
+/// A block on a softer one. Under load it widens less than the block below, so the edges of the
+/// joint slip.
 fn solved() -> Bench {
     solved_as("elastic", "")
 }
 
-/// The same as another kind of analysis, the softer block with more keys.
+/// The same model with another kind of analysis and further keys for the softer block.
 fn solved_as(kind: &str, keys: &str) -> Bench {
     let model = MODEL
         .replace("elastic", kind)
@@ -30,7 +30,7 @@ fn case(bench: &Bench) -> Value {
     result["cases"][0].clone()
 }
 
-/// Replaces the shift of the cones by a multiple of it.
+/// Multiplies the shift of the cones.
 fn scale_shift(bench: &Bench, factor: f64) {
     let path = bench.path().join("block/fields/block_shift.vtu");
     let mut grid =
@@ -51,7 +51,7 @@ fn the_bracket_is_one_of_shifted_cones_and_is_confirmed_from_the_files() {
             && run["change"].as_f64().expect("a number") <= 1e-3,
         "{run}"
     );
-    // its energy says nothing rigorous of the load's displacement
+    // the energy gives no rigorous bound of the displacement of the load
     assert!(c.get("load_displacement").is_none() && c.get("load").is_none(), "{c}");
     let report = bench.read("block/report.md");
     for words in [
@@ -88,14 +88,14 @@ fn beside_yield_the_bracket_is_confirmed_from_the_files_too() {
 
 #[test]
 fn another_shift_is_refuted() {
-    // a larger shift keeps the displacement admissible, a smaller one changes the energy of the
+    // a larger shift keeps the displacement admissible; a smaller one changes the energy of the
     // stress as well
     for factor in [1.1, 0.9, 0.0] {
         let bench = solved();
         scale_shift(&bench, factor);
         let (out, _) = expect(&bench, &["verify", "block"], 1);
         assert!(out.contains("REFUTED"), "{factor}: {out}");
-        // without any shift there is nothing to measure its distance by
+        // without a shift its distance from the slips has no scale
         assert_eq!(out.contains("off the slips of Coulomb's law"), factor > 0.0, "{factor}: {out}");
     }
     let bench = solved();

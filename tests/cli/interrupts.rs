@@ -1,4 +1,4 @@
-//! Ctrl-C and the polite signals of batch systems, sent to the real program.
+//! Ctrl-C and the termination signals of batch systems, sent to the compiled program.
 
 use crate::bench::{Bench, JOINT};
 use crate::{expect, mesh, mesh_of, opening};
@@ -9,16 +9,16 @@ use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, ChildStderr, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// A joint that opens, whose solve takes seconds: 10 800 tets.
+/// A joint that opens and takes seconds to solve: 10 800 tets.
 fn slow() -> Bench {
     Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([10, 10, 18], 60.0))
 }
 
-/// The program under way.
+/// A running program.
 struct Running {
     child: Child,
     err: BufReader<ChildStderr>,
-    /// What it has said on standard error.
+    /// What it has written to standard error so far.
     said: String,
 }
 
@@ -30,7 +30,7 @@ impl Running {
         Self { child, err, said: String::new() }
     }
 
-    /// Reads standard error up to a line that holds the words.
+    /// Reads standard error up to a line that contains the words.
     fn until(&mut self, words: &str) {
         let seen = self.said.len();
         while !self.said[seen..].contains(words) {
@@ -43,7 +43,7 @@ impl Running {
         kill(Pid::from_raw(self.child.id().cast_signed()), signal).expect("it runs");
     }
 
-    /// Waits for the end; the time it took and everything on standard error.
+    /// Waits for the program to end. Returns the exit status, the time, and all of standard error.
     fn end(mut self) -> (ExitStatus, Duration, String) {
         let start = Instant::now();
         self.err.read_to_string(&mut self.said).expect("UTF-8");
@@ -52,7 +52,7 @@ impl Running {
     }
 }
 
-/// The solve under way: the lines on both costs stand right before it.
+/// A program that is solving: it prints both forecasts right before the solve.
 fn solving(bench: &Bench, extra: &[&str]) -> Running {
     let mut running = Running::start(bench.command(&["analyse", "block.yaml"]).args(extra));
     running.until("static program: ");
@@ -98,7 +98,7 @@ fn an_interrupted_solve_ends_in_order() {
     }
 }
 
-/// What `timeout` does: the process and its group get the signal. That is one wish.
+/// `timeout` signals the process and its group. The program must treat the two signals as one.
 #[test]
 fn a_signal_that_comes_twice_at_once_is_one() {
     let bench = slow();
@@ -111,8 +111,8 @@ fn a_signal_that_comes_twice_at_once_is_one() {
     assert!(bench.path().join("block/result.json").is_file(), "{err}");
 }
 
-/// Where the first interrupt falls right before the end of an iteration the run is over in order
-/// before the second: another delay is tried then.
+/// If the first interrupt falls right before the end of an iteration, the run ends in order before
+/// the second one. The test then tries another delay.
 #[test]
 fn a_second_interrupt_ends_at_once_and_leaves_what_was_there() {
     for delay in [500, 1000, 250, 1500, 100, 700] {
@@ -122,7 +122,7 @@ fn a_second_interrupt_ends_at_once_and_leaves_what_was_there() {
         std::thread::sleep(Duration::from_millis(delay));
         running.send(Signal::SIGINT);
         running.until("interrupt again");
-        // longer than an echo
+        // longer than the time within which two signals count as one
         std::thread::sleep(Duration::from_millis(320));
         running.send(Signal::SIGINT);
         let (status, took, err) = running.end();
@@ -137,7 +137,7 @@ fn a_second_interrupt_ends_at_once_and_leaves_what_was_there() {
     panic!("every run was over before its second interrupt");
 }
 
-/// An earlier result is worth more than a folder without any bound.
+/// An interrupted run keeps an earlier result: it is worth more than a folder without any bound.
 #[test]
 fn an_earlier_result_outlives_an_interrupt() {
     let bench = Bench::new().file("block.yaml", opening()).file("m.msh", mesh(60.0));
@@ -155,7 +155,7 @@ fn an_earlier_result_outlives_an_interrupt() {
     assert!(bench.everything() == before, "{err}");
 }
 
-/// Before there is anything to lose, the first signal is enough.
+/// Before any result exists, the first signal ends the program.
 #[test]
 fn early_signals_end_at_once() {
     let bench = Bench::new().file("joint.yaml", JOINT);
@@ -165,19 +165,19 @@ fn early_signals_end_at_once() {
     let running = Running::start(bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", mesher));
     let mesher = appears(&bench, "asked");
     running.send(Signal::SIGINT);
-    // the mesher keeps standard error open: only the exit counts here
+    // the mesher keeps standard error open, so only the exit status is read here
     let mut child = running.child;
     let start = Instant::now();
     let status = child.wait().expect("it ends");
     assert!(start.elapsed() < Duration::from_secs(5));
     assert_eq!(status.code(), Some(3));
-    // on a terminal Ctrl-C reaches it too
+    // on a terminal Ctrl-C also reaches the mesher
     kill(Pid::from_raw(mesher.trim().parse().expect("a number")), Signal::SIGTERM)
         .expect("what is blocked is no heirloom");
     assert!(!bench.path().join("joint").exists() && !bench.path().join("joint.part").exists());
 }
 
-/// Waits until a file of the bench is there and holds a line.
+/// Waits until a file of the bench exists and holds a line.
 fn appears(bench: &Bench, name: &str) -> String {
     let start = Instant::now();
     loop {
@@ -189,7 +189,8 @@ fn appears(bench: &Bench, name: &str) -> String {
     }
 }
 
-/// The mesher dies with all it has started, whether a wrapper or the wrapped.
+/// When a run is interrupted, the mesher ends with all processes it has started, whether it is a
+/// wrapper or the wrapped program.
 #[test]
 fn an_interrupted_mesher_dies_with_its_children() {
     for (command, signal) in
@@ -210,7 +211,7 @@ fn an_interrupted_mesher_dies_with_its_children() {
         for pid in text.split_whitespace() {
             let pid = Pid::from_raw(pid.parse().expect("a number"));
             let start = Instant::now();
-            // init reaps the grandchild in its own time
+            // init reaps the grandchild some time later
             while alive(pid) {
                 assert!(
                     start.elapsed() < Duration::from_secs(10),
@@ -228,7 +229,7 @@ fn an_interrupted_mesher_dies_with_its_children() {
     }
 }
 
-/// Whether a process runs; one that has ended and waits to be reaped does not.
+/// Whether a process runs. A process that has ended and waits to be reaped does not.
 fn alive(pid: Pid) -> bool {
     let stat = std::fs::read_to_string(format!("/proc/{pid}/stat"));
     match stat {
@@ -239,7 +240,7 @@ fn alive(pid: Pid) -> bool {
     }
 }
 
-/// Under nohup the end of the terminal means nothing.
+/// Under nohup the program ignores the end of its terminal.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_run_under_nohup_outlives_its_terminal() {

@@ -1,11 +1,11 @@
-//! `analysis: limit` through the real program: what it answers, what it leaves, what `verify` says
-//! of it, what it refuses.
+//! `analysis: limit` by the compiled program: its answers, its files, what `verify` reports on
+//! them, and the inputs that it refuses.
 //!
 //! ```text
 //!  |[=======]→ t     a bar of 30 × 10 × 12 mm on rollers, t = 100 MPa: collapse at f_y/t = 2.35
 //! ```
 
-use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::bench::{Bench, Want, none_wrong, refusal};
 use crate::common::Block;
 use crate::limit_verify::edit_field;
 use crate::{expect, mesh};
@@ -28,7 +28,7 @@ loads:
 
 const EXACT: f64 = 2.35;
 
-/// A block on a base, pressed by half as much as it can carry: proportional pressure, contact,
+/// A block on a base under half of the pressure that it can carry: proportional pressure, contact,
 /// friction.
 const STACK: &str = "\
 mesh: m.msh
@@ -69,7 +69,7 @@ pub fn number(value: &Value) -> f64 {
 fn a_bar_collapses_where_it_must() {
     let bench = bar(BAR);
     let (_, err) = expect(&bench, &["analyse", "bar.yaml"], 0);
-    // rounded outwards, the exact 28.2 kN between
+    // the bounds are rounded outwards; the exact 28.2 kN lies between them
     assert!(
         err.contains("bar: load factor between 2.3499") && err.contains("(certified)"),
         "{err}"
@@ -127,7 +127,7 @@ fn a_bar_collapses_where_it_must() {
     };
     let (kinematic, stress) = (grid("kinematic"), grid("static"));
     assert_eq!(kinematic.point_array("velocity").map(|a| a.1), Some(3));
-    // what the tets dissipate is the power of the load at the upper bound
+    // the power dissipated in the tets equals the power of the load at the upper bound
     let factor = dissipated(&kinematic) / power_of_the_pull(&kinematic);
     assert!((factor / upper - 1.0).abs() < 1e-8, "{factor} {upper}");
     let used = &stress.cell_array("utilisation").expect("utilisations").2;
@@ -147,12 +147,12 @@ fn dissipated(grid: &VtuGrid) -> f64 {
     grid.cells.chunks_exact(10).zip(density).map(|(cell, d)| volume(cell) * d).sum()
 }
 
-/// 100 MPa times the velocities along x of the end x = 30 mm: of quadratic functions the mid-sides
-/// alone give the integral.
+/// The power of 100 MPa on the velocities along x of the end x = 30 mm. The integral of a quadratic
+/// function over a face depends on its mid-side nodes alone.
 fn power_of_the_pull(grid: &VtuGrid) -> f64 {
     let v = &grid.point_array("velocity").expect("velocities").2;
-    // corners of the faces with the mid-sides between them, in the order of a quadratic tet: 01 12
-    // 02 03 13 23
+    // the corners of each face, then its mid-side nodes, in the order of a quadratic tet: 01 12 02
+    // 03 13 23
     let faces = [[0, 1, 2, 4, 5, 6], [0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 9, 8], [0, 2, 3, 6, 9, 7]];
     let mut power = 0.0;
     for (cell, face) in grid.cells.chunks_exact(10).flat_map(|c| faces.map(|f| (c, f))) {
@@ -178,7 +178,7 @@ fn one_bound_alone_is_certified_too() {
     }
 }
 
-/// Dead loads stay what they are: a dead tension of 100 MPa takes one from the factor.
+/// Dead loads are not multiplied: a dead tension of 100 MPa reduces the load factor by one.
 #[test]
 fn dead_loads_are_not_multiplied() {
     let bench = bar(&format!("{BAR}dead:\n  - {{face: X1, traction: [100, 0, 0]}}\n"));
@@ -206,8 +206,8 @@ fn dead_loads_that_nothing_can_carry_leave_no_lower_bound() {
     assert!(case.get("lower").is_none() && case.get("certificate").is_none(), "{case}");
 }
 
-/// Pressed from one side and held on all others the bar has no mechanism: a pressure proves it, and
-/// `verify` repeats that.
+/// The bar is pressed on one side and held on all others, so it has no mechanism. A pressure field
+/// proves that the load has no limit, and `verify` repeats the proof.
 #[test]
 fn a_load_without_limit_is_proved_by_a_pressure() {
     let held = BAR.replace("loads:", "  - {face: Y1, fix: [y]}\n  - {face: Z1, fix: [z]}\nloads:");
@@ -224,17 +224,17 @@ fn a_load_without_limit_is_proved_by_a_pressure() {
     );
     let (found, _) = expect(&bench, &["verify", "bar"], 0);
     assert!(found.contains("no limit") && found.matches("confirmed").count() == 1, "{found}");
-    // a field that is no pure pressure proves nothing
+    // a field that is not a pure pressure proves nothing
     edit_field(&bench, "bar_static_live.vtu", "stress_mandel", 1.01);
     let (found, _) = expect(&bench, &["verify", "bar"], 1);
     assert!(found.contains("REFUTED"), "{found}");
-    // nor does a claim without a field
+    // a claim without a field proves nothing
     std::fs::remove_file(bench.path().join("bar/fields/bar_static_live.vtu")).expect("removed");
     expect(&bench, &["verify", "bar"], 2);
 }
 
-/// A block that nothing but contact holds, lifted: no load at all is carried, and the motion that
-/// shows it is verified.
+/// A block that only contact holds is lifted. It carries no load at all, and `verify` confirms the
+/// motion that proves it.
 #[test]
 fn what_moves_without_load_carries_nothing() {
     for friction in ["associated", "coulomb"] {
@@ -270,8 +270,8 @@ fn what_moves_without_load_carries_nothing() {
     }
 }
 
-/// Coulomb's law is bracketed from below without friction, from above with associated friction;
-/// both stand beside it.
+/// Coulomb's law is bracketed from below by the problem without friction, and from above by the
+/// problem with associated friction. The result contains both bounds.
 #[test]
 fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     let solved = |friction: &str, keys: &str| {
@@ -311,7 +311,7 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
         "{report}"
     );
 
-    // what lies between them, where it is asked for; the bounds stay as they are
+    // on request the result has an estimate between the bounds; the bounds do not change
     let (estimated, report, err, found) = solved("friction: coulomb", "coulomb_estimate: true\n");
     assert_eq!(found.matches("confirmed").count(), 3, "{found}");
     assert_eq!([&estimated["lower"], &estimated["upper"]], [&coulomb["lower"], &coulomb["upper"]]);
@@ -327,8 +327,8 @@ fn coulomb_friction_is_bracketed_by_the_two_problems_around_it() {
     );
 }
 
-/// A block that friction alone holds: free to slide without load it is held at a point, driven by a
-/// load it carries nothing without friction.
+/// A block that only friction holds. Without load it is free to slide, so it is held at a point.
+/// Without friction it cannot carry the load that pushes it.
 #[test]
 fn what_friction_alone_holds() {
     let solved = |traction: &str, code: i32| {
@@ -342,7 +342,7 @@ fn what_friction_alone_holds() {
         (result(&bench, "stack")["cases"][0].clone(), err)
     };
     let (pressed, _) = solved("[0, 0, -100]", 0);
-    // the free block yields at f_y, and no bound exceeds it by more than the mesh allows
+    // the free block yields at f_y, and no bound exceeds this by more than the error of the mesh
     let [lower, upper] = ["lower", "upper"].map(|k| number(&pressed[k]));
     assert!(
         lower > 0.999 * EXACT && lower <= EXACT && (EXACT..1.05 * EXACT).contains(&upper),
@@ -411,8 +411,8 @@ fn what_limit_analysis_cannot_take_is_refused_with_place_and_cure() {
         let place = if line > 0 { format!("bar.yaml:{line}") } else { String::new() };
         let cure = if cure == "never" { "nothing yields" } else { cure };
         let bench = bar(&model);
-        let told = Told { exit: 2, code, place: &place, message, cure };
-        (message.to_string(), refusal(&bench, &mut bench.command(&["analyse", "bar.yaml"]), &told))
+        let want = Want { exit: 2, code, place: &place, message, cure };
+        (message.to_string(), refusal(&bench, &mut bench.command(&["analyse", "bar.yaml"]), &want))
     });
     none_wrong(results.into());
 }

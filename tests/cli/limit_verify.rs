@@ -6,7 +6,8 @@ use crate::limit_analysis::{BAR, bar, number, result};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// A finished bar, changed by `tamper`: the exit code of `verify` and its output.
+/// Changes the result of a finished bar by `tamper`. Returns the exit code and the output of
+/// `verify`.
 fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = bar(BAR);
     expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
@@ -52,7 +53,7 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
         assert_eq!(code, Some(1), "{bound} × {factor}: {text}");
         assert!(text.contains("REFUTED"), "{text}");
     }
-    // claim and file changed together: the stresses do not balance that factor
+    // claim and file changed alike: the stresses are not in equilibrium with that factor
     let (code, text) = after(|b| {
         edit_field(b, "bar_static.vtu", "load_factor", 1.01);
         edit_result(b, |c| c["lower"] = (1.01 * number(&c["lower"])).into());
@@ -72,7 +73,7 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
         assert_eq!(code, Some(1), "{text}");
         assert!(text.contains("is not what the fields give"), "{text}");
     }
-    // a weaker steel: the stresses leave its yield surface, the mechanism costs less
+    // a weaker steel: the stresses leave its yield surface, and the mechanism dissipates less
     let (code, text) = after(|b| {
         let model = b.read("bar/model.yaml");
         assert!(model.contains("235"), "{model}");

@@ -1,11 +1,13 @@
-//! `--memory-limit`, the forecast, the trace of the iterations and what a terminal shows.
+//! `--memory-limit`, the memory forecast, the trace of the iterations and the progress bar on a
+//! terminal.
 
-use crate::bench::{Bench, JOINT, Told, none_wrong, refusal};
+use crate::bench::{Bench, JOINT, Want, none_wrong, refusal};
 use crate::{MODEL, bench, expect, mesh_of, opening};
 use serde_json::Value;
 use std::process::Command;
 
-/// A joint that opens, 2592 tets: enough that its programs differ by more memory than two runs do.
+/// A joint that opens, 2592 tets: enough that the memory of its two programs differs by more than
+/// that of two runs does.
 fn larger() -> Bench {
     Bench::new().file("block.yaml", opening()).file("m.msh", mesh_of([6, 6, 12], 60.0))
 }
@@ -16,7 +18,7 @@ fn case(bench: &Bench) -> Value {
 }
 
 #[test]
-fn sizes_that_are_none_are_refused() {
+fn invalid_memory_sizes_are_refused() {
     let mut results = Vec::new();
     for (size, words) in [
         ("", "it has no unit"),
@@ -36,11 +38,11 @@ fn sizes_that_are_none_are_refused() {
         for command in [["analyse", "block.yaml"], ["run", "joint.yaml"]] {
             let bench = bench(MODEL).file("joint.yaml", JOINT);
             let cure = "--memory-limit 8GiB";
-            let told = Told { exit: 2, code: "cli/value", place: "", message: words, cure };
+            let want = Want { exit: 2, code: "cli/value", place: "", message: words, cure };
             let mut run = bench.command(&command);
             results.push((
                 format!("{} {size:?}", command[0]),
-                refusal(&bench, run.args(["--memory-limit", size]), &told),
+                refusal(&bench, run.args(["--memory-limit", size]), &want),
             ));
         }
     }
@@ -50,7 +52,7 @@ fn sizes_that_are_none_are_refused() {
 #[test]
 fn a_model_that_does_not_fit_is_not_started() {
     let bench = larger();
-    let told = Told {
+    let want = Want {
         exit: 4,
         code: "run/memory",
         place: "",
@@ -60,22 +62,22 @@ fn a_model_that_does_not_fit_is_not_started() {
     let mut results = Vec::new();
     for extra in [&[][..], &["--quiet"]] {
         let mut run = bench.command(&["analyse", "block.yaml", "--memory-limit", "64MiB"]);
-        results.push((format!("{extra:?}"), refusal(&bench, run.args(extra), &told)));
+        results.push((format!("{extra:?}"), refusal(&bench, run.args(extra), &want)));
     }
-    // an earlier result stays
+    // an earlier result is kept
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
     let mut run = bench.command(&["analyse", "block.yaml", "--memory-limit", "64MiB"]);
-    results.push(("earlier result".into(), refusal(&bench, &mut run, &told)));
+    results.push(("earlier result".into(), refusal(&bench, &mut run, &want)));
     none_wrong(results);
 }
 
-/// Between too little for either and enough for both there is room for the smaller program alone:
-/// its bound is certified, the other one refused in plain words.
+/// If the memory suffices for the smaller program only, that one runs. Its bound is certified. The
+/// other program is refused with a clear message.
 #[test]
 fn what_fits_alone_gives_its_bound() {
     let bench = larger();
-    // what a process holds before it solves is known only to itself: the limit rises by what it
-    // says it lacks
+    // only the process knows how much memory it holds before it solves: the limit rises by the
+    // amount that it reports as missing
     let mut limit = 64.0;
     let run = loop {
         let run =
@@ -84,12 +86,12 @@ fn what_fits_alone_gives_its_bound() {
             break run;
         }
         let err = String::from_utf8_lossy(&run.stderr).into_owned();
-        let (_, told) =
+        let (_, text) =
             err.split_once("the kinematic program needs ").unwrap_or_else(|| panic!("{err}"));
-        let words: Vec<&str> = told.split_whitespace().collect();
+        let words: Vec<&str> = text.split_whitespace().collect();
         // `0.053 GiB more memory, 0.041 GiB are left of …`
         let [needed, left] =
-            [words[0], words[4]].map(|w| w.parse::<f64>().unwrap_or_else(|_| panic!("{told}")));
+            [words[0], words[4]].map(|w| w.parse::<f64>().unwrap_or_else(|_| panic!("{text}")));
         limit += (1024.0 * (needed - left)).max(2.0);
         assert!(limit < 1024.0, "a GiB is enough: {err}");
     };
@@ -128,7 +130,7 @@ fn what_fits_alone_gives_its_bound() {
 }
 
 #[test]
-fn costs_are_told_before_and_kept_after() {
+fn costs_are_reported_before_and_stored_after() {
     let bench = bench(MODEL);
     let (_, err) = expect(&bench, &["analyse", "block.yaml", "--memory-limit", "64 GiB"], 0);
     for program in ["kinematic", "static"] {
@@ -147,7 +149,7 @@ fn costs_are_told_before_and_kept_after() {
         );
         assert!(run["forecast_seconds"].as_f64() > Some(0.0));
     }
-    // the general solver has no forecast
+    // the general solver has no memory forecast
     let (_, err) = expect(&bench, &["analyse", "block.yaml", "--solver", "clarabel"], 0);
     assert!(err.contains("unknowns") && !err.contains("GiB"), "{err}");
     let run = &case(&bench)["history"][0]["static"];
@@ -163,8 +165,8 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
     for program in ["kinematic", "static"] {
         let run = &result["cases"][0]["history"][0][program];
         let trace = run["trace"].as_array().expect("a trace");
-        // numbers begin again where another solver took over; the count belongs to the one that
-        // gave the answer
+        // the numbers restart at 0 where another solver took over; the iteration count is that of
+        // the solver that gave the answer
         let last = trace.iter().rposition(|row| row["number"] == 0).expect("a start");
         assert_eq!(
             (trace.len() - last) as u64,
@@ -184,7 +186,7 @@ fn every_iteration_is_in_the_result_and_in_the_log() {
     }
 }
 
-/// Standard error that is no terminal gets lines, never a bar.
+/// If standard error is no terminal, the program prints lines and no progress bar.
 #[test]
 fn without_a_terminal_there_is_no_bar() {
     let bench = bench(MODEL);
@@ -196,8 +198,8 @@ fn without_a_terminal_there_is_no_bar() {
     assert_eq!(err.lines().count(), 6, "{err}");
 }
 
-/// The same under a terminal that `script` (util-linux) makes: iteration, gap, residual and time
-/// left are shown.
+/// The same on a terminal made by `script` (util-linux): the bar shows iteration, gap, residual and
+/// remaining time.
 #[test]
 #[cfg(target_os = "linux")]
 fn on_a_terminal_the_solve_shows_how_far_it_is() {
@@ -218,7 +220,7 @@ fn on_a_terminal_the_solve_shows_how_far_it_is() {
     for words in ["kinematic", "static", "iteration ", "gap ", "residual ", " left", "["] {
         assert!(text.contains(words), "{words:?} in {text:?}");
     }
-    // nothing of a bar is left behind: what follows the last clearing of a line is empty
+    // the bar leaves no text: the line is empty after it was cleared for the last time
     assert!(
         text.contains("result: block/report.md\r\n") && text.contains("exit code 0: certified\r\n"),
         "{text:?}"

@@ -9,7 +9,7 @@
 //!   /////////
 //! ```
 
-use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::bench::{Bench, Want, none_wrong, refusal};
 use crate::common::Block;
 use crate::expect;
 use bracket::mesh::msh_write;
@@ -72,7 +72,7 @@ fn a_clamped_cube_yields_at_its_foot() {
     }
     let inside = number(&certificate["yield"]);
     assert!(inside <= 0.0 && inside > -1e-4, "{inside}");
-    // −2Π/F bounds the displacement from below alone
+    // −2Π/F bounds the displacement from below only
     assert!(case.get("load_displacement").is_none());
     let least = number(&case["load_displacement_at_least"]);
     let force = number(&case["load"]["force"]);
@@ -152,8 +152,8 @@ fn without_a_yield_strength_it_is_elastic_and_says_so() {
     assert!(plastic.get("yielding").is_none());
 }
 
-/// Mesh after mesh: the bracket narrows, and what `verify` finds in the fields of the best bounds
-/// is what the result says.
+/// The gap narrows from mesh to mesh. `verify` computes the values of the result from the fields of
+/// the best bounds.
 #[test]
 fn meshes_follow_the_gap() {
     let bench =
@@ -192,7 +192,7 @@ fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
     std::fs::write(bench.path().join("cube/result.json"), format!("{all:#}\n")).expect("written");
 }
 
-/// Multiplies an array of a field file.
+/// Multiplies an array in a field file.
 fn edit_field(bench: &Bench, kind: &str, name: &str, factor: f64) {
     let mut grid = grid(bench, kind);
     let arrays = grid.point_data.iter_mut().chain(&mut grid.cell_data);
@@ -221,7 +221,7 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
         let (code, text) = after(|b| edit_field(b, kind, array, factor));
         assert_eq!((code, text.contains("REFUTED")), (Some(1), true), "{array} × {factor}: {text}");
     }
-    // tets in another order are no field of this mesh
+    // tets in another order do not belong to this mesh
     let (code, text) = after(|b| edit_field(b, "kinematic", "tet", -1.0));
     assert_eq!(code, Some(2), "{text}");
     let edits: [&dyn Fn(&mut Value); 4] = [
@@ -234,7 +234,7 @@ fn verify_confirms_what_is_true_and_refutes_the_rest() {
         let (code, text) = after(|b| edit_result(b, edit));
         assert_eq!((code, text.contains("is not what the fields give")), (Some(1), true), "{text}");
     }
-    // a weaker steel: the stresses leave its yield surface, the plastic strain costs less
+    // a weaker steel: the stresses leave its yield surface, and the plastic strain dissipates less
     let (code, text) = after(|b| {
         let model = b.read("cube/model.yaml");
         std::fs::write(b.path().join("cube/model.yaml"), model.replace("235", "230"))
@@ -295,8 +295,8 @@ fn wrong_inputs_are_refused_with_place_and_cure() {
     ];
     let results = rows.map(|(model, code, place, message, cure)| {
         let bench = cube(&model);
-        let told = Told { exit: 2, code, place, message, cure };
-        (message.to_string(), refusal(&bench, &mut bench.command(&["analyse", "cube.yaml"]), &told))
+        let want = Want { exit: 2, code, place, message, cure };
+        (message.to_string(), refusal(&bench, &mut bench.command(&["analyse", "cube.yaml"]), &want))
     });
     none_wrong(results.into());
 }

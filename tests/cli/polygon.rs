@@ -1,13 +1,13 @@
-//! A capacity polygon through the real program: the arm of [`crate::verdicts`] under moment and
+//! A capacity polygon by the compiled program: the arm of [`crate::verdicts`] under moment and
 //! axial force.
 
-use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::bench::{Bench, Want, none_wrong, refusal};
 use crate::expect;
 use crate::verdicts::TEMPLATE;
 use serde_json::Value;
 
 const HEAD: &str = "template: ./arm.yaml\nmembers: {arm: {profile: IPE80, steel: S235}}\n";
-/// By hand the section carries f_y b h²/4 = 0.47 kN m or f_y b h = 94 kN.
+/// By hand, the section carries f_y b h²/4 = 0.47 kN m or f_y b h = 94 kN.
 const POLYGON: &str = "polygon: {end: tip, at: node, My: 0.47 kN m, N: 94 kN, directions: 4}\n";
 
 #[test]
@@ -19,7 +19,7 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     let result: Value = serde_json::from_str(&bench.read("joint/result.json")).expect("JSON");
     let cases = result["cases"].as_array().expect("cases");
     assert_eq!(cases.len(), 5, "{err}");
-    // directions are no demand: the verdict is that of the load
+    // the directions of the polygon are no demand: the verdict is that of the load
     assert!(cases[1..].iter().all(|c| c.get("demand").is_none()) && result["verdict"] == "ok");
     let polygon = &result["polygon"];
     assert_eq!((&polygon["end"], &polygon["at"]), (&"tip".into(), &"node".into()));
@@ -37,7 +37,7 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
             (pair(&point["half_plane"]["normal"]), number(&point["half_plane"]["offset"]));
         let direction = pair(&point["direction"]);
         assert!((a * direction[0] + b * direction[1] - 1.0).abs() < 1e-6);
-        // fibres in one-dimensional stress are admissible: |m| + n² = 1 lies within every half
+        // the fibre model with uniaxial stress is admissible: |m| + n² = 1 lies within every half
         // plane
         for k in 0..=40 {
             let n = -1.0 + f64::from(k) / 20.0;
@@ -46,7 +46,7 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
             }
         }
     }
-    // what is carried is no more than the wall can add
+    // the inner polygon exceeds this curve by at most the support of the wall
     for corner in polygon["inner"].as_array().expect("corners") {
         let [m, n] = pair(corner);
         let (m, n) = (m / 0.47e6 / 1.155, n / 94e3 / 1.155);
@@ -64,8 +64,8 @@ fn inner_and_outer_hull_hold_the_hinge_by_hand() {
     refutes_every_change(&bench, &result);
 }
 
-/// One number of the polygon after the other, changed: `verify` finds it in the stored mechanisms
-/// and models.
+/// Changes the numbers of the polygon one by one. `verify` detects each change from the stored
+/// mechanisms and models.
 fn refutes_every_change(bench: &Bench, result: &Value) {
     let scale = |v: &mut Value| *v = (v.as_f64().expect("a number") * 1.001).into();
     let write = |value: &Value| {
@@ -130,10 +130,10 @@ fn wrong_polygons_are_refused_with_place_and_cure() {
     ] {
         let text = format!("{HEAD}{}", POLYGON.replace(old, new));
         let bench = Bench::new().file("arm.yaml", TEMPLATE).file("joint.yaml", text);
-        let told = Told { exit: 2, code, place: "joint.yaml:3:", message, cure };
+        let want = Want { exit: 2, code, place: "joint.yaml:3:", message, cure };
         results.push((
             format!("`{old}` -> `{new}`"),
-            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &want),
         ));
     }
     none_wrong(results);

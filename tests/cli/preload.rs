@@ -1,4 +1,4 @@
-//! Preloaded bolts through the real program: the result, the report, `bracket verify`, refined
+//! Preloaded bolts by the compiled program: the result, the report, `bracket verify`, refined
 //! meshes, limit analysis.
 
 use crate::bench::Bench;
@@ -54,7 +54,7 @@ fn case(bench: &Bench) -> Value {
 }
 
 #[test]
-fn the_bracket_is_one_of_the_energy_and_is_confirmed_from_the_files() {
+fn the_energy_is_bracketed_and_confirmed_from_the_files() {
     let bench = solved(SLEEVE);
     let c = case(&bench);
     assert_eq!(c["certificate"]["strict"], true, "{c}");
@@ -66,7 +66,7 @@ fn the_bracket_is_one_of_the_energy_and_is_confirmed_from_the_files() {
         "{bolt}"
     );
     assert_eq!(bolt["force"], 400.0, "{bolt}");
-    // of the load the bolt takes more than nothing and less than all, the sleeve keeps pressing
+    // the bolt carries a part of the load, and the sleeve stays in compression
     let tension = bolt["tension"].as_f64().expect("a number");
     assert!(
         tension > 400.0 && tension < 550.0 && bolt["closure"].as_f64().expect("a number") > 0.0,
@@ -95,17 +95,18 @@ fn another_closure_or_another_preload_is_refuted() {
         let bench = solved(SLEEVE);
         let mut result: Value =
             serde_json::from_str(&bench.read("sleeve/result.json")).expect("JSON");
-        let told = &mut result["cases"][0]["preload"][0][key];
-        *told = (factor * told.as_f64().expect("a number")).into();
+        let stored = &mut result["cases"][0]["preload"][0][key];
+        *stored = (factor * stored.as_f64().expect("a number")).into();
         let bench = bench.file("sleeve/result.json", result.to_string());
         let (out, _) = expect(&bench, &["verify", "sleeve"], 1);
         assert!(out.contains(words), "{key}: {out}");
     }
 }
 
-/// Every mesh has closures of its own: bounds of two meshes would be of two structures.
+/// The closures differ from mesh to mesh, so bounds from two meshes would belong to two different
+/// structures.
 #[test]
-fn both_bounds_of_refined_meshes_are_of_one_of_them() {
+fn both_bounds_of_refined_meshes_belong_to_one_mesh() {
     let bench = solved(&format!("{SLEEVE}adapt: {{target_gap: 1.0e-6, max_passes: 2}}\n"));
     let c = case(&bench);
     let history = c["history"].as_array().expect("rows");

@@ -1,6 +1,6 @@
-//! What `bracket analyse` leaves.
+//! The files that `bracket analyse` writes.
 
-use crate::bench::{Bench, Told, refusal};
+use crate::bench::{Bench, Want, refusal};
 use crate::{MODEL, bench, expect};
 use serde_json::Value;
 use std::path::Path;
@@ -9,7 +9,7 @@ fn json(bench: &Bench, name: &str) -> Value {
     serde_json::from_str(&bench.read(name)).expect("JSON")
 }
 
-/// Seconds and memory differ from run to run; everything else must not.
+/// Removes seconds and memory, which differ from run to run. Everything else must be the same.
 fn without_costs(value: &mut Value) {
     match value {
         Value::Object(fields) => {
@@ -21,7 +21,7 @@ fn without_costs(value: &mut Value) {
     }
 }
 
-/// The report without the history table, whose columns are seconds and memory.
+/// The report without the history table, which has columns of seconds and memory.
 fn report_without_costs(text: &str, heading: &str) -> String {
     let (head, rest) = text.split_once(&format!("{heading}Mesh and history")).expect("the section");
     let (_, tail) = rest.split_once(&format!("\n{heading}Certificate")).expect("the next section");
@@ -77,7 +77,7 @@ fn the_result_holds_what_the_contract_promises() {
         assert_eq!(case[key], value);
     }
     let (lower, upper) = (number(&case["lower"]), number(&case["upper"]));
-    // 40 MPa on 400 mm² shortens 60 mm by 11 µm: −Π is near ½ · 16 kN · 11 µm = 91 N mm; the side
+    // 40 MPa on 400 mm² shorten 60 mm by 11 µm: −Π is about ½ · 16 kN · 11 µm = 91 N mm; the side
     // push adds to it
     assert!(lower < upper && upper < -85.0 && lower > -110.0, "{lower} {upper}");
     // the gap: (Π_p + Π_c) over the larger magnitude (docs/theory.md)
@@ -191,7 +191,7 @@ fn json_goes_to_standard_output_and_nothing_else() {
     assert_eq!(out, bench.read("block/result.json"));
     let (out, err) = expect(&bench, &["--format", "json", "--quiet", "analyse", "block.yaml"], 0);
     assert_eq!((out, err.as_str()), (bench.read("block/result.json"), ""));
-    // faults too, one object a line, on standard error
+    // errors are JSON too: one object per line on standard error
     std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
     let (out, err) = expect(&bench, &["analyse", "block.yaml", "--format", "json"], 2);
     let fault: Value = serde_json::from_str(&err).expect("one object");
@@ -216,39 +216,39 @@ fn an_earlier_result_is_replaced_and_a_foreign_folder_is_not() {
         after.keys()
     );
     assert!(after[Path::new("block/result.json")] != before[Path::new("block/result.json")]);
-    // a wrong model leaves the earlier result alone
+    // a wrong model leaves the earlier result unchanged
     std::fs::write(bench.path().join("block.yaml"), MODEL.replace("Z1", "Z9")).expect("written");
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "model/unknown-face",
         place: "block.yaml:10:",
         message: "`Z9`",
         cure: "Z0, Z1",
     };
-    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &told) {
+    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &want) {
         panic!("{e}");
     }
-    // a folder without our result.json is someone else's
+    // a folder without a result.json of this program belongs to someone else
     std::fs::write(bench.path().join("block.yaml"), MODEL).expect("written");
     std::fs::remove_file(bench.path().join("block/result.json")).expect("removed");
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "report/folder-exists",
         place: "block",
         message: "holds no result.json",
         cure: "choose another folder with --out",
     };
-    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &told) {
+    if let Err(e) = refusal(&bench, &mut bench.command(&["analyse", "block.yaml"]), &want) {
         panic!("{e}");
     }
 }
 
-/// Pushed sideways with 0.999 μN it holds, with 1.001 μN nothing can hold it.
+/// Friction holds the block against a push of 0.999 μN. No equilibrium exists at 1.001 μN.
 #[test]
 fn without_equilibrium_there_is_no_bound() {
     for (push, code) in [(0.3 * 0.999, 0), (0.3 * 1.001, 3)] {
-        // pressed at the top, pushed at the lower layer's height would tilt it: the push acts as a
-        // body force of the block
+        // the block is pressed at its top, so a push at the height of the lower layer would tilt
+        // it: the push acts as a body force on the block
         let (p, height) = (1.0, 30.0);
         let model = MODEL.replace("  - {face: Z1, traction: [2, 0, -40]}\n", &{
             let weight = p / height;
@@ -267,14 +267,14 @@ fn without_equilibrium_there_is_no_bound() {
         }
         let warnings = case["warnings"].as_array().expect("warnings");
         assert_eq!(warnings.len(), 1, "{warnings:?}");
-        let told = warnings[0].as_str().unwrap_or("");
+        let warn = warnings[0].as_str().unwrap_or("");
         assert!(
-            told.starts_with("no equilibrium exists under these loads: part BLOCK moves along +x"),
-            "{told}"
+            warn.starts_with("no equilibrium exists under these loads: part BLOCK moves along +x"),
+            "{warn}"
         );
-        assert!(err.contains(told), "{err}");
-        assert!(bench.read("block/report.md").contains(told));
-        // what claims nothing cannot be refuted
+        assert!(err.contains(warn), "{err}");
+        assert!(bench.read("block/report.md").contains(warn));
+        // a result without claims cannot be refuted
         let (out, _) = expect(&bench, &["verify", "block"], 0);
         assert!(out.contains("claims no bound"), "{out}");
     }
@@ -282,7 +282,7 @@ fn without_equilibrium_there_is_no_bound() {
 
 #[test]
 fn a_name_longer_than_a_file_may_be_called_is_cut() {
-    // a file system takes 255 bytes, `fields/NAME_kinematic.vtu` asks for 14 more than the name
+    // file names may have 255 bytes; `fields/NAME_kinematic.vtu` needs 14 more than the name
     let name = "n".repeat(245);
     let bench = bench(MODEL).file(&format!("{name}.yaml"), MODEL);
     expect(&bench, &["analyse", &format!("{name}.yaml"), "--out", "result", "-q"], 0);

@@ -1,5 +1,5 @@
-//! Welds of finite strength and rigid bodies through the real program: what it answers, what it
-//! leaves, what `verify` says.
+//! Welds of finite strength and rigid bodies by the compiled program: its answers, its files, and
+//! what `verify` reports on them.
 //!
 //! ```text
 //!  |[ A ]:[ B ]→ t     two bars of 10 × 12 mm², welded: 2 · 3 · 200/10 = 120 MPa
@@ -56,7 +56,7 @@ fn a_weld_on_a_rigid_body_gives_way() {
     assert_eq!(weld["weld"], "A-B");
     assert!(number(&weld["utilisation"]) > 0.999 && number(&weld["utilisation"]) <= 1.0, "{weld}");
     assert!(number(&weld["share"]) > 0.99, "{weld}");
-    // the weld limits it, not the body
+    // the weld limits the load, not a body
     assert!(case.get("limiting_part").is_none(), "{case}");
     let report = bench.read("bars/report.md");
     for words in
@@ -66,7 +66,8 @@ fn a_weld_on_a_rigid_body_gives_way() {
     }
     let (out, _) = expect(&bench, &["verify", "bars"], 0);
     assert!(out.matches("confirmed").count() >= 2, "{out}");
-    // a weaker weld than was analysed: the stress exceeds it, the mechanism costs less
+    // a weaker weld than the analysed one: the stress exceeds its strength, and the mechanism
+    // dissipates less
     let model = bench.read("bars/model.yaml");
     std::fs::write(bench.path().join("bars/model.yaml"), model.replace("200", "190"))
         .expect("written");
@@ -84,11 +85,11 @@ fn an_elastic_weld_is_certified_and_verified() {
     let used = number(&found["welds"][0]["utilisation"]);
     assert!(used > 0.8 && used <= 1.0, "{used}");
     assert!(number(&found["welds"][0]["work"]) >= 0.0);
-    // not the displacement of the load: the weld might have given way
+    // no displacement of the load: the weld may have yielded
     assert!(found.get("load_displacement").is_none(), "{found}");
     let (out, _) = expect(&bench_of, &["verify", "bars"], 0);
     assert!(out.matches("confirmed").count() >= 2, "{out}");
-    // beyond its strength there is no equilibrium
+    // above the strength of the weld there is no equilibrium
     let torn = bench(&elastic.replace("[100, 0, 0]", "[121, 0, 0]"));
     let (_, err) = expect(&torn, &["analyse", "bars.yaml"], 3);
     assert!(err.contains("part B moves along +x"), "{err}");

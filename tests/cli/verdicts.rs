@@ -70,7 +70,7 @@ fn a_demand_below_above_and_within_the_bracket_ends_with_0_1_and_3() {
     let bench = Bench::new().file("arm.yaml", TEMPLATE);
     let (verdict, [lower, upper]) = answer(&bench, "once", 1.0, 0);
     assert_eq!(verdict, "ok");
-    // the hinge by hand, and what a clamped width may add
+    // the plastic hinge by hand; a clamped width may increase it
     let hand = 235.0 * 20.0 * 400.0 / 4.0 / 400e3;
     assert!(
         upper >= hand && lower <= 1.155 * hand && lower > 0.85 * hand,
@@ -84,7 +84,7 @@ fn a_demand_below_above_and_within_the_bracket_ends_with_0_1_and_3() {
     ] {
         let (verdict, bounds) = answer(&bench, name, factor, code);
         assert_eq!(verdict, word, "{name} {bounds:?}");
-        // the bracket of the scaled load, on the same mesh, is the scaled bracket
+        // scaling the load on the same mesh scales the bracket
         for (found, wanted) in bounds.into_iter().zip([lower / factor, upper / factor]) {
             assert!((found / wanted - 1.0).abs() < 1e-3, "{name}: {found} for {wanted}");
         }
@@ -102,7 +102,7 @@ fn a_mirrored_load_has_the_same_bracket() {
     let bench = Bench::new().file("arm.yaml", TEMPLATE);
     let (_, up) = answer(&bench, "up", 1.0, 0);
     let (_, down) = answer(&bench, "down", -1.0, 0);
-    // the mesh is not its own mirror image: the brackets share the exact factor, not their digits
+    // the mesh is not symmetric: both brackets contain the exact factor, but their digits differ
     assert!(up[0] <= down[1] && down[0] <= up[1], "{up:?} {down:?}");
     assert!(
         (up[0] / down[0] - 1.0).abs() < 0.05 && (up[1] / down[1] - 1.0).abs() < 0.05,

@@ -1,11 +1,12 @@
-//! `bracket verify`: confirms what `bracket analyse` left and refutes it after any tampering.
+//! `bracket verify` confirms the files that `bracket analyse` wrote, and refutes them after any
+//! change.
 
 use crate::bench::Bench;
 use crate::{MODEL, bench, expect, mesh};
 use bracket::result::fields::vtu::VtuGrid;
 use serde_json::Value;
 
-/// A finished result, changed by `tamper`; the exit code of `verify` and what it says.
+/// Changes a finished result by `tamper`. Returns the exit code and the output of `verify`.
 fn after(tamper: impl Fn(&Bench)) -> (Option<i32>, String) {
     let bench = bench(MODEL);
     expect(&bench, &["analyse", "block.yaml", "-q"], 0);
@@ -32,7 +33,7 @@ fn edit_field(bench: &Bench, name: &str, array: &str, change: impl Fn(f64) -> f6
     let (_, _, values) = grid.point_array(array).unwrap_or_else(|| panic!("no array {array}"));
     let largest =
         values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("values");
-    // the arrays are stored as they are in memory
+    // the file stores the arrays as they are in memory
     let at = bytes
         .windows(8)
         .position(|w| w == largest.to_le_bytes())
@@ -46,7 +47,7 @@ fn an_untouched_result_is_confirmed() {
     let (code, text) = after(|_| {});
     assert_eq!(code, Some(0), "{text}");
     assert_eq!(text.matches("confirmed").count(), 2, "{text}");
-    // moved elsewhere it is still whole: mesh and model lie inside
+    // a folder moved elsewhere is still complete: it contains mesh and model
     let (code, text) = after(|b| {
         std::fs::rename(b.path().join("block"), b.path().join("moved")).expect("moved");
         std::fs::remove_file(b.path().join("m.msh")).expect("removed");
@@ -81,7 +82,7 @@ fn a_changed_load_is_refuted() {
     };
     refuted(&|r| r["cases"][0]["load"]["force"] = (1.001 * force(r)).into(), 1);
     refuted(&|r| r["cases"][0]["load"] = serde_json::json!({"moment": force(r)}), 1);
-    // a result of an earlier version does not state its load
+    // results of an earlier version do not state their load
     refuted(&|r| drop(r["cases"][0].as_object_mut().and_then(|c| c.remove("load"))), 0);
 }
 
@@ -103,7 +104,7 @@ fn a_changed_field_is_refuted() {
 
 #[test]
 fn another_mesh_or_model_is_refuted_or_refused() {
-    // the same connectivity, another height: the fields fit in number and are wrong in every place
+    // the same connectivity, another height: the fields have the right size but wrong values
     let (code, text) =
         after(|b| std::fs::write(b.path().join("block/mesh.msh"), mesh(61.0)).expect("written"));
     assert_eq!(code, Some(2), "{text}");
@@ -118,7 +119,7 @@ fn another_mesh_or_model_is_refuted_or_refused() {
     let (code, text) =
         after(|b| std::fs::write(b.path().join("block/mesh.msh"), &other).expect("written"));
     assert_eq!(code, Some(2), "{text}");
-    // softer steel, more friction, another load: the stored fields do not solve that problem or
+    // softer steel, less friction, another load: the stored fields do not solve that problem or
     // have other energies
     for (old, new) in [("210000", "200000"), ("mu: 0.3", "mu: 0.01"), ("-40", "-41")] {
         let (code, text) = after(|b| {
@@ -193,13 +194,13 @@ fn stiffness_and_bolt_forces_are_found_again_and_every_change_is_refuted() {
         let value = changed
             .pointer_mut(&format!("/cases/0{pointer}"))
             .unwrap_or_else(|| panic!("no {pointer}"));
-        // a shear that is all but nothing beside the tension still counts
+        // a shear that is almost zero beside the tension must be confirmed too
         *value = (value.as_f64().expect("a number") * 1.001 + 1e-3).into();
         write(&changed);
         let (out, _) = expect(&bench, &["verify", "joint"], 1);
         assert!(out.contains("REFUTED: ULS1") && out.contains(words), "{pointer}: {out}");
     }
-    // a result of an earlier version does not state where its bolts are
+    // results of an earlier version do not state the positions of the bolts
     let mut older = result.clone();
     for bolt in older["cases"][0]["static_forces"]["bolts"].as_array_mut().expect("bolts") {
         bolt.as_object_mut().expect("a bolt").remove("place").expect("its place");

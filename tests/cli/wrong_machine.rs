@@ -1,13 +1,13 @@
-//! A machine that lacks something: mesher, disk, a free folder.
+//! Machines that lack something: the mesher, space on the disk, a free folder.
 
-use crate::bench::{Bench, JOINT, Told, none_wrong, refusal};
+use crate::bench::{Bench, JOINT, Want, none_wrong, refusal};
 use crate::common::Block;
 use bracket::mesh::msh_write;
 use std::process::Command;
 
 #[test]
-fn meshers_that_fail_are_told_apart() {
-    // the order of the arguments may vary: a fake mesher writes to the file after `-o`
+fn each_failure_of_a_mesher_has_its_own_message() {
+    // the order of the arguments may change: a fake mesher writes to the file after `-o`
     let cases = [
         ("killed", "kill -9 $$", "mesher/killed", "killed by signal 9", "free memory"),
         ("silent", "exit 0", "mesher/no-output", "left no usable", "bracket doctor"),
@@ -44,10 +44,10 @@ fn meshers_that_fail_are_told_apart() {
             if command == "mesh" {
                 run.args(["--time-limit", "1"]);
             }
-            let told = Told { exit: 4, code, place: "", message, cure };
+            let want = Want { exit: 4, code, place: "", message, cure };
             results.push((
                 format!("{command}, {name}"),
-                refusal(&bench, run.env("BRACKET_GMSH", &mesher), &told),
+                refusal(&bench, run.env("BRACKET_GMSH", &mesher), &want),
             ));
         }
     }
@@ -55,7 +55,7 @@ fn meshers_that_fail_are_told_apart() {
 }
 
 #[test]
-fn a_mesher_that_is_missing_or_odd_is_told() {
+fn a_mesher_that_is_missing_or_odd_is_reported() {
     let cases = [
         ("/nonexistent", "mesher/start", "`/nonexistent` does not start", "bracket doctor"),
         ("sh -c :", "mesher/version", "does not answer `--version`", "bracket doctor"),
@@ -65,9 +65,9 @@ fn a_mesher_that_is_missing_or_odd_is_told() {
     let mut results = Vec::new();
     for (mesher, code, message, cure) in cases {
         let bench = Bench::new().file("joint.yaml", JOINT);
-        let told = Told { exit: 4, code, place: "", message, cure };
+        let want = Want { exit: 4, code, place: "", message, cure };
         let mut run = bench.command(&["run", "joint.yaml"]);
-        results.push((mesher.to_string(), refusal(&bench, run.env("BRACKET_GMSH", mesher), &told)));
+        results.push((mesher.to_string(), refusal(&bench, run.env("BRACKET_GMSH", mesher), &want)));
     }
     none_wrong(results);
 }
@@ -96,7 +96,7 @@ fn an_output_folder_of_someone_else_stays_as_it_is() {
             .status()
             .expect("sh starts");
         assert!(made.success());
-        let told = Told {
+        let want = Want {
             exit: 2,
             code: "report/folder-exists",
             place,
@@ -104,12 +104,12 @@ fn an_output_folder_of_someone_else_stays_as_it_is() {
             cure: "choose another folder with --out",
         };
         let mut run = bench.command(&["run", "joint.yaml"]);
-        results.push((name.to_string(), refusal(&bench, run.env("BRACKET_GMSH", &mesher), &told)));
+        results.push((name.to_string(), refusal(&bench, run.env("BRACKET_GMSH", &mesher), &want)));
     }
     none_wrong(results);
 }
 
-/// A block that is analysed in a second and writes some hundred kilobytes.
+/// A block that takes a second to analyse and writes several hundred kilobytes.
 #[cfg(unix)]
 fn block() -> Bench {
     let mesh = Block::new([4, 2, 2], [40.0, 20.0, 20.0]).mesh(&["BLOCK"], |_| 0, |_, _| false);
@@ -119,8 +119,8 @@ fn block() -> Bench {
     Bench::new().file("block.yaml", model).file("m.msh", msh_write::text(&mesh))
 }
 
-/// A limit on the size of files stands for a full disk: the system refuses the write alike, and no
-/// root is needed.
+/// A limit on the size of files simulates a full disk. The system refuses the write in the same
+/// way, and the test needs no root.
 #[test]
 #[cfg(unix)]
 fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
@@ -131,7 +131,7 @@ fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
         let script = format!(
             "ulimit -f {blocks}; trap '' XFSZ; exec '{program}' analyse block.yaml --quiet"
         );
-        let told = Told {
+        let want = Want {
             exit: 4,
             code: "report/disk-full",
             place: "block/",
@@ -141,14 +141,14 @@ fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
         let mut run = Command::new("sh");
         run.current_dir(bench.path()).args(["-c", &script]);
         results
-            .push((format!("files of at most {blocks} blocks"), refusal(&bench, &mut run, &told)));
+            .push((format!("files of at most {blocks} blocks"), refusal(&bench, &mut run, &want)));
     }
     for blocks in [0, 2] {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let mesher = bench.mesher("exit 7");
         let script =
             format!("ulimit -f {blocks}; trap '' XFSZ; exec '{program}' mesh joint.yaml --quiet");
-        let told = Told {
+        let want = Want {
             exit: 4,
             code: "mesher/disk",
             place: "joint/",
@@ -159,13 +159,13 @@ fn a_disk_that_fills_up_is_exit_4_and_leaves_nothing() {
         run.current_dir(bench.path()).env("BRACKET_GMSH", &mesher).args(["-c", &script]);
         results.push((
             format!("mesh, files of at most {blocks} blocks"),
-            refusal(&bench, &mut run, &told),
+            refusal(&bench, &mut run, &want),
         ));
     }
     none_wrong(results);
 }
 
-/// A real file system of a few kilobytes, where this machine lets us mount one.
+/// A real file system of a few kilobytes, if this machine allows the test to mount one.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_file_system_is_exit_4_and_leaves_nothing() {
@@ -181,7 +181,7 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
         );
         return;
     }
-    let told = Told {
+    let want = Want {
         exit: 4,
         code: "report/disk-full",
         place: "disk/result/",
@@ -191,7 +191,7 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
     let result = refusal(
         &bench,
         &mut bench.command(&["analyse", "block.yaml", "--out", "disk/result", "-q"]),
-        &told,
+        &want,
     );
     let unmounted = Command::new("umount").arg(&disk).status().expect("umount starts");
     assert!(unmounted.success());
@@ -200,7 +200,7 @@ fn a_full_file_system_is_exit_4_and_leaves_nothing() {
     }
 }
 
-/// Standard output that cannot be written: the result stays, the exit code shows the error.
+/// If standard output cannot be written, the result is kept and the exit code reports the error.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_standard_output_is_exit_4() {
@@ -222,9 +222,9 @@ fn places_that_cannot_be_written_are_exit_4() {
     {
         let bench = Bench::new().file("joint.yaml", JOINT);
         let mesher = bench.mesher("exit 7");
-        let told = Told { exit: 4, code: "report/io", place: out, message, cure: "--out" };
+        let want = Want { exit: 4, code: "report/io", place: out, message, cure: "--out" };
         let mut run = bench.command(&["run", "joint.yaml", "--out", out]);
-        results.push((out.to_string(), refusal(&bench, run.env("BRACKET_GMSH", &mesher), &told)));
+        results.push((out.to_string(), refusal(&bench, run.env("BRACKET_GMSH", &mesher), &want)));
     }
     none_wrong(results);
 }

@@ -1,6 +1,6 @@
 //! Models and meshes that `bracket analyse` must refuse.
 
-use crate::bench::{Bench, Told, none_wrong, refusal};
+use crate::bench::{Bench, Want, none_wrong, refusal};
 use crate::common::{Block, triangles_where};
 use bracket::mesh::{NamedFaces, TetMesh, msh_write};
 
@@ -29,17 +29,17 @@ fn row() -> TetMesh {
     mesh
 }
 
-fn told(
+fn push(
     results: &mut Vec<(String, Result<String, String>)>,
     name: &str,
     mesh: &[u8],
     model: &str,
-    told: Told<'_>,
+    want: Want<'_>,
 ) {
     let bench = Bench::new().file("model.yaml", model).file("m.msh", mesh);
     results.push((
         name.into(),
-        refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &told),
+        refusal(&bench, &mut bench.command(&["analyse", "model.yaml"]), &want),
     ));
 }
 
@@ -186,10 +186,10 @@ fn wrong_models_are_refused_with_place_and_cure() {
     let mut results = Vec::new();
     for (old, new, code, line, message, cure) in ROWS {
         assert_eq!(MODEL.matches(old).count(), 1, "{old}");
-        // a part that can move has no line of its own: the message names the part
+        // a part that can move has no line number: the message names the part
         let place = if *line > 0 { format!("model.yaml:{line}:") } else { String::new() };
-        let t = Told { exit: 2, code, place: &place, message, cure };
-        told(&mut results, new, mesh.as_bytes(), &MODEL.replace(old, new), t);
+        let t = Want { exit: 2, code, place: &place, message, cure };
+        push(&mut results, new, mesh.as_bytes(), &MODEL.replace(old, new), t);
     }
     none_wrong(results);
 }
@@ -202,7 +202,7 @@ fn wrong_meshes_are_refused_with_place_and_cure() {
     let first_tet = good.lines().position(|l| l.split(' ').nth(1) == Some("4")).expect("a tet") + 1;
     let tet: Vec<&str> = good.lines().nth(first_tet - 1).expect("a line").split(' ').collect();
     let tet_line = tet.join(" ");
-    // the first corner moved into the plane of the other three, or to their other side
+    // moves the first corner into the plane of the other three, or to their other side
     let spoil = |move_to: &dyn Fn([[f64; 3]; 4]) -> [f64; 3]| {
         let mut mesh = row();
         let t = mesh.tets[0];
@@ -265,12 +265,12 @@ fn wrong_meshes_are_refused_with_place_and_cure() {
     let mut results = Vec::new();
     for (name, text, code, place, message, cure) in &cases {
         assert_ne!(text, &good, "{name}");
-        told(
+        push(
             &mut results,
             name,
             text.as_bytes(),
             MODEL,
-            Told { exit: 2, code, place, message, cure },
+            Want { exit: 2, code, place, message, cure },
         );
     }
     let nan = line_of("$Nodes") + 2;
@@ -278,15 +278,15 @@ fn wrong_meshes_are_refused_with_place_and_cure() {
     let spoilt = good.replacen(&format!("\n{node}\n"), "\n1 nan 0 0\n", 1);
     let place = at(nan);
     let t =
-        Told { exit: 2, code: "mesh/not-finite", place: &place, message: "node 1", cure: "gmsh" };
-    told(&mut results, "NaN", spoilt.as_bytes(), MODEL, t);
+        Want { exit: 2, code: "mesh/not-finite", place: &place, message: "node 1", cure: "gmsh" };
+    push(&mut results, "NaN", spoilt.as_bytes(), MODEL, t);
     none_wrong(results);
 }
 
 #[test]
-fn a_spec_is_told_which_command_reads_it() {
+fn analyse_names_the_command_that_reads_a_spec() {
     let bench = Bench::new().file("joint.yaml", crate::bench::JOINT);
-    let t = Told {
+    let t = Want {
         exit: 2,
         code: "yaml/unknown-key",
         place: "joint.yaml:",
@@ -309,12 +309,12 @@ fn surface_only(good: &str) -> String {
 #[test]
 fn a_part_without_support_is_named_before_anything_is_solved() {
     let mesh = msh_write::text(&row());
-    // pulled apart, nothing but contact between A and B+C: friction holds it in the check, so pull
-    // sideways without it
+    // pulled apart, only contact connects A and B+C: the check counts friction as a support, so the
+    // model is pulled sideways without friction
     let model =
         MODEL.replace("mu: 0.3, friction: associated", "mu: 0").replace("[-1, 0, 0]", "[0, 0, -1]");
     let bench = Bench::new().file("model.yaml", model).file("m.msh", mesh);
-    let t = Told {
+    let t = Want {
         exit: 2,
         code: "model/loose-part",
         place: "",

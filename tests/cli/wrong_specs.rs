@@ -1,6 +1,6 @@
 //! Specs that `bracket run` must refuse.
 
-use crate::bench::{Bench, JOINT, Told, none_wrong, refusal};
+use crate::bench::{Bench, JOINT, Want, none_wrong, refusal};
 
 /// Old text, new text, code, place, words of the message, words of the cure.
 type Row = (&'static str, &'static str, &'static str, &'static str, &'static str, &'static str);
@@ -478,11 +478,11 @@ fn wrong_specs_are_refused_with_place_and_cure() {
         assert_eq!(JOINT.matches(old).count(), 1, "{old}");
         let bench = Bench::new().file("joint.yaml", JOINT.replace(old, new));
         let mesher = bench.mesher("exit 7");
-        let told = Told { exit: 2, code, place, message, cure };
+        let want = Want { exit: 2, code, place, message, cure };
         let result = refusal(
             &bench,
             bench.command(&["run", "joint.yaml"]).env("BRACKET_GMSH", &mesher),
-            &told,
+            &want,
         );
         results.push((format!("`{old}` -> `{new}`"), result));
     }
@@ -490,7 +490,7 @@ fn wrong_specs_are_refused_with_place_and_cure() {
 }
 
 #[test]
-fn what_is_no_spec_at_all_is_refused() {
+fn files_that_are_no_specs_are_refused() {
     let latin: Vec<u8> = JOINT.replace("Paper joint", "Stoß").chars().map(|c| c as u8).collect();
     let cases: [(&str, Vec<u8>, &str, &str, &str); 6] = [
         ("nothing", Vec::new(), "yaml/empty", "joint.yaml", "bracket new"),
@@ -515,15 +515,15 @@ fn what_is_no_spec_at_all_is_refused() {
     let mut results = Vec::new();
     for (name, bytes, code, place, cure) in cases {
         let bench = Bench::new().file("joint.yaml", bytes);
-        let told = Told { exit: 2, code, place, message: "", cure };
+        let want = Want { exit: 2, code, place, message: "", cure };
         results.push((
             name.to_string(),
-            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &want),
         ));
     }
     let bench = Bench::new();
     std::fs::create_dir(bench.path().join("joint.yaml")).expect("folder");
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "spec/read",
         place: "joint.yaml",
@@ -532,9 +532,9 @@ fn what_is_no_spec_at_all_is_refused() {
     };
     results.push((
         "a folder".into(),
-        refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+        refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &want),
     ));
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "spec/read",
         place: "joint.yml",
@@ -542,7 +542,7 @@ fn what_is_no_spec_at_all_is_refused() {
         cure: "check the path",
     };
     results
-        .push(("absent".into(), refusal(&bench, &mut bench.command(&["run", "joint.yml"]), &told)));
+        .push(("absent".into(), refusal(&bench, &mut bench.command(&["run", "joint.yml"]), &want)));
     none_wrong(results);
 }
 
@@ -557,14 +557,14 @@ fn wrong_options_are_refused() {
         (&["--threads", "100000"], "--threads"),
     ] {
         let bench = Bench::new().file("joint.yaml", JOINT);
-        let told = Told { exit: 2, code: "cli/value", place: "", message: words, cure: "" };
-        let result = refusal(&bench, bench.command(&["run", "joint.yaml"]).args(args), &told);
+        let want = Want { exit: 2, code: "cli/value", place: "", message: words, cure: "" };
+        let result = refusal(&bench, bench.command(&["run", "joint.yaml"]).args(args), &want);
         results.push((args.join(" "), result));
     }
     none_wrong(results);
 }
 
-/// Notepad writes a byte-order mark, a spreadsheet UTF-16: neither is a fault of the spec.
+/// Notepad writes a byte-order mark and spreadsheets write UTF-16. Both are valid.
 #[test]
 fn specs_and_tables_in_utf_16_are_read() {
     let utf16 = |text: &str| -> Vec<u8> {
@@ -574,14 +574,14 @@ fn specs_and_tables_in_utf_16_are_read() {
     let marked = [b"\xef\xbb\xbf", spec.as_bytes()].concat();
     let mut results = Vec::new();
     for (name, bytes) in [("UTF-16", utf16(&spec)), ("UTF-8 with a mark", marked)] {
-        // read to its end: the error reported is that of the profile
+        // the file is read to its end: the error reported is that of the profile
         let (code, message) = ("catalog/unknown-name", "did you mean `HEB200`");
-        let told =
-            Told { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };
+        let want =
+            Want { exit: 2, code, place: "joint.yaml:5:", message, cure: "bracket catalog list" };
         let bench = Bench::new().file("joint.yaml", bytes);
         results.push((
             name.into(),
-            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &told),
+            refusal(&bench, &mut bench.command(&["run", "joint.yaml"]), &want),
         ));
     }
     let bench = Bench::new().file("joint.yaml", JOINT);
@@ -591,7 +591,7 @@ fn specs_and_tables_in_utf_16_are_read() {
         b"class,slip_factor_mu,surface_treatment\nM,0.4,ges\xe4ubert\n",
     )
     .expect("table");
-    let told = Told {
+    let want = Want {
         exit: 2,
         code: "file/encoding",
         place: "f.csv:2:",
@@ -599,6 +599,6 @@ fn specs_and_tables_in_utf_16_are_read() {
         cure: "UTF-8",
     };
     let mut command = bench.command(&["run", "joint.yaml", "--catalog", "mine"]);
-    results.push(("a table in Latin-1".into(), refusal(&bench, &mut command, &told)));
+    results.push(("a table in Latin-1".into(), refusal(&bench, &mut command, &want)));
     none_wrong(results);
 }

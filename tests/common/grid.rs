@@ -3,15 +3,15 @@
 use super::Random;
 use bracket::mesh::{NamedFaces, TetMesh, tet};
 
-/// Planes of the grid along x, y, z, ascending; every cell with a body becomes six tets.
+/// Planes of the grid along x, y, z, ascending. Every cell of a body becomes six tets.
 pub struct Grid {
     pub planes: [Vec<f64>; 3],
-    /// Inner nodes move by up to this part of the smaller neighbouring cell.
+    /// Inner nodes move by up to this fraction of the smaller neighbouring cell.
     pub jitter: f64,
     pub seed: u64,
 }
 
-/// Planes ascending from `from` to `to` with the finest steps, of size `first`, at `to`.
+/// Ascending planes from `from` to `to`. The step at `to` is the finest and has the size `first`.
 pub fn finer_at_end(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
     let mut planes: Vec<f64> =
         super::graded(first, 1, ratio, to - from).iter().map(|d| to - d).collect();
@@ -20,7 +20,7 @@ pub fn finer_at_end(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
     planes
 }
 
-/// Planes ascending from `from` to `to` with the finest steps, of size `first`, at `from`.
+/// Ascending planes from `from` to `to`. The step at `from` is the finest and has the size `first`.
 pub fn finer_at_start(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
     let mut planes: Vec<f64> =
         super::graded(first, 1, ratio, to - from).iter().map(|d| from + d).collect();
@@ -28,7 +28,7 @@ pub fn finer_at_start(from: f64, to: f64, first: f64, ratio: f64) -> Vec<f64> {
     planes
 }
 
-/// One list of planes after another that starts where the first ends.
+/// Joins lists of planes. Each list starts where the previous one ends.
 pub fn joined(parts: &[Vec<f64>]) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::new();
     for part in parts {
@@ -53,9 +53,9 @@ impl Grid {
         self
     }
 
-    /// The mesh: body of each cell by `body(centre)`, none where there is nothing; planes that must
-    /// stay flat by `flat(axis, coordinate)`. Faces between bodies and outer faces stay as they
-    /// are.
+    /// Makes the mesh. `body(centre)` gives the body of each cell, or none for an empty cell.
+    /// `flat(axis, coordinate)` selects planes that must stay flat. Faces between bodies and outer
+    /// faces stay unchanged.
     pub fn mesh(
         &self,
         bodies: &[&str],
@@ -123,12 +123,12 @@ impl Grid {
             }
         }
         drop_unused(&mut mesh);
-        // paths of odd order come with negative volume
+        // tets from paths of odd order have negative volume
         super::mapped(mesh, |x| x)
     }
 }
 
-/// Nodes of no tet are gone.
+/// Removes nodes that belong to no tet.
 fn drop_unused(mesh: &mut TetMesh) {
     let mut number = vec![u32::MAX; mesh.nodes.len()];
     let mut kept = Vec::new();
@@ -145,7 +145,7 @@ fn drop_unused(mesh: &mut TetMesh) {
     mesh.nodes = kept;
 }
 
-/// Names the faces of a body whose three corners satisfy `inside`; there must be some.
+/// Names the faces of a body whose three corners satisfy `inside`. There must be at least one.
 pub fn name(mesh: &mut TetMesh, name: &str, body: &str, inside: impl Fn([f64; 3]) -> bool) {
     let body = mesh.bodies.iter().position(|b| b == body).unwrap() as u32;
     let mut triangles = Vec::new();

@@ -1,4 +1,4 @@
-//! A pass of limit analysis, and what every one must satisfy.
+//! Runs a pass of limit analysis and checks what must hold for every pass.
 
 use super::yielding::FY;
 use bracket::analysis::event::silent;
@@ -13,22 +13,23 @@ pub fn run(model: &AnalysisModel) -> LimitPass {
     limit::run(model, &PassOptions::default(), &silent()).unwrap()
 }
 
-/// Iterations of a program of limit analysis, hard cases included.
+/// Maximum number of iterations of a program of limit analysis, hard cases included.
 pub const MOST_ITERATIONS: u32 = 60;
 
-/// Both bounds over the yield strength: strict, in order, and what the stored fields alone prove.
+/// Both bounds over the yield strength. Checks that they are strict and in order, and that the
+/// stored fields alone prove them.
 pub fn factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
     factors_of(name, model, &run(model))
 }
 
-/// The same with the solver asked for a smaller gap than its default.
+/// The same bounds from a solver with a smaller gap than the default.
 pub fn sharp_factors(name: &str, model: &AnalysisModel) -> [f64; 2] {
     let solve = SolveOptions { limit_gap: 1e-7, ..SolveOptions::default() };
     let options = PassOptions { solve, ..PassOptions::default() };
     factors_of(name, model, &limit::run(model, &options, &silent()).unwrap())
 }
 
-/// The same of a pass that has run.
+/// The same for a pass that has already run.
 pub fn factors_of(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
         assert!(
@@ -41,7 +42,7 @@ pub fn factors_of(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 
     strict(name, model, pass)
 }
 
-/// The same, however many iterations it took.
+/// The same without a limit on the iterations.
 pub fn strict(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
     for (program, r) in pass.runs() {
         assert_eq!(r.status, SolveStatus::Optimal, "{name} {}: {:?}", program.name(), r.trouble);
@@ -58,7 +59,7 @@ pub fn strict(name: &str, model: &AnalysisModel, pass: &LimitPass) -> [f64; 2] {
         bracket.gap()
     );
     assert!(low <= up, "{name}");
-    // the certificates again, from the stored fields alone
+    // certifies again from the stored fields alone
     let again =
         certify_lower(model, pass.stress.as_ref().unwrap(), bracket.lower().certificate().factor);
     assert!(

@@ -34,8 +34,8 @@ impl Block {
         self
     }
 
-    /// The mesh: body of each cell by `body(centre)`, planes that must stay flat by
-    /// `flat(axis, coordinate)`.
+    /// Makes the mesh. `body(centre)` gives the body of each cell; `flat(axis, coordinate)` selects
+    /// planes that must stay flat.
     pub fn mesh(
         &self,
         bodies: &[&str],
@@ -109,7 +109,7 @@ impl Block {
     }
 }
 
-/// All tet faces whose corners satisfy `inside`, each once.
+/// All tet faces whose corners satisfy `inside`, each face once.
 pub fn triangles_where(mesh: &TetMesh, inside: impl Fn([f64; 3]) -> bool) -> Vec<[u32; 3]> {
     let mut out = Vec::new();
     for t in &mesh.tets {
@@ -126,12 +126,12 @@ pub fn triangles_where(mesh: &TetMesh, inside: impl Fn([f64; 3]) -> bool) -> Vec
     out
 }
 
-/// Planes of a structured grid from 0: `n` steps of `first`, then steps growing by `ratio` up to
-/// `end`.
+/// Planes of a structured grid from 0: `n` steps of size `first`, then steps that grow by `ratio`
+/// up to `end`.
 pub fn graded(first: f64, n: usize, ratio: f64, end: f64) -> Vec<f64> {
     let mut planes: Vec<f64> = (0..=n).map(|i| first * i as f64).collect();
     let start = first * n as f64;
-    // the number of growing steps that comes nearest, then scaled to end exactly
+    // takes the nearest number of growing steps and scales them to end exactly at `end`
     let mut steps = vec![first * ratio];
     while steps.iter().sum::<f64>() < end - start {
         steps.push(steps[steps.len() - 1] * ratio);
@@ -148,7 +148,7 @@ pub fn graded(first: f64, n: usize, ratio: f64, end: f64) -> Vec<f64> {
     planes
 }
 
-/// Moves every node, and turns tets that a mirroring map would leave with negative volume.
+/// Moves every node. Reorders the tets to which a mirroring map would give negative volume.
 pub fn mapped(mut mesh: TetMesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> TetMesh {
     mesh.nodes.iter_mut().for_each(|x| *x = map(*x));
     for e in 0..mesh.tets.len() {
@@ -159,7 +159,7 @@ pub fn mapped(mut mesh: TetMesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> TetMesh 
     mesh
 }
 
-/// Two meshes side by side, sharing nothing; faces of one name become one face.
+/// Two meshes side by side without common nodes. Faces with the same name are merged.
 pub fn beside(mut a: TetMesh, b: TetMesh) -> TetMesh {
     let (nodes, bodies) = (a.nodes.len() as u32, a.bodies.len() as u32);
     a.nodes.extend(b.nodes);
@@ -176,13 +176,13 @@ pub fn beside(mut a: TetMesh, b: TetMesh) -> TetMesh {
     a
 }
 
-/// The mesh with its face `from` called `to`.
+/// The mesh with its face `from` renamed to `to`.
 pub fn renamed(mut mesh: TetMesh, from: &str, to: &str) -> TetMesh {
     mesh.faces.iter_mut().filter(|f| f.name == from).for_each(|f| f.name = to.into());
     mesh
 }
 
-/// A sequence of numbers in [0, 1), the same for the same seed (xorshift).
+/// A sequence of pseudorandom numbers in [0, 1), reproducible by its seed (xorshift).
 pub struct Random(u64);
 
 impl Random {
@@ -198,7 +198,7 @@ impl Random {
     pub fn below(&mut self, n: usize) -> usize {
         ((self.unit() * n as f64) as usize).min(n - 1)
     }
-    /// Barycentric coordinates of a point in a simplex with N corners, uniform.
+    /// Barycentric coordinates of a uniformly distributed point in a simplex with N corners.
     pub fn simplex<const N: usize>(&mut self) -> [f64; N] {
         let w: [f64; N] = std::array::from_fn(|_| -(1.0 - self.unit()).ln() + 1e-12);
         let sum: f64 = w.iter().sum();

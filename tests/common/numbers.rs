@@ -1,8 +1,7 @@
-//! Numbers that look random and are the same every time, for tests that try many inputs.
+//! Reproducible pseudorandom numbers for tests that try many inputs.
 #![allow(dead_code)]
 
-/// Numbers that look random and are the same every time: a linear congruence with the multiplier of
-/// MMIX.
+/// Reproducible pseudorandom numbers: a linear congruential generator with the multiplier of MMIX.
 pub struct Numbers(pub u64);
 
 impl Numbers {

@@ -1,4 +1,4 @@
-//! Clarabel as the oracle of the condensed method, on one and the same program.
+//! Clarabel as the oracle for the condensed method: both solve the same program.
 
 use bracket::programs::conic::ConicProgram;
 use bracket::solve::status::Iterations;
@@ -7,11 +7,11 @@ use bracket::solve::{
 };
 use std::sync::{Arc, Mutex};
 
-/// Iterations an elastic or elastoplastic program may take, hard cases included.
+/// Maximum number of iterations of an elastic or elastoplastic program, hard cases included.
 pub const MOST_ITERATIONS: u32 = 40;
 
-/// Solves by both, without any fallback between them: both optimal, objectives within 1e-6. Returns
-/// the condensed one.
+/// Solves with both methods, without fallback from one to the other. Both solutions must be optimal
+/// and their objectives must agree to 1e-6. Returns the solution of the condensed method.
 pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
     let trace: Arc<Mutex<Vec<Iteration>>> = Arc::default();
     let kept = trace.clone();
@@ -30,7 +30,7 @@ pub fn agree(name: &str, program: &ConicProgram, block: &[u32]) -> Solution {
         "{name}: {a:.9e} in {} iterations, Clarabel {b:.9e} in {}",
         ours.iterations, theirs.iterations
     );
-    // without loads or gaps to close both are zero to rounding
+    // without loads or gaps to close, both objectives are zero up to rounding
     assert!((a - b).abs() <= 1e-6 * b.abs() + 1e-14, "{name}: {a:.9e} against {b:.9e}");
     ours
 }

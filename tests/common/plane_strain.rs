@@ -1,7 +1,8 @@
 //! Bodies in plane strain: a slice one cell thick between frictionless faces that hold y.
 //!
-//! Slip-line solutions hold for the slice as well: its stress does not vary along y, its y
-//! component is the mean of the other two, and its velocity lies in the plane. k = s0/√3.
+//! Slip-line solutions hold for the slice as well. Its stress does not vary along y, its stress
+//! along y is the mean of the other two normal stresses, and its velocity lies in the plane.
+//! k = s0/√3.
 
 use super::grid::{Grid, name};
 use super::limit::factors;
@@ -9,13 +10,13 @@ use super::yielding::model;
 use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 
-/// 1/√3: computed factors are over s0, those of the sources over k.
+/// 1/√3: computed factors are divided by s0, those of the sources by k.
 pub const K: f64 = 0.577_350_269_189_625_8;
 
 /// Supports of the faces Y0 and Y1.
 pub const PLANE_STRAIN: &str = "- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n";
 
-/// A slice in x and z, `thick` along y, with the faces Y0 and Y1.
+/// A slice in x and z of thickness `thick` along y, with the faces Y0 and Y1.
 pub fn slice(x: Vec<f64>, z: Vec<f64>, thick: f64, flat: impl Fn(usize, f64) -> bool) -> TetMesh {
     let grid = Grid::new([x, vec![0.0, thick], z]).jittered(0.15, 3);
     let mut mesh = grid.mesh(&["B"], |_| Some(0), flat);
@@ -49,8 +50,8 @@ pub fn platens(half: f64, x: Vec<f64>, z: Vec<f64>) -> AnalysisModel {
     )
 }
 
-/// The strict bracket contains the known factor and is at most `width` wide (relative); both over
-/// k.
+/// Checks that the strict bracket contains the known factor and has a relative width of at most
+/// `width`. Both factors are divided by k.
 pub fn contains(name: &str, m: &AnalysisModel, exact: f64, width: f64) {
     let [low, up] = factors(&format!("{name}, {} tets", m.mesh.tets.len()), m).map(|f| f / K);
     println!(

@@ -1,4 +1,4 @@
-//! A pass of elastic, perfectly plastic analysis, and what every one must satisfy.
+//! Runs a pass of elastic, perfectly plastic analysis and checks what must hold for every pass.
 
 use super::yielding::model;
 use super::{Random, points};
@@ -23,7 +23,7 @@ pub fn run(model: &AnalysisModel) -> EnergyPass {
     hencky::run(model, &PassOptions::default(), &silent()).unwrap()
 }
 
-/// Both bounds of the energy, after all that holds for every pass.
+/// Both bounds of the energy, after the checks that must hold for every pass.
 pub fn strict(name: &str, model: &AnalysisModel) -> [f64; 2] {
     strict_pass(name, model, &run(model))
 }
@@ -58,7 +58,7 @@ pub fn strict_pass(name: &str, model: &AnalysisModel, pass: &EnergyPass) -> [f64
     [low, up]
 }
 
-/// von Mises at random points of every subtet, from the six components themselves.
+/// Checks von Mises' condition at random points of every subtet, computed from the six components.
 fn inside_everywhere(name: &str, model: &AnalysisModel, stress: &StressField) {
     let mut random = Random::new(99);
     for (e, subtets) in stress.points.iter().enumerate() {
@@ -70,7 +70,7 @@ fn inside_everywhere(name: &str, model: &AnalysisModel, stress: &StressField) {
             let s: [f64; 6] = std::array::from_fn(|c| (0..4).map(|p| l[p] * at[p][c]).sum());
             let shear: f64 = s[3..].iter().map(|x| x * x).sum();
             let normal = (s[0] - s[1]).powi(2) + (s[1] - s[2]).powi(2) + (s[2] - s[0]).powi(2);
-            // the shear components carry √2 each
+            // each shear component contains a factor √2
             let mises = (0.5 * normal + 1.5 * shear).sqrt();
             assert!(mises <= fy * (1.0 + 1e-12), "{name}: tet {e}: {mises}");
         }

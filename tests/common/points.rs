@@ -1,13 +1,16 @@
-//! Admissibility at random points, written anew from the definitions: no code of the programs, the
-//! recovery or the certificate is used, only the stored values of the two fields.
+//! Checks admissibility at random points, with formulas written anew from the definitions. It uses
+//! no code of the programs, the recovery or the certificate, only the stored values of the two
+//! fields.
 //!
-//! Static: `div σ + b = 0` in random subtets; one traction on both sides of random faces, between
-//! subtets and between tets; loads on free components; `‖r_T‖ ≤ μ r_N` at random points of contacts
-//! and the same r on both sides. Kinematic: `g_N + g₀ ≥ μ ‖g_T‖` at random points of contacts; held
-//! components zero on supports.
+//! Static field: `div σ + b = 0` in random subtets. Random faces between subtets and between tets
+//! have the same traction on both sides. Free components carry the loads. At random points of
+//! contacts `‖r_T‖ ≤ μ r_N`, with the same r on both sides.
 //!
-//! Tolerances are those of rounding: 1e-9 of the largest stress (equality after projection), 1e-12
-//! of the largest displacement. No point is excepted.
+//! Kinematic field: `g_N + g₀ ≥ μ ‖g_T‖` at random points of contacts. The held components are zero
+//! on supports.
+//!
+//! The tolerances allow only rounding: 1e-9 of the largest stress (equality after projection) and
+//! 1e-12 of the largest displacement. No point is excepted.
 
 use super::Random;
 use bracket::certify::fields::{DisplacementField, StressField};
@@ -62,7 +65,7 @@ impl<'a> Fields<'a> {
         self.model.mesh.tets[e].map(|n| self.model.mesh.nodes[n as usize])
     }
 
-    /// Corners of subtet `k` of tet `e` and the stress there.
+    /// The corners of subtet `k` of tet `e` and the stress at each.
     fn subtet(&self, e: usize, k: usize) -> ([V3; 4], [[V3; 3]; 4]) {
         let x = self.corners(e);
         let centre = combine(&x, &[0.25; 4]);
@@ -73,7 +76,7 @@ impl<'a> Fields<'a> {
         )
     }
 
-    /// Stress of subtet `k` of tet `e` at a point, by its linear field.
+    /// The stress of subtet `k` of tet `e` at a point, from its linear field.
     fn at(&self, e: usize, k: usize, x: V3) -> [V3; 3] {
         let (c, s) = self.subtet(e, k);
         let volume = |a: &[V3; 4]| dot(cross(sub(a[1], a[0]), sub(a[2], a[0])), sub(a[3], a[0]));
@@ -94,8 +97,8 @@ impl<'a> Fields<'a> {
         nodes.map(|n| self.model.mesh.nodes[n as usize])
     }
 
-    /// Displacement of the face with the given vertices at barycentric `l`: quadratic, from
-    /// vertices and mid-sides.
+    /// Displacement of the face with the given vertices at barycentric `l`. It is quadratic and
+    /// computed from vertices and mid-side nodes.
     fn displacement(&self, nodes: [u32; 3], l: [f64; 3]) -> V3 {
         let mut u = [0.0; 3];
         let mut add = |node: usize, w: f64| (0..3).for_each(|d| u[d] += w * self.u.u[node][d]);
@@ -108,8 +111,8 @@ impl<'a> Fields<'a> {
         u
     }
 
-    /// Tractions on a boundary face from its own tet at barycentric `l` of `nodes`, with outward
-    /// normal of `nodes`.
+    /// Traction on a boundary face at a point, from the stress of its own tet and the outward
+    /// normal.
     fn traction(&self, f: &BoundaryFace, x: V3, n: V3) -> V3 {
         apply(&self.at(f.tet as usize, f.local as usize, x), n)
     }
@@ -135,7 +138,7 @@ fn outward(x: &[V3; 3]) -> V3 {
 
 /// Panics at the first random point where one of the two fields is not admissible.
 pub fn check(name: &str, model: &AnalysisModel, stress: &StressField, u: &DisplacementField) {
-    // the space's own numbering of mid-sides is the file format of the field, not a computation
+    // the space's numbering of mid-side nodes is the file format of the field, not a computation
     let space = bracket::elements::space::Tet10Space::new(&model.mesh);
     let mut middle = BTreeMap::new();
     for (e, t) in model.mesh.tets.iter().enumerate() {
@@ -247,7 +250,7 @@ fn inner_faces(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
             "{name}: traction {a:?} against {b:?} inside tet {e} at {at:?}"
         );
     }
-    // outer faces: what is neither held, moved nor in contact carries its load and nothing else
+    // outer faces: faces that are not held, moved or in contact carry exactly their load
     let outer: Vec<BoundaryFace> = owners
         .values()
         .filter(|o| o.len() == 1)
@@ -325,7 +328,7 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
             let ub = f.displacement(p.nodes_b, l);
             (0..3).for_each(|d| g[d] += ub[d]);
         }
-        // the shift of the cone by its Bernstein coefficients, written out
+        // the shift of the cone, computed from its Bernstein coefficients
         let s = f.model.shift.faces.get(index).copied().unwrap_or_default();
         let shift = s[0] * l[0] * l[0]
             + s[1] * l[1] * l[1]
@@ -344,8 +347,8 @@ fn contacts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     }
 }
 
-/// Across a preloaded cut the traction goes on, and the displacement jumps by the closure along the
-/// axis.
+/// Across a preloaded cut the traction is continuous, and the displacement jumps by the closure
+/// along the axis.
 fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     let all: Vec<_> =
         f.model.preload.iter().flat_map(|p| p.faces.iter().map(move |face| (p, face))).collect();

@@ -11,10 +11,11 @@ pub struct Prism {
 }
 
 impl Prism {
-    /// The mesh: node positions by `map(barycentric, t)` with t from 0 to 1 through the layers.
+    /// The mesh. `map(barycentric, t)` gives the node positions, with t from 0 to 1 through the
+    /// layers.
     ///
-    /// Faces S0, S1, S2 lie opposite the triangle's corners; BOTTOM is t = 0, TOP t = 1. One body,
-    /// `B`.
+    /// Faces S0, S1, S2 lie opposite the corners of the triangle. BOTTOM is at t = 0, TOP at t = 1.
+    /// The one body is called `B`.
     pub fn mesh(&self, map: impl Fn([f64; 3], f64) -> [f64; 3]) -> TetMesh {
         let n = self.n;
         let flat: Vec<[usize; 2]> =
@@ -42,7 +43,7 @@ impl Prism {
         }
         for k in 0..self.layers {
             for t in &triangles {
-                // sorted corners: the diagonals of neighbours agree
+                // sorted corners make the diagonals of neighbouring prisms agree
                 let mut s = *t;
                 s.sort_unstable();
                 let low = s.map(|c| (k * per + c) as u32);
@@ -81,8 +82,8 @@ impl Prism {
     }
 }
 
-/// Point of barycentric `l` on a polyhedron inscribed in the unit sphere, `n` segments a quarter
-/// circle, all of the same angle: an octant of it.
+/// The point with barycentric coordinates `l` on a polyhedron inscribed in an octant of the unit
+/// sphere. Each quarter circle has `n` segments of equal angle.
 pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
     let vertex = |v: [f64; 3]| {
         let v = v.map(|c| (0.5 * PI * c / n as f64).sin());
@@ -99,7 +100,7 @@ pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
     let up = sum < 1.5;
     let mut x = [0.0; 3];
     for d in 0..3 {
-        // corners k + e_d of an upward triangle, k + 1 − e_d of a downward one
+        // the corners are k + e_d for an upward triangle and k + 1 − e_d for a downward one
         let corner = vertex(std::array::from_fn(|i| k[i] + f64::from(u8::from((i == d) == up))));
         let w = if up { f[d] } else { 1.0 - f[d] };
         (0..3).for_each(|i| x[i] += w * corner[i]);
@@ -107,18 +108,20 @@ pub fn facetted_direction(l: [f64; 3], n: usize) -> [f64; 3] {
     x
 }
 
-/// The radius that gives the polyhedron of [`facetted_direction`] the volume of the unit ball.
+/// The radius for which the polyhedron of [`facetted_direction`] has the volume of the unit ball.
 ///
-/// To first order in the depth of the facets, the energy of a hollow sphere changes with the
-/// volumes of its two surfaces only, for its strain energy density is uniform on each.
+/// The strain energy density of a hollow sphere is uniform on each of its surfaces. To first order
+/// in the depth of the facets, its energy therefore changes only with the volumes of the two
+/// surfaces.
 pub fn radius_of_equal_volume(n: usize) -> f64 {
     let shell = Prism { n, layers: 1 }.mesh(|l, t| facetted_direction(l, n).map(|c| (1.0 + t) * c));
-    // from radius 1 to 2: seven times the volume of the polyhedron's octant
+    // between radii 1 and 2 lies seven times the volume of the octant of the polyhedron
     let volume: f64 = (0..shell.tets.len()).map(|e| shell.volume(e)).sum();
     (PI / 6.0 / (volume / 7.0)).cbrt()
 }
 
-/// Radius of the sphere inscribed in the polyhedron of [`facetted_direction`], or a little less.
+/// Radius of the sphere inscribed in the polyhedron of [`facetted_direction`], rounded down
+/// slightly.
 pub fn inscribed_radius(n: usize) -> f64 {
     let shell = Prism { n, layers: 1 }.mesh(|l, t| facetted_direction(l, n).map(|c| (1.0 + t) * c));
     let bottom = shell.faces.iter().find(|f| f.name == "BOTTOM").unwrap();

@@ -1,4 +1,5 @@
-//! A model from YAML text and a mesh in memory, both programs run, and what every run must satisfy.
+//! Runs both programs for a model from YAML text and a mesh in memory, and checks what must hold
+//! for every run.
 
 use super::{oracle, points};
 use bracket::analysis::elastic;
@@ -14,13 +15,13 @@ use bracket::programs::{Kinematic, Static};
 use bracket::solve::{SolveOptions, SolveStatus};
 use std::path::Path;
 
-/// A model and its pass.
+/// A model and the pass that was run on it.
 pub struct Solved {
     pub model: AnalysisModel,
     pub pass: EnergyPass,
 }
 
-/// Reads the model; `yaml` without its `mesh` and `analysis: elastic` lines.
+/// Reads the model. `yaml` has no `mesh` and `analysis: elastic` lines.
 pub fn resolve(yaml: &str, mesh: TetMesh) -> Result<AnalysisModel, Diagnostics> {
     resolve_as("elastic", yaml, mesh)
 }
@@ -32,12 +33,12 @@ pub fn resolve_as(kind: &str, yaml: &str, mesh: TetMesh) -> Result<AnalysisModel
     bracket::model::resolve::resolve(&parsed.value, mesh, &|_| Place::default())
 }
 
-/// Reads and runs a model that must be sound.
+/// Reads and runs a model that must be valid.
 pub fn solve(yaml: &str, mesh: TetMesh) -> Solved {
     solve_to(yaml, mesh, &SolveOptions::default())
 }
 
-/// The same with other solver limits.
+/// The same with other solver options.
 pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
     let mut model = match resolve(yaml, mesh) {
         Ok(model) => model,
@@ -49,16 +50,16 @@ pub fn solve_to(yaml: &str, mesh: TetMesh, options: &SolveOptions) -> Solved {
         &silent(),
     )
     .unwrap();
-    // the problem that the bounds belong to
+    // the bounds belong to the problem with this shift
     model.shift = pass.shift.clone();
     model.preload.iter_mut().zip(&pass.preload).for_each(|(p, t)| p.closure = Some(t.closure));
     Solved { model, pass }
 }
 
 impl Solved {
-    /// Lower and upper bound \[N mm\], after all that holds for every run: both programs optimal, a
-    /// strict bracket, Σ contributions = gap, no negative contribution, admissible at random
-    /// points.
+    /// Lower and upper bound \[N mm\], after the checks that must hold for every run: both programs
+    /// are optimal, the bracket is strict, Σ contributions = gap, no contribution is negative, and
+    /// the fields are admissible at random points.
     pub fn strict(&self, name: &str) -> [f64; 2] {
         let p = &self.pass;
         let runs = [p.kinematic.as_ref().unwrap(), p.statics.as_ref().unwrap()];
@@ -112,13 +113,13 @@ impl Solved {
         [lower, upper]
     }
 
-    /// Condensed method and Clarabel, program by program; only where Clarabel takes little time.
+    /// Compares the condensed method with Clarabel for each program, if Clarabel takes little time.
     fn agree_with_clarabel(&self, name: &str) {
         let kinematic = Kinematic::new(&self.model).unwrap();
         let statics = Static::new(&self.model).unwrap();
         let loaded =
             |p: &ConicProgram| !p.cones.is_empty() && p.p.n < 3000 && p.q.iter().any(|q| *q != 0.0);
-        // as a pass gives them to its solver
+        // the form that a pass gives to its solver
         let program = kinematic.program.measured_from(&kinematic.closed(&self.model));
         if loaded(&kinematic.program) {
             oracle::agree(&format!("{name} kinematic"), &program, &kinematic.map.block);
@@ -129,7 +130,8 @@ impl Solved {
         }
     }
 
-    /// A strict bracket with both ends at `exact` within `tolerance` (relative).
+    /// Checks that the bracket is strict and that both ends agree with `exact` to `tolerance`
+    /// (relative).
     pub fn exact(&self, name: &str, exact: f64, tolerance: f64) {
         let [lower, upper] = self.strict(name);
         println!(
@@ -145,7 +147,7 @@ impl Solved {
         }
     }
 
-    /// A strict bracket that holds `exact`, up to rounding.
+    /// Checks that the bracket is strict and contains `exact`, up to rounding.
     pub fn contains(&self, name: &str, exact: f64) -> [f64; 2] {
         let [lower, upper] = self.strict(name);
         let slack = 1e-9 * exact.abs();
@@ -156,14 +158,14 @@ impl Solved {
         [lower, upper]
     }
 
-    /// No equilibrium: both programs unbounded, each naming `part`.
+    /// Checks that there is no equilibrium: both programs are unbounded, and each names `part`.
     pub fn no_equilibrium(&self, name: &str, part: &str) {
         assert!(
             self.pass.bracket.is_none() && self.pass.lower.is_none() && self.pass.upper.is_none(),
             "{name}"
         );
         for (which, r) in [("kinematic", &self.pass.kinematic), ("static", &self.pass.statics)] {
-            // under Coulomb's law the static program waits for the slips of the kinematic one
+            // under Coulomb's law the static program needs the slips of the kinematic one
             if which == "static" && self.model.has_coulomb_friction() {
                 assert!(r.is_none(), "{name}: {r:?}");
                 continue;

@@ -1,4 +1,4 @@
-//! Limit loads of T-stubs and the share of the bolts in their mechanism.
+//! Limit loads of T-stubs and the share of the dissipation in their bolts.
 
 use super::limit::{run, strict};
 use super::yielding::FY;
@@ -6,7 +6,7 @@ use bracket::analysis::limit::{LimitPass, SUBDIVISIONS};
 use bracket::certify::limit_certificate::dissipation_densities;
 use bracket::model::AnalysisModel;
 
-/// Part of the dissipation that is in bodies whose name starts with BOLT.
+/// Share of the dissipation in bodies whose name starts with BOLT.
 fn bolt_share(m: &AnalysisModel, pass: &LimitPass) -> f64 {
     let d = dissipation_densities(m, pass.velocity.as_ref().unwrap(), SUBDIVISIONS);
     let all: Vec<f64> = d.iter().enumerate().map(|(e, d)| d * m.mesh.volume(e)).collect();
@@ -15,8 +15,8 @@ fn bolt_share(m: &AnalysisModel, pass: &LimitPass) -> f64 {
     bolts / all.iter().sum::<f64>()
 }
 
-/// Both bounds of the force \[kN\] and the bolts' share of the dissipation; loads are `force` \[N\]
-/// at load factor 1.
+/// Both bounds of the force \[kN\] and the share of the dissipation in the bolts. The loads add up
+/// to `force` \[N\] at load factor 1.
 pub fn forces(title: &str, m: &AnalysisModel, force: f64) -> ([f64; 2], f64) {
     let start = std::time::Instant::now();
     let pass = run(m);

@@ -1,4 +1,5 @@
-//! Bodies that yield: models for tests and benchmarks of the elastic, perfectly plastic programs.
+//! Models of bodies that yield, for tests and benchmarks of the elastic, perfectly plastic
+//! programs.
 
 use super::{Block, solved};
 use bracket::elements::hencky_kinematic::Flow;
@@ -13,7 +14,7 @@ pub const E: f64 = 210_000.0;
 pub const NU: f64 = 0.3;
 pub const FY: f64 = 235.0;
 
-/// Materials of the YAML: `s` yields, `r` never does.
+/// Materials of the YAML: `s` yields, `r` never yields.
 pub const MATERIALS: &str =
     "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\n";
 
@@ -25,12 +26,12 @@ pub fn model(yaml: &str, mesh: TetMesh) -> AnalysisModel {
     }
 }
 
-/// A cube of 100 mm, `n` cells a side (6 tets each, inner nodes jittered), clamped at the bottom,
-/// pressed and sheared at the top.
+/// A cube of 100 mm with `n` cells along a side (6 tets each, inner nodes jittered). It is clamped
+/// at the bottom and pressed and sheared at the top.
 ///
-/// Measured: the static program carries 1.1 times this load on 5 cells and not 1.15 times, the
-/// split kinematic one 1.2 times on 4 cells and hardly 1.3 times: `factor` 1 is about 80 % of the
-/// limit load. 12 cells are 10 368 tets, 18 are 34 992.
+/// Measured on 5 cells, the static program carries 1.1 times this load and not 1.15 times. On 4
+/// cells, the split kinematic program carries 1.2 times and hardly 1.3 times this load. `factor` 1
+/// is therefore about 80 % of the limit load. 12 cells make 10 368 tets, 18 cells make 34 992.
 ///
 /// ```text
 ///      p, t
@@ -48,13 +49,13 @@ pub fn block(n: usize, factor: f64) -> AnalysisModel {
     model(&format!("{support}loads:\n- {{face: Z1, traction: [{t:?}, 0, {:?}]}}\n", -p), mesh)
 }
 
-/// A plate of 200 × 200 × 20 mm with a mesh plane at mid-thickness, `n` × `n` cells and two layers
-/// (four from 36 cells on), clamped on one side, a transverse force on the side opposite: f_y h²/4
-/// over the span, what a beam would carry.
+/// A plate of 200 × 200 × 20 mm with a mesh plane at mid-thickness and `n` × `n` cells in two
+/// layers (four layers from 36 cells on). It is clamped on one side. A transverse force acts on the
+/// opposite side: f_y h²/4 over the span, the load that a beam would carry.
 ///
-/// Measured: the static program carries 1.12 times this load on 5 cells and not 1.16 times; a wide
-/// clamped plate without free sides carries 2/√3 times: `factor` 1 is between 80 and 90 % of the
-/// limit load. 29 cells are 10 092 tets, 37 are 32 856.
+/// Measured on 5 cells, the static program carries 1.12 times this load and not 1.16 times. A wide
+/// clamped plate without free sides carries 2/√3 times this load. `factor` 1 is therefore between
+/// 80 and 90 % of the limit load. 29 cells make 10 092 tets, 37 cells make 32 856.
 pub fn plate(n: usize, factor: f64) -> AnalysisModel {
     let flat = |axis: usize, x: f64| axis == 2 && (x - 10.0).abs() < 1e-9;
     let layers = if n < 36 { 2 } else { 4 };
@@ -75,7 +76,8 @@ pub enum Form {
 
 pub const FORMS: [Form; 3] = [Form::Plain, Form::Split, Form::Static];
 
-/// A program with the block of each shared unknown and where each element's own unknowns start.
+/// A program, the block of each shared unknown, and the position where the own unknowns of each
+/// element start.
 pub struct Built {
     pub program: ConicProgram,
     pub block: Vec<u32>,
@@ -100,8 +102,8 @@ impl Form {
 }
 
 impl Built {
-    /// Part of the elements with own unknowns in which plastic strain, or its multiplier over the
-    /// element's volume, exceeds a hundredth of the strain at yield.
+    /// Share of the elements with own unknowns that flow: their plastic strain, or its multiplier
+    /// over the volume of the element, exceeds 1 % of the strain at yield.
     pub fn flowing(&self, model: &AnalysisModel, solution: &Solution) -> f64 {
         let least = 0.01 * FY / E;
         let radius = bracket::math::mandel::yield_radius(FY);
@@ -110,8 +112,8 @@ impl Built {
         let points = &solution.z[self.program.g.nrows()..];
         let per_element = points.len() / elements.len();
         let flows = |e: usize, z: &[f64]| {
-            // multipliers are plastic strain times yield radius times volume (static: at a point
-            // its share of it)
+            // a multiplier is plastic strain times yield radius times volume (in the static
+            // program, times the share of the volume at a point)
             let largest = z.chunks_exact(6).fold(0.0f64, |m, z| m.max(z[0]));
             largest * (per_element / 6) as f64 / (radius * model.mesh.volume(e)) > least
         };

@@ -1,5 +1,5 @@
-//! Forces of bolts and between flanges from the static field: in equilibrium with the loads, prying
-//! included.
+//! Forces of bolts and between flanges, computed from the static field: they are in equilibrium
+//! with the loads, and they include prying.
 
 use crate::built::{joint, model};
 use bracket::analysis::elastic;
@@ -10,7 +10,7 @@ use bracket::model::resolve::resolve;
 use bracket::result::forces::{StaticForces, static_forces};
 use bracket::spec::analysis::AnalysisKind;
 
-/// Forces of a T-stub with two bolts under the load, elastic; `mirror`: the planes of symmetry of
+/// Forces in an elastic T-stub with two bolts under the load. `mirror` lists the symmetry planes of
 /// its mesh.
 fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces {
     let joint = joint(&format!(
@@ -26,29 +26,30 @@ fn forces(load: &str, factor: f64, full: bool, mirror: &[usize]) -> StaticForces
     static_forces(&m, pass.stress.as_ref().unwrap(), 1.0, &joint.bolts, mirror)
 }
 
-/// Pulled: the bolts carry the load and the prying between the flange tips, Σ F_t = N + Q, to the
-/// rounding of a strict field.
+/// In tension the bolts carry the load and the prying force between the flange tips, Σ F_t = N + Q.
+/// A strict field satisfies this up to rounding.
 ///
-/// The flange as a beam that cannot turn at the web and does not lift at the bolt and at its tip: F
-/// m²/2 = Q n (m + n/3), so Q/F = 0.637 with m = 50 - 3.55 and n = 30 (measured 0.614 here, 0.604
-/// with elements of half the size: heads are wider than a point).
+/// The estimate treats the flange as a beam that cannot rotate at the web and does not lift at the
+/// bolt and at its tip: F m²/2 = Q n (m + n/3), so Q/F = 0.637 with m = 50 - 3.55 and n = 30.
+/// Measured: 0.614 here, and 0.604 with elements of half the size, because a bolt head is wider
+/// than a point.
 #[test]
 fn bolts_carry_the_load_and_the_prying() {
     let s = forces("N: 60 kN", 2.0, false, &[0, 1]);
     assert_eq!((s.bolts.len(), s.contacts.len()), (1, 1), "{s:?}");
-    // a quarter holds half of one of the two bolts, and a quarter of the flanges
+    // a quarter contains half of one of the two bolts and a quarter of the flanges
     let (tension, prying) = (2.0 * s.bolts[0].tension, 4.0 * s.contacts[0].compression);
     println!("tension {tension:.1} N, prying {prying:.1} N");
     assert!((tension - prying - 60e3).abs() < 1e-6 * 60e3, "{tension} {prying}");
     let (m, n) = (50.0 - 3.55, 30.0);
     let beam = m * m / (2.0 * n * (m + n / 3.0));
     assert!((prying / 60e3 / beam - 1.0).abs() < 0.15, "{prying} {beam}");
-    // where the flange tips press: beyond the bolts
+    // the flange tips press on each other beyond the bolts
     assert!(s.contacts[0].centre[0].abs() > 60.0, "{s:?}");
 }
 
-/// Sheared and bent besides: the whole joint's bolts share forces that balance all of it, and one
-/// bolt is pulled more.
+/// With shear and bending as well, the forces of all bolts of the whole joint balance the load. One
+/// bolt has a larger tension.
 #[test]
 fn bolts_balance_shear_and_moment() {
     let s = forces("N: 60 kN, Vz: 6 kN, My: 0.5 kN m", 4.0, true, &[]);
@@ -58,7 +59,7 @@ fn bolts_balance_shear_and_moment() {
     assert!((sum - 60e3).abs() < 1e-4 * 60e3, "{s:?}");
     assert!((a.shear + b.shear - 6e3).abs() < 0.02 * 6e3, "{s:?}");
     assert!((a.tension - b.tension).abs() > 1e3, "{s:?}");
-    // z′ of the end is x: My = 0.5 kN m about y, from bolts at ±50 mm and from where the flanges
-    // press
+    // z′ of the end is x: My = 0.5 kN m acts about y; the bolts at ±50 mm and the pressed flanges
+    // balance it
     assert!(a.tension.min(b.tension) > 0.0 && flanges.centre[2].abs() < 1e-9, "{s:?}");
 }

@@ -1,5 +1,5 @@
-//! A spec's text → joint → mesh → model, with the model file and the mesh in hand; both programs
-//! run.
+//! Builds spec text → joint → mesh → model, gives access to the model file and the mesh, and runs
+//! both programs.
 
 use bracket::analysis::event::silent;
 use bracket::analysis::pass::PassOptions;
@@ -17,15 +17,15 @@ use bracket::spec::analysis::AnalysisKind;
 use bracket::spec::{ConnectionSpec, yaml};
 use std::path::Path;
 
-/// What a spec describes.
+/// The joint that a spec describes.
 pub fn joint(spec: &str) -> Joint {
     let parsed = yaml::parse::<ConnectionSpec>(spec, Path::new("joint.yaml")).unwrap();
     assembly::build(&parsed, Path::new("."), &Catalog::builtin().unwrap())
         .unwrap_or_else(|e| panic!("{e:#?}"))
 }
 
-/// Model file and mesh of the first load case, with elements `factor` times as large as usual;
-/// above 2 without planes at mid-thickness, for as few elements as possible.
+/// Model file and mesh of the first load case. The elements are `factor` times as large as usual.
+/// With a factor above 2 there are no planes at mid-thickness, for as few elements as possible.
 pub fn model(joint: &Joint, factor: f64, full: bool, kind: AnalysisKind) -> (ModelFile, TetMesh) {
     let folder = tempfile::tempdir().unwrap();
     let mut options = MeshOptions::new(folder.path());

@@ -1,5 +1,5 @@
-//! What must not change the bounds of a bolted joint: its mirror image, turned axes, another
-//! origin, the order of bolts and bodies; and what scales them in a known way.
+//! Changes that must not affect the bounds of a bolted joint: mirror image, rotated axes, shifted
+//! origin, order of bolts and bodies. Changes that scale the bounds by a known factor.
 //!
 //! ```text
 //!            N ↑ ⟳ My → Vz
@@ -9,9 +9,9 @@
 //!     +-----------+
 //! ```
 //!
-//! Each change is made to model file and mesh, so that the two programs are the same but for the
-//! numbers in them: the bounds must agree to the solver's tolerance (1e-8 of the energy in elastic
-//! analysis, 1e-4 of the load factor in limit analysis), not only to the gap.
+//! Each change is applied to model file and mesh. The two programs then differ only in the numbers
+//! in them. The bounds must therefore agree to the tolerance of the solver (1e-8 of the energy in
+//! elastic analysis, 1e-4 of the load factor in limit analysis), not only to the gap.
 
 use crate::built::{bounds, joint, model};
 use bracket::mesh::TetMesh;
@@ -22,8 +22,8 @@ const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const MOTIONS: [Motion; 6] =
     [Motion::Ux, Motion::Uy, Motion::Uz, Motion::Rx, Motion::Ry, Motion::Rz];
 
-/// Ends of solves: twice the solver's gap, for each of the two has its own; the first for energies,
-/// the second for factors.
+/// Twice the relative gap of the solver, because each of the two solves has its own gap. The first
+/// is for energies, the second for load factors.
 const TOLERANCE: [f64; 2] = [2e-8, 2e-4];
 
 fn spec(loads: &str, mu: f64) -> String {
@@ -47,9 +47,9 @@ fn determinant(r: &M3) -> f64 {
     r[0][0] * minor(1, 2) - r[0][1] * minor(0, 2) + r[0][2] * minor(0, 1)
 }
 
-/// The model and its mesh after x → r x + d, with r orthogonal; moments are axial vectors. Supports
-/// and motions by component need an r that only exchanges axes and signs, unless all three
-/// components are named.
+/// The model and its mesh after x → r x + d, with r orthogonal. Moments transform as axial vectors.
+/// Supports and motions by component need an r that only exchanges axes and signs, unless they name
+/// all three components.
 fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, TetMesh) {
     let (mut file, mut mesh) = (file.clone(), mesh.clone());
     let det = determinant(r);
@@ -86,8 +86,8 @@ fn moved(file: &ModelFile, mesh: &TetMesh, r: &M3, d: [f64; 3]) -> (ModelFile, T
     (file, mesh)
 }
 
-/// The same model with bodies, tets, nodes and interfaces in another order, and the sides of each
-/// interface exchanged.
+/// The same model with bodies, tets, nodes and interfaces in another order. The sides of each
+/// interface are exchanged.
 fn reordered(file: &ModelFile, mesh: &TetMesh) -> (ModelFile, TetMesh) {
     let (mut file, mut mesh) = (file.clone(), mesh.clone());
     let (n, b) = (mesh.nodes.len() as u32, mesh.bodies.len() as u32);
@@ -96,7 +96,7 @@ fn reordered(file: &ModelFile, mesh: &TetMesh) -> (ModelFile, TetMesh) {
     mesh.tets.reverse();
     mesh.tet_body.reverse();
     mesh.tet_body.iter_mut().for_each(|k| *k = b - 1 - *k);
-    // turned round one of its corners, so that its first vertex is another one as well
+    // each tet is rotated about one corner, so that its first vertex changes too
     mesh.tets.iter_mut().for_each(|t| *t = [t[1], t[2], t[0], t[3]].map(|v| n - 1 - v));
     mesh.faces.reverse();
     mesh.faces.iter_mut().flat_map(|f| &mut f.triangles).for_each(|t| *t = t.map(|v| n - 1 - v));
@@ -112,7 +112,7 @@ const ONE: M3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const CYCLE: M3 = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 const MIRROR: M3 = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A turn about (1, 2, 3) by 0.7 rad (Rodrigues).
+/// A rotation about (1, 2, 3) by 0.7 rad (Rodrigues).
 fn turn() -> M3 {
     let (s, c) = 0.7f64.sin_cos();
     let k = [1.0, 2.0, 3.0].map(|x: f64| x / 14f64.sqrt());
@@ -130,7 +130,8 @@ fn same(name: &str, kind: AnalysisKind, a: [f64; 2], b: [f64; 2]) {
     }
 }
 
-/// Elastic, with friction, the whole joint: any turn of the axes, mirror image, shift, order.
+/// Elastic analysis of the whole joint with friction: the energies do not depend on any rotation of
+/// the axes, on mirror image, shift or order.
 #[test]
 fn energies_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Elastic;
@@ -147,7 +148,7 @@ fn energies_do_not_depend_on_axes_origin_or_order() {
     ] {
         same(name, kind, bounds(name, &file, &mesh), base);
     }
-    // contact without initial gaps: twice the load, four times the energy
+    // contact without initial gaps: twice the load gives four times the energy
     let mut twice = file.clone();
     for e in &mut twice.rigid {
         (e.force, e.moment) = (e.force.map(|f| 2.0 * f), e.moment.map(|m| 2.0 * m));
@@ -155,8 +156,8 @@ fn energies_do_not_depend_on_axes_origin_or_order() {
     same("twice the load", kind, bounds("twice the load", &twice, &mesh).map(|x| x / 4.0), base);
 }
 
-/// Limit analysis of half the joint, part of its load not multiplied: mirror image, exchanged axes,
-/// shift, order; f_y and all loads doubled.
+/// Limit analysis of half the joint with a part of its load not multiplied: the load factors do not
+/// depend on mirror image, exchanged axes, shift or order, nor on doubling f_y and all loads.
 #[test]
 fn load_factors_do_not_depend_on_axes_origin_or_order() {
     let kind = AnalysisKind::Limit;
@@ -187,8 +188,8 @@ fn load_factors_do_not_depend_on_axes_origin_or_order() {
     }
 }
 
-/// The spec mirrored, or its rows in another order, is meshed anew: other meshes of the same body,
-/// whose brackets share its energy.
+/// A mirrored spec, or one with its rows in another order, is meshed again. The meshes of the same
+/// body differ, but their brackets contain the same energy.
 #[test]
 fn specs_of_the_same_joint_share_its_energy() {
     let of = |rows: &str, my: &str| {
@@ -204,7 +205,7 @@ fn specs_of_the_same_joint_share_its_energy() {
     let one = of("[-40, 20]", "0.2 kN m");
     for other in [of("[20, -40]", "0.2 kN m"), of("[-20, 40]", "-0.2 kN m")] {
         assert!(one[0] <= other[1] && other[0] <= one[1], "{one:?} and {other:?} share nothing");
-        // and the meshes are alike
+        // the meshes are similar
         assert!(
             (one[0] / other[0] - 1.0).abs() < 0.05 && (one[1] / other[1] - 1.0).abs() < 0.05,
             "{one:?} {other:?}"

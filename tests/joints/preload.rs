@@ -1,5 +1,5 @@
-//! Preloaded bolts of a spec: tightened alike whole or halved by symmetry; drop out of limit
-//! analysis; shown in result and report.
+//! Preloaded bolts of a spec: the preload is the same in the whole joint and in its symmetric half,
+//! drops out of limit analysis, and appears in result and report.
 
 use crate::bench::Bench;
 use crate::built::{joint, model};
@@ -15,8 +15,8 @@ use serde_json::Value;
 /// 0.7 f_ub A_s of an M16 8.8 \[N\].
 const FORCE: f64 = 0.7 * 800.0 * 157.0;
 
-/// A T-stub with two preloaded bolts that fill their holes without friction there, pulled by `n`
-/// kN.
+/// A T-stub in tension with `n` kN. Its two preloaded bolts fill their holes without friction
+/// there.
 fn spec(preload: &str, n: f64) -> String {
     format!(
         "template: t_stub\nmembers: {{tee: {{profile: IPE300, steel: S235}}}}\nbolts: {{size: \
@@ -27,7 +27,7 @@ fn spec(preload: &str, n: f64) -> String {
     )
 }
 
-/// The elastic pass, with copies of the mesh that make the whole.
+/// The elastic pass, and the number of copies of the mesh that make up the whole joint.
 fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (EnergyPass, f64) {
     let (file, mesh) = model(&joint(&spec(preload, n)), factor, full, AnalysisKind::Elastic);
     let m = resolve(&file, mesh, &|_| Place::default()).unwrap_or_else(|e| panic!("{e:#?}"));
@@ -36,9 +36,10 @@ fn solved(preload: &str, n: f64, factor: f64, full: bool) -> (EnergyPass, f64) {
     (pass, f64::from(m.symmetry))
 }
 
-/// Hardly loaded, every bolt keeps its preload: what the frozen closure, the mean of both programs'
-/// own, makes of it in the static one. The closure is that of the shank and more: δ > F_p L/(E A),
-/// and less than three times that in flanges as stiff as these.
+/// Under a small load every bolt keeps its preload. The static program computes this preload with
+/// the frozen closure, which is the mean of the closures of both programs. The closure belongs to
+/// the shank and the clamped parts: δ > F_p L/(E A), and less than three times that value in
+/// flanges as stiff as these.
 #[test]
 fn every_bolt_has_its_preload_whole_or_halved() {
     let shank = FORCE * 32.0 / (210e3 * 201.06);
@@ -57,20 +58,20 @@ fn every_bolt_has_its_preload_whole_or_halved() {
             );
             assert!((b.force - half * FORCE).abs() < 1e-6, "{b:?}");
             assert!((1.0..3.0).contains(&(b.closure / shank)), "{b:?}");
-            // half the difference of the closures that the two programs choose, larger on coarse
-            // meshes
+            // the error is half the difference of the closures from the two programs, which is
+            // larger on coarse meshes
             assert!((tension / b.force - 1.0).abs() < near, "{b:?}");
         }
         if let [a, b] = &pass.preload[..] {
-            // a mesh that is not symmetric makes the difference
+            // the bolts differ only because the mesh is not symmetric
             assert!((a.tension.unwrap() / b.tension.unwrap() - 1.0).abs() < 0.03, "{a:?} {b:?}");
             assert!((a.closure / b.closure - 1.0).abs() < 0.03, "{a:?} {b:?}");
         }
     }
 }
 
-/// Pulled by less than the preload the flanges stay shut: a bolt hardly feels the load, that
-/// without preload takes all of it and the prying.
+/// Under a load below the preload the flanges stay closed, and a bolt carries little of the load. A
+/// bolt without preload carries all of the load and the prying force.
 #[test]
 fn a_preloaded_bolt_feels_a_part_of_the_load() {
     let pulled = |preload: &str| solved(preload, 60.0, 2.5, false).0;
@@ -82,7 +83,7 @@ fn a_preloaded_bolt_feels_a_part_of_the_load() {
     assert!(pulled("none").preload.is_empty());
 }
 
-/// Together with bodies that yield it is refused before anything is meshed.
+/// Preload together with bodies that yield is refused before meshing starts.
 #[test]
 fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
     let bench = Bench::new().file(
@@ -90,24 +91,24 @@ fn preload_with_bodies_that_yield_is_refused_before_the_mesher_starts() {
         spec("0.7", 40.0).replace("[elastic, limit]", "[elastic, elastoplastic]"),
     );
     let run = bench.run(&["run", "joint.yaml"]);
-    let told = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert_eq!(run.status.code(), Some(2), "{told}");
+    let stderr = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(2), "{stderr}");
     for words in
         ["model/unavailable", "joint.yaml:3:", "not available yet", "`limit`, where it drops out"]
     {
-        assert!(told.contains(words), "{words}: {told}");
+        assert!(stderr.contains(words), "{words}: {stderr}");
     }
-    assert!(!told.contains("meshing"), "{told}");
+    assert!(!stderr.contains("meshing"), "{stderr}");
 }
 
-/// In limit analysis the same number comes out as without preload, on the same mesh; the files are
-/// confirmed.
+/// The limit analysis gives the same number on the same mesh without preload. `verify` confirms the
+/// files.
 #[test]
-fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
+fn a_run_reports_the_preload_and_limit_analysis_ignores_it() {
     let bench = Bench::new().file("joint.yaml", spec("0.7", 40.0));
     let run = bench.run(&["run", "joint.yaml", "--size-factor", "2.5", "--threads", "1"]);
-    let told = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert_eq!(run.status.code(), Some(0), "{told}");
+    let stderr = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(0), "{stderr}");
     let result: Value = serde_json::from_str(&bench.read("joint/result.json")).unwrap();
     let (elastic, limit) = (&result["cases"][0], &result["cases"][1]);
     for case in [elastic, limit] {
@@ -134,7 +135,7 @@ fn a_run_tells_the_preload_and_its_limit_analysis_does_not_know_it() {
     let verify = bench.run(&["verify", "joint"]);
     let out = String::from_utf8_lossy(&verify.stdout).into_owned();
     assert_eq!((verify.status.code(), out.matches("confirmed").count()), (Some(0), 4), "{out}");
-    // the same mesh without preload: remove what the model says of it
+    // the same mesh without preload: removes the preload from the model
     let text = bench.read("joint/model_A_limit.yaml");
     let (before, after) = text.split_once("preload:\n").expect("a preload");
     let rest: String = after

@@ -1,4 +1,4 @@
-//! S_j,ini of joints under one moment, from both sides.
+//! S_j,ini of joints under one moment, bounded from both sides.
 
 use crate::built::{joint, model};
 use bracket::analysis::elastic;
@@ -11,7 +11,7 @@ use bracket::result::energy_case::case_result;
 use bracket::result::stiffness::joint_stiffness;
 use bracket::spec::analysis::AnalysisKind;
 
-/// What an elastic analysis on a coarse mesh says of the first load case's joint.
+/// The stiffness of the first load case's joint, from an elastic analysis on a coarse mesh.
 fn stiffness(name: &str, spec: &str) -> Option<JointStiffness> {
     let joint = joint(spec);
     let (file, mesh) = model(&joint, 4.0, false, AnalysisKind::Elastic);
@@ -45,11 +45,11 @@ fn splice(length: u32, load: &str) -> String {
     )
 }
 
-/// The stubs' own bending is taken off: with stubs of 500 mm instead of 250 both bounds of the
-/// rotation grow by M ΔL/(E I_b), to the few per cent that stress near the ends and another mesh
-/// make, and the brackets of S_j,ini share the joint's stiffness.
+/// The bending of the stubs is subtracted. With stubs of 500 mm instead of 250 mm both bounds of
+/// the rotation grow by M ΔL/(E I_b), within a few per cent because of the stresses near the ends
+/// and the different mesh. The brackets of S_j,ini contain the same stiffness.
 #[test]
-fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
+fn the_stiffness_does_not_depend_on_the_length_of_the_stubs() {
     let [short, long] =
         [250, 500].map(|l| stiffness(&format!("stubs of {l}"), &splice(l, "My: 10 kN m")).unwrap());
     let beam = long.beam_rotation - short.beam_rotation;
@@ -64,7 +64,8 @@ fn the_stiffness_does_not_hang_on_the_length_of_the_stubs() {
     assert!(short.classes.is_empty() && !short.contains_column);
 }
 
-/// Anything beside the moment, and the energy is no longer M φ/2: no stiffness is printed.
+/// With any load beside the moment, or with a gap, the energy is no longer M φ/2 and no stiffness
+/// is printed.
 #[test]
 fn a_shear_force_or_a_gap_gives_no_stiffness() {
     let of = |text: &str| hand_checks(joint(text).end_plate.as_ref().unwrap()).moments;
@@ -82,7 +83,8 @@ fn a_shear_force_or_a_gap_gives_no_stiffness() {
     assert!(stiffness("with a gap", &gap).is_none());
 }
 
-/// One-sided: the class at 6 m against the boundaries of 5.2.2.5, and what the bracket contains.
+/// One-sided joint: the class at a span of 6 m follows from the boundaries of 5.2.2.5 and the
+/// bracket.
 #[test]
 fn a_joint_at_a_column_has_a_class() {
     let spec = "template: beam_to_column_end_plate\nmembers: {column: {profile: HEB160, steel: \

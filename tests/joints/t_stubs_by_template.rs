@@ -1,10 +1,10 @@
-//! B15, F1: T-stubs by their template, against the beam model of EN 1993-1-8 (6.2.4).
+//! B15, F1: T-stubs from their template, against the beam model of EN 1993-1-8 (6.2.4).
 
 use crate::built::{bounds, joint, model};
 use bracket::spec::analysis::AnalysisKind;
 
 /// B15: gauge 100, web 10, no fillet, width 160, length 100, m = 45, n = 30, f_y = 235 (up to 40
-/// mm), F_t = 100 kN a bolt: M16 8.8 with a γ_M2 that makes 0.9 · 800 · 157/γ_M2 = 100 kN.
+/// mm), F_t = 100 kN per bolt: M16 8.8 with γ_M2 chosen so that 0.9 · 800 · 157/γ_M2 = 100 kN.
 fn b15(t: f64, factor: f64) -> [f64; 2] {
     let spec = format!(
         "code: {{gamma_M2: 1.1304}}\ntemplate: t_stub\nmembers: {{tee: {{profile: IPE300, steel: \
@@ -18,7 +18,8 @@ fn b15(t: f64, factor: f64) -> [f64; 2] {
     bounds(&format!("B15, t = {t}"), &file, &mesh)
 }
 
-/// The beam model's force \[kN\]: the least of the three modes, and which it is.
+/// The force \[kN\] of the beam model, the smallest of the three modes, and the number of that
+/// mode.
 fn beam_model(t: f64) -> (f64, usize) {
     let (length, m, n, bolts) = (100.0, 45.0, 30.0, 200.0);
     let plastic = 0.25 * length * t * t * 235.0 * 1e-3;
@@ -27,11 +28,12 @@ fn beam_model(t: f64) -> (f64, usize) {
     (modes[least], least + 1)
 }
 
-/// Modes 1, 2, 3 as the flange gets thicker. Solids carry 1.00 to 1.35 times the beam model in
-/// modes 1 and 2 (sideways contraction held, up to 2/√3; the head holds the flange nearer to the
-/// web than the bolt's axis), the same in mode 3, where shanks yield in plain tension; the brackets
-/// must overlap that range and keep the order. Their measured widths are 55.5, 39.3 and 14.4 % on
-/// 1 013, 729 and 1 091 tets.
+/// Modes 1, 2, 3 with growing flange thickness. Solids carry 1.00 to 1.35 times the beam model in
+/// modes 1 and 2, for two reasons: sideways contraction is prevented (up to 2/√3), and the head
+/// supports the flange nearer to the web than the axis of the bolt. In mode 3 they carry the same
+/// as the beam model, because the shanks yield in pure tension. The brackets must overlap that
+/// range and keep the order. Their measured widths are 55.5, 39.3 and 14.4 % on 1 013, 729 and 1
+/// 091 tets.
 #[test]
 #[ignore = "heavy: a minute"]
 fn three_thicknesses_have_the_order_of_the_three_modes() {
@@ -53,7 +55,7 @@ fn three_thicknesses_have_the_order_of_the_three_modes() {
         one[1] < two[0] && two[0] < three[0] && two[1] < 1.02 * three[1],
         "{one:?} {two:?} {three:?}"
     );
-    // the mechanism of mode 3 is exact on any mesh: both shanks at 100 kN
+    // the mechanism of mode 3 is exact on any mesh: both shanks carry 100 kN
     assert!((three[1] / 200.0 - 1.0).abs() < 0.01, "{three:?}");
 }
 

@@ -1,5 +1,5 @@
-//! A bolted joint under a demand below, above and within its bracket: OK, NOT OK, UNDECIDED, and
-//! exit codes 0, 1, 3.
+//! A bolted joint under a demand below, above and within its bracket has the verdicts OK, NOT OK
+//! and UNDECIDED, and the exit codes 0, 1, 3.
 
 use crate::bench::Bench;
 use serde_json::Value;
@@ -35,7 +35,7 @@ fn a_bolted_joint_at_95_percent_of_the_lower_and_105_of_the_upper_bound() {
     let bench = Bench::new();
     let (verdict, [lower, upper]) = answer(&bench, "once", 100.0, 0);
     assert_eq!(verdict, "ok");
-    // so thick a flange that both bolts break in plain tension, at F_t,Rd = 0.9 · 800 · 157/1.25
+    // the flange is so thick that both bolts fail in pure tension, at F_t,Rd = 0.9 · 800 · 157/1.25
     // each: mode 3
     let bolts = 2.0 * 0.9 * 800.0 * 157.0 / 1.25 / 1e3;
     assert!((100.0 * upper / bolts - 1.0).abs() < 0.01, "{upper} {bolts}");
@@ -47,8 +47,8 @@ fn a_bolted_joint_at_95_percent_of_the_lower_and_105_of_the_upper_bound() {
     ] {
         let (verdict, bounds) = answer(&bench, name, n, code);
         assert_eq!(verdict, word, "{name}: {bounds:?}");
-        // the same mesh: the bracket of the force does not depend on the demand, within the
-        // solver's tolerance
+        // on the same mesh the bracket of the force does not depend on the demand, up to the
+        // tolerance of the solver
         for (b, once) in bounds.into_iter().zip([lower, upper]) {
             assert!(
                 (b * n / (100.0 * once) - 1.0).abs() < 2e-4,

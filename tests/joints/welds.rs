@@ -1,5 +1,5 @@
-//! Fillet welds of a template: of finite strength in limit analysis, tied in elastic analysis and
-//! where they have no throat.
+//! Fillet welds of a template: they have finite strength in limit analysis. They are tied in
+//! elastic analysis and where they have no throat.
 
 use crate::built::{joint, model};
 use bracket::analysis::event::silent;
@@ -11,7 +11,7 @@ use bracket::model::file::{Law, ModelFile};
 use bracket::model::resolve::resolve;
 use bracket::spec::analysis::AnalysisKind;
 
-/// Two IPE 200 with thick plates, pulled; throats in mm.
+/// Two IPE 200 with thick plates in tension; throats in mm.
 fn splice(flange: f64, web: f64, steel: &str) -> String {
     format!(
         "template: beam_splice\nmembers: {{beam: {{profile: IPE200, steel: {steel}}}}}\nplate: \
@@ -27,9 +27,9 @@ fn welds(file: &ModelFile) -> Vec<&str> {
     welds.filter_map(|i| i.face.as_deref()).collect()
 }
 
-/// Throats of 1 mm tear off in plain tension: N = a f_u/(√3 β_w γ_M2) (2 (2 b − t_w − 2 r) + 2 (h −
-/// 2 t_f − 2 r) + 2 π r), to which any field of uniform tractions is equal from below and the beam
-/// that moves off from above. Everything else carries twice as much.
+/// Throats of 1 mm fail in pure tension: N = a f_u/(√3 β_w γ_M2) (2 (2 b − t_w − 2 r) + 2 (h − 2
+/// t_f − 2 r) + 2 π r). Any field of uniform tractions gives this value as a lower bound, and the
+/// rigid motion of the beam gives it as an upper bound. All other parts carry twice as much.
 #[test]
 fn thin_welds_carry_their_throats_times_their_lengths() {
     let (file, mesh) = model(&joint(&splice(1.0, 1.0, "S235")), 3.0, false, AnalysisKind::Limit);
@@ -46,14 +46,14 @@ fn thin_welds_carry_their_throats_times_their_lengths() {
     println!("[{low:.5}, {up:.5}] against {carried:.5}");
     assert!(low <= carried * (1.0 + 1e-4) && low > 0.97 * carried, "{low} {carried}");
     assert!(up >= carried * (1.0 - 1e-4) && up < 1.01 * carried, "{up} {carried}");
-    // at collapse every weld is used up, in the mean as well
+    // at collapse every weld is fully used, also on average
     for d in demands(&m, pass.stress.as_ref().unwrap()) {
         assert!(d.largest <= 1.0 + 1e-9 && d.mean > 0.95 && d.mean <= d.largest, "{d:?}");
     }
 }
 
-/// Throats that are zero are butt welds, and in elastic analysis nothing gives way; a steel without
-/// β_w has no fillet welds.
+/// Zero throats mean butt welds. In elastic analysis no weld yields. A steel without β_w cannot
+/// have fillet welds.
 #[test]
 fn welds_without_a_throat_and_welds_of_elastic_analysis_are_tied() {
     for (flange, web, kind, want) in [
@@ -67,7 +67,7 @@ fn welds_without_a_throat_and_welds_of_elastic_analysis_are_tied() {
         let mut found = welds(&file);
         found.sort_unstable_by_key(|name| want.iter().position(|w| w == name));
         assert_eq!(found, want, "{flange} {web} {kind:?}");
-        // the faces are in the mesh whatever the law
+        // the mesh contains the faces under any law
         let named = mesh.faces.iter().filter(|f| f.name.starts_with("WELD_")).count();
         assert_eq!(named, 2 * (usize::from(flange > 0.0) + usize::from(web > 0.0)));
     }

@@ -1,4 +1,4 @@
-//! Bodies whose limit load is known only as a bracket: the computed one must overlap it.
+//! Bodies whose limit load is known only as a bracket. The computed bracket must overlap it.
 
 use crate::common::Block;
 use crate::common::grid::{Grid, even, finer_at_start, name};
@@ -6,8 +6,8 @@ use crate::common::limit::factors;
 use crate::common::yielding::{block, model};
 use bracket::mesh::TetMesh;
 
-/// C1: a clamped plate 5 × 2 × 1 with end shear on x = 5; strict bracket so far [0.0578, 0.0628] s0
-/// per unit traction.
+/// C1: a clamped plate 5 × 2 × 1 with end shear on x = 5. The known strict bracket is [0.0578,
+/// 0.0628] s0 per unit traction.
 #[test]
 fn clamped_plate() {
     let gaps = [1, 2].map(|n| {
@@ -28,7 +28,8 @@ fn clamped_plate() {
     assert!(gaps[1] < 0.6 * gaps[0], "{gaps:?}");
 }
 
-/// C1 on a mesh finer towards the clamp: at most 8 % wide with at most 12 000 macro tets.
+/// C1 on a mesh that is finer towards the clamp: the bracket is at most 8 % wide with at most 12
+/// 000 macro tets.
 #[test]
 #[ignore = "heavy: minutes"]
 fn clamped_plate_fine() {
@@ -47,7 +48,7 @@ fn clamped_plate_fine() {
     assert!(m.mesh.tets.len() <= 12_000 && up / low - 1.0 <= 0.08, "[{low}, {up}]");
 }
 
-/// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top.
+/// An eighth of a cube of edge 2, pressed at its top between rough rigid platens.
 fn cube_between_platens(n: usize) -> bracket::model::AnalysisModel {
     let mesh: TetMesh = Block::new([n; 3], [1.0; 3]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     model(
@@ -58,7 +59,7 @@ fn cube_between_platens(n: usize) -> bracket::model::AnalysisModel {
     )
 }
 
-/// A33: strict bracket so far [1.0353, 1.0600] s0.
+/// A33: the known strict bracket is [1.0353, 1.0600] s0.
 #[test]
 fn cube_between_rough_platens() {
     let [low, up] = factors("A33", &cube_between_platens(4));
@@ -66,7 +67,7 @@ fn cube_between_rough_platens() {
     assert!(up / low - 1.0 < 0.06, "[{low}, {up}]");
 }
 
-/// A33 with 6 000 macro tets: at most 1.5 % wide.
+/// A33 with 6 000 macro tets: the bracket is at most 1.5 % wide.
 #[test]
 #[ignore = "heavy: minutes"]
 fn cube_between_rough_platens_fine() {
@@ -80,7 +81,7 @@ fn cube_between_rough_platens_fine() {
     );
 }
 
-/// A cube, clamped, pressed and sheared at its top (`common::yielding`).
+/// A clamped cube, pressed and sheared at its top (`common::yielding`).
 #[test]
 fn clamped_block() {
     let [low, up] = factors("block", &block(3, 1.0));

@@ -1,5 +1,5 @@
-//! Coulomb's law in limit analysis: what the fixed point finds, beside load factors known in closed
-//! form and beside its bounds.
+//! Coulomb's law in limit analysis: compares the result of the fixed point with load factors in
+//! closed form and with its bounds.
 
 use crate::common::limit::run;
 use crate::common::yielding::model;
@@ -13,7 +13,7 @@ use bracket::programs::Kinematic;
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 use bracket::spec::friction::FrictionLaw;
 
-/// The model under Coulomb's law, its load factor to be estimated.
+/// The model under Coulomb's law, with an estimate of its load factor.
 fn under_coulomb(mut m: AnalysisModel) -> AnalysisModel {
     m.interfaces.iter_mut().for_each(|i| i.law.friction = FrictionLaw::Coulomb);
     m.ground.iter_mut().for_each(|g| g.law.friction = FrictionLaw::Coulomb);
@@ -34,17 +34,17 @@ fn three(name: &str, m: &AnalysisModel) -> (LimitPass, [f64; 3]) {
     (pass.clone(), [low, factor.unwrap_or(f64::NAN), up])
 }
 
-/// A block in a groove, drawn along it; dead pressures press it on the two walls.
+/// A block in a groove is pulled along it. Dead pressures press it on the two walls.
 ///
 /// ```text
 ///      \ ◇ /      N_x, N_y on the walls; drawn out of the page
 ///       \/
 /// ```
 ///
-/// The walls are at right angles. Without dilation the block slides along the groove, all friction
-/// is along it and `H = μ (N_x + N_y)`. Associated slip leaves both walls, at the velocity v along
-/// the groove by `u ≥ μ √(u² + v²)` from each: `H = μ/√(1 − μ²) (N_x + N_y)`, a quarter more at μ =
-/// 0.6.
+/// The walls are at right angles. Without dilation the block slides along the groove, so all
+/// friction acts along it and `H = μ (N_x + N_y)`. Associated slip leaves both walls. With the
+/// velocity v along the groove the block leaves each wall by `u ≥ μ √(u² + v²)`, so
+/// `H = μ/√(1 − μ²) (N_x + N_y)`, a quarter more at μ = 0.6.
 fn groove(mu: f64, pressures: [f64; 2], material: &str, cells: [usize; 3]) -> AnalysisModel {
     let mesh = Block::new(cells, [10.0, 10.0, 30.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     let [px, py] = pressures;
@@ -77,8 +77,8 @@ fn block_in_a_groove() {
     }
 }
 
-/// A block on a plane under a dead pressure, pushed: what presses is known, and slip may dilate or
-/// not, `H = μ N`.
+/// A block on a plane is pushed under a dead pressure. The normal force is known, so `H = μ N`
+/// holds with and without dilation.
 #[test]
 fn pushed_block() {
     let mesh =
@@ -97,7 +97,8 @@ fn pushed_block() {
     );
 }
 
-/// A block between two plates that cannot part: associated slip must crush it, Coulomb's need not.
+/// A block between two plates that cannot separate: associated slip must crush it, Coulomb slip
+/// need not.
 #[test]
 fn wedged_block() {
     let mesh =
@@ -113,7 +114,7 @@ fn wedged_block() {
     assert!(low <= estimate && estimate < 0.999 * up, "{low} ≤ {estimate} ≤ {up}");
 }
 
-/// Stacks of two blocks: the estimate is between its bounds.
+/// Stacks of two blocks: the estimate lies between its bounds.
 fn stacks(seeds: std::ops::Range<u64>) {
     let (mut found, mut apart, mut not_reached) = (0, 0, Vec::new());
     for seed in seeds {
@@ -130,8 +131,8 @@ fn stacks(seeds: std::ops::Range<u64>) {
         let low = pass.frictionless.as_ref().map_or(0.0, |l| l.value());
         let up = pass.upper.as_ref().unwrap().value();
         let raw = estimate.raw.unwrap();
-        // the program with associated friction itself: what it finds bounds what the fixed point
-        // finds on the same mesh
+        // the program with associated friction itself: its result bounds that of the fixed point on
+        // the same mesh
         let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();
         let prepared = condensed::Prepared::new(
             &kinematic.program,
@@ -167,7 +168,7 @@ fn random_stacks() {
     stacks(0..60);
 }
 
-/// Only where it is asked for, and for limit analysis under Coulomb's law alone.
+/// An estimate is computed only on request, and only for limit analysis under Coulomb's law.
 #[test]
 fn nothing_is_estimated_unasked() {
     let m = AnalysisModel { coulomb_estimate: false, ..groove(0.6, [1.0, 1.0], "r", [1, 1, 2]) };

@@ -1,7 +1,7 @@
-//! Bodies whose limit load is known exactly, with fields that both elements hold on any mesh
-//! (docs/benchmarks.md, A1–A5, A7).
+//! Bodies whose limit load is known exactly and whose exact fields both elements represent on any
+//! mesh (docs/benchmarks.md, A1–A5, A7).
 //!
-//! Tolerance 1e-6 relative: the solver is asked for a gap of 1e-7; pure bending 1e-5.
+//! Tolerance 1e-6 relative, because the solver is asked for a gap of 1e-7; 1e-5 for pure bending.
 
 use crate::common::Block;
 use crate::common::limit::{run, sharp_factors};
@@ -28,7 +28,7 @@ fn exact(name: &str, want: f64, tolerance: f64, at: impl Fn(u64) -> AnalysisMode
             (low / want - 1.0).abs() < tolerance && (up / want - 1.0).abs() < tolerance,
             "{name}: [{low}, {up}]"
         );
-        // strict: neither side may pass the exact value by more than its own rounding
+        // strict: neither bound may pass the exact value by more than its own rounding error
         assert!(
             low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9),
             "{name}: [{low}, {up}] against {want}"
@@ -79,8 +79,8 @@ fn cube_in_shear() {
     });
 }
 
-/// A4: pure bending, the ends rigid in x only, a mesh plane at mid-height: M = s0 b h²/4; A5
-/// between plane-strain faces.
+/// A4: pure bending with ends that are rigid in x only and a mesh plane at mid-height: M = s0 b
+/// h²/4. A5: the same between plane-strain faces.
 #[test]
 fn beam_in_pure_bending() {
     let (b, h) = (8.0, 12.0);
@@ -96,7 +96,7 @@ fn beam_in_pure_bending() {
                 seed,
             }
             .mesh(&["B"], |_| 0, |axis, z| axis == 2 && z.abs() < 1e-9);
-            // unit moment: the factor is then M/s0 over b h²/4
+            // the load is the moment b h²/4, so the load factor over s0 is M over s0 b h²/4
             let m = b * h * h / 4.0;
             model(
                 &format!(
@@ -117,8 +117,8 @@ fn pressed_all_round(seed: u64, more: &str) -> AnalysisModel {
     model(&format!("bodies: {{B: s}}\nloads:\n{loads}{more}"), cuboid([2, 1, 2], [10.0; 3], seed))
 }
 
-/// A7: all-round pressure never makes it flow. The load factor has no limit: a pressure field
-/// proves it, and both programs say so within 15 iterations.
+/// A7: all-round pressure never causes plastic flow, so the load factor has no limit. A pressure
+/// field proves it, and both programs report it within 15 iterations.
 #[test]
 fn cube_under_all_round_pressure() {
     for seed in SEEDS {
@@ -148,8 +148,8 @@ fn cube_under_all_round_pressure() {
     }
 }
 
-/// A dead pull that the cube carries changes nothing; one beyond its strength leaves no proof, nor
-/// any bound.
+/// A dead pull that the cube can carry changes nothing. A dead pull beyond its strength leaves no
+/// proof and no bound.
 #[test]
 fn all_round_pressure_beside_a_dead_pull() {
     let pull = |t: f64| {
@@ -171,7 +171,8 @@ fn all_round_pressure_beside_a_dead_pull() {
     assert!(pass.unlimited.is_none() && pass.bracket.is_none() && pass.lower.is_none());
 }
 
-/// Fields that do not prove it: a deviator, another pressure, a pull across a contact, NaN.
+/// Fields that do not prove a load without limit: a deviator, another pressure, a pull across a
+/// contact, NaN.
 #[test]
 fn what_proves_no_load_without_limit() {
     let m = pressed_all_round(1, "");
@@ -186,7 +187,7 @@ fn what_proves_no_load_without_limit() {
     assert!(!changed(&|s| (0..3).for_each(|i| s[i] *= 1.0 + 1e-8)).is_strict());
     assert!(!changed(&|s| s[3] = f64::NAN).is_strict());
     assert!(!changed(&|s| *s = [0.0; 6]).is_strict());
-    // pressed on every face but one: no pressure carries that
+    // a pressure on every face but one is not in equilibrium with any pressure field
     let loads: String =
         ["X1", "Y0", "Y1", "Z0"].map(|f| format!("- {{face: {f}, pressure: 1}}\n")).concat();
     let supports = "supports:\n- {face: X0, fix: [x, y, z]}\n";
@@ -215,9 +216,9 @@ fn lifted(traction: &str, mu: f64, dead: &str) -> AnalysisModel {
     )
 }
 
-/// A block that only contact holds: lifted, pushed out of its friction cone or turned over it moves
-/// without any load; pressed or pushed inside the cone it does not, and a dead weight holds it
-/// down.
+/// A block that only contact holds. If it is lifted, pushed out of its friction cone or turned
+/// over, it moves without any load. If it is pressed, or pushed inside the cone, it does not move.
+/// A dead weight holds it down.
 #[test]
 fn mechanisms_at_zero_load() {
     for traction in ["[0, 0, 1]", "[1, 0, -1]", "[0.3, 0.6, 0.1]", "[0, 1, -1.9]"] {
@@ -232,10 +233,10 @@ fn mechanisms_at_zero_load() {
             is_free(&c) && c.live_power > 0.0 && c.rigid < 1e-12 && c.contact.unwrap() < 1e-12,
             "{c:?}"
         );
-        // the general certificate agrees: nothing is dissipated
+        // the general certificate agrees: the dissipation is zero
         let upper = certify_upper(&m, &free.field, 1);
         assert!(upper.factor.abs() < 1e-9, "{traction}: {upper:?}");
-        // backwards, or with friction that holds, the same velocities prove nothing
+        // the reversed velocities, or the same velocities with sufficient friction, prove nothing
         let mut back = free.field.clone();
         back.nodes.u.iter_mut().flatten().for_each(|u| *u = -*u);
         assert!(!is_free(&certify_free(&m, &back)));
@@ -256,7 +257,7 @@ fn mechanisms_at_zero_load() {
     }
 }
 
-/// A dead load beyond the limit load: there is no load factor, and both programs report it.
+/// A dead load beyond the limit load: no load factor exists, and both programs report it.
 #[test]
 fn dead_load_beyond_the_limit() {
     let m = model(

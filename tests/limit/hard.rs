@@ -1,6 +1,6 @@
-//! Hard cases of limit analysis: friction next to nothing and beyond one, gaps, loads of any size,
-//! strengths a million apart, flat elements, a thin strip. A certified bracket of the known load,
-//! or a clear status; never a wrong number.
+//! Hard cases of limit analysis: friction near zero and above one, gaps, loads of any size,
+//! strengths with a ratio of a million, flat elements, a thin strip. The result is a certified
+//! bracket of the known load or a clear status, but never a wrong number.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen: whatever
@@ -24,7 +24,7 @@ fn blocks(seed: u64) -> TetMesh {
     shape.mesh(&["A", "B"], |c| usize::from(c[2] > 6.0), |d, x| d == 2 && (x - 6.0).abs() < 1e-9)
 }
 
-/// Two blocks under pressure, free to widen; `upper`: strength of B \[MPa\].
+/// Two blocks under pressure, free to widen. `upper` is the strength of B \[MPa\].
 fn pressed(mesh: TetMesh, interface: &str, pressure: f64, upper: f64) -> AnalysisModel {
     let yaml = format!(
         "materials: {{a: {{E: 210000, nu: 0.3, fy: {FY:?}}}, b: {{E: 210000, nu: 0.3, fy: \
@@ -43,7 +43,7 @@ fn contact(mu: f64, gap: f64) -> String {
     format!("interfaces:\n- {{between: [A, B], law: contact, mu: {mu:?}, gap: {gap:?}{law}}}\n")
 }
 
-/// Both bounds of λ p / f_y are 1.
+/// Checks that both bounds of λ p / f_y are 1.
 fn exact(name: &str, model: &AnalysisModel, pressure: f64) {
     for bound in sharp_factors(name, model) {
         assert!((bound * pressure - 1.0).abs() < 2e-5, "{name}: {}", bound * pressure);
@@ -97,13 +97,14 @@ fn slivers() {
     }
     let [lower, upper] = strict("slivers", &model, &pass).map(|factor| factor * P);
     assert!((1.0 - 1e-9..1.0 + 1e-3).contains(&upper), "{upper}");
-    // 0.867: making the field balance across slivers, and then scaling it, costs an eighth
+    // 0.867: making the field balance across slivers and then scaling it reduces the bound by an
+    // eighth
     assert!(lower <= 1.0 + 1e-9 && lower > 0.8, "{lower}");
 }
 
-/// A thin strip, clamped and bent by a force on its rigid end, cut across at `cuts` \[mm\]: both
-/// bounds over the factor of a bar, f_y t²/4 for a width. The moment at the clamped edge is between
-/// that of a bar and that of plane strain, 2/√3 of it.
+/// A thin strip, clamped and bent by a force on its rigid end, divided at `cuts` \[mm\]. Returns
+/// both bounds over the load factor of a bar, f_y t²/4 per width. The moment at the clamped edge
+/// lies between that of a bar and that of plane strain, 2/√3 times as much.
 fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
     let (width, t) = (2.0, 1.0);
     let length = cuts[8];
@@ -126,7 +127,7 @@ fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
     let bar = t / (4.0 * length);
     let pass = run(&model);
     let bracket = strict(name, &model, &pass);
-    // what holds the lower bound down adds up to it
+    // the shares that limit the lower bound add up to it
     let held: f64 = pass.yield_multiplier_share.as_ref().unwrap().iter().sum();
     assert!((held / (bracket[0] * FY) - 1.0).abs() < 1e-3, "{held} against {}", bracket[0] * FY);
     let bracket = bracket.map(|factor| factor / bar);
@@ -135,17 +136,18 @@ fn thin_strip(name: &str, cuts: [f64; 9]) -> [f64; 2] {
     bracket
 }
 
-/// Elements 25 times as long as thick: stresses follow, mechanisms hardly. `∂u_z/∂z` is continuous
-/// across the planes between elements, so with volume kept the curvature is as well: it cannot end
-/// where an element ends. A hinge needs elements as short as the strip is thick.
+/// The elements are 25 times as long as thick. The stresses adapt to this, but the mechanisms
+/// hardly do. `∂u_z/∂z` is continuous across the planes between elements. If the volume is kept,
+/// the curvature is therefore continuous as well and cannot end at the end of an element. A hinge
+/// needs elements as short as the strip is thick.
 #[test]
 fn thin_strip_of_long_elements() {
     let [low, up] = thin_strip("thin strip", std::array::from_fn(|i| 25.0 * i as f64));
     assert!(low > 1.0 && up < 4.0, "[{low}, {up}]");
 }
 
-/// As many elements, but short ones where the strip bends: the upper bound comes down from more
-/// than three times to an eighth above.
+/// The same number of elements, but short ones where the strip bends: the upper bound falls from
+/// more than three times to an eighth above the limit load.
 #[test]
 fn thin_strip_with_short_elements_at_its_hinge() {
     let [low, up] =

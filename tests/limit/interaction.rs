@@ -1,11 +1,11 @@
-//! A bar of rectangular section under axial force and bending moment: its limit loads lie on
-//! `|m| + n² = 1`, between the hulls that the bounds of a few directions make.
+//! A bar of rectangular section under axial force and bending moment. Its limit loads lie on
+//! `|m| + n² = 1`, between the inner and the outer hull from the bounds of a few directions.
 //!
 //! ```text
 //!   u_x = 0 |========================| → N, ↻ M     m = M / (f_y b h²/4), n = N / (f_y b h)
 //! ```
 //!
-//! Both ends may contract: every cross-section is in the same uniaxial stress, and the fibre model
+//! Both ends may contract. Every cross-section is in the same uniaxial stress, and the fibre model
 //! of the textbooks is exact.
 
 use crate::common::Block;
@@ -24,11 +24,11 @@ use bracket::solve::{Patterns, SolveOptions};
 use bracket::spec::polygon::PolygonSpec;
 
 const SIDES: [f64; 3] = [40.0, 10.0, 20.0];
-/// Axial force and moment at yield of the whole section \[N, N mm\].
+/// Axial force and moment at full yield of the section \[N, N mm\].
 const N: f64 = FY * SIDES[1] * SIDES[2];
 const M: f64 = FY * SIDES[1] * SIDES[2] * SIDES[2] / 4.0;
 
-/// The bar under a direction of moment and force, in their plastic values.
+/// The bar under a direction of moment and force, in units of their plastic values.
 fn bar([m, n]: [f64; 2]) -> AnalysisModel {
     let flat = |axis: usize, z: f64| axis == 2 && (z / 2.5).fract() == 0.0;
     let mesh = Block::new([4, 1, 8], SIDES).jittered(3).mesh(&["B"], |_| 0, flat);
@@ -62,10 +62,10 @@ fn polygon(directions: u32) -> (CapacityPolygon, Patterns) {
         let (velocity, upper) = (pass.velocity.as_ref().unwrap(), bracket.upper());
         let plane = half_plane(&model, velocity, upper, &axes, d.unit)
             .expect("a mechanism bounds a half plane");
-        // the point of the direction lies on its edge
+        // the point of this direction lies on the edge of the half plane
         let outside = plane.outside(d.unit.map(|x| upper.value() * x));
         assert!(outside.abs() < 1e-8 * upper.value(), "{}: {outside}", d.case);
-        // other loads than these two
+        // loads other than these two
         let twice = [axes[0].clone(), axes[1].iter().map(|a| a.map(|x| 2.0 * x)).collect()];
         assert!(
             d.unit[1] == 0.0 || half_plane(&model, velocity, upper, &twice, d.unit).is_none(),
@@ -102,9 +102,9 @@ fn rectangular_section() {
     let inner: Vec<[f64; 2]> = polygon.inner.iter().map(|c| [c[0] / M, c[1] / N]).collect();
     let beyond = |[m, n]: [f64; 2]| m.abs() + n * n - 1.0;
     println!("inner {inner:.4?}\nouter {outer:.4?}");
-    // what is carried at least is carried
+    // the lower bounds are carried by the exact section
     inner.iter().for_each(|c| assert!(beyond(*c) <= 1e-6, "{c:?}"));
-    // no half plane cuts the exact set, and each of them nearly touches it
+    // no half plane cuts the exact set, and each one nearly touches it
     for p in &polygon.points {
         let plane: HalfPlane = p.half_plane.unwrap();
         let exact = support(plane.normal);
@@ -119,9 +119,9 @@ fn rectangular_section() {
             p.upper
         );
     }
-    // tangents bound more than points: the outer hull is nowhere far from the curve
+    // tangents bound more than points: the outer hull is close to the curve everywhere
     outer.iter().for_each(|c| assert!(beyond(*c) >= -1e-6 && beyond(*c) < 0.35, "{c:?}"));
-    // all eight directions had the patterns of the first one
+    // all eight directions reused the patterns of the first one
     let (kept, found) = patterns.count();
     assert!(kept <= 4 && found >= 7 * 4, "{kept} {found}");
 }

@@ -1,4 +1,4 @@
-//! Random small assemblies: whatever comes, no wrong number.
+//! Random small assemblies: no result is a wrong number.
 
 use crate::common::limit::run;
 use crate::common::yielding::{FY, MATERIALS};
@@ -28,8 +28,8 @@ impl Random {
     }
 }
 
-/// Two blocks one upon the other, tied or in contact, clamped or guided at the foot, loaded at the
-/// top by a traction, with a dead pressure at times; `None` where a part is loose.
+/// Two stacked blocks, tied or in contact, clamped or guided at the foot, under a traction at the
+/// top and sometimes a dead pressure. `None` if a part is loose.
 pub fn assembly(seed: u64) -> Option<AnalysisModel> {
     let mut r = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     (0..8).for_each(|_| _ = r.next());
@@ -70,7 +70,7 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
         "{MATERIALS}bodies: {{A: s, B: s}}\n{interface}supports:\n- {{face: Z0, fix: \
          {foot}}}\n{guide}loads:\n- {{face: Z1, traction: {t:?}}}\n{dead}"
     );
-    // an upper block that nothing holds is refused with its name
+    // an upper block without support is refused, and the message names it
     match solved::resolve(&yaml, mesh) {
         Ok(model) => Some(model),
         Err(e) => {
@@ -80,7 +80,7 @@ pub fn assembly(seed: u64) -> Option<AnalysisModel> {
     }
 }
 
-/// Every bracket in order and strict; where Clarabel converges it finds the same factor.
+/// Every bracket is in order and strict. If Clarabel converges, it finds the same load factor.
 fn assemblies(seeds: std::ops::Range<u64>) {
     let mut ends: BTreeMap<String, usize> = BTreeMap::new();
     let (mut brackets, mut compared, mut differ, mut failed) = (0, 0, Vec::new(), Vec::new());
@@ -115,7 +115,7 @@ fn assemblies(seeds: std::ops::Range<u64>) {
             assert!(b.is_strict(), "seed {seed}: {b:?}");
             brackets += 1;
         }
-        // a sample, for Clarabel is slow
+        // only a sample, because Clarabel is slow
         if seed % 4 == 0 {
             let statics = Static::limit(&m).unwrap();
             let kinematic = Kinematic::limit(&m, Flow::Split).unwrap();

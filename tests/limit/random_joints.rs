@@ -1,5 +1,5 @@
-//! Random stacks of three blocks that yield or are rigid, tied, welded or in contact: whatever
-//! comes, no wrong number.
+//! Random stacks of three blocks that yield or are rigid and are tied, welded or in contact: no
+//! result is a wrong number.
 
 use crate::common::limit::run;
 use crate::common::yielding::MATERIALS;
@@ -11,12 +11,12 @@ use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, clarabel, condensed};
 use std::collections::BTreeMap;
 
-/// `None` where the model is refused: a loose part, or nothing that could give way.
+/// A random stack. `None` if the model is refused because a part is loose or nothing can yield.
 fn stack(seed: u64) -> Option<AnalysisModel> {
     let mut r = Random::new(seed + 100);
     (0..8).for_each(|_| _ = r.unit());
     let mut between = |a: f64, b: f64| a + (b - a) * r.unit();
-    // quarters of a millimetre: the planes of the grid are where they are looked for
+    // multiples of 0.25 mm, so that the faces are found at the exact planes of the grid
     let third = 0.25 * (4.0 * between(5.0, 20.0)).round();
     let size = [between(5.0, 40.0), between(5.0, 40.0), 3.0 * third];
     let shape = Block { cells: [2, 1, 3], min: [0.0; 3], max: size, jitter: 0.2, seed };
@@ -79,13 +79,13 @@ fn stacks(seeds: std::ops::Range<u64>) {
             continue;
         };
         if Static::limit(&m).is_err() {
-            // tied rigid blocks down to the support: the load is held
+            // tied rigid blocks down to the support: they hold the load
             *ends.entry("load held".into()).or_default() += 1;
             continue;
         }
         let pass = run(&m);
         if pass.free.is_some() || pass.unlimited.is_some() {
-            // a general solver finds a factor of zero to its tolerance only
+            // a general solver finds a load factor of zero only to its tolerance
             let end = if pass.free.is_some() { "a mechanism at zero load" } else { "no limit" };
             *ends.entry(format!("proved: {end}")).or_default() += 1;
             continue;

@@ -10,7 +10,7 @@ use bracket::mesh::{NamedFaces, TetMesh};
 use bracket::model::{AnalysisModel, ModelError};
 use bracket::programs::{Kinematic, Static};
 
-/// Yield strength in shear over that in tension.
+/// Yield strength in shear over yield strength in tension.
 const K: f64 = 0.577_350_269_189_625_8;
 
 /// The mesh without the bodies called `VOID`.
@@ -36,7 +36,7 @@ fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
     mesh.tets = kept.iter().map(|&e| mesh.tets[e].map(|n| number[n as usize])).collect();
     mesh.nodes = nodes;
     mesh.bodies.remove(gone as usize);
-    // names stay with the faces that are left
+    // names stay with the remaining faces
     let faces = FaceTable::new(&mesh.tets);
     for f in &mut mesh.faces {
         f.triangles = f.triangles.iter().map(|t| t.map(|n| number[n as usize])).collect();
@@ -46,8 +46,8 @@ fn without(mut mesh: TetMesh, gone: u32) -> TetMesh {
     mesh
 }
 
-/// An eighth of a cube of edge 2 between rough rigid platens, pressed at its top: the platen a body
-/// tied to it, or a rigid face.
+/// An eighth of a cube of edge 2, pressed at its top between rough rigid platens. The platen is a
+/// body tied to the cube, or a rigid face.
 ///
 /// ```text
 ///   ↓↓↓↓↓
@@ -85,7 +85,7 @@ fn platen(n: usize, body: bool) -> AnalysisModel {
     }
 }
 
-/// A33 with the platen as a rigid body: strict bracket so far [1.0353, 1.0600] s0.
+/// A33 with the platen as a rigid body: the known strict bracket is [1.0353, 1.0600] s0.
 #[test]
 fn cube_between_platens_that_are_bodies() {
     let [low, up] = factors("A33", &platen(4, true));
@@ -93,8 +93,8 @@ fn cube_between_platens_that_are_bodies() {
     assert!(up / low - 1.0 < 0.06, "[{low}, {up}]");
 }
 
-/// The programs know nothing of the inside of a rigid body: as many cones and unknowns as without
-/// it, and six motions less what supports hold.
+/// The programs contain nothing of the inside of a rigid body: they have as many cones and unknowns
+/// as without it, and six rigid motions minus those held by supports.
 #[test]
 fn rigid_bodies_leave_the_programs() {
     let (with, without) = (platen(2, true), platen(2, false));
@@ -112,7 +112,7 @@ fn rigid_bodies_leave_the_programs() {
 }
 
 /// A22: a strip of width w between rough platens at a distance h, plane strain, w/h = 1: 2k. The
-/// pressure 2k everywhere is a stress field that proves it from below.
+/// uniform pressure 2k is a stress field that proves it as a lower bound.
 #[test]
 fn strip_between_platens() {
     let n = 4;
@@ -189,8 +189,8 @@ fn punch() {
     assert!(low <= exact && up >= exact && up / low < 1.35, "[{low}, {up}] against {exact}");
 }
 
-/// A block pressed on another by a dead load and pushed; shear on the sides keeps the stress
-/// uniform (B5): T = μ N.
+/// A dead load presses a block on another one, and a live load pushes it. Shear on the sides keeps
+/// the stress uniform (B5): T = μ N.
 fn pushed(lower: &str, upper: &str) -> AnalysisModel {
     let shape = Block {
         cells: [4, 2, 3],
@@ -213,8 +213,8 @@ fn pushed(lower: &str, upper: &str) -> AnalysisModel {
     )
 }
 
-/// B5 in limit analysis, with a rigid block on a base that yields, the other way round, and both
-/// rigid: T = μ N.
+/// B5 in limit analysis, T = μ N: a rigid block on a base that yields, a block that yields on a
+/// rigid base, and two rigid blocks.
 #[test]
 fn pushed_block() {
     for (lower, upper) in [("s", "r"), ("r", "s"), ("r", "r")] {
@@ -228,9 +228,9 @@ fn pushed_block() {
     }
 }
 
-/// B9: two rigid plates pressed together by a member that yields at N_b, one of them pulled along
-/// the joint, in its plane. Associated slip opens the joint, so that the member has to give way: T
-/// = μ N_b. No preload is written and none would matter.
+/// B9: a member that yields at N_b presses two rigid plates together. One of them is pulled along
+/// the joint, in its plane. Associated slip opens the joint, so the member must yield: T = μ N_b.
+/// The model has no preload, and a preload would not matter.
 ///
 /// ```text
 ///  +-----------------+
@@ -252,8 +252,8 @@ fn lapped_plates() {
     let mut mesh = hollow(shape.mesh(&["LOWER", "UPPER", "MEMBER", "VOID"], body, |_, _| true));
     let end = triangles_where(&mesh, |x| x[1] == 3.0 && (1.0..=2.0).contains(&x[2]) && x[0] >= 2.0);
     mesh.faces.push(NamedFaces { name: "END".into(), triangles: end });
-    // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, the
-    // resultant lies in the joint
+    // ∫ (20 − 12 z) over z from 1 to 2 and a width of 3: 6 N; ∫ (20 − 12 z) z = 2 = 2 · 1, so the
+    // resultant lies in the plane of the joint
     let m = model(
         "bodies: {LOWER: r, UPPER: r, MEMBER: s}\ninterfaces:\n- {between: [LOWER, UPPER], law: \
          contact, mu: 0.3, friction: associated}\n- {between: [LOWER, MEMBER], law: contact, mu: \
@@ -270,8 +270,8 @@ fn lapped_plates() {
     );
 }
 
-/// A bar pressed by a rigid head that carries a rigid face: force and free motions of the face are
-/// the head's.
+/// A bar is pressed by a rigid head that carries a rigid face. Force and free motions of the face
+/// are those of the head.
 #[test]
 fn rigid_face_on_a_rigid_body() {
     let shape =
@@ -293,8 +293,8 @@ fn rigid_face_on_a_rigid_body() {
     );
 }
 
-/// A rigid body whose supports leave it no motion holds what is tied to it; one whose load only it
-/// bears has no limit.
+/// A rigid body that its supports hold completely also holds what is tied to it. A rigid body that
+/// alone carries the load has no limit load.
 #[test]
 fn held_rigid_bodies() {
     let shape =
@@ -319,7 +319,7 @@ fn held_rigid_bodies() {
         &model(&format!("bodies: {{A: s}}\n{}", clamped.replace("X0", "CUT")), cut),
     );
     assert!((a[0] / b[0] - 1.0).abs() < 1e-3 && (a[1] / b[1] - 1.0).abs() < 1e-3, "{a:?} {b:?}");
-    // pulled at the held rigid end alone
+    // pulled only at the held rigid end
     let pulled =
         "supports:\n- {face: X0, fix: [x, y, z]}\nloads:\n- {face: SIDE, traction: [0, 0, 1]}\n";
     let mut mesh = mesh();
@@ -331,7 +331,7 @@ fn held_rigid_bodies() {
     }
 }
 
-/// What a rigid body cannot mend is refused with a word for it.
+/// Models that a rigid body cannot make valid are refused, and the message names the reason.
 #[test]
 fn wrong_rigid_bodies_are_refused() {
     let good = "materials: {s: {E: 210000, nu: 0.3, fy: 235}, r: {E: 210000, nu: 0.3}}\nbodies: \

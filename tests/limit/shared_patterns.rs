@@ -1,5 +1,5 @@
-//! Load cases on one mesh share orderings and symbolic factors, and every bound and field stays
-//! what it is alone, to the last bit.
+//! Load cases on one mesh share orderings and symbolic factors. Every bound and field stays equal
+//! to that of a single run, to the last bit.
 
 use crate::common::{Block, solved};
 use bracket::analysis::energy_pass::EnergyPass;
@@ -11,7 +11,7 @@ use bracket::mesh::TetMesh;
 use bracket::model::AnalysisModel;
 use bracket::solve::{Patterns, SolveOptions};
 
-/// Two leaves on each other, clamped at one end.
+/// Two stacked leaves, clamped at one end.
 fn leaves() -> TetMesh {
     Block::new([5, 2, 2], [50.0, 20.0, 20.0]).jittered(7).mesh(
         &["LOWER", "UPPER"],
@@ -40,7 +40,7 @@ fn options(patterns: &Patterns) -> PassOptions {
     PassOptions { solve, ..PassOptions::default() }
 }
 
-/// What a limit pass answers, bit by bit.
+/// The result of a limit pass, bit by bit.
 fn answer(p: &LimitPass) -> (Vec<u64>, String) {
     let stress =
         |s: &Option<bracket::certify::fields::StressField>| format!("{:?}", s.as_ref().unwrap());
@@ -52,16 +52,16 @@ fn answer(p: &LimitPass) -> (Vec<u64>, String) {
 }
 
 #[test]
-fn limit_cases_share_and_answer_as_alone() {
+fn limit_cases_share_patterns_and_give_the_same_results_as_alone() {
     let shared = Patterns::default();
     let cases = LOADS.map(|load| case("limit", load));
     let together =
         cases.each_ref().map(|m| answer(&limit::run(m, &options(&shared), &silent()).unwrap()));
     let (kept, found) = shared.count();
-    // both programs, and both matrices that make their fields admissible
+    // patterns of both programs and of both matrices that make their fields admissible
     assert!(kept <= 4, "{kept} patterns for one mesh");
-    // the static program without friction and its projection in the first case, everything in the
-    // second
+    // the first case reuses patterns in the static program without friction and its projection; the
+    // second case reuses all of them
     assert!(found >= 8, "{found}");
     for (model, together) in cases.iter().zip(&together) {
         assert!(
@@ -73,7 +73,7 @@ fn limit_cases_share_and_answer_as_alone() {
 }
 
 #[test]
-fn elastic_and_limit_analysis_share_and_answer_as_alone() {
+fn elastic_and_limit_analysis_share_patterns_and_give_the_same_results_as_alone() {
     let shared = Patterns::default();
     let energies = |p: &EnergyPass| {
         let b = p.bracket.as_ref().unwrap();

@@ -1,5 +1,5 @@
-//! Welds of finite strength in limit analysis: joints whose limit load is the strength of the weld,
-//! or of what it joins.
+//! Welds of finite strength in limit analysis: joints whose limit load is the strength of the weld
+//! or of the welded bodies.
 
 use crate::common::limit::{run, sharp_factors};
 use crate::common::yielding::{FY, model};
@@ -38,8 +38,8 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
     }
 }
 
-/// In tension the weld gives way at its strength, `2 · throat · strength / thickness`, below yield
-/// of the cubes; the stronger weld leaves it to them.
+/// In tension the weak weld yields at its strength, `2 · throat · strength / thickness`, below
+/// yield of the cubes. With the stronger weld the cubes yield.
 #[test]
 fn cubes_in_tension() {
     let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
@@ -51,7 +51,7 @@ fn cubes_in_tension() {
     exact("strong in tension", FY, |seed| welded(cubes(seed), "strength_traction: 300", pull));
 }
 
-/// In pure shear, the same strength: the weld's below k = f_y/√3, or k.
+/// The same in pure shear: the limit is the strength of the weld below k = f_y/√3, or k.
 #[test]
 fn cubes_in_shear() {
     let faces =
@@ -66,7 +66,7 @@ fn cubes_in_shear() {
     });
 }
 
-/// Under a dead tension of 60 MPa a weld of 100 MPa bears 80 MPa of shear more.
+/// Under a dead tension of 60 MPa a weld of 100 MPa carries a further 80 MPa of shear.
 #[test]
 fn tension_and_shear() {
     let faces =
@@ -84,9 +84,9 @@ fn tension_and_shear() {
     assert!(low <= 80.0 * (1.0 + 1e-9) && up >= 80.0 * (1.0 - 1e-9), "[{low}, {up}]");
 }
 
-/// A pair of fillets joins the web of a strip to a rigid plate: throat a on either side of a web of
-/// thickness t carries 2 a f per length. Pulled and pushed sideways at once, by less than the web
-/// bears: f² (2a/t)² = σ² + τ².
+/// A pair of fillets joins the web of a strip to a rigid plate. A throat a on either side of a web
+/// of thickness t carries 2 a f per length. The web is pulled and pushed sideways at once, by less
+/// than its strength: f² (2a/t)² = σ² + τ².
 ///
 /// ```text
 ///     ↑→
@@ -105,7 +105,7 @@ fn pair_of_fillets() {
         |c| usize::from(c[2] < 10.0),
         |d, x| d == 2 && (x - 10.0).abs() < 1e-9,
     );
-    // in the plane of the web, σ and τ uniform: shear on its edges too
+    // in the plane of the web σ and τ are uniform, so its edges carry shear too
     let mut mesh = mesh;
     for (name, y) in [("EDGE0", 0.0), ("EDGE1", 30.0)] {
         let triangles = triangles_where(&mesh, |x| x[1] == y && x[2] >= 10.0 - 1e-9);
@@ -122,7 +122,7 @@ fn pair_of_fillets() {
     );
     let want = 2.0 * a * f / t / 5.0;
     let [low, up] = sharp_factors("fillets", &m).map(|x| x * FY);
-    // the strength of the web is far off: noise in its velocities costs more than the weld does
+    // the web is far below its strength: noise in its velocities dissipates more than the weld does
     assert!(
         (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-4,
         "[{low}, {up}] for {want}"
@@ -130,8 +130,8 @@ fn pair_of_fillets() {
     assert!(low <= want * (1.0 + 1e-9) && up >= want * (1.0 - 1e-9), "[{low}, {up}] for {want}");
 }
 
-/// The weld is where all the work is done, its traction at its strength, and the velocity jumps by
-/// what the certificate says.
+/// All the work is done in the weld. Its traction equals its strength, and its velocity jump equals
+/// that of the certificate.
 #[test]
 fn the_weld_dissipates() {
     let pull = "supports:\n- {face: X0, fix: [x]}\n- {face: Y0, fix: [y]}\n- {face: Z0, fix: \
@@ -144,16 +144,16 @@ fn the_weld_dissipates() {
     let lower = pass.lower.as_ref().unwrap().certificate();
     let used = lower.weld.unwrap();
     assert!(used <= 1.0 && used > 0.999 && lower.utilisation < 0.6, "{lower:?}");
-    // half of the strength: half of the weld's dissipation
+    // half of the strength gives half of the dissipation of the weld
     let mut weaker = m.clone();
     weaker.welds[0].strength *= 0.5;
     let half = certify_upper(&weaker, pass.velocity.as_ref().unwrap(), 1);
     assert!((half.welds[0] / upper.welds[0] - 0.5).abs() < 1e-14, "{half:?}");
 }
 
-/// A bracket welded by one edge and turned: the jump is linear over the weld, tension here and
-/// compression there. The weld's plastic moment about its middle is S b h²/4, b its width and h its
-/// height.
+/// A bracket welded at one edge is turned. The jump is linear over the weld, with tension on one
+/// side and compression on the other. The plastic moment of the weld about its middle is S b h²/4
+/// with width b and height h.
 #[test]
 fn turned_weld() {
     let (b, h, s) = (8.0, 12.0, 40.0);
@@ -184,13 +184,13 @@ fn turned_weld() {
         assert!(low <= s * (1.0 + 1e-9) && up >= s * (1.0 - 1e-9), "[{low}, {up}] for {s}");
         up / low - 1.0
     });
-    // the traction jumps at mid-height, which is a mesh line: exact on both sides but for the
-    // solver's tolerance
+    // the traction jumps at mid-height, which is a line of the mesh: both sides are exact up to the
+    // tolerance of the solver
     assert!(bounds.iter().all(|gap| *gap < 1e-4), "{bounds:?}");
 }
 
-/// All-round pressure goes through the weld: it is no load without limit, and no pressure field
-/// proves it one.
+/// All-round pressure acts through the weld, so the load has a limit, and no pressure field proves
+/// the contrary.
 #[test]
 fn pressure_through_a_weld_is_limited() {
     let faces = ["X0", "X1", "Y0", "Y1", "Z0", "Z1"];
@@ -211,7 +211,7 @@ fn pressure_through_a_weld_is_limited() {
     );
 }
 
-/// Welded cubes that stand on the ground are lifted together without any load; held beside, the
+/// Welded cubes on the ground are lifted together without any load. If one of them is held, the
 /// weld holds both.
 #[test]
 fn what_a_weld_holds_is_no_mechanism() {

@@ -1,4 +1,5 @@
-//! Limit states whose stress is linear and whose mechanism both elements hold exactly, on any mesh.
+//! Limit states with a linear stress and a mechanism that both elements represent exactly on any
+//! mesh.
 //!
 //! ```text
 //!   bar                 cube            box, lid rigid     pressed by
@@ -14,8 +15,8 @@
 //!      /////////
 //! ```
 //! N = f_y A; t = k = f_y/√3; T = μN. Shear on the side faces keeps the stress uniform (or linear,
-//! under body forces), so that the limit state is exact; being normal to the slip plane on both
-//! sides it does no work.
+//! under body forces), so that the limit state is exact. This shear is normal to the slip plane on
+//! both sides, so it does no work.
 
 use crate::common::yielding::{FY, model};
 use crate::common::{Block, Random, solved};
@@ -27,18 +28,19 @@ use bracket::programs::Static;
 use bracket::programs::super_elements::SuperElements;
 
 pub const SEEDS: [u64; 3] = [1, 7, 42];
-/// Relative size of the noise put on exact fields.
+/// Relative size of the noise added to exact fields.
 pub const NOISE: f64 = 1e-5;
 
 type V3 = [f64; 3];
 
-/// A model with its limit state: stress in Mandel form and velocities by body and place.
+/// A model with its limit state: stress as a Mandel vector and velocities, each by body and
+/// position.
 pub struct Case {
     pub name: &'static str,
     pub model: AnalysisModel,
     pub factor: f64,
     pub stress: fn(usize, V3) -> [f64; 6],
-    /// Stress of the dead loads alone.
+    /// Stress under the dead loads alone.
     pub dead: Option<fn(usize, V3) -> [f64; 6]>,
     pub velocity: fn(usize, V3) -> V3,
 }
@@ -78,7 +80,7 @@ pub fn bar(seed: u64) -> Case {
     }
 }
 
-/// The bar under a dead tension of 100 MPa besides.
+/// The bar with an additional dead tension of 100 MPa.
 pub fn bar_under_dead_load(seed: u64) -> Case {
     let mut case = bar(seed);
     case.name = "bar under dead load";
@@ -90,7 +92,7 @@ pub fn bar_under_dead_load(seed: u64) -> Case {
     case
 }
 
-/// The bar pulled through a rigid face that may turn.
+/// The bar pulled through a rigid face that may rotate.
 pub fn bar_with_rigid_end(seed: u64) -> Case {
     let mut case = bar(seed);
     case.name = "bar with rigid end";
@@ -119,7 +121,7 @@ pub fn cube(seed: u64) -> Case {
     }
 }
 
-/// A sheared box whose lid is a rigid body, tied to it.
+/// A sheared box. Its lid is a rigid body tied to it.
 pub fn lid(seed: u64) -> Case {
     let mesh = two(&block([3, 3, 2], [0.0; 3], [30.0, 15.0, 12.0], seed), 1, 10.0);
     Case {
@@ -157,7 +159,7 @@ pub fn pressed(seed: u64) -> Case {
     }
 }
 
-/// B5: a rigid block pressed on a base by a dead load and pushed; the base stays below yield.
+/// B5: a rigid block on a base is pressed by a dead load and pushed. The base stays below yield.
 pub fn sliding(seed: u64) -> Case {
     let mesh = two(&block([4, 2, 3], [0.0, 0.0, -5.0], [20.0, 8.0, 10.0], seed), 2, 0.0);
     Case {
@@ -176,9 +178,10 @@ pub fn sliding(seed: u64) -> Case {
     }
 }
 
-/// A block on rigid ground, dead weight 0.5 N/mm³, pushed by a live body force of 0.1 N/mm³ and the
-/// shear that keeps its stress linear: T/N = 0.2 λ = μ. Its stress of 5.6 MPa is near its strength
-/// of 6: noise in a stronger block at rest would dissipate more than friction allows for.
+/// A block on rigid ground has a dead weight of 0.5 N/mm³. It is pushed by a live body force of 0.1
+/// N/mm³ and the shear that keeps its stress linear: T/N = 0.2 λ = μ. Its stress of 5.6 MPa is near
+/// its strength of 6 MPa: in a stronger block at rest, noise would dissipate more than the friction
+/// term allows.
 pub fn own_weight(seed: u64) -> Case {
     let mesh =
         block([4, 2, 2], [0.0; 3], [20.0, 8.0, 10.0], seed).mesh(&["A"], |_| 0, |_, _| false);
@@ -206,7 +209,7 @@ pub fn all(seed: u64) -> Vec<Case> {
     makers.into_iter().map(|make| make(seed)).collect()
 }
 
-/// What a solver of the static program would hand over, exact but for noise.
+/// The fields that a solver of the static program would return: exact except for noise.
 pub struct Approximate {
     pub parameters: Vec<[f64; PARAMETERS]>,
     pub contact: Vec<f64>,
@@ -214,8 +217,8 @@ pub struct Approximate {
 }
 
 impl Case {
-    /// The exact stress at `factor` with relative noise; `bare` leaves bodies that never yield
-    /// without any stress.
+    /// The exact stress at `factor` with relative noise. `bare` sets the stress to zero in bodies
+    /// that never yield.
     pub fn static_field(
         &self,
         factor: f64,
@@ -250,7 +253,7 @@ impl Case {
                 *a = [0.0; PARAMETERS];
             }
         }
-        // multipliers: pressure, then shear over μ along the rows' own tangents
+        // multipliers: pressure, then shear over μ along the tangents of the rows
         let statics = Static::new(model).unwrap();
         let mut contact = Vec::new();
         for v in &statics.vertices {
@@ -289,8 +292,8 @@ impl Case {
         u
     }
 
-    /// The model with its live loads multiplied and all loads alike, for checks that know no load
-    /// factor.
+    /// The model with its live loads multiplied and without the distinction of live and dead loads,
+    /// for checks without a load factor.
     pub fn loaded(&self, factor: f64) -> AnalysisModel {
         use bracket::model::analysis::Traction;
         let mut m = self.model.clone();
@@ -321,7 +324,7 @@ fn traction(s: &[f64; 6], n: V3) -> V3 {
     ]
 }
 
-/// The parameters whose stress is the given one, by least squares over the element's 96 values.
+/// The parameters that give this stress, by least squares over the 96 values of the element.
 fn fit(
     element: &SuperElement,
     corners: &[V3; 4],

@@ -1,5 +1,5 @@
-//! Live and dead loads apart: linear in the factor, together what the elastic programs bear, and of
-//! the power that direct quadrature finds.
+//! Live and dead loads separately: they are linear in the load factor, their sum equals the loads
+//! of the elastic programs, and their power agrees with direct quadrature.
 
 use crate::cases;
 use crate::common::Random;
@@ -11,7 +11,7 @@ use bracket::model::AnalysisModel;
 use bracket::model::loads::Loads;
 use bracket::programs::{Kinematic, Static};
 
-/// Every kind of load, live and dead.
+/// A model with every kind of load, live and dead.
 fn model(seed: u64) -> AnalysisModel {
     let mut m = cases::own_weight(seed).model;
     let rigid = cases::bar_with_rigid_end(seed).model.rigid.remove(0);
@@ -21,7 +21,7 @@ fn model(seed: u64) -> AnalysisModel {
         traction: bracket::model::analysis::Traction::Pressure(0.7),
         ..face.clone()
     });
-    // the side that bears shear moves rigidly along y besides
+    // the side that carries shear can also move rigidly along y
     m.rigid.push(bracket::model::analysis::RigidFace {
         components: [false, true, false],
         free: [false, true, false, true, false, false],
@@ -42,7 +42,7 @@ fn close(name: &str, a: &[f64], b: &[f64]) {
     );
 }
 
-/// Forces of some loads.
+/// Computes the forces of some of the loads.
 type Forces<'a> = dyn Fn(Loads) -> Vec<f64> + 'a;
 
 #[test]
@@ -73,8 +73,8 @@ fn live_and_dead_add_up() {
     }
 }
 
-/// The power of the forces on random velocities is that of the certificate, which integrates over
-/// faces and subtets.
+/// The power of the forces on random velocities equals that of the certificate, which integrates
+/// over faces and subtets.
 #[test]
 fn power_by_quadrature() {
     for seed in cases::SEEDS {

@@ -70,7 +70,7 @@ fn exact_fields_with_noise() {
                     bound.value() / case.factor - 1.0
                 );
                 assert!(c.equilibrium.max(c.traction_jump) < 1e-12, "{name}: {c:?}");
-                // the stored field alone says the same
+                // the stored field alone gives the same bound
                 let again = certify_lower(&case.model, &lower.field, c.factor);
                 assert_eq!(
                     bracket::certify::limit_certificate::LowerCertificate {
@@ -89,8 +89,9 @@ fn exact_fields_with_noise() {
     }
 }
 
-/// The same lower bounds by code that shares nothing with the library: points inside elements and
-/// on faces under the loads at the factor, and von Mises from the full tensor.
+/// Checks the same lower bounds with code that shares nothing with the library: equilibrium at
+/// points inside elements and on faces under the loads at the load factor, and von Mises' condition
+/// from the full tensor.
 #[test]
 fn admissible_by_other_code() {
     for seed in SEEDS {
@@ -116,14 +117,14 @@ fn admissible_by_other_code() {
                         std::array::from_fn(|i| (0..4).map(|p| l[p] * at[p][i]).sum());
                     let normal =
                         (x[0] - x[1]).powi(2) + (x[1] - x[2]).powi(2) + (x[2] - x[0]).powi(2);
-                    // √2 in each shear: 3 τ² is 1.5 times its square
+                    // √2 in each shear component: 3 τ² is 1.5 times its square
                     let mises =
                         (0.5 * normal + 1.5 * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5])).sqrt();
                     worst = worst.max(mises / fy);
                 }
             }
             assert!(worst <= 1.0, "{}: {worst}", case.name);
-            // where yield is the limit the points come near to it
+            // where yield is the limit, the points come close to it
             assert!(worst > 0.98 || case.dead.is_some(), "{}: {worst}", case.name);
         }
     }
@@ -138,7 +139,7 @@ fn given<'a>(a: &'a cases::Approximate) -> ApproximateStress<'a> {
     }
 }
 
-/// A field at twice the limit is no bound as it stands, and is drawn back to the limit.
+/// A field at twice the limit proves no bound as it stands. It is scaled back to the limit.
 #[test]
 fn beyond_yield() {
     for (make, stress) in [
@@ -171,7 +172,7 @@ fn beyond_yield() {
     }
 }
 
-/// Dead loads need a field of their own, in equilibrium and below yield.
+/// Dead loads need a field of their own that is in equilibrium and below yield.
 #[test]
 fn dead_loads_without_a_sound_field() {
     let case = cases::bar_under_dead_load(1);
@@ -181,7 +182,7 @@ fn dead_loads_without_a_sound_field() {
         limit_lower::project(&case.model, &given(&a), None, &Patterns::default()),
         Err(LowerError::NoDeadField)
     ));
-    // the field of twice the dead loads does not balance them
+    // the field of twice the dead loads is not in equilibrium with them
     let wrong = StressField {
         points: vec![[[[200.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 4]; 4]; case.model.mesh.tets.len()],
     };
@@ -208,7 +209,7 @@ fn dead_loads_without_a_sound_field() {
     );
 }
 
-/// Contact forces that pull, and fields of nothing but noise, prove no more than the limit.
+/// Contact forces in tension, and fields of pure noise, prove at most the limit.
 #[test]
 fn wrong_fields() {
     for case in cases::all(7) {
@@ -253,12 +254,13 @@ fn wrong_fields() {
     }
 }
 
-/// The elastic stress of the dead loads alone, from the elastic programs, serves as the field of
-/// theirs.
+/// The elastic stress under the dead loads alone, from the elastic programs, serves as the field of
+/// the dead loads.
 #[test]
 fn elastic_field_of_the_dead_loads() {
     let mut stronger = cases::own_weight(7);
-    // friction keeps the elastic block from swelling: its stress is above that of the limit state
+    // friction restrains the lateral expansion of the elastic block: its stress exceeds that of the
+    // limit state
     stronger.model.materials[0].fy = Some(12.0);
     for case in [cases::bar_under_dead_load(7), cases::sliding(7), stronger] {
         let alone = case.model.without_live_loads();

@@ -1,6 +1,6 @@
-//! Fields as solvers leave them: the elastic, perfectly plastic programs near the limit load. Their
-//! stress at a load they carry is a lower bound there; their displacements beyond it, made to keep
-//! the volume, an upper one.
+//! Fields as solvers return them: from the elastic, perfectly plastic programs near the limit load.
+//! Their stress at a load that they carry gives a lower bound. Their displacements at a larger
+//! load, projected to keep the volume, give an upper bound.
 
 use crate::cases;
 use crate::common::Block;
@@ -17,7 +17,7 @@ use bracket::recover::limit_lower::ApproximateStress;
 use bracket::recover::{elastic, limit_lower, limit_upper};
 use bracket::solve::{Patterns, SolveOptions, SolveStatus, condensed};
 
-/// The stress parameters of every element, in MPa, from the program's own.
+/// The stress parameters of every element in MPa, computed from the unknowns of the program.
 fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<[f64; PARAMETERS]> {
     let radii = model.yield_radii();
     (0..model.mesh.tets.len())
@@ -29,7 +29,8 @@ fn stress_parameters(model: &AnalysisModel, statics: &Static, x: &[f64]) -> Vec<
         .collect()
 }
 
-/// Both factors of `at`, whose load it carries; the velocities are those of a load further on.
+/// Both load factors of `at`, a load that the model carries. The velocities come from a larger
+/// load, `further`.
 fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBracket {
     let statics = Static::with_plasticity(at).unwrap();
     let s = condensed::Prepared::new(&statics.program, &statics.map.block, &Patterns::default())
@@ -67,15 +68,15 @@ fn bracket(name: &str, at: &AnalysisModel, further: &AnalysisModel) -> FactorBra
     bracket
 }
 
-/// The pressed and sheared block, clamped at its foot: the solver's stress needs hardly any drawing
-/// in.
+/// The pressed and sheared block, clamped at its foot: the stress from the solver hardly needs to
+/// be scaled back.
 #[test]
 fn clamped_block() {
     let b = bracket("block", &block(3, 1.0), &block(3, 1.2));
     assert!(b.lower().value() > 1.0 - 1e-4 && b.upper().value() < 1.4);
 }
 
-/// Two blocks with friction between them, the upper one held by nothing else, pressed and pushed.
+/// Two blocks with friction between them, pressed and pushed. Friction alone holds the upper one.
 fn stacked(factor: f64) -> AnalysisModel {
     let shape =
         Block { cells: [2, 2, 4], min: [0.0; 3], max: [50.0, 50.0, 100.0], jitter: 0.2, seed: 3 };
@@ -98,7 +99,7 @@ fn block_on_block() {
     assert!(b.lower().value() > 1.0 - 1e-3 && b.upper().value() < 2.0);
 }
 
-/// The limit programs themselves, projected: what a pass of limit analysis will do.
+/// The limit programs themselves, projected as in a pass of limit analysis.
 fn limit(name: &str, m: &AnalysisModel, dead: Option<&StressField>) -> FactorBracket {
     let options = SolveOptions { gap: 1e-6, ..SolveOptions::default() };
     let statics = Static::limit(m).unwrap();
@@ -155,7 +156,7 @@ fn limit_programs() {
     limit("block on block", &stacked(0.8), None);
 }
 
-/// B5 with a dead load: the block that slides yields as well.
+/// B5 with a dead load: the sliding block yields as well.
 #[test]
 fn limit_programs_under_dead_load() {
     for seed in [1, 7] {

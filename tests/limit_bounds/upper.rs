@@ -72,9 +72,9 @@ fn everywhere(case: &Case, u: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> Vec<[f64;
     space.nodes.iter().zip(body).map(|(x, b)| u(b, *x)).collect()
 }
 
-/// By code that shares nothing with the library but the numbering of nodes and the inner
-/// velocities: supports and contacts at random points, divergence (strain in rigid bodies) by
-/// central differences, which are exact for quadratics.
+/// Checks admissibility with code that shares only the numbering of nodes and the inner velocities
+/// with the library. It checks supports and contacts at random points. It checks the divergence
+/// (and the strain in rigid bodies) by central differences, which are exact for quadratics.
 #[test]
 fn admissible_by_other_code() {
     for seed in SEEDS {
@@ -132,7 +132,7 @@ fn admissible_by_other_code() {
     }
 }
 
-/// Velocity gradient at barycentric `l` by central differences over the whole tet's size.
+/// Velocity gradient at barycentric `l` by central differences over the size of the whole tet.
 fn gradient(x: &[[f64; 3]; 4], u: &[[f64; 3]; 10], l: [f64; 4]) -> [[f64; 3]; 3] {
     let sub = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let det = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
@@ -170,8 +170,8 @@ fn gradient(x: &[[f64; 3]; 4], u: &[[f64; 3]; 10], l: [f64; 4]) -> [[f64; 3]; 3]
     g
 }
 
-/// Velocities that swell, penetrate, strain what is rigid or move supports are no bound as they
-/// stand; projected they bound the factor from above or are refused.
+/// Velocities with a change of volume, penetration, strain in rigid bodies or moving supports prove
+/// no bound as they stand. After projection they give an upper bound, or they are refused.
 #[test]
 fn wrong_fields() {
     for flow in [Flow::Split, Flow::Plain] {
@@ -221,7 +221,7 @@ fn wrong_fields() {
                 }
             }
         }
-        // backwards: the loads are driven
+        // reversed velocities: the loads do negative work
         let case = cases::bar(1);
         let back = everywhere(&case, |_, x| [-x[0], 0.5 * x[1], 0.5 * x[2]]);
         let refused =
@@ -235,7 +235,7 @@ fn wrong_fields() {
     }
 }
 
-/// Each subdivision of the rule lowers the bound, and never below the limit.
+/// Each subdivision of the quadrature rule lowers the bound, but never below the limit.
 #[test]
 fn finer_rules() {
     let case = cases::bar(7);

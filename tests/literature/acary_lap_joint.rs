@@ -1,5 +1,5 @@
-//! B8: a plate pressed on rigid ground, held down by a bolt that stretches and held back by a
-//! spring, pushed along the ground.
+//! B8: a plate is pressed on rigid ground and pushed along it. A bolt that stretches holds the
+//! plate down, and a spring holds it back.
 //!
 //! ```text
 //!              N₀ = 100 (dead)
@@ -32,7 +32,7 @@ const MU: f64 = 0.3;
 const N0: f64 = 100.0;
 const KN: f64 = 500.0;
 
-/// A jittered box whose faces carry the name of the body, one of them called HEAD.
+/// A jittered box whose faces carry the name of the body. One face is called HEAD.
 fn part(name: &'static str, min: [f64; 3], max: [f64; 3], head: &str, seed: u64) -> TetMesh {
     let mut mesh = Block { cells: [2, 1, 2], min, max, jitter: 0.2, seed }.mesh(
         &[name],
@@ -46,12 +46,12 @@ fn part(name: &'static str, min: [f64; 3], max: [f64; 3], head: &str, seed: u64)
     renamed(mesh, head, "HEAD")
 }
 
-/// The joint under T, the spring as stiff as `kt`.
+/// The joint under T; `kt` is the stiffness of the spring.
 fn joint(t: f64, kt: f64, friction: &str, seed: u64) -> Solved {
     held_down(t, kt, friction, false, seed)
 }
 
-/// The same; `preload`: what presses is the bolt's preload, not a dead load.
+/// The same. With `preload`, the preload of the bolt presses the plate instead of a dead load.
 fn held_down(t: f64, kt: f64, friction: &str, preload: bool, seed: u64) -> Solved {
     // a prism of area 1 and length 2 of modulus 1000 has k_n = 500
     let plate = part("PLATE", [0.0, 0.0, 0.0], [4.0, 2.0, 2.0], "Z1", seed);
@@ -92,7 +92,7 @@ fn b8_coulomb_carries_30_and_the_associated_law_52_5() {
             let carried = force + 0.5 * kt - kt * w;
             println!("{name}: slip {w:.7}, friction {carried:.6}, {:?}", s.pass.fixed_point);
             s.strict(&name);
-            // what the law carries at this very slip
+            // the friction force of the law at this slip
             let expected = if friction == "coulomb" { MU * N0 } else { MU * (N0 + KN * MU * w) };
             assert!(
                 (carried - expected).abs() < 1e-3 * force,
@@ -119,8 +119,8 @@ fn the_fixed_point_contracts_as_the_stiffnesses_say() {
     }
 }
 
-/// A spring so soft that plain steps leave nine tenths of the error each: forty of them for 1e-3.
-/// Accelerated, a few.
+/// With a very soft spring each plain step leaves nine tenths of the error, so a tolerance of 1e-3
+/// needs forty steps. The accelerated fixed point needs only a few.
 #[test]
 fn a_slow_fixed_point_is_accelerated() {
     let s = joint(30.0 + 0.5 * 5.0, 5.0, "coulomb", 5);
@@ -130,7 +130,8 @@ fn a_slow_fixed_point_is_accelerated() {
     assert!(run.contraction.expect("two plain steps") > 0.85 && run.solves <= 6, "{run:?}");
 }
 
-/// A load below μN₀ sticks: no slip, no shift, the bracket of the associated problem.
+/// Under a load below μN₀ the plate sticks: there is no slip and no shift, and the bracket is that
+/// of the associated problem.
 #[test]
 fn what_sticks_needs_one_solve() {
     let coulomb = joint(20.0, 100.0, "coulomb", 9);
@@ -142,8 +143,8 @@ fn what_sticks_needs_one_solve() {
     (0..2).for_each(|i| assert!((a[i] - b[i]).abs() < 1e-9 * b[i].abs(), "{a:?} against {b:?}"));
 }
 
-/// The same with the bolt tightened to 100 in place of the dead load: the closure of the cut stays,
-/// so k_n works on.
+/// The same with a bolt preload of 100 instead of the dead load. The closure of the cut is
+/// constant, so k_n still acts.
 #[test]
 fn b8_with_a_preloaded_bolt() {
     for (seed, kt) in [(2, 100.0)] {
@@ -156,8 +157,9 @@ fn b8_with_a_preloaded_bolt() {
                 "{name}: slip {w:.7}, friction {carried:.6}, {:?} {:?}",
                 s.pass.preload, s.pass.fixed_point
             );
-            // all that `strict` asks but the condensed method alone: on the static program of this
-            // joint, soft bolt and hard plate, it stalls and Clarabel takes over
+            // all checks of `strict` except the comparison with the condensed method alone: on the
+            // static program of this joint, with a soft bolt and a stiff plate, it stalls and
+            // Clarabel takes over
             let p = &s.pass;
             let b = p
                 .bracket
@@ -185,8 +187,8 @@ fn b8_with_a_preloaded_bolt() {
                 p.displacement.as_ref().unwrap(),
             );
             assert!((carried - force).abs() < 1e-3 * force, "{name}: {carried} at slip {w}");
-            // the bolt stretches with the dilation of the associated law, and not at all under
-            // Coulomb's
+            // the dilation of the associated law stretches the bolt; under Coulomb's law it does
+            // not stretch
             let tension = if friction == "coulomb" { N0 } else { N0 + KN * MU * w };
             assert!((s.pass.preload[0].tension.unwrap() - tension).abs() < 1e-3 * N0, "{name}");
         }

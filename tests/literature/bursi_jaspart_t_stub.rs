@@ -13,8 +13,8 @@
 //! lies within 134 (beam model, mode 1: 4 M_pl/m with m = 29.45) and 160 kN (test). Bolts: nominal
 //! 640 MPa on the shank, 72.4 kN each. Preload drops out of limit analysis.
 //!
-//! Tolerance: the bracket overlaps that range and is as narrow as was measured, with a little room;
-//! the bolts take only a part of the dissipation.
+//! Tolerance: the bracket overlaps that range and is as narrow as measured, with a small margin.
+//! The bolts dissipate only a part of the work.
 
 use crate::common::solved;
 use crate::common::t_stub::forces;
@@ -152,7 +152,7 @@ fn bursi_jaspart(size: f64) -> Assembly {
     }
 }
 
-/// The limit load on elements of `size` \[mm\]; the bracket is at most `width` wide.
+/// The limit load on elements of `size` \[mm\]. The bracket is at most `width` wide.
 fn t1(size: f64, width: f64) {
     let folder = tempfile::tempdir().unwrap();
     let meshed =

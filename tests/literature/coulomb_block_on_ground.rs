@@ -43,8 +43,8 @@ fn on_ground(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::So
 }
 
 fn on_block(ratio: f64, friction: &str, seed: u64) -> crate::common::solved::Solved {
-    // the upper block is the middle of the upper layer's whole width: same faces, flat plane
-    // between
+    // the upper block is the middle of the upper layer over its whole width, with the same faces
+    // and a flat plane between the blocks
     let block =
         Block { cells: [5, 2, 2], min: [0.0, 0.0, -2.0], max: [10.0, 4.0, 2.0], jitter: 0.2, seed };
     let mesh =

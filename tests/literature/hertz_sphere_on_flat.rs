@@ -10,11 +10,11 @@
 //! (1985), equations 4.22–4.24: E* = E/(1 − ν²), a = (3FR/4E*)^⅓ = 1.48125, p₀ = 3F/2πa² = 2176.13,
 //! δ = a²/R = 0.0219410; potential energy of the half-space −⅗ F δ.
 //!
-//! The block is finite: its far field gives δ a further compliance D, the same for every load near
-//! the corner. D is measured without contact and against another known answer: uniform pressure on
-//! a square of side c, mean settlement of a half-space 2.973210/π · p c (1 − ν²)/E (the mean of 1/r
-//! over the square; Love, Phil. Trans. R. Soc. A 228 (1929)). Then −Π = ⅗ F δ + ½ F² D.
-//!
+//! The block is finite, so its far field adds a compliance D to δ. D is the same for every load
+//! near the corner. It is measured without contact and against another known answer: under uniform
+//! pressure on a square of side c, the mean settlement of a half-space is 2.973210/π · p c (1 −
+//! ν²)/E (the mean of 1/r over the square; Love, Phil. Trans. R. Soc. A 228 (1929)). Then −Π = ⅗ F
+//! δ + ½ F² D.
 //! Tolerance: δ 1 %, a and p₀ 5 %: energies converge with the square of stresses.
 
 use crate::common::solved::{Solved, solve_to};
@@ -27,7 +27,7 @@ const R: f64 = 100.0;
 const E: f64 = 210_000.0;
 const NU: f64 = 0.3;
 
-/// A block with planes at the given coordinates in x and y (the same) and in z.
+/// A block with planes at the given coordinates: `xy` in x and y, `z` in z.
 fn block(xy: &[f64], z: &[f64]) -> TetMesh {
     let cells = [xy.len() - 1, xy.len() - 1, z.len() - 1];
     let mesh = Block::new(cells, cells.map(|n| n as f64)).mesh(&["B"], |_| 0, |_, _| false);
@@ -45,8 +45,8 @@ fn quarter(law: &str, load: &str, top: f64) -> String {
     )
 }
 
-/// Compliance \[mm/N\] of the finite block beyond the half-space, for a force on the whole block
-/// (four quarters).
+/// Additional compliance \[mm/N\] of the finite block compared with the half-space, for a force on
+/// the whole block (four quarters).
 fn extra_compliance(xy: &[f64], z: &[f64], square: f64) -> [f64; 2] {
     let mut mesh = block(xy, z);
     let patch =
@@ -71,8 +71,8 @@ fn hertz(xy: &[f64], z: &[f64]) -> Solved {
     solve_to(&quarter(&law, "", -F / 4.0), block(xy, z), &SolveOptions::default())
 }
 
-/// Resultant, radius and peak of the contact pressure of the static field: the radius from the mean
-/// distance, which is 3π/16 a under Hertz's pressure.
+/// Resultant, radius and peak of the contact pressure of the static field. The radius follows from
+/// the mean distance, which is 3π/16 a under Hertz's pressure.
 fn pressure(s: &Solved) -> (f64, f64, f64) {
     let mesh = &s.model.mesh;
     let (mut force, mut moment, mut peak) = (0.0, 0.0, 0.0f64);

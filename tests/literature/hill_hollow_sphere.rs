@@ -38,7 +38,7 @@ fn sphere(segments: usize, layers: usize) -> [f64; 2] {
     factors(&format!("A10, {tets} tets"), &m)
 }
 
-/// `width`: of the bracket, as measured with a little room.
+/// `width` limits the width of the bracket: the measured value with a small margin.
 fn check(segments: usize, layers: usize, width: f64) {
     let inscribed = inscribed_radius(segments);
     let [least, most] = [2.0 * (2.0 * inscribed).ln(), 2.0 * 2f64.ln()];
@@ -54,7 +54,7 @@ fn hollow_sphere() {
     check(12, 3, 0.04);
 }
 
-/// At most 1 % wide.
+/// The bracket is at most 1 % wide.
 #[test]
 #[ignore = "heavy: minutes"]
 fn hollow_sphere_fine() {

@@ -11,11 +11,11 @@
 //! 1.196347 s0, where the bore moves by 1.88396 s0 a/E (ν = 0.3). The load is proportional and
 //! nothing unloads, so Hencky's material is the one of flow; −Π is the integral of 4πa² u_a(p) dp.
 //!
-//! The body of the mesh is facetted; its two surfaces enclose the volumes of the spheres. To first
-//! order in the depth of the facets its energy is that of the sphere, see Lamé's cylinder and
-//! sphere, where facets of as many segments change the elastic energy by less than 1 %.
+//! The body of the mesh is facetted. Its two surfaces enclose the volumes of the spheres. To first
+//! order in the depth of the facets, its energy is that of the sphere. In the case of Lamé's
+//! cylinder and sphere, facets with as many segments change the elastic energy by less than 1 %.
 //!
-//! Tolerance: none, the closed form lies in the strict bracket of the facetted body.
+//! Tolerance: none. The closed form lies in the strict bracket of the facetted body.
 
 use crate::common::plastic::{plastic_model, strict};
 use crate::common::prism::{Prism, facetted_direction, radius_of_equal_volume};
@@ -24,8 +24,8 @@ use std::f64::consts::PI;
 
 const A: f64 = 10.0;
 
-/// Radial displacement of the bore at a plastic radius c, over s0 a/E: elastic change of volume
-/// everywhere.
+/// Radial displacement of the bore at a plastic radius c, over s0 a/E. The change of volume is
+/// elastic everywhere.
 fn bore(c: f64) -> f64 {
     let b = 2.0;
     // u(r) = s0 [ (1 − ν) c³/r² − ⅔ (1 − 2ν) r (3 ln(c/r) + 1 − c³/b³) ] / E for a ≤ r ≤ c, at r =
@@ -38,7 +38,7 @@ fn pressure(c: f64) -> f64 {
     2.0 * c.ln() + 2.0 / 3.0 * (1.0 - c.powi(3) / 8.0)
 }
 
-/// −Π over 4πa³ s0²/E at plastic radius c: ∫ u dp by Simpson's rule from first yield on.
+/// −Π over 4πa³ s0²/E at plastic radius c: ∫ u dp by Simpson's rule, starting at first yield.
 fn energy(c: f64) -> f64 {
     let n = 2000;
     let elastic = 0.5 * bore(1.0) * pressure(1.0);

@@ -15,10 +15,11 @@
 //! clamped at g above the ground, pressed by p, flat on it from x = a: g = pa⁴/72D (no moment at
 //! a), Π = p²a⁵/540D − p²a⁵/120D − pg(L − a).
 //!
-//! Tolerance of the moment 1e-8: linear stress and quadratic displacement are in both spaces, one
-//! linear solve is refined. Else the closed form must lie inside a bracket narrower than 3 %. What
-//! it leaves out (clamped end, touchdown, shear near them) is of the order of (t/L)² = 3e-5 of the
-//! energy, a hundredth of the brackets: no allowance is made for it.
+//! Tolerance of the moment 1e-8: both spaces contain linear stress and quadratic displacement, and
+//! one linear solve is refined. In the other cases the closed form must lie inside a bracket
+//! narrower than 3 %. The closed form neglects effects at the clamped end, at touchdown and of
+//! shear near them. They are of the order of (t/L)² = 3e-5 of the energy, a hundredth of the
+//! brackets, so the test makes no allowance for them.
 
 use crate::common::Block;
 use crate::common::solved::solve;
@@ -62,13 +63,13 @@ fn a_moment_bends_it_along_a_circle() {
         let clamped = format!("{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{loads}", steel(0.0));
         let exact = -m * m * L * width / (2.0 * stiffness(0.0));
         solve(&clamped, plate([40, 4, 2], width, seed)).exact("clamped, ν 0", exact, 1e-8);
-        // free anticlastic bending: the stress and so the energy do not depend on ν
+        // free anticlastic bending: the stress, and therefore the energy, does not depend on ν
         let free = format!("{}{loads}{}", steel(0.3), moment("X0", -1.0));
         solve(&free, plate([40, 4, 2], width, seed)).exact("free, ν 0.3", exact, 1e-8);
     }
 }
 
-/// `Π` \[N mm\] as `energy` × width, inside a bracket narrower than 3 %.
+/// Checks that `Π` \[N mm\] is `energy` × width, inside a bracket narrower than 3 %.
 fn holds(name: &str, yaml: &str, mesh: TetMesh, exact: f64) {
     let [lower, upper] = solve(yaml, mesh).contains(name, exact);
     println!(
@@ -128,11 +129,11 @@ fn pressed_down_until_its_end_lies_on_the_ground() {
             L * energy,
         );
     }
-    // free sides curl up: no closed form
+    // free sides curl upwards: no closed form is known
     solve(&lowered(0.5, 0.3, ""), plate([20, 10, 1], L, 3)).strict("gap 0.5, free sides");
 }
 
-/// Clamped at `gap` above rough ground and pressed.
+/// A plate clamped at `gap` above rough ground and pressed down.
 fn lowered(gap: f64, nu: f64, sides: &str) -> String {
     format!(
         "{}supports:\n- {{face: X0, fix: [x, y, z]}}\n{sides}- {{face: Z0, law: contact, mu: 0.3, \

@@ -9,9 +9,8 @@
 //! Source: G. Kirsch, VDI-Z. 42 (1898): K_t = 3 in a wide plate; finite width: R. B. Heywood,
 //! Designing by Photoelasticity (1952), K_tn = 2 + (1 − d/D)³ on the net section (Peterson's Stress
 //! Concentration Factors, chart 4.1): d/D = 0.1, K_tg = 2.729 / 0.9 = 3.032 of the gross stress.
-//!
-//! Tolerance 3 %: the formula is good to about 1 %, and the stress at the edge of the hole is read
-//! from a linear field on a polygon: the mean over the tets at the node of the static field.
+//! Tolerance 3 %: the formula is accurate to about 1 %. The stress at the edge of the hole comes
+//! from a linear field on a polygon: it is the mean over the tets at the node of the static field.
 
 use crate::common::solved::solve;
 use crate::common::{Block, mapped};

@@ -16,8 +16,8 @@
 //! changes with these volumes only, to first order in the depth of the facets. The remaining error
 //! is of second order, 1/N⁴ with N segments per quarter.
 //!
-//! Tolerance: none, the closed form lies in the strict bracket of the facetted body. Brackets of
-//! bodies with N/2 and N segments on the same mesh differ by less than 1 %.
+//! Tolerance: none. The closed form lies in the strict bracket of the facetted body. The brackets
+//! of bodies with N/2 and N segments on the same mesh differ by less than 1 %.
 
 use crate::common::prism::{Prism, facetted_direction, radius_of_equal_volume};
 use crate::common::solved::solve;
@@ -28,8 +28,8 @@ const P: f64 = 100.0;
 const E: f64 = 210_000.0;
 const A: f64 = 10.0;
 
-/// Brackets of the bodies with N/2 and N segments; `width`: of the second one, as measured with a
-/// little room.
+/// Compares the brackets of the bodies with N/2 and N segments. `width` limits the width of the
+/// second one: the measured value with a small margin.
 fn check(name: &str, coarse: [f64; 2], fine: [f64; 2], exact: f64, width: f64) {
     let middle = |b: [f64; 2]| 0.5 * (b[0] + b[1]);
     let facets = (middle(coarse) / middle(fine) - 1.0).abs();
@@ -43,18 +43,18 @@ fn check(name: &str, coarse: [f64; 2], fine: [f64; 2], exact: f64, width: f64) {
     assert!((fine[1] - fine[0]) / exact.abs() < width, "{name}: {fine:?}");
 }
 
-/// Radii from a to 2a in equal ratios.
+/// Radii from a to 2a with equal ratios.
 fn radius(t: f64) -> f64 {
     A * 2f64.powf(t)
 }
 
-/// Point on the unit circle's polygon of `n` segments a quarter, at fraction `s`.
+/// Point at fraction `s` on the polygon of the unit circle with `n` segments per quarter.
 fn on_polygon(s: f64, n: usize) -> [f64; 2] {
     let k = ((s * n as f64 + 1e-9).floor() as usize).min(n - 1);
     let f = s * n as f64 - k as f64;
     let at = |i: usize| {
         let angle = 0.5 * PI * i as f64 / n as f64;
-        // exactly on the axes at the ends: symmetry planes are planes
+        // the ends lie exactly on the axes, so that symmetry planes are planes
         [if i == n { 0.0 } else { angle.cos() }, if i == 0 { 0.0 } else { angle.sin() }]
     };
     std::array::from_fn(|d| (1.0 - f) * at(k)[d] + f * at(k + 1)[d])

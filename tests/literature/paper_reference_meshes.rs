@@ -11,12 +11,12 @@
 //! 686.184 / −82 674.174); its joint is that of El Boustani, Bleyer, Arquier, Ferradi, Sab.
 //!
 //! Tolerance 1e-6 relative: both solve the same discrete programs to a gap of 1e-7. One difference
-//! is known. The reference names a contact point by its node on the bolt and its normal alone.
+//! is known. The reference identifies a contact point by its node on the bolt and its normal alone.
 //! Where a shank runs from the plate into the column, a bolt node meets both with the same normal,
-//! and the second of the two contacts is lost (two of 1733 cones at 9k): its displacement is not
-//! strictly admissible and its figure lies below the strict bound. So the strict bound is asked to
-//! lie above the figure, by no more than 1e-4, and the reference's own program, with those contacts
-//! left out, is asked for the figure to 1e-6.
+//! and the reference loses the second of the two contacts (two of 1733 cones at 9k). Its
+//! displacement is therefore not strictly admissible, and its figure lies below the strict bound.
+//! The test requires that the strict bound lies above the figure by at most 1e-4. It also solves
+//! the program of the reference, without those contacts, and requires the figure to 1e-6.
 
 use bracket::analysis::elastic;
 use bracket::analysis::event::silent;
@@ -58,8 +58,8 @@ fn check(folder: &str, upper: f64, lower: f64) {
     );
 }
 
-/// The kinematic program with the contacts the reference keeps: one for each node of side B (the
-/// bolt) and normal.
+/// The kinematic program with the contacts that the reference keeps: one for each pair of a node of
+/// side B (the bolt) and a normal.
 fn like_the_reference(folder: &str, upper: f64, lost: usize) {
     let model = model(folder);
     let full = Kinematic::new(&model).unwrap();
@@ -103,7 +103,7 @@ fn nine_thousand_with_the_contacts_of_the_reference() {
     like_the_reference("paper_quarter_9k", -79_722.936, 2);
 }
 
-/// Some minutes and several GiB: run with `--ignored` (the heavy tier).
+/// Takes some minutes and several GiB: run with `--ignored` (the heavy tier).
 #[test]
 #[ignore = "heavy: several minutes"]
 fn thirty_three_thousand() {

@@ -11,16 +11,16 @@
 //! ```
 //! Source: L. Prandtl, Nachr. Ges. Wiss. Göttingen (1920): (2 + π) k = 5.141593 k, rough or smooth.
 //!
-//! Tolerance: none, the bracket contains the value. Its width: the corner of the punch is a
-//! singular point, where a fan of stresses meets; the bracket closes with the mesh size there. The
-//! width on the mesh used (7.0 % on 546 tets, 3.8 % on 1 584) is limited against regression.
+//! Tolerance: none. The bracket contains the value. The corner of the punch is a singular point
+//! where a fan of stresses meets, so the width of the bracket falls with the mesh size there. The
+//! test limits the width on the mesh used (7.0 % on 546 tets, 3.8 % on 1 584) against regression.
 
 use crate::common::grid::{finer_at_end, finer_at_start, joined, name};
 use crate::common::plane_strain::{PLANE_STRAIN, contains, slice};
 use crate::common::yielding::model;
 use bracket::model::AnalysisModel;
 
-/// Half of the punch; `first` is the smallest cell, at the corner.
+/// Half of the punch problem; `first` is the size of the smallest cell, at the corner.
 fn punch(first: f64, ratio: f64) -> AnalysisModel {
     let x = joined(&[finer_at_end(0.0, 1.0, first, ratio), finer_at_start(1.0, 4.2, first, ratio)]);
     let z = finer_at_end(-2.2, 0.0, first, ratio);

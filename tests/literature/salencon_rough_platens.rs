@@ -11,8 +11,8 @@
 //! symétriques, C. R. Acad. Sci. Paris 265 (1967); E. Christiansen, Limit analysis of collapse
 //! states (1996), the benchmark of numerical limit analysis: 2.42768 k.
 //!
-//! Tolerance: none, the bracket contains the value. Its width is at most 4 % (3.5 % on 324 tets,
-//! 1.9 % on 840): the corner of the platen is singular, and meshes are finest there.
+//! Tolerance: none. The bracket contains the value. Its width is at most 4 % (3.5 % on 324 tets,
+//! 1.9 % on 840). The corner of the platen is singular, and the meshes are finest there.
 
 use crate::common::grid::finer_at_end;
 use crate::common::plane_strain::{contains, platens};

@@ -1,5 +1,5 @@
-//! Unilateral contact with gaps, extreme loads and extreme materials: a strict certified bracket,
-//! or a clear status.
+//! Unilateral contact with gaps, extreme loads and extreme materials: the result is a strict
+//! certified bracket or a clear status.
 //!
 //! ```text
 //!   /////              |  F                [ soft ]  p
@@ -12,9 +12,9 @@
 //! − gE/L (0 if the gap stays open), energy −A (∫ (bτ − r)² / 2E dτ + r g); loose block, −F g − F²L
 //! / (2EA).
 //!
-//! Tolerance of the closed forms 1e-6 relative: both spaces hold the exact fields, the conic solver
-//! stops at a relative gap of 1e-8. The other cases have no closed form: strict bracket, and Σ
-//! contributions = gap.
+//! Tolerance of the closed forms 1e-6 relative: both spaces contain the exact fields, and the conic
+//! solver stops at a relative gap of 1e-8. The other cases have no closed form: the bracket must be
+//! strict, and Σ contributions = gap.
 
 use crate::common::Block;
 use crate::common::solved::{Solved, resolve, solve};
@@ -106,7 +106,7 @@ fn a_quadratic_gap_closes_from_its_middle() {
         s.strict("quadratic gap");
         let c = s.pass.upper.as_ref().unwrap().certificate();
         println!("largest gap left {:?}, peak pressure {:?}", c.largest_gap, c.peak_pressure);
-        // the corner opens to 0.0085 mm before the load; the load cannot close it all
+        // the corner has an initial gap of 0.0085 mm; the load cannot close all of it
         assert!(c.largest_gap.unwrap() > 1e-4 && c.peak_pressure.unwrap() > 60.0);
     }
 }
@@ -115,14 +115,14 @@ fn a_quadratic_gap_closes_from_its_middle() {
 fn a_part_without_support_is_named() {
     let loose = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nloads:\n- {face: X1, \
                  traction: [1, 0, 0]}\n";
-    let told = format!("{:?}", resolve(loose, column(1)).unwrap_err());
-    assert!(told.contains("model/loose-part") && told.contains("part B"), "{told}");
+    let message = format!("{:?}", resolve(loose, column(1)).unwrap_err());
+    assert!(message.contains("model/loose-part") && message.contains("part B"), "{message}");
     let slides = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z0, \
                   law: contact, mu: 0}\ndead:\n- {face: Z1, pressure: 5}\nloads:\n- {face: X1, \
                   traction: [1, 0, 0]}\n";
-    let told = format!("{:?}", resolve(slides, column(1)).unwrap_err());
-    assert!(told.contains("model/loose-part") && told.contains("part B"), "{told}");
-    // lifted off: contact does not pull
+    let message = format!("{:?}", resolve(slides, column(1)).unwrap_err());
+    assert!(message.contains("model/loose-part") && message.contains("part B"), "{message}");
+    // a lifted block: contact carries no tension
     let lifted = "materials: {s: {E: 210000, nu: 0.3}}\nbodies: {B: s}\nsupports:\n- {face: Z0, \
                   law: contact, mu: 0.3, friction: associated}\nloads:\n- {face: Z1, pressure: \
                   -5}\n";
@@ -131,7 +131,8 @@ fn a_part_without_support_is_named() {
 
 const PUSHED: [usize; 3] = [4, 2, 1];
 
-/// A block on the ground under pressure and a push of `ratio` μN, all loads times `scale`.
+/// A block on the ground under pressure and a push of `ratio` μN. All loads are multiplied by
+/// `scale`.
 fn pushed(material: &str, mu: f64, ratio: f64, scale: f64) -> Solved {
     let mesh = Block::new(PUSHED, [10.0, 4.0, 2.0]).jittered(3).mesh(&["B"], |_| 0, |_, _| false);
     let t = ratio * mu * 100.0 * 40.0 / 8.0;
@@ -163,7 +164,7 @@ fn no_load_no_energy() {
 }
 
 #[test]
-fn energy_goes_with_the_square_of_the_load() {
+fn energy_is_proportional_to_the_square_of_the_load() {
     let one = pushed("{E: 210000, nu: 0.3}", 0.3, 0.5, 1.0).strict("load × 1");
     for scale in [1e-9, 1e9] {
         let other =
@@ -215,7 +216,7 @@ fn a_stiffness_contrast_of_a_million() {
 
 #[test]
 fn a_loose_part_that_nothing_loads_carries_nothing() {
-    // B is pressed on the ground beside C, which only stands there
+    // B is pressed on the ground beside C, which carries no load
     for mu in ["0", "0.3, friction: associated"] {
         let b = Block::new([2, 2, 2], [10.0; 3]).jittered(1).mesh(&["B"], |_| 0, |_, _| false);
         let c = Block {
@@ -236,8 +237,8 @@ fn a_loose_part_that_nothing_loads_carries_nothing() {
     }
 }
 
-/// A plate with a square hole and, filling it on the mesh, a pin; faces PULL on the plate's side
-/// and PIN0, PIN1 on the pin's ends.
+/// A plate with a square hole and a pin that fills the hole on the mesh. The face PULL is on the
+/// side of the plate, the faces PIN0 and PIN1 are on the ends of the pin.
 fn pin_in_plate(with_pin: bool) -> TetMesh {
     let block = Block {
         cells: [4, 4, 2],
@@ -260,7 +261,7 @@ fn pin_in_plate(with_pin: bool) -> TetMesh {
         mesh.faces.push(bracket::mesh::NamedFaces { name: "PIN1".into(), triangles: high });
         return mesh;
     }
-    // without the pin and the nodes inside it
+    // removes the pin and the nodes inside it
     let kept: Vec<[u32; 4]> =
         mesh.tets.iter().zip(&mesh.tet_body).filter(|(_, b)| **b == 0).map(|(t, _)| *t).collect();
     let mut index = vec![None; mesh.nodes.len()];
@@ -296,15 +297,15 @@ fn a_bolt_loose_in_its_hole() {
                  {gap:?}}}\nsupports:\n{supports}{pulled}"
             )
         };
-        // the hole changes its shape by less than the clearance: the bolt feels nothing and may lie
-        // anywhere
+        // the hole changes its shape by less than the clearance: the bolt carries nothing and its
+        // position is not determined
         let loose = bolted(0.5, "- {face: X0, fix: [x, y, z]}\n");
         let loose = solve(&loose, pin_in_plate(true)).strict(&format!("loose bolt, μ {mu}"));
         for (a, b) in alone.iter().zip(loose) {
             assert!((a - b).abs() <= 1e-6 * a.abs(), "{alone:?} against {loose:?}");
         }
-        // the plate hangs on the bolt: it comes to bear after the clearance, which the pull works
-        // on
+        // the plate hangs on the bolt: the contact closes after the clearance, along which the pull
+        // does work
         let work = 50.0 * 20.0 * 6.0 * 0.5;
         let bears = bolted(
             0.5,
@@ -328,11 +329,11 @@ fn the_random_points_find_faulty_fields() {
             .is_err()
     };
     assert!(!refused(&stress, &u));
-    // one stress value off by a millionth of the largest
+    // one stress value changed by a millionth of the largest
     let mut off = stress.clone();
     off.points[10][2][1][0] += 1e-4;
     assert!(refused(&off, &u));
-    // a uniform, self-equilibrated change that pulls at the contact
+    // a uniform change in equilibrium that causes tension at the contact
     let mut pulled = stress.clone();
     pulled.points.iter_mut().flatten().flatten().for_each(|p| p[2] += 1e3);
     assert!(refused(&pulled, &u));

@@ -1,5 +1,5 @@
-//! Meshes full of slivers: dihedral angles down to a twentieth of a degree, on contact faces
-//! triangles as thin.
+//! Meshes full of slivers with dihedral angles down to a twentieth of a degree, and contact faces
+//! with triangles that are just as thin.
 //!
 //! ```text
 //!    v v v v v v p
@@ -8,12 +8,11 @@
 //!   [  slivers  ]
 //!   /////////////
 //! ```
-//! Source: none for the mesh. Constant stress, p²V/2E, and self-weight (case A9), b²AL³/6E, with ν
-//! = 0 are held by both spaces on any mesh; the brackets of one body on any two meshes overlap.
-//!
-//! Tolerance of the closed forms 1e-6: the conic solver stops at a relative gap of 1e-8, and
-//! rounding grows with the inverse square of the angle (1e-16 / (8e-4)² = 1e-10). Overlap and
-//! strictness have none.
+//! Source: none for the mesh. Both spaces contain constant stress, p²V/2E, and self-weight (case
+//! A9), b²AL³/6E, with ν = 0 on any mesh. The brackets of one body on any two meshes overlap.
+//! Tolerance of the closed forms 1e-6: the conic solver stops at a relative gap of 1e-8, and the
+//! rounding error grows with the inverse square of the angle (1e-16 / (8e-4)² = 1e-10). Overlap and
+//! strictness are checked without tolerance.
 
 use crate::common::solved::{resolve, solve};
 use crate::common::{Block, Random};
@@ -29,7 +28,7 @@ const TOP: f64 = 12.0;
 const MIDDLE: f64 = 6.0;
 const SIDE: f64 = 10.0;
 
-/// Two blocks on each other, with good tets.
+/// Two stacked blocks of well-shaped tets.
 fn blocks() -> TetMesh {
     Block::new([4, 4, 6], [SIDE, SIDE, TOP]).mesh(
         &["LOWER", "UPPER"],
@@ -38,8 +37,8 @@ fn blocks() -> TetMesh {
     )
 }
 
-/// Moves inner nodes, and those inside the contact plane within it, each along a random line until
-/// the first of its tets has no more than the volume `least` \[mm³\].
+/// Moves inner nodes along random lines. Nodes inside the contact plane stay within it. A node
+/// stops when the first of its tets has only the volume `least` \[mm³\].
 fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
     let mut random = Random::new(seed);
     let mut tets_at = vec![Vec::new(); mesh.nodes.len()];
@@ -69,8 +68,8 @@ fn slivered(mut mesh: TetMesh, least: f64, seed: u64) -> TetMesh {
     mesh
 }
 
-/// A mesh whose tets have no less than the volume `least`; it has shown that many of them are
-/// slivers, the worst below `worst` degrees, and that all are sound.
+/// A mesh whose tets have at least the volume `least`. Checks that many of them are slivers, that
+/// the worst angle is below `worst` degrees, and that all tets are valid.
 fn bad(least: f64, worst: f64) -> TetMesh {
     let mesh = slivered(blocks(), least, 7);
     let angles: Vec<f64> =
@@ -83,8 +82,8 @@ fn bad(least: f64, worst: f64) -> TetMesh {
     mesh
 }
 
-/// Two blocks on each other, the lower one held at its base; without friction the upper one may
-/// slide where nothing pushes it.
+/// Two stacked blocks, the lower one held at its base. Without friction the upper one may slide if
+/// no load pushes it.
 fn model(nu: f64, mu: &str, loads: &str) -> String {
     format!(
         "materials: {{s: {{E: 210000, nu: {nu:?}}}}}\nbodies: {{LOWER: s, UPPER: \
@@ -113,7 +112,7 @@ fn weight_on_a_contact_of_slivers() {
         "0",
         &["LOWER", "UPPER"].map(|n| format!("- {{body: {n}, force: [0, 0, {:?}]}}\n", -b)).concat(),
     );
-    // the contact transfers what lies above it: as without it, b²AL³/6E
+    // the contact transfers the load above it, so the energy is that without contact, b²AL³/6E
     solve(&yaml, mesh).exact(
         "slivers, weight",
         -b * b * SIDE * SIDE * TOP.powi(3) / (6.0 * E),
@@ -125,7 +124,7 @@ fn weight_on_a_contact_of_slivers() {
 fn brackets_on_slivers_and_on_good_tets_overlap() {
     let mesh = bad(0.01, 0.05);
     for (mu, push) in [("0.3, friction: associated", -15.0), ("0", 0.0)] {
-        // a pull at x = 0 that turns into pressure, and a push: the contact opens along the edge
+        // a pull at x = 0 that changes into pressure, and a push: the contact opens along the edge
         let growing = format!(
             "{{traction0: [{push:?}, 0, 40], gradient: [[0, 0, 0], [0, 0, 0], [-20, 0, 0]]}}"
         );

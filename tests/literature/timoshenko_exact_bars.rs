@@ -1,5 +1,5 @@
-//! Bars, cubes and columns whose exact stress is linear: both programs hold the exact solution on
-//! any mesh.
+//! Bars, cubes and columns whose exact stress is linear. Both programs represent the exact solution
+//! on any mesh.
 //!
 //! ```text
 //!   A1 tension          A6 pure bending        A7 all-round pressure   A9 self-weight
@@ -11,9 +11,9 @@
 //! (self-weight), 102 (bending); strain energies N²L/(2EA), M²L/(2EI), p²V/(2K), ρ²g²AL³/(6E) by
 //! integrating σ:C⁻¹:σ / 2.
 //!
-//! Tolerance 1e-8 relative: no discretisation error, no cones, one linear solve refined; what is
-//! left is rounding times the condition number. Three meshes with different random inner nodes
-//! each.
+//! Tolerance 1e-8 relative: there is no discretisation error, there are no cones, and one linear
+//! solve is refined. The remaining error is rounding times the condition number. Each case runs on
+//! three meshes with different random inner nodes.
 
 use crate::common::Block;
 use crate::common::solved::solve;

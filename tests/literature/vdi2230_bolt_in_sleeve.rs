@@ -11,13 +11,13 @@
 //! (2 E 5); in tension the sleeve lifts, the bolt works alone and Π = −F²L / (2 E 1): five times
 //! the slope.
 //!
-//! Tolerance of the energies 1e-8 relative: constant stress is in both spaces, the contact state is
-//! strictly open or strictly closed. With preload F_p a closure δ = F_p (L/E)(1 + 1/4) of a cut in
-//! the shank stays, and `Π(u) = ½ k_b (u + δ)² + ½ k_s min(u, 0)² − F u`: the bolt takes F_p + 0.2
-//! F until the sleeve lifts at F = F_p / 0.8, then F alone.
+//! Tolerance of the energies 1e-8 relative: both spaces contain constant stress, and the contact is
+//! clearly open or clearly closed. With a preload F_p a closure δ = F_p (L/E)(1 + 1/4) of a cut in
+//! the shank stays, and `Π(u) = ½ k_b (u + δ)² + ½ k_s min(u, 0)² − F u`: the bolt carries F_p +
+//! 0.2 F until the sleeve lifts at F = F_p / 0.8, and F alone afterwards.
 //!
-//! Of the forces 1e-6 F: an energy that is minimal is known twice as well (in digits) as the force
-//! at which it is.
+//! Tolerance of the forces 1e-6 F: near its minimum an energy is known to twice as many digits as
+//! the force at which it is minimal.
 
 use crate::common::solved::{Solved, solve_to};
 use crate::common::{Block, beside, renamed, triangles_where};
@@ -31,7 +31,7 @@ fn run(force: f64, seed: u64) -> Solved {
     run_preloaded(force, None, seed)
 }
 
-/// Force on the top, preload of the bolt if there is one.
+/// Runs the model with a force on the top and an optional preload of the bolt.
 fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     let bolt = Block { cells: [1, 1, 4], min: [0.0; 3], max: [1.0, 1.0, L], jitter: 0.2, seed };
     let sleeve = Block {
@@ -58,7 +58,7 @@ fn run_preloaded(force: f64, preload: Option<f64>, seed: u64) -> Solved {
     let bolts = preload.map_or(String::new(), |f| {
         format!("preload:\n- {{body: BOLT, cut: CUT, axis: {axis}, force: {f:?}}}\n")
     });
-    // an energy known to 1e-8 takes a gap below that
+    // an energy accurate to 1e-8 needs a smaller gap
     solve_to(&(yaml + &bolts), mesh, &SolveOptions { gap: 1e-11, ..SolveOptions::default() })
 }
 
@@ -99,8 +99,8 @@ fn b12_in_tension_the_bolt_works_alone() {
 
 const KB: f64 = E / L;
 
-/// Energy, displacement of the top and tension of the bolt under `force` with the closure that
-/// `preload` left.
+/// Energy, displacement of the top and tension of the bolt under `force`, with the closure that
+/// results from `preload`.
 fn preloaded(force: f64, preload: f64) -> [f64; 3] {
     let closure = preload * (1.0 / KB + 1.0 / (4.0 * KB));
     let closed = (force - KB * closure) / (5.0 * KB);
@@ -140,8 +140,8 @@ fn b12_the_preloaded_bolt_takes_a_fifth_until_the_sleeve_lifts_at_five_quarters(
             );
             assert!((axial_force(&s, 0, 1.0) - tension).abs() < 1e-6 * FP, "{name}");
             assert!((top(&s) - u).abs() < 1e-6 * FP / KB, "{name}: {} against {u}", top(&s));
-            // the sleeve carries what the bolt holds down beyond the load: nothing once it has
-            // lifted
+            // the sleeve carries the difference between bolt force and load, and nothing after it
+            // has lifted
             let sleeve = (force - tension).min(0.0);
             assert!((axial_force(&s, 1, 4.0) - sleeve).abs() < 1e-6 * FP, "{name}");
             tops.push(top(&s));

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Pulled: t = p; as if tied below S, no equilibrium above. Between walls: tied, t = b L/4; above S
-//! the weld gives way, t = S, and the rest of b goes to the wall behind B. Fields are linear and
-//! quadratic in x: both programs are exact. Tolerance 1e-6, that of the solver's gap.
+//! the weld yields, t = S, and the wall behind B carries the rest of b. The fields are linear and
+//! quadratic in x, so both programs are exact. Tolerance 1e-6, that of the solver's gap.
 
 use crate::common::Block;
 use crate::common::solved::{Solved, resolve, solve};
@@ -51,7 +51,7 @@ fn pulled_below_the_strength() {
         let solved = pulled(p, 101.0, seed);
         solved.exact("weld, pulled", tied, 1e-6);
         let used = solved.pass.lower.as_ref().unwrap().certificate().weld.unwrap();
-        // a field is as exact as the root of the gap (1e-8) at which its energy is taken
+        // the error of a field is the square root of the gap (1e-8) of its energy
         assert!((used - 100.0 / 101.0).abs() < 1e-4, "{used}");
     }
 }
@@ -71,7 +71,7 @@ fn pulled_beyond_the_strength() {
     }
 }
 
-/// Energy between walls with the traction t in the weld and the jump g over it.
+/// Energy between walls with the traction t in the weld and the jump g across it.
 fn between_walls(b: f64, t: f64, g: f64) -> f64 {
     let strain = 0.5 * AREA / E * (t * t * L + t * t * L - t * b * L * L + b * b * L.powi(3) / 3.0);
     let work = -AREA * b / E * (0.5 * t * L * L - b * L.powi(3) / 3.0);
@@ -96,8 +96,9 @@ fn between_walls_tied_and_giving_way() {
     }
 }
 
-/// A weld beside a contact that opens: blocks pressed together on one half of their joint, welded
-/// on the other. The bracket is strict and contains the energy of a finer mesh's bracket.
+/// A weld beside a contact that opens: two blocks are pressed together on one half of their joint
+/// and welded on the other. The bracket is strict and contains the energy from the bracket of a
+/// finer mesh.
 #[test]
 fn welded_and_in_contact() {
     let at = |n: usize| {
@@ -153,10 +154,11 @@ fn wrong_welds_are_refused() {
     for (weld, words) in rows {
         let text = yaml(1.0, rest).replace("strength_traction: 1.0", weld);
         let d = resolve(&text, bars(1)).expect_err(weld);
-        let told: Vec<String> = d.iter().map(|d| format!("{} {:?}", d.message, d.help)).collect();
-        assert!(told.iter().any(|m| m.contains(words)), "{weld}: {told:?}");
+        let messages: Vec<String> =
+            d.iter().map(|d| format!("{} {:?}", d.message, d.help)).collect();
+        assert!(messages.iter().any(|m| m.contains(words)), "{weld}: {messages:?}");
     }
-    // what a contact alone takes, and a weld alone
+    // keys for a contact alone, and for a weld alone
     let contact = yaml(1.0, rest).replace("law: weld, ", "law: contact, mu: 0, ");
     let d = resolve(&contact, bars(1)).expect_err("contact");
     assert!(d.first().message.contains("has no meaning for `law: contact`"), "{d:?}");

@@ -1,5 +1,6 @@
-//! Yield conditions only where they are needed: below first yield the elastic analysis, beyond it
-//! what all conditions give, beyond the limit load no equilibrium.
+//! Yield conditions only where they are needed. Below first yield the result is that of the elastic
+//! analysis. Beyond it the result is that of all conditions. Beyond the limit load there is no
+//! equilibrium.
 
 use crate::common::Block;
 use crate::common::plastic::{plastic_model, run, strict, strict_pass};
@@ -23,7 +24,8 @@ fn block(n: usize, factor: f64) -> AnalysisModel {
     AnalysisModel { analysis: AnalysisKind::Elastoplastic, ..yielding::block(n, factor) }
 }
 
-/// Two blocks with friction and an initial gap beside, pressed and pushed.
+/// Two blocks with friction and an initial gap between them and a gap to a rigid wall beside them,
+/// pressed and pushed.
 fn stacked(pressure: f64) -> AnalysisModel {
     let mesh =
         Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }
@@ -61,8 +63,8 @@ fn below_first_yield_it_is_the_elastic_analysis() {
     }
 }
 
-/// What the programs with every yield condition give: the same lower bound, an upper bound between
-/// that of plain elements and that of split ones alone.
+/// The result is that of the programs with every yield condition: the same lower bound, and an
+/// upper bound between that of plain elements and that of split elements alone.
 #[test]
 fn nothing_is_lost() {
     for (name, model) in [("block", block(3, 0.85)), ("stacked", stacked(180.0))] {
@@ -94,8 +96,8 @@ fn nothing_is_lost() {
     }
 }
 
-/// Towards the limit load of the same mesh everything yields, and beyond it there is no
-/// equilibrium: first of the static program, then of both.
+/// Towards the limit load of the mesh all elements yield. Beyond it there is no equilibrium: first
+/// in the static program, then in both.
 #[test]
 fn beyond_the_limit_load_nothing_balances() {
     let at_one = AnalysisModel { analysis: AnalysisKind::Limit, ..block(2, 1.0) };
@@ -108,7 +110,8 @@ fn beyond_the_limit_load_nothing_balances() {
     let pass = run(&block(2, 1.005 * low));
     assert_eq!(pass.statics.as_ref().unwrap().status, SolveStatus::Unbounded);
     assert!(pass.lower.is_none() && pass.upper.is_some_and(|u| u.is_strict()));
-    // flow costs more by the vertex rule of the energy than by the rule of the limit load
+    // plastic flow dissipates more by the vertex rule of the energy than by the rule of the limit
+    // load
     let pass = run(&block(2, 1.3 * up));
     for (program, r) in pass.runs() {
         println!("{}: {:?} after {} solves: {:?}", program.name(), r.status, r.rounds, r.mechanism);
@@ -122,7 +125,7 @@ fn beyond_the_limit_load_nothing_balances() {
     assert!(pass.lower.is_none() && pass.upper.is_none());
 }
 
-/// A dead load counts as any other, and a force per volume works in split tets too.
+/// A dead load counts as any other load, and a force per volume does work in split tets too.
 #[test]
 fn dead_loads_and_body_forces_count() {
     let mesh =

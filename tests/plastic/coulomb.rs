@@ -12,8 +12,8 @@
 //! at w = 0.5 under the associated one. The strut is a bar of uniform stress, so that both programs
 //! hold it exactly.
 //!
-//! Tolerances: 1e-3 of the friction force, what the fixed point is asked for; energies below first
-//! yield 1e-4 of the elastic ones.
+//! Tolerances: 1e-3 of the friction force, which is the tolerance of the fixed point. Below first
+//! yield the energies agree with the elastic ones to 1e-4.
 
 use crate::common::plastic::{run, strict_pass};
 use crate::common::solved::{resolve_as, solve_to};
@@ -31,7 +31,7 @@ const KN: f64 = 500.0;
 const FY: f64 = 10.0;
 const AREA: f64 = 4.0;
 
-/// A name and which points belong to it.
+/// The name of a face and the points that belong to it.
 type Face<'a> = (&'a str, &'a dyn Fn([f64; 3]) -> bool);
 
 fn named(mut mesh: TetMesh, faces: &[Face<'_>]) -> TetMesh {
@@ -73,7 +73,7 @@ fn mesh(seed: u64) -> TetMesh {
     beside(beside(plate, bolt), spring)
 }
 
-/// The joint under T, all but the line of its analysis.
+/// The joint under T without the line of its analysis.
 fn yaml(t: f64, kt: f64, friction: &str) -> String {
     format!(
         "materials:\n  hard: {{E: 1.0e6, nu: 0}}\n  bolt: {{E: 1000, nu: 0}}\n  spring: {{E: \
@@ -122,7 +122,7 @@ fn coulomb_s_law_holds_beside_a_strut_that_yields() {
                 "{name}: {carried} against {expected} at slip {w}"
             );
             assert!((w - 0.5).abs() < 1e-3 * force / kt, "{name}: slip {w}");
-            // the strut has yielded, and the shift is that of the slips
+            // the strut has yielded, and the shift agrees with the slips
             assert!(pass.runs().all(|(_, r)| r.yielding.unwrap() > 0), "{name}");
             assert_eq!(pass.fixed_point.is_some(), friction == "coulomb", "{name}");
             let off =
@@ -132,17 +132,17 @@ fn coulomb_s_law_holds_beside_a_strut_that_yields() {
     }
 }
 
-/// Where nothing yields it is the fixed point of elastic analysis.
+/// Where nothing yields, the fixed point is that of elastic analysis.
 #[test]
 fn below_first_yield_the_problem_is_the_elastic_one() {
-    // at nine tenths of what the strut yields at, its stiffness 2000 beside k_t
+    // at nine tenths of the yield force of the strut, whose stiffness of 2000 acts beside k_t
     let (t, kt) = (30.0 + 0.018 * (2000.0 + 3000.0), 3000.0);
     let (model, pass) = solved(t, kt, "coulomb", 7);
     let [low, up] = strict_pass("elastic strut", &model, &pass);
     assert!(pass.fixed_point.as_ref().is_some_and(|f| f.solves > 1), "{:?}", pass.fixed_point);
     let elastic = solve_to(&yaml(t, kt, "coulomb"), mesh(7), &SolveOptions::default());
     let [a, b] = elastic.strict("elastic strut");
-    // two fixed points, each to a thousandth of the slips
+    // two fixed points, each accurate to a thousandth of the slips
     assert!(
         (low - a).abs() < 1e-4 * a.abs() && (up - b).abs() < 1e-4 * b.abs(),
         "[{low}, {up}] against [{a}, {b}]"

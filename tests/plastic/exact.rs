@@ -1,5 +1,5 @@
 //! A1 and A3 beyond yield: bodies whose exact stress and plastic strain are constant, so that both
-//! programs hold them on any mesh; an elastic body beside limits the strain.
+//! programs represent them on any mesh. A parallel elastic body limits the strain.
 //!
 //! ```text
 //!   two bars in parallel      two cubes in parallel       all-round pressure
@@ -34,7 +34,7 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
             (low / want - 1.0).abs() < 1e-6 && (up / want - 1.0).abs() < 1e-6,
             "{name}: [{low}, {up}], {want}"
         );
-        // strict: neither may pass the exact value
+        // strict: neither bound may pass the exact value
         let rounding = 1e-11 * want.abs();
         assert!(
             low <= want + rounding && up >= want - rounding,
@@ -43,7 +43,8 @@ fn exact(name: &str, want: f64, at: impl Fn(u64) -> AnalysisModel) {
     }
 }
 
-/// Strain of the bars, `times` that at yield; A never yields, 120 mm² beside 96 mm², 30 mm long.
+/// Bars with a strain of `times` that at yield. A never yields. Their areas are 120 mm² and 96 mm²,
+/// their length is 30 mm.
 fn bars(times: f64, seed: u64) -> AnalysisModel {
     let mesh = beside(
         cuboid([3, 1, 2], [0.0; 3], [30.0, 10.0, 12.0], seed, "A"),
@@ -98,8 +99,8 @@ fn a3_cube_in_shear_beside_an_elastic_cube() {
     });
 }
 
-/// A7: pressure flows nothing, however high; nothing supports the cube, and nothing gets a yield
-/// condition.
+/// A7: pressure causes no plastic flow, however high it is. Nothing supports the cube, and no
+/// element gets a yield condition.
 #[test]
 fn a7_cube_under_all_round_pressure() {
     let p = 3.0 * FY;
@@ -117,8 +118,8 @@ fn a7_cube_under_all_round_pressure() {
     assert!(run(&at(1)).runs().all(|(_, r)| r.yielding == Some(0) && r.rounds == 1));
 }
 
-/// A bar alone: elastic at 0.999 of its yield force, without equilibrium at 1.001, and both
-/// programs say which body flows.
+/// A single bar is elastic at 0.999 of its yield force. It has no equilibrium at 1.001, and both
+/// programs name the body that flows.
 #[test]
 fn bar_below_and_beyond_its_strength() {
     let bar = |part: f64, seed| {

@@ -1,5 +1,6 @@
-//! Hard cases of elastic, perfectly plastic analysis: the same two blocks as in limit analysis. A
-//! strict bracket of the known energy, or no equilibrium reported as such.
+//! Hard cases of elastic, perfectly plastic analysis, with the same two blocks as in limit
+//! analysis. The result is a strict bracket of the known energy, or a report that no equilibrium
+//! exists.
 //!
 //! ```text
 //!    ↓ ↓ ↓  p           two blocks one upon the other, free to widen:
@@ -23,7 +24,7 @@ fn blocks(seed: u64) -> TetMesh {
     shape.mesh(&["A", "B"], |c| usize::from(c[2] > 6.0), |d, x| d == 2 && (x - 6.0).abs() < 1e-9)
 }
 
-/// Two blocks, `material` of the lower one; held as `foot` says.
+/// Two blocks. `material` is that of the lower one; `foot` is its support.
 fn pressed(material: &str, mu: f64, gap: f64, foot: &str, load: &str) -> AnalysisModel {
     let law = if mu > 0.0 { ", friction: associated" } else { "" };
     let yaml = format!(
@@ -76,8 +77,8 @@ fn loads_that_cannot_be_carried() {
     }
 }
 
-/// Yield next to a clamped foot, in a material that hardly changes its volume, and under one a
-/// million times as stiff.
+/// Yield next to a clamped foot: in a material that is nearly incompressible, and below a material
+/// that is a million times as stiff.
 #[test]
 fn extreme_materials() {
     for (name, material) in

@@ -1,4 +1,4 @@
-//! Random small assemblies beyond first yield: no wrong number.
+//! Random small assemblies beyond first yield: no result is a wrong number.
 
 use crate::common::plastic::{plastic_model, run, strict_pass};
 use crate::common::yielding::FY;
@@ -8,8 +8,8 @@ use bracket::programs::Static;
 use bracket::solve::{SolveOptions, SolveStatus, clarabel};
 use std::collections::BTreeMap;
 
-/// Two blocks one upon the other, tied or in contact, clamped at the foot and held at two sides,
-/// loaded at the top by a share of what they may carry.
+/// Two stacked blocks, tied or in contact, clamped at the foot and held on two sides. The load on
+/// the top is a fraction of the load that they may carry.
 fn assembly(seed: u64) -> AnalysisModel {
     let mut r = Random::new(seed);
     (0..8).for_each(|_| _ = r.unit());
@@ -45,7 +45,8 @@ fn assembly(seed: u64) -> AnalysisModel {
     )
 }
 
-/// Every bracket strict and in order; with every yield condition, Clarabel finds the lower bound.
+/// Every bracket is strict and in order. With all yield conditions, Clarabel finds the same lower
+/// bound.
 #[test]
 fn random_assemblies() {
     let mut ends: BTreeMap<String, usize> = BTreeMap::new();
@@ -58,7 +59,7 @@ fn random_assemblies() {
             assert_eq!(r.trouble, None, "seed {seed}");
         }
         if pass.bracket.is_none() {
-            // a load that cannot be carried is a result, and reported as one
+            // no equilibrium is a valid result if it is reported as such
             assert!(
                 pass.runs().any(|(_, r)| r.mechanism.is_some()),
                 "seed {seed}: {:?}",

@@ -1,12 +1,12 @@
-//! Welds in bodies that yield: the weaker of the two gives way.
+//! Welds in bodies that yield: the weaker of the two yields.
 //!
 //! ```text
 //!  |[======= elastic =======]|
 //!  |[== yields ==‖== yields =]|→ N      ‖ weld
 //! ```
-//! Beside an elastic bar that strains by e, the welded bar of length L carries the smaller strength
-//! s; what its strain s/E leaves of e L opens in the weld, or is plastic strain:
-//! `s²/(2E) L + s (e − s/E) L` for each mm² either way.
+//! The welded bar of length L lies beside an elastic bar with the strain e. It carries the smaller
+//! strength s. Its own elastic strain is s/E. The rest of e L opens the weld or is plastic strain.
+//! The energy per mm² is the same for both: `s²/(2E) L + s (e − s/E) L`.
 
 use crate::common::plastic::{plastic_model, run, strict_pass};
 use crate::common::yielding::{E, FY};
@@ -60,7 +60,7 @@ fn a_weld_or_the_bodies_beside_it_give_way() {
             low <= want + rounding && up >= want - rounding,
             "{name}: [{low:e}, {up:e}] against {want:e}"
         );
-        // the weld is used up, or the bars are
+        // either the weld is fully used, or the bars are
         let used = pass.lower.as_ref().unwrap().certificate().weld.unwrap();
         assert!(used <= 1.0 && (used - s / strength).abs() < 1e-5, "{name}: {used}");
         let work = pass.upper.as_ref().unwrap().certificate().welds[0];

@@ -1,4 +1,4 @@
-//! Result folders: whole, or not there.
+//! Result folders are complete or do not exist.
 
 use bracket::diag::{Diagnostic, Fault};
 use bracket::result::folder::{FolderError, ResultFolder};
@@ -127,7 +127,7 @@ fn two_runs_do_not_share_a_target_and_a_killed_one_does_not_block() {
     let e = fault(ResultFolder::begin(&target).expect_err("busy"));
     assert_eq!((e.code, e.fault.exit_code()), ("report/folder-busy", 2));
     first.write("report.md", b"page").expect("still there");
-    // a killed run drops its lock but not its folder
+    // a killed run releases its lock but leaves its folder
     let part = dir.path().join("joint.part");
     let copy = dir.path().join("copy");
     fs::create_dir(&copy).expect("makes");
@@ -136,7 +136,7 @@ fn two_runs_do_not_share_a_target_and_a_killed_one_does_not_block() {
     fs::rename(&copy, &part).expect("renames");
     write_whole(&target, "after the killed run");
     assert_eq!(names(dir.path()), ["joint"]);
-    // a folder of that name that is not ours stays
+    // a folder of that name that the program did not write is kept
     fs::create_dir(&part).expect("makes");
     fs::write(part.join("mine.txt"), "precious").expect("writes");
     assert!(matches!(ResultFolder::begin(&target), Err(FolderError::InTheWay { .. })));
@@ -171,7 +171,7 @@ fn a_full_disk_is_named_and_leaves_nothing() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_place_that_cannot_be_written_is_an_environment_fault() {
-    // no one may make folders there, not even root
+    // nobody may make folders there, not even root
     for target in ["/proc/joint", "/sys/joint"] {
         let e = fault(ResultFolder::begin(Path::new(target)).expect_err(target));
         assert_eq!(e.fault.exit_code(), 4, "{e}");
@@ -189,8 +189,8 @@ fn a_place_that_cannot_be_written_is_an_environment_fault() {
     fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o755)).expect("changes");
 }
 
-/// What is given up goes, with the parents made for it; an earlier result and one that is finished
-/// stay.
+/// A discarded folder is removed together with the parent folders made for it. An earlier result
+/// and a finished result are kept.
 #[test]
 fn what_is_given_up_leaves_nothing_and_touches_no_result() {
     let dir = tempfile::tempdir().expect("temporary folder");
@@ -199,7 +199,7 @@ fn what_is_given_up_leaves_nothing_and_touches_no_result() {
     folder.write("fields/TOP_static.vtu", b"field").expect("writes");
     folder.give_up()();
     assert!(names(dir.path()).is_empty(), "{:?}", names(dir.path()));
-    // nobody may move or drop what is given up: the program ends here
+    // skips the drop of the discarded folder, as if the program ended here
     std::mem::forget(folder);
 
     let target = dir.path().join("joint");

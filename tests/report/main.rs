@@ -1,4 +1,4 @@
-//! What a run leaves behind, tested through files: pictures, fields, the page, the folder.
+//! The files that a run writes: pictures, fields, the page, the folder.
 
 mod folder;
 mod golden;

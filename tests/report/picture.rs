@@ -1,7 +1,7 @@
-//! Pictures of a small bolted block: something is drawn, nothing is cut off, the same bytes every
-//! time.
+//! Pictures of a small bolted block: the picture is not empty, nothing is cut off, and the bytes
+//! are the same every time.
 //!
-//! With `BRACKET_TEST_PICTURES` naming a folder, the pictures are kept there to be looked at.
+//! If `BRACKET_TEST_PICTURES` names a folder, the test keeps the pictures there for inspection.
 
 use bracket::mesh::TetMesh;
 use bracket::report::draw::Picture;
@@ -39,7 +39,7 @@ fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [us
     }
 }
 
-/// A quarter of a T of two plates and a block, all on the positive side of x = 0 and y = 0.
+/// A quarter of a T made of two plates and a block, on the positive side of x = 0 and y = 0.
 fn quarter() -> TetMesh {
     let mut mesh = TetMesh::default();
     add_box(&mut mesh, "COLUMN", [0.0, 0.0, -200.0], [40.0, 60.0, 200.0], [2, 3, 16]);
@@ -57,7 +57,7 @@ fn keep(picture: &Picture, name: &str) {
     }
 }
 
-/// Share of pixels that are not white.
+/// Fraction of the pixels that are not white.
 fn covered(picture: &Picture) -> f64 {
     let n = picture.width * picture.height;
     (0..n).filter(|i| picture.rgb[3 * i..3 * i + 3] != [255; 3]).count() as f64 / n as f64

@@ -1,11 +1,11 @@
-//! Our `.vtu` files against an independent reader, meshio.
+//! Compares our `.vtu` files with an independent reader, meshio.
 
 use bracket::mesh::tet::EDGES;
 use bracket::result::fields::vtu::{QUADRATIC_TETRA, TETRA, VtuGrid};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The project's Python, or the one of `BRACKET_TEST_PYTHON`.
+/// The Python of the project, or the one named by `BRACKET_TEST_PYTHON`.
 fn python() -> PathBuf {
     match std::env::var_os("BRACKET_TEST_PYTHON") {
         Some(python) => python.into(),
@@ -41,7 +41,7 @@ fn grid(cell_type: u8) -> VtuGrid {
     }
 }
 
-/// All doubles as hexadecimal bits, one array a line: no rounding can hide.
+/// All doubles as hexadecimal bits, one array per line, so that rounding cannot hide a difference.
 fn listing(grid: &VtuGrid) -> String {
     let bits = |values: &[f64]| {
         values.iter().map(|v| format!("{:016x}", v.to_bits())).collect::<Vec<_>>().join(" ")

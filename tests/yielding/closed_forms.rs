@@ -1,5 +1,5 @@
-//! Bars, cubes and columns whose exact stress is linear and whose plastic strain is constant: every
-//! program holds the exact fields on any mesh.
+//! Bars, cubes and columns whose exact stress is linear and whose plastic strain is constant. Every
+//! program represents the exact fields on any mesh.
 //!
 //! ```text
 //!   two bars in parallel      two cubes in parallel       all-round pressure    column
@@ -66,9 +66,9 @@ fn bar_beyond_yield_in_parallel_with_an_elastic_bar() {
     }
 }
 
-/// The multipliers of every point point against the flow diag(1, −½, −½), and add up to the volume
-/// times the plastic strain e − f_y/E (each element's share is free: a perfectly plastic bar may
-/// flow here or there); their own multipliers are the stress.
+/// The multipliers of every point have the direction opposite to the flow diag(1, −½, −½). They add
+/// up to the volume times the plastic strain e − f_y/E. The share of each element is free, because
+/// a perfectly plastic bar may flow at any place. The multipliers' own multipliers are the stress.
 #[test]
 fn multipliers_are_the_plastic_strain() {
     let model = bars(1);
@@ -80,7 +80,7 @@ fn multipliers_are_the_plastic_strain() {
     let radius = bracket::math::mandel::yield_radius(FY);
     let (mut sum, slack) = (0.0, built.program.slack(&s.x));
     for (start, _) in built.program.cone_starts().into_iter().zip(&built.program.cones) {
-        // both are measured by the yield radius
+        // both are divided by the yield radius
         let lambda: Vec<f64> = s.z[start..start + 6].iter().map(|z| z / radius).collect();
         let z: Vec<f64> = slack[start..start + 6].iter().map(|s| s * radius).collect();
         sum += lambda[0];
@@ -118,7 +118,7 @@ fn cube_in_shear_beyond_yield() {
     }
 }
 
-/// Pressure flows nothing, however high; nothing supports the cube.
+/// Pressure causes no plastic flow, however high it is. Nothing supports the cube.
 #[test]
 fn cube_under_all_round_pressure() {
     let p = 3.0 * FY;
@@ -132,7 +132,7 @@ fn cube_under_all_round_pressure() {
     exact("pressure", &m, -p * p * 1000.0 / (2.0 * bulk));
 }
 
-/// A bar at 0.999 of its yield force is elastic still.
+/// A bar at 0.999 of its yield force is still elastic.
 #[test]
 fn bar_just_below_yield() {
     let (area, length) = (120.0, 30.0);
@@ -145,8 +145,8 @@ fn bar_just_below_yield() {
     exact("bar", &m, -n * n * length / (2.0 * E * area));
 }
 
-/// A column clamped at its top, pushed sideways by a force per volume, its sides guided so that u =
-/// (u(z), 0, 0): the shear is linear, `root_shear` at the top.
+/// A column clamped at its top and pushed sideways by a force per volume. Its sides are guided so
+/// that u = (u(z), 0, 0). The shear is linear and equals `root_shear` at the top.
 fn column(root_shear: f64) -> AnalysisModel {
     let length = 60.0;
     model(
@@ -160,9 +160,10 @@ fn column(root_shear: f64) -> AnalysisModel {
     )
 }
 
-/// Elastic until the top reaches k = f_y/√3, τ²AL/(6G); there the column slides off, and beyond
-/// there is no equilibrium. The yield condition contains the particular stress of the body force,
-/// and the split element's inner nodes carry their part of the force.
+/// The column is elastic until the top reaches k = f_y/√3, with the energy τ²AL/(6G). There it
+/// slides off: beyond this load no equilibrium exists. The yield condition contains the particular
+/// stress of the body force, and the inner nodes of the split element carry their part of the
+/// force.
 #[test]
 fn column_sheared_by_a_body_force() {
     let (g, k) = (E / (2.0 * (1.0 + NU)), FY / 3.0f64.sqrt());

@@ -1,5 +1,5 @@
-//! The kinematic programs bound the energy from above, the static one from below; far below yield
-//! all are elastic.
+//! The kinematic programs bound the energy from above, the static one from below. Far below yield
+//! all of them give the elastic result.
 
 use crate::common::yielding::{Built, FORMS, FY, Form, block, model};
 use crate::common::{Block, oracle};
@@ -10,8 +10,8 @@ use bracket::programs::conic::{ConicProgram, cone_margin};
 use bracket::programs::{Kinematic, Static};
 use bracket::solve::{Solution, SolveOptions, solve};
 
-/// The program of a model and its solution by the condensed method, after all that holds for every
-/// optimal one; Clarabel finds the same objective.
+/// The program of a model and its solution by the condensed method, after the checks that must hold
+/// for every optimal solution. Clarabel finds the same objective.
 pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solution) {
     let built = form.build(model);
     let s = oracle::agree(&format!("{name} {form:?}"), &built.program, &built.block);
@@ -19,12 +19,12 @@ pub fn optimal(name: &str, form: Form, model: &AnalysisModel) -> (Built, Solutio
     (built, s)
 }
 
-/// `P x + q = ± Gᵀz` in every row, minimised or maximised, slacks and multipliers in their cones,
-/// and complementary.
+/// Checks `P x + q = ± Gᵀz` in every row, minimised or maximised. Checks that slacks and
+/// multipliers lie in their cones and are complementary.
 fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
     let ([px], gz, slack) =
         (program.quadratic([&s.x]), program.rows_transposed(&s.z), program.slack(&s.x));
-    // each row against the largest of its terms, in the work of the unknown's own size
+    // compares each row with the largest of its terms, as work on the typical size of the unknown
     let energy = program.objective(&s.x, &s.z).abs();
     for i in 0..program.unknowns() {
         let residual = px[i] + program.q[i] - gz[i];
@@ -45,7 +45,7 @@ fn stationary(name: &str, program: &ConicProgram, s: &Solution) {
     }
 }
 
-/// Objectives of the three programs, dual to each other.
+/// Objectives of the three programs, which are dual to each other.
 fn bracket(name: &str, model: &AnalysisModel) -> [f64; 3] {
     let [plain, split, lower] = FORMS.map(|form| {
         let (built, s) = optimal(name, form, model);
@@ -63,7 +63,7 @@ fn bracket(name: &str, model: &AnalysisModel) -> [f64; 3] {
     [plain, split, lower]
 }
 
-/// Duality on refined meshes of a block that yields in places; the gap shrinks.
+/// Duality on refined meshes of a partly plastic block: the gap shrinks.
 #[test]
 fn the_gap_shrinks() {
     let gaps: Vec<f64> = (1..4)
@@ -110,8 +110,9 @@ fn far_below_yield_everything_is_elastic() {
     }
 }
 
-/// The elastic solution, its stress parameters and no flow satisfy every row of the static saddle,
-/// and its yield condition is that of the elastic stress: no solver involved but one linear solve.
+/// The elastic solution, its stress parameters and zero flow satisfy every row of the static saddle
+/// problem, and its yield condition is that of the elastic stress. The test needs no solver, only
+/// one linear solve.
 #[test]
 fn elastic_stress_is_stationary() {
     let mut model = block(2, 0.1);
@@ -140,8 +141,8 @@ fn elastic_stress_is_stationary() {
     let rows: Vec<f64> = px.iter().zip(&program.q).map(|(a, b)| a + b).collect();
     let force = program.q[..v.len()].iter().fold(0.0f64, |m, q| m.max(q.abs()));
     assert!(rows[..v.len()].iter().all(|r| r.abs() < 1e-9 * force), "equilibrium");
-    // a row of compatibility is one energy less another: the element's stress against its
-    // displacements
+    // a row of compatibility is the difference of two energies: that of the element's stress and
+    // that of its displacements
     let mut flexed = x.clone();
     flexed[v.len()..].fill(0.0);
     let [strain] = program.quadratic([&flexed]);
@@ -169,9 +170,9 @@ fn elastic_stress_is_stationary() {
     assert!((a - b).abs() < 1e-10 * b.abs(), "{a} {b}");
 }
 
-/// The same on the kinematic side, element by element: with each vertex's share of the deviatoric
-/// stress as parameters, measured by its share of the yield radius, every row of the saddle is
-/// zero.
+/// The same on the kinematic side, element by element. The parameters are each vertex's share of
+/// the deviatoric stress, divided by its share of the yield radius. With them every row of the
+/// saddle problem is zero.
 #[test]
 fn elastic_displacements_are_stationary() {
     let model = block(2, 0.1);
@@ -217,8 +218,9 @@ fn elastic_displacements_are_stationary() {
     assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
 }
 
-/// Two blocks, one of which never yields, pressed and pushed over a contact with friction, with an
-/// initial gap on rigid ground beside: contact cones and yield cones in one program.
+/// Two blocks, one of which never yields, are pressed and pushed across a contact with friction and
+/// an initial gap. Beside them is a rigid wall, also with a gap. One program contains contact cones
+/// and yield cones.
 fn blocks_in_contact(pressure: f64) -> AnalysisModel {
     let mesh =
         Block { cells: [2, 2, 4], min: [0.0; 3], max: [20.0, 20.0, 40.0], jitter: 0.15, seed: 4 }
@@ -242,7 +244,7 @@ fn blocks_in_contact(pressure: f64) -> AnalysisModel {
 
 #[test]
 fn contact_and_yield_in_one_program() {
-    // far below yield: as elastic bodies in contact
+    // far below yield the result is that of elastic bodies in contact
     let model = blocks_in_contact(20.0);
     let kinematic = Kinematic::new(&model).unwrap();
     let statics = Static::new(&model).unwrap();
@@ -256,7 +258,7 @@ fn contact_and_yield_in_one_program() {
             && (lower - elastic[1]).abs() < 1e-7 * lower.abs()
     );
     assert!(split < plain);
-    // beyond first yield: more energy is released than elastic bodies could
+    // beyond first yield the bodies release more energy than elastic bodies
     let model = blocks_in_contact(225.0);
     let [plain, split, lower] = bracket("contact, yielding", &model);
     let elastic = Kinematic::new(&model).unwrap();

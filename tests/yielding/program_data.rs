@@ -1,5 +1,5 @@
-//! What a solver may rely on: every unknown in its place, definite blocks, elastic programs
-//! untouched.
+//! The properties of a program that a solver relies on: every unknown is in its place, blocks are
+//! definite, and elastic programs are unchanged.
 
 use crate::common::Block;
 use crate::common::yielding::{FORMS, Form, block, model};
@@ -10,8 +10,8 @@ use bracket::programs::explicit::Explicit;
 use bracket::programs::{Kinematic, Static};
 use faer::Mat;
 
-/// Every element has its own unknowns and yield points, none twice and none missed, and what is
-/// written out is a sound program.
+/// Every element has its own unknowns and yield points. None occurs twice and none is missing. The
+/// program is valid when it is written out.
 #[test]
 fn every_unknown_has_its_place() {
     let model = block(2, 1.0);
@@ -46,8 +46,8 @@ fn every_unknown_has_its_place() {
     }
 }
 
-/// Columns sorted, upper triangle, every diagonal entry stored, sizes that agree; no cone holds a
-/// maximised unknown.
+/// Checks that columns are sorted, only the upper triangle is stored with every diagonal entry, and
+/// sizes agree. No cone contains a maximised unknown.
 fn well_formed(program: &Explicit) {
     let p = &program.p;
     assert_eq!(p.col_ptr.len(), p.n + 1);
@@ -65,8 +65,8 @@ fn well_formed(program: &Explicit) {
     );
 }
 
-/// Products with the elements as they are and written out agree, scaled or not; so do rows and
-/// their transposes.
+/// Products of the program in element form and written out agree, scaled or not. So do products
+/// with rows and their transposes.
 #[test]
 fn written_out_is_the_same() {
     let model = block(1, 1.0);
@@ -86,7 +86,7 @@ fn written_out_is_the_same() {
                 .chain(multipliers.iter().copied())
                 .collect();
             let [mut rows] = program.quadratic([own]);
-            // maximised rows carry the multipliers of their points
+            // maximised rows contain the multipliers of their points
             rows.iter_mut().zip(program.rows_transposed(&z)).for_each(|(r, g)| *r -= g);
             let written = explicit.p.mul(&x);
             let largest = rows.iter().fold(0.0f64, |m, r| m.max(r.abs()));
@@ -104,8 +104,8 @@ fn written_out_is_the_same() {
     }
 }
 
-/// Eigenvalues of P among the unknowns that `pick` selects, increasing, each unknown measured by
-/// its diagonal.
+/// Eigenvalues of P for the unknowns that `pick` selects, in ascending order. Each unknown is
+/// scaled by its diagonal entry.
 fn eigenvalues(p: &SymmetricCsc, pick: impl Fn(usize) -> bool) -> Vec<f64> {
     let picked: Vec<usize> = (0..p.n).filter(|&i| pick(i)).collect();
     let d = p.diagonal();
@@ -125,7 +125,7 @@ fn eigenvalues(p: &SymmetricCsc, pick: impl Fn(usize) -> bool) -> Vec<f64> {
     (0..picked.len()).map(|i| e.S().column_vector()[i]).collect()
 }
 
-/// The minimised block is semidefinite, the maximised one negative definite.
+/// The minimised block is positive semidefinite, the maximised one negative definite.
 #[test]
 fn blocks_are_definite() {
     let model = block(1, 1.0);
@@ -144,8 +144,8 @@ fn blocks_are_definite() {
     }
 }
 
-/// Plasticity is asked for, or the programs are the elastic ones entry for entry, yield strength or
-/// not.
+/// Without a request for plasticity the programs equal the elastic ones entry for entry, with or
+/// without a yield strength.
 #[test]
 fn elastic_programs_stay_as_they_are() {
     let yields = block(2, 1.0);
