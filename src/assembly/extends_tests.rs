@@ -117,3 +117,31 @@ fn wrong_bases_are_one_clear_message_each() {
         assert_eq!(place, (Some(Path::new(file)), Some(line)), "{mine}: {d:#?}");
     }
 }
+
+/// A list that took the rest of its base twice would double with every file of a chain.
+#[test]
+fn the_rest_of_a_list_is_taken_once() {
+    let text = "extends: ./base.yaml\nname: mine\nparameters: [base, base]\n";
+    let d = loaded(text, None).expect_err("twice").remove(0);
+    let place = (d.place.file.as_deref(), d.place.path.as_deref());
+    assert_eq!(place, (Some(Path::new("mine.yaml")), Some("parameters[3]")), "{d:?}");
+}
+
+#[test]
+fn a_key_that_is_no_text_is_refused_beside_extends_too() {
+    let d = loaded("extends: ./base.yaml\nname: mine\n1: x\n", None).expect_err("a number");
+    assert!(d[0].message.contains('1'), "{d:?}");
+}
+
+#[test]
+fn a_chain_has_an_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for i in 0..20 {
+        let text = format!("extends: ./t{}.yaml\nname: t{i}\n", i + 1);
+        std::fs::write(folder.path().join(format!("t{i}.yaml")), text).expect("writable");
+    }
+    let faults = load("./t0.yaml", folder.path()).expect_err("too long");
+    let d = faults.into_first();
+    assert_eq!(d.code, "template/chain", "{d:?}");
+    assert!(d.place.file.is_some_and(|f| f.ends_with("t15.yaml")) && d.help.is_some());
+}

@@ -195,6 +195,9 @@ fn portrait(a: &Assembly, shapes: &Shapes<'_>, mirror: Option<usize>) -> impl Pa
     let shape = |name: &str| shapes.get(name).cloned();
     let mut parts: Vec<_> = a.parts.iter().map(|p| shape(&p.name)).collect();
     parts.sort();
+    // the two parts of an interface stay in their order: a plane that lies in an open contact
+    // between mirror twins is then no plane of symmetry, as it must be, since symmetry would close
+    // the contact
     let mut interfaces: Vec<_> = a
         .interfaces
         .iter()

@@ -37,6 +37,9 @@ pub fn load(name: &str, base: &Path) -> Result<(Template, Origin), Diagnostics> 
     Ok((value, origin))
 }
 
+/// Templates in a chain of `extends`, at most.
+const LONGEST_CHAIN: usize = 16;
+
 /// The text of a template and its origin.
 #[derive(Clone)]
 struct Source {
@@ -64,9 +67,19 @@ fn extended(
     let folder = above.last().and_then(|s| s.file.parent()).unwrap_or(Path::new("."));
     let shipped = above.last().is_some_and(|s| s.shipped);
     let folder = if folder == Path::new("") || shipped { Path::new(".") } else { folder };
+    if above.len() >= LONGEST_CHAIN {
+        let text = format!("a chain of more than {LONGEST_CHAIN} templates that extend each other");
+        let d = Diagnostic::input("template/chain", text)
+            .help("extend a template nearer to the end of the chain");
+        return Err(Diagnostic { place: here, ..d }.into());
+    }
     // a template that is not found is a fault of the key that names it
-    let source = find(name, folder)
-        .map_err(|faults| faults.map(|d| Diagnostic { place: here.clone(), ..d }))?;
+    let source = find(name, folder).map_err(|faults| {
+        faults.map(|d| match &d.place.file {
+            None => Diagnostic { place: here.clone(), ..d },
+            Some(_) => d,
+        })
+    })?;
     if above.iter().any(|s| s.is(&source)) {
         let ring: Vec<String> =
             above.iter().chain([&source]).map(|s| s.file.display().to_string()).collect();

@@ -27,7 +27,11 @@ pub(super) fn extend(
     let mut index = own_index.root();
     let mut all = Mapping::new();
     for (key, value) in own {
-        let Some(path) = key.as_str().map(str::to_owned) else { continue };
+        let Some(path) = key.as_str().map(str::to_owned) else {
+            // a key that is no text stays, so that the typed reader refuses it
+            all.insert(key, value);
+            continue;
+        };
         let value = match (value, base.get(&key)) {
             (Value::Sequence(list), Some(Value::Sequence(of_base))) => {
                 let list = entries(&path, (list, own_index), (of_base, base_index), &mut index);
@@ -46,9 +50,10 @@ pub(super) fn extend(
         all.insert(key, value);
     }
     for (key, value) in base {
-        let Some(path) = key.as_str().map(str::to_owned) else { continue };
         if !all.contains_key(&key) {
-            index.take(&path, base_index, &path);
+            if let Some(path) = key.as_str() {
+                index.take(path, base_index, path);
+            }
             all.insert(key, value);
         }
     }
@@ -64,8 +69,11 @@ fn entries(
 ) -> Vec<Value> {
     let named: Vec<String> = own.iter().filter_map(name).map(str::to_owned).collect();
     let mut all: Vec<Value> = Vec::new();
+    let mut rest_taken = false;
     for (i, entry) in own.into_iter().enumerate() {
-        if entry.as_str() == Some(REST) {
+        // a second one stays a text, which the typed reader refuses: a chain of templates would
+        // double its lists with every file
+        if entry.as_str() == Some(REST) && !std::mem::replace(&mut rest_taken, true) {
             let rest = base.iter().enumerate();
             for (k, other) in
                 rest.filter(|(_, e)| !name(e).is_some_and(|n| named.iter().any(|o| o == n)))
