@@ -233,16 +233,7 @@ impl Demand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::result::fixtures::case;
-
-    /// A limit-analysis case with these bounds.
-    fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
-        let mut case = case();
-        case.quantity = Quantity::LoadFactor;
-        (case.problem, case.lower, case.upper) =
-            (FrictionModel::Frictionless, lower, upper.map(Upper::Finite));
-        case
-    }
+    use crate::result::fixtures::limit_case;
 
     /// If no rule of rotation capacity holds, strict bounds above 1 do not make a joint OK, while
     /// bounds below 1 still refuse it. Energies give no verdict, but an analysis without a

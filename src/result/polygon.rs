@@ -109,26 +109,7 @@ impl CapacityPolygon {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Four directions of a structure that carries the square |x| ≤ 1, |y| ≤ 1 exactly.
-    fn square(bounds: bool) -> CapacityPolygon {
-        let axes = [
-            Axis { action: "My".into(), unit: ActionValue::Moment(1e8) },
-            Axis { action: "N".into(), unit: ActionValue::Force(2e5) },
-        ];
-        let points = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]
-            .into_iter()
-            .enumerate()
-            .map(|(k, direction)| Point {
-                case: format!("polygon_{}", 90 * k),
-                direction,
-                lower: Some(0.9),
-                upper: Some(1.1),
-                half_plane: (bounds || k != 2)
-                    .then_some(HalfPlane { normal: direction, offset: 1.1 }),
-            });
-        CapacityPolygon::new(["beam_right".into(), "column_face".into()], axes, points.collect())
-    }
+    use crate::result::fixtures::square;
 
     #[test]
     fn inner_points_make_a_diamond_and_mechanisms_a_square() {

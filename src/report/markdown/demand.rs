@@ -77,19 +77,7 @@ mod tests {
     use crate::checks::HandChecks;
     use crate::checks::verdict::Verdict;
     use crate::result::demand::{ActionValue, EndAction};
-    use crate::result::fixtures::case;
-    use crate::result::result_file::FrictionModel;
-    use crate::result::result_file::Quantity;
-    use crate::result::result_file::Upper;
-
-    /// A limit-analysis case with these bounds.
-    fn limit_case(lower: Option<f64>, upper: Option<f64>) -> CaseResult {
-        let mut case = case();
-        case.quantity = Quantity::LoadFactor;
-        (case.problem, case.lower, case.upper) =
-            (FrictionModel::Frictionless, lower, upper.map(Upper::Finite));
-        case
-    }
+    use crate::result::fixtures::limit_case;
 
     /// If one bound is missing, the other is reported, and words state its side.
     #[test]
