@@ -8,6 +8,7 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::ProgramOutcome;
 use crate::analysis::{elastic, hencky, limit};
 use crate::certify::contributions::Contributions;
+use crate::certify::velocity_field::VelocityField;
 use crate::model::AnalysisModel;
 use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
@@ -62,6 +63,14 @@ impl AnalysisPass {
         match self {
             AnalysisPass::Energy(p) => p.contributions.as_ref(),
             AnalysisPass::Factor(p) => p.contributions.as_ref(),
+        }
+    }
+
+    /// Limit analysis: the velocities of the mechanism.
+    pub fn velocity(&self) -> Option<&VelocityField> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.velocity.as_ref(),
         }
     }
 

@@ -3,26 +3,28 @@
 
 use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::memory::room;
+use crate::analysis::program::Program;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::{run_pass, too_large};
-use crate::driver::remesh::Made;
+use crate::driver::remesh::{Made, Remesh};
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
-use crate::model::file::ModelFile;
+use crate::model::file::{Bounds, ModelFile};
 use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
 use crate::refine::rates;
+use crate::refine::track::{self, Track};
 use crate::report::console::log::Log;
 use crate::report::console::pace::about;
 use crate::report::figures::{Rounding, fixed, percent_up};
 use crate::report::markdown::report_data::Table;
 use crate::result::combine::{self, PassResult, best};
-use crate::result::result_file::CaseResult;
-use crate::result::result_file::Predicted;
+use crate::result::result_file::{CaseResult, Predicted, ProgramRun, SoFar, Upper};
 use crate::solve::Patterns;
+use crate::spec::analysis::AnalysisKind;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -59,6 +61,8 @@ pub struct Share<'a> {
 
 /// Analyses a case on successive meshes. `first` means that no case was analysed before; a program
 /// that does not fit into the memory then ends the run.
+///
+/// The first mesh serves both bounds. In limit analysis each bound then gets meshes of its own.
 pub fn analyse(
     case: Case,
     first: bool,
@@ -67,125 +71,304 @@ pub fn analyse(
     limits: &Limits,
     log: &Arc<Log>,
 ) -> Result<Adapted, Diagnostics> {
-    let Case { name, model, mut remesh, mesh_seconds, .. } = case;
-    let mut entries: Vec<PassResult> = Vec::new();
-    let mut steps: Vec<Step> = Vec::new();
-    let mut kept: Vec<Kept> = Vec::new();
-    let mut next = (model, None, mesh_seconds, None::<Prediction>);
+    let Case { name, model, remesh, mesh_seconds, .. } = case;
+    let mut passes =
+        Passes { name: &name, limits, log, share, entries: Vec::new(), kept: Vec::new() };
+    let Some(found) =
+        passes.run(Mesh { model, made: None, seconds: mesh_seconds, predicted: None })?
+    else {
+        return Err(lost(&name).into());
+    };
+    let (outcome, model) = (&found.outcome, &found.model);
+    let runs = outcome.runs();
+    // there are no programs if the answer was proved without them
+    if first && !runs.is_empty() && runs.iter().all(|(_, run)| run.refusal.is_some()) {
+        return Err(too_large(&name, outcome, context).into());
+    }
     let mut stop = None;
-    loop {
-        let (model, made, mesh_seconds, predicted) = next;
-        let index = entries.len();
+    if let (Some(adapt), Some(remesher)) = (&context.adapt, remesh) {
+        let both = model.bounds == Bounds::Both && outcome.contributions().is_some();
+        let mut tracks = match model.analysis {
+            AnalysisKind::Limit if both => vec![
+                Sequence::new(Bounds::Static, remesher.twin()),
+                Sequence::new(Bounds::Kinematic, remesher),
+            ],
+            _ if both => vec![Sequence::new(Bounds::Both, remesher)],
+            _ => Vec::new(),
+        };
+        stop = passes.adapt(&mut tracks, adapt)?;
+    }
+    finish(&name, passes.entries, passes.kept, stop, context, limits)
+}
+
+/// A mesh to be analysed.
+struct Mesh {
+    model: AnalysisModel,
+    /// Mesh, model file and quality; `None` for the first mesh.
+    made: Option<(TetMesh, ModelFile, Table)>,
+    /// Wall time of meshing \[s\].
+    seconds: Option<f64>,
+    predicted: Option<Prediction>,
+}
+
+/// Meshes made one after the other by one remesher.
+struct Sequence<'a> {
+    track: Track,
+    remesher: Box<dyn Remesh<'a> + 'a>,
+    /// Index of its last pass.
+    last: usize,
+}
+
+impl<'a> Sequence<'a> {
+    fn new(bounds: Bounds, remesher: Box<dyn Remesh<'a> + 'a>) -> Self {
+        Self { track: Track::new(bounds), remesher, last: 0 }
+    }
+}
+
+/// The passes of a case.
+struct Passes<'a> {
+    name: &'a str,
+    limits: &'a Limits,
+    log: &'a Arc<Log>,
+    share: &'a Share<'a>,
+    entries: Vec<PassResult>,
+    kept: Vec<Kept>,
+}
+
+impl Passes<'_> {
+    /// Runs the programs on a mesh and keeps entry and fields.
+    fn run(&mut self, mesh: Mesh) -> Result<Option<&Kept>, Diagnostics> {
+        let Mesh { model, made, seconds: mesh_seconds, predicted } = mesh;
+        let index = self.entries.len();
         let start = Instant::now();
-        let until = if index == 0 { f64::INFINITY } else { share.until };
+        let until = if index == 0 { f64::INFINITY } else { self.share.until };
         // later meshes are used by this case only
         let own = Patterns::default();
-        let patterns = if index == 0 { share.patterns } else { &own };
-        let outcome = run_pass(&name, &model, until, patterns, limits, log)?;
-        let runs = outcome.runs();
-        // there are no programs if the answer was proved without them
-        if index == 0
-            && first
-            && !runs.is_empty()
-            && runs.iter().all(|(_, run)| run.refusal.is_some())
-        {
-            return Err(too_large(&name, &outcome, context).into());
-        }
-        let seconds = mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64();
-        let mut entry = pass_entry(&outcome, &name, &model, mesh_seconds);
+        let patterns = if index == 0 { self.share.patterns } else { &own };
+        let outcome = run_pass(self.name, &model, until, patterns, self.limits, self.log)?;
+        let mut entry = pass_entry(&outcome, self.name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
-            row.seconds = Some(seconds);
+            row.seconds = Some(mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
             row.predicted = predicted.map(|p| Predicted {
                 macro_tets: p.tets.round() as usize,
                 gap: p.gap,
                 seconds: p.seconds,
             });
         }
-        let strict = entry.certificate.is_some_and(|c| c.strict);
-        let step =
-            entry.gap.filter(|_| strict && outcome.contributions().is_some()).map(|gap| Step {
-                tets: model.mesh.tets.len(),
-                gap,
-                seconds,
-                bytes: outcome
-                    .runs()
-                    .iter()
-                    .filter_map(|(_, r)| r.forecast)
-                    .map(|f| f.bytes)
-                    .max()
-                    .unwrap_or(0),
-                predicted,
-            });
         let bounds = pass_bounds(&outcome, &entry);
-        entries.push(PassResult { entry, bounds });
-        kept.push(Kept { outcome, model, made, index });
-        let place = best(&entries).map_or([index; 2], |b| [b.lower, b.upper]);
-        // fields of a pass without a best bound are dropped, except those of the last pass, which
-        // show where to refine
-        kept.retain(|k| place.contains(&k.index) || k.index == index);
-        let (Some(adapt), Some(remesher)) = (&context.adapt, &mut remesh) else { break };
-        let Some(step) = step else {
-            if index > 0 {
-                log.line(format!(
-                    "{name}: mesh {}: no strict bracket; the result uses the earlier meshes",
-                    index + 1
-                ));
-            }
-            break;
-        };
-        let tets = step.tets;
-        steps.push(step);
-        if limits.interrupt.asked() {
-            break;
+        self.entries.push(PassResult { entry, bounds });
+        self.kept.push(Kept { outcome, model, made, index });
+        let best = joined(self.name, &self.entries)?;
+        if let Some(row) = self.entries[index].entry.history.last_mut() {
+            row.so_far = Some(SoFar {
+                lower: best.lower,
+                upper: best.upper,
+                gap: best.gap,
+                strict: best.is_strict(),
+            });
         }
-        let best_gap = joined(&name, &entries)?.gap.unwrap_or(f64::INFINITY);
-        let left = Budget {
-            seconds: share.until - log.seconds(),
-            bytes: room(limits.memory).map(|r| r.bytes),
-        };
-        let Some(last) = kept.iter().find(|k| k.index == index) else { break };
-        let estimate = last
-            .outcome
-            .contributions()
-            .map(|c| rates::estimate(&last.model, c, last.outcome.yield_multiplier_share()));
-        let Some(estimate) = estimate else { break };
-        let realised = |wanted: &[f64]| remesher.realised(wanted);
-        let (choice, curve) =
-            plan::next(&steps, best_gap, adapt, &left, &mut |most| estimate.curve(most, &realised));
-        let (Next::Refine(p), Some(curve)) = (choice, curve) else {
-            if let Next::Stop(why) = choice {
-                stop = Some(why);
+        Ok(self.kept.last())
+    }
+
+    /// Makes and analyses meshes until the target or a limit is reached. Returns the reason for
+    /// which no track made a further mesh.
+    fn adapt(
+        &mut self,
+        tracks: &mut [Sequence],
+        adapt: &plan::Limits,
+    ) -> Result<Option<Stop>, Diagnostics> {
+        for sequence in tracks.iter_mut() {
+            if !self.count(sequence, None) {
+                return Ok(None);
             }
-            break;
+        }
+        loop {
+            let mut stop = None;
+            let mut refined = false;
+            for i in 0..tracks.len() {
+                if self.limits.interrupt.asked() {
+                    return Ok(None);
+                }
+                let best = self.divide(tracks)?;
+                // the tracks that follow in this round need their part of the time
+                let part = 1.0 / (tracks.len() - i) as f64;
+                match self.refine(&mut tracks[i], adapt, best, part)? {
+                    Refined::Mesh => refined = true,
+                    // of both reasons the one that another mesh could remove
+                    Refined::Stop(why) => {
+                        stop = stop.filter(|s| *s != Stop::Target).or(Some(why));
+                    }
+                    Refined::Failed => return Ok(None),
+                }
+                let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
+                let place = best_places(&self.entries);
+                self.kept.retain(|k| place.contains(&k.index) || last.contains(&k.index));
+            }
+            if !refined {
+                return Ok(stop);
+            }
+        }
+    }
+
+    /// Counts the last pass in a track; false if it gave no strict bound.
+    fn count(&self, sequence: &mut Sequence, predicted: Option<Prediction>) -> bool {
+        let index = self.entries.len() - 1;
+        let (Some(pass), Some(kept)) = (self.entries.last(), self.kept.last()) else {
+            return false;
+        };
+        let bounds = sequence.track.bounds;
+        let value = match bounds {
+            Bounds::Static => pass.bounds.lower(),
+            _ => pass.bounds.upper().and_then(Upper::finite),
+        };
+        let row = pass.entry.history.last();
+        let programs = |runs: [Option<&ProgramRun>; 2]| {
+            runs.into_iter().flatten().map(|r| r.seconds).sum::<f64>()
+        };
+        // the first mesh of two tracks is shared: each counts its own programs
+        let seconds = row.map_or(0.0, |row| {
+            let own = match bounds {
+                Bounds::Both => return row.seconds.unwrap_or(0.0),
+                Bounds::Static => [row.static_.as_ref(), row.static_frictionless.as_ref()],
+                Bounds::Kinematic => [row.kinematic.as_ref(), None],
+            };
+            row.mesh_seconds.unwrap_or(0.0) + programs(own)
+        });
+        let counts = |program: Program| match bounds {
+            Bounds::Both => true,
+            Bounds::Static => program == Program::Static,
+            Bounds::Kinematic => program == Program::Kinematic,
+        };
+        let forecasts = kept.outcome.runs().into_iter().filter(|(p, _)| counts(*p));
+        let bytes = forecasts.filter_map(|(_, r)| r.forecast).map(|f| f.bytes).max().unwrap_or(0);
+        sequence.last = index;
+        let (Some(value), true) = (value, pass.entry.is_strict()) else { return false };
+        let gap = pass.entry.gap.unwrap_or(f64::INFINITY);
+        if bounds == Bounds::Both && gap.is_infinite() {
+            return false;
+        }
+        let tets = kept.model.mesh.tets.len();
+        sequence.track.push(Step { tets, gap, seconds, bytes, predicted }, value);
+        true
+    }
+
+    /// The gap of the best bracket; where each bound has a track, divides it between them.
+    fn divide(&self, tracks: &mut [Sequence]) -> Result<f64, Diagnostics> {
+        let best = joined(self.name, &self.entries)?;
+        let gap = best.gap.unwrap_or(f64::INFINITY);
+        if let ([a, b], Some(lower), Some(upper)) =
+            (tracks, best.lower, best.upper.and_then(Upper::finite))
+        {
+            track::divide([&mut a.track, &mut b.track], upper - lower, lower);
+        }
+        Ok(gap)
+    }
+
+    /// Makes and analyses the next mesh of a track, if one is worth it. `best_gap`: gap of the
+    /// best bracket; `part`: part of the remaining time that this mesh may take.
+    fn refine(
+        &mut self,
+        sequence: &mut Sequence,
+        adapt: &plan::Limits,
+        best_gap: f64,
+        part: f64,
+    ) -> Result<Refined, Diagnostics> {
+        let Sequence { track, remesher, last } = sequence;
+        let (name, log) = (self.name, self.log);
+        let budget = Budget {
+            seconds: part * (self.share.until - log.seconds()),
+            bytes: room(self.limits.memory).map(|r| r.bytes),
+        };
+        let estimate = self
+            .kept
+            .iter()
+            .find(|k| k.index == *last)
+            .and_then(|k| rates::for_bounds(track.bounds, &k.model, &k.outcome));
+        let (Some(estimate), Some(present)) = (estimate, track.steps.last().copied()) else {
+            return Ok(Refined::Failed);
+        };
+        let realised = |wanted: &[f64]| remesher.realised(wanted);
+        let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
+        let (choice, curve) = plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
+            estimate.curve(most, &realised)
+        });
+        let p = match (choice, &curve) {
+            (Next::Refine(p), Some(_)) => p,
+            (Next::Stop(why), _) => return Ok(Refined::Stop(why)),
+            _ => return Ok(Refined::Failed),
+        };
+        let Some(curve) = curve else { return Ok(Refined::Failed) };
+        // a mesh for one bound changes half of the sum of both gaps
+        let of_bracket = match track.bounds {
+            Bounds::Both => p.gap,
+            _ => best_gap - 0.5 * (present.gap - p.gap),
         };
         log.line(format!(
-            "{name}: mesh {}: {} tets, gap {}; forecast for the next mesh: {} tets, gap {}, in {}",
-            index + 1,
-            fixed(tets as f64, 0, Rounding::Nearest),
-            percent_up(steps[steps.len() - 1].gap),
+            "{name}: mesh {}: {} tets, gap {}; forecast for the next mesh{}: {} tets, gap {}, in \
+             {}",
+            *last + 1,
+            fixed(present.tets as f64, 0, Rounding::Nearest),
+            percent_up(best_gap),
+            whose(track.bounds),
             fixed(p.tets, 0, Rounding::Nearest),
-            percent_up(p.gap),
+            percent_up(of_bracket),
             about(p.seconds)
         ));
-        let order = plan::order(&steps, p.tets);
+        let order = plan::order(&track.steps, p.tets);
         let design = estimate.with_tets(&curve, order, &realised);
         let p = Prediction { tets: design.tets * p.tets / order, ..p };
-        match remesher.remesh(&design, share.until - log.seconds(), log) {
-            Ok(Made { model, mesh, file, quality, seconds }) => {
-                next = (model, Some((mesh, file, quality)), Some(seconds), Some(p));
-            }
+        let mesh = match remesher.remesh(&design, self.share.until - log.seconds(), log) {
+            Ok(Made { model, mesh, file, quality, seconds }) => Mesh {
+                model: AnalysisModel { bounds: track.bounds, ..model },
+                made: Some((mesh, file, quality)),
+                seconds: Some(seconds),
+                predicted: Some(Prediction { gap: of_bracket, ..p }),
+            },
             Err(faults) => {
                 // the certified bounds remain valid without the next mesh
                 let why = faults.into_first().message;
                 log.line(format!("{name}: no further mesh: {why}"));
-                if let Some(e) = entries.last_mut().filter(|_| !limits.interrupt.asked()) {
+                if let Some(e) = self.entries.last_mut().filter(|_| !self.limits.interrupt.asked())
+                {
                     e.entry.warnings.push(format!("there was no finer mesh: {why}"));
                 }
-                break;
+                return Ok(Refined::Failed);
             }
+        };
+        self.run(mesh)?;
+        if self.count(sequence, Some(p)) {
+            return Ok(Refined::Mesh);
         }
+        log.line(format!(
+            "{name}: mesh {}: no strict bound; the result uses the earlier meshes",
+            self.entries.len()
+        ));
+        Ok(Refined::Failed)
     }
-    finish(&name, entries, kept, stop, context, limits)
+}
+
+/// What became of the next mesh of a track.
+enum Refined {
+    /// It was made and gave a bound.
+    Mesh,
+    /// It was not made, for this reason.
+    Stop(Stop),
+    /// It could not be made, or gave no bound.
+    Failed,
+}
+
+/// The bound that a mesh is made for, as text.
+fn whose(bounds: Bounds) -> &'static str {
+    match bounds {
+        Bounds::Both => "",
+        Bounds::Static => " of the lower bound",
+        Bounds::Kinematic => " of the upper bound",
+    }
+}
+
+/// Indices of the passes with the best bounds.
+fn best_places(entries: &[PassResult]) -> [usize; 2] {
+    best(entries).map_or([entries.len() - 1; 2], |b| [b.lower, b.upper])
 }
 
 fn lost(name: &str) -> Diagnostic {

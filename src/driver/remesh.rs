@@ -31,7 +31,10 @@ pub struct Made {
 }
 
 /// Makes the next mesh of a case.
-pub trait Remesh {
+pub trait Remesh<'a> {
+    /// A second remesher in the same state, for a sequence of meshes of its own.
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a>;
+
     /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers,
     /// as far as it is known beforehand.
     fn realised(&self, wanted: &[f64]) -> Vec<f64>;
@@ -53,6 +56,7 @@ const MESHER_SECONDS: f64 = 600.0;
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 
 /// Meshes a spec's geometry again with a map of sizes.
+#[derive(Clone)]
 pub struct ByMap<'a> {
     assembly: &'a Assembly,
     options: MeshOptions,
@@ -96,7 +100,11 @@ impl<'a> ByMap<'a> {
     }
 }
 
-impl Remesh for ByMap<'_> {
+impl<'a> Remesh<'a> for ByMap<'a> {
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a> {
+        Box::new(self.clone())
+    }
+
     fn realised(&self, wanted: &[f64]) -> Vec<f64> {
         SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh)
     }
@@ -145,6 +153,7 @@ impl Remesh for ByMap<'_> {
 }
 
 /// Refines a user's mesh by bisection.
+#[derive(Clone)]
 pub struct ByBisection<'a> {
     file: ModelFile,
     place: Places<'a>,
@@ -159,7 +168,11 @@ impl<'a> ByBisection<'a> {
     }
 }
 
-impl Remesh for ByBisection<'_> {
+impl<'a> Remesh<'a> for ByBisection<'a> {
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a> {
+        Box::new(self.clone())
+    }
+
     fn realised(&self, wanted: &[f64]) -> Vec<f64> {
         bisect::refine(&self.mesh, wanted).parts(self.mesh.tets.len())
     }

@@ -7,10 +7,13 @@
 //! a second derivative of the strain), is there a multiple of its value one ring of tets farther
 //! away.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::contributions::Contributions;
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;
+use crate::model::file::Bounds;
+use crate::refine::mechanism_error;
 use crate::refine::optimum::Estimate;
 use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
@@ -130,6 +133,21 @@ pub fn estimate(
         }
     }
     Estimate { contributions, rates }
+}
+
+/// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
+/// the fields.
+///
+/// The mesh of the lower bound follows the static program's own multipliers, that of the upper
+/// bound the error of its mechanism, one mesh for both the contributions to the gap.
+pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
+    let share = pass.yield_multiplier_share();
+    let contributions = match bounds {
+        Bounds::Both => return Some(estimate(model, pass.contributions()?, share)),
+        Bounds::Static => share?.iter().map(|s| s.max(0.0)).collect(),
+        Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
+    };
+    Some(Estimate { contributions, rates: vec![PLASTIC; model.mesh.tets.len()] })
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are

@@ -330,6 +330,7 @@ pub fn case_result(
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: None,
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),

@@ -255,6 +255,7 @@ pub fn limit_case_result(
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: pass.frictionless_run.as_ref().map(program_run),
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),

@@ -94,6 +94,7 @@ fn case(name: &str) -> CaseResult {
             static_: Some(run(26)),
             static_frictionless: None,
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds: Some(3.0),
             peak_memory_mib: Some(1024),
