@@ -2,12 +2,13 @@
 
 use crate::analysis::memory::forget_peak;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::adaptive::{self, Share};
+use crate::driver::adaptive;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::driver::meshing::{Extent, mesh, mesh_options};
 use crate::driver::output_folder::Folder;
+use crate::driver::passes::Share;
 use crate::driver::remesh::{ByBisection, Places};
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
