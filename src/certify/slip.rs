@@ -106,7 +106,13 @@ impl SlipFace {
 
     /// Power of the traction of a stress field against the velocities, `∫ σn·v` \[N mm per unit of
     /// time\].
-    pub fn power(&self, model: &AnalysisModel, space: &Tet10Space, s: &StressField, u: &[V3]) -> f64 {
+    pub fn power(
+        &self,
+        model: &AnalysisModel,
+        space: &Tet10Space,
+        s: &StressField,
+        u: &[V3],
+    ) -> f64 {
         let n = vec3::unit(vec3::area_vector(&self.nodes.map(|n| model.mesh.nodes[n as usize])));
         let t = stress_at(model, s, self.at, self.nodes).map(|s| mandel::traction(&s, n));
         let v = self.velocities(space, u);
