@@ -144,7 +144,7 @@ impl<'a> Static<'a> {
         let elements = SuperElements::new(model).under(counted);
         let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
         let points = Points { mesh: &model.mesh, faces: &elements.faces };
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces)?;
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[])?;
         let radius = |e: usize| radii[e];
         let elastic: Vec<usize> =
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();

@@ -103,6 +103,7 @@ fn case(name: &str) -> CaseResult {
         yielding: vec![],
         limiting_part: None,
         welds: vec![],
+        support_slip: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }
