@@ -13,6 +13,8 @@ use crate::driver::remesh::Made;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;
+use crate::refine::directions::second_derivatives;
+use crate::refine::optimum::Estimate;
 use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
 use crate::refine::rates;
 use crate::report::console::log::Log;
@@ -147,7 +149,13 @@ pub fn analyse(
         let estimate = last
             .outcome
             .contributions()
-            .map(|c| rates::estimate(&last.model, c, last.outcome.yield_multiplier_share()));
+            .map(|c| rates::estimate(&last.model, c, last.outcome.yield_multiplier_share()))
+            .map(|e| match last.outcome.kinematic_field() {
+                Some(u) => {
+                    Estimate { directions: second_derivatives(&last.model.mesh, u), ..e }
+                }
+                None => e,
+            });
         let Some(estimate) = estimate else { break };
         let realised = |wanted: &[f64]| remesher.realised(wanted);
         let (choice, curve) =

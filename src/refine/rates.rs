@@ -129,7 +129,7 @@ pub fn estimate(
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
         }
     }
-    Estimate { contributions, rates }
+    Estimate { contributions, rates, directions: Vec::new() }
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are
