@@ -9,6 +9,7 @@ use crate::analysis::program_outcome::ProgramOutcome;
 use crate::analysis::{elastic, hencky, limit};
 use crate::certify::contributions::Contributions;
 use crate::certify::velocity_field::VelocityField;
+use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
@@ -64,6 +65,17 @@ impl AnalysisPass {
             AnalysisPass::Energy(p) => p.contributions.as_ref(),
             AnalysisPass::Factor(p) => p.contributions.as_ref(),
         }
+    }
+
+    /// Displacements or velocities of the kinematic program at vertices and mid-side nodes.
+    pub fn kinematic_field(&self) -> Option<&[V3]> {
+        let field = match self {
+            AnalysisPass::Energy(p) => {
+                p.displacement.as_ref().or(p.plastic.as_ref().map(|f| &f.nodes))
+            }
+            AnalysisPass::Factor(p) => p.velocity.as_ref().map(|v| &v.nodes),
+        };
+        field.map(|f| &f.u[..])
     }
 
     /// Limit analysis: the velocities of the mechanism.

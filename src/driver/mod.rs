@@ -3,6 +3,7 @@
 
 pub mod adaptive;
 pub mod analyse_model;
+pub mod by_metric;
 pub mod case;
 pub mod case_files;
 pub mod check_spec;

@@ -5,6 +5,7 @@ use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::driver::meshing::{clean, quality_table};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
+use crate::mesh::mmg::Remesher;
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
 use crate::mesh::{TetMesh, bisect, quality};
 use crate::model::file::{ModelFile, Nodes};
@@ -41,6 +42,17 @@ pub trait Remesh<'a> {
 
     /// Makes the mesh of a design, in at most `seconds`.
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
+}
+
+/// Mmg, if it is installed; otherwise the log says what is used in its place.
+pub fn remesher(log: &Log) -> Option<Remesher> {
+    match Remesher::find() {
+        Ok(remesher) => Some(remesher),
+        Err(error) => {
+            log.line(format!("later meshes have isotropic elements: {error}"));
+            None
+        }
+    }
 }
 
 /// Relative deviation of the count of tets below which the mesher does not run again.

@@ -13,8 +13,8 @@ use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
-use crate::refine::mechanism_error;
 use crate::refine::optimum::Estimate;
+use crate::refine::{directions, mechanism_error};
 use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
 
@@ -132,7 +132,7 @@ pub fn estimate(
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
         }
     }
-    Estimate { contributions, rates }
+    Estimate { contributions, rates, directions: Vec::new() }
 }
 
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
@@ -142,12 +142,17 @@ pub fn estimate(
 /// bound the error of its mechanism, one mesh for both the contributions to the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
     let share = pass.yield_multiplier_share();
+    let directions = pass
+        .kinematic_field()
+        .map_or_else(Vec::new, |u| directions::second_derivatives(&model.mesh, u));
     let contributions = match bounds {
-        Bounds::Both => return Some(estimate(model, pass.contributions()?, share)),
+        Bounds::Both => {
+            return Some(Estimate { directions, ..estimate(model, pass.contributions()?, share) });
+        }
         Bounds::Static => share?.iter().map(|s| s.max(0.0)).collect(),
         Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
     };
-    Some(Estimate { contributions, rates: vec![PLASTIC; model.mesh.tets.len()] })
+    Some(Estimate { contributions, rates: vec![PLASTIC; model.mesh.tets.len()], directions })
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are
