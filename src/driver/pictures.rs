@@ -96,8 +96,8 @@ pub fn convergence(
     }))
 }
 
-/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and by
-/// slip on supports. `None` if nothing dissipates.
+/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and
+/// by slip on supports. `None` if nothing dissipates.
 fn share_of_bodies(pass: &AnalysisPass) -> Option<f64> {
     let AnalysisPass::Factor(pass) = pass else { return None };
     let c = pass.upper.as_ref()?.certificate();

@@ -53,8 +53,8 @@ impl DofMap {
         self.n - self.plain - self.closures
     }
 
-    /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face on
-    /// which a body slips.
+    /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face
+    /// on which a body slips.
     pub fn follows(&self, i: usize) -> bool {
         self.own(i).is_none() && self.terms(i).iter().any(|(k, _)| (*k as usize) < self.plain)
     }

@@ -12,15 +12,16 @@
 //! only tangential components are held, keep all their held components at zero.
 //!
 //! # Why the bound is strict
-//! Let σ be a stress field in equilibrium with `λ · live + dead` and inside the yield surface, and v
-//! velocities that are continuous in the body. The power of σ is
-//! `∫ σ:ε(v) = λ P_live + P_dead + ∫ σn·v` over the held faces. There v has no normal part, and
-//! σn no part along components that are not held, so that `−σn·v ≤ k ‖v_T‖`. With `σ:ε ≤ π(ε)`:
-//! `λ P_live ≤ ∫ π(ε) + k ∫ ‖v_T‖ − P_dead`. The integrals run over faces, each with its own
-//! normal. Edges have no area: where a slip face meets a free face, a contact or a weld, nothing
-//! more is required than the conditions of that face. Where it meets faces that hold their points
-//! (symmetry planes, other slip faces, rigid faces), a point on the edge satisfies the conditions of
-//! all its faces.
+//! Let σ be a stress field in equilibrium with `λ · live + dead` and inside the yield surface, and
+//! v velocities that are continuous in the body. The power of σ is
+//! `∫ σ:ε(v) = λ P_live + P_dead + ∫ σn·v`, the last integral over the held faces. There v has no
+//! normal part, and σn no part along components that are not held, so that `−σn·v ≤ k ‖v_T‖`. With
+//! `σ:ε ≤ π(ε)`: `λ P_live ≤ ∫ π(ε) + k ∫ ‖v_T‖ − P_dead`. (The slip is the limit of a thin layer
+//! of the body's own material, sheared against the wall.) The integrals run over faces, each with
+//! its own normal. Edges have no area: where a slip face meets a free face, a contact or a
+//! weld, nothing more is required than the conditions of that face. Where it meets faces that hold
+//! their points (symmetry planes, other slip faces, rigid faces), a point on the edge satisfies the
+//! conditions of all its faces.
 //!
 //! # Discretisation
 //! v is quadratic on a face, so its norm is at most the norms of its six Bernstein coefficients

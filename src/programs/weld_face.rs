@@ -77,8 +77,8 @@ pub fn kinematic_jumps(space: &Tet10Space, face: &FacePair, weighted: bool) -> V
     (0..6).map(|i| [0, 1, 2].map(|d| form(i, d))).collect()
 }
 
-/// Weld face (or slip face) with the given weighted jumps as a yielding element; `None` when nothing
-/// of it can move.
+/// Weld face (or slip face) with the given weighted jumps as a yielding element; `None` when
+/// nothing of it can move.
 pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingElement> {
     let mut dofs: Vec<usize> = jumps.iter().flatten().flatten().map(|t| t.0).collect();
     dofs.sort_unstable();

@@ -32,8 +32,8 @@ fn about_y(angle: f64, x: V3) -> V3 {
 
 /// A block in plane strain whose bottom is held on a footprint 15 mm wide. A rigid plate on top
 /// pushes it down and sideways without turning, H = 0.4 V; the load at factor 1 is a pressure of 1
-/// on the footprint. Everything is turned by `angle` about y. `glued`: the footprint is a rigid face
-/// at rest, along which nothing slips.
+/// on the footprint. Everything is turned by `angle` about y. `glued`: the footprint is a rigid
+/// face at rest, along which nothing slips.
 ///
 /// ```text
 ///   ↓→  rigid plate
@@ -63,8 +63,9 @@ fn footprint(angle: f64, glued: bool) -> AnalysisModel {
     )
 }
 
-/// Slip on the whole footprint is the exact mechanism: V = k/0.4. Bound by bound it is the same
-/// whatever the direction of the normal, and far below that of velocities at rest on the footprint.
+/// Slip on the whole footprint bounds V by k/0.4, 339.2 MPa; the half-space under such a load
+/// carries more (2.57 k), so that no other mechanism is weaker. The bound is the same whatever the
+/// direction of the normal, and far below that of velocities at rest on the footprint.
 #[test]
 fn block_on_a_fixed_footprint() {
     let exact = K / 0.4;
@@ -109,8 +110,9 @@ fn ridge(cells: usize, pull: &str) -> AnalysisModel {
     )
 }
 
-/// Pulled along the ridge, the block slips on both faces at once, 24 λ = 2 · 5 k. No cut through the
-/// block around the ridge is shorter (the ridge is convex), so this is the exact antiplane limit.
+/// Pulled along the ridge, the block slips on both faces at once, 24 λ = 2 · 5 k. No cut through
+/// the block around the ridge is shorter (the ridge is convex), so this is the exact antiplane
+/// limit.
 #[test]
 fn block_on_a_ridge() {
     let exact = K * 10.0 / 24.0;
