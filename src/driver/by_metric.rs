@@ -156,13 +156,13 @@ impl<'a> ByMetric<'a> {
     }
 
     /// The mesh of a design.
-    fn make(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<TetMesh, Diagnostic> {
+    fn make(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<TetMesh, Diagnostics> {
         let start = Instant::now();
         let polyhedron = Polyhedron::new(&self.mesh);
         if let Some(i) = polyhedron.loose.first() {
             let name = &self.mesh.faces[*i as usize].name;
             let message = format!("the face {name} lies inside a body and bounds no part of it");
-            return Err(Diagnostic::undecided("mesh/loose", message));
+            return Err(Diagnostic::undecided("mesh/loose", message).into());
         }
         let mut scale = 1.0;
         let mut best: Option<(f64, TetMesh)> = None;
@@ -210,8 +210,10 @@ impl<'a> ByMetric<'a> {
         }
         match (best, failed) {
             (Some((_, mesh)), _) => Ok(mesh),
-            (None, Some(fault)) => Err(fault),
-            (None, None) => Err(Diagnostic::undecided("mesh/flat", "every mesh had flat tets")),
+            (None, Some(fault)) => Err(fault.into()),
+            (None, None) => {
+                Err(Diagnostic::undecided("mesh/flat", "every mesh had flat tets").into())
+            }
         }
     }
 }
@@ -247,8 +249,9 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
         let _ = std::fs::remove_dir_all(&self.tools.dir);
         let mesh = match made {
             Ok(mesh) => mesh,
-            Err(fault) => {
-                log.line(format!("isotropic sizes from here on: {}", fault.message));
+            Err(faults) => {
+                let why = &faults.first().message;
+                log.line(format!("isotropic sizes from here on: {why}"));
                 let mut other = (self.tools.fallback)(self.mesh.clone());
                 let left = seconds - start.elapsed().as_secs_f64();
                 let made = other.remesh(design, left, log);
