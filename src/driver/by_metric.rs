@@ -197,7 +197,6 @@ impl<'a> ByMetric<'a> {
             let worst =
                 quality::table(&made).iter().fold(f64::INFINITY, |w, b| w.min(b.worst_dihedral));
             let flat = worst < FLAT;
-            ));
             if !flat && best.as_ref().is_none_or(|b| miss.abs() < b.0) {
                 best = Some((miss.abs(), made));
             }
