@@ -282,6 +282,22 @@ impl Static<'_> {
         shares
     }
 
+    /// Velocities (in limit analysis; otherwise displacements) of the vertices of the mesh, from
+    /// the unknowns of a program: the multipliers of the equilibrium of tractions, averaged over
+    /// the faces at a vertex. Their sign and scale have no meaning.
+    pub fn vertex_velocities(&self, x: &[f64]) -> Vec<V3> {
+        let v = self.map.expand(x);
+        let mut sum = vec![([0.0; 3], 0.0); self.elements.model().mesh.nodes.len()];
+        for (nodes, v) in self.elements.faces.nodes.iter().zip(v.chunks_exact(9)) {
+            for (n, v) in nodes.iter().zip(v.chunks_exact(3)) {
+                let (total, count) = &mut sum[*n as usize];
+                (0..3).for_each(|c| total[c] += v[c]);
+                *count += 1.0;
+            }
+        }
+        sum.into_iter().map(|(total, count)| total.map(|x| x / f64::max(count, 1.0))).collect()
+    }
+
     /// Stress parameters of every element from the unknowns of a program, as
     /// [`SuperElement::stress`] takes them; zero in bodies that never yield.
     pub fn parameters(&self, x: &[f64]) -> Result<Vec<[f64; PARAMETERS]>, ModelError> {

@@ -32,6 +32,35 @@ pub fn second_derivatives(mesh: &TetMesh, u: &[V3]) -> Vec<Mandel> {
         .collect()
 }
 
+/// The same from a field given at the vertices only. Its gradients in the tets, averaged to the
+/// vertices with the volumes, are differentiated once more.
+pub fn recovered_second_derivatives(mesh: &TetMesh, u: &[V3]) -> Vec<Mandel> {
+    let derivative = |e: usize, values: [f64; 4]| -> V3 {
+        let g = gradients(&mesh.corners(e));
+        std::array::from_fn(|d| (0..4).map(|i| values[i] * g[i][d]).sum())
+    };
+    let mut sum = vec![[[0.0; 3]; 3]; mesh.nodes.len()];
+    let mut volume = vec![0.0; mesh.nodes.len()];
+    for (e, t) in mesh.tets.iter().enumerate() {
+        let v = mesh.volume(e);
+        let of: [V3; 3] = std::array::from_fn(|c| derivative(e, t.map(|n| u[n as usize][c])));
+        for n in t.map(|n| n as usize) {
+            volume[n] += v;
+            (0..3).for_each(|c| (0..3).for_each(|d| sum[n][c][d] += v * of[c][d]));
+        }
+    }
+    let one = |(e, t): (usize, &[u32; 4])| {
+        let mut total = [0.0; 6];
+        for c in 0..3 {
+            let at = |d: usize| t.map(|n| sum[n as usize][c][d] / volume[n as usize]);
+            let h = symmetric_part(&std::array::from_fn(|d| derivative(e, at(d))));
+            total.iter_mut().zip(mapped(&h, f64::abs)).for_each(|(s, h)| *s += h);
+        }
+        total
+    };
+    mesh.tets.iter().enumerate().map(one).collect()
+}
+
 /// The second derivatives of a quadratic function given at the ten nodes of a tet.
 fn hessian(corners: &[V3; 4], values: &[f64; 10]) -> Mandel {
     let g = gradients(corners);
