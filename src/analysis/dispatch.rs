@@ -86,6 +86,15 @@ impl AnalysisPass {
         }
     }
 
+    /// Limit analysis: the velocities of the vertices in the static program's own mechanism; their
+    /// sign and scale have no meaning.
+    pub fn static_velocities(&self) -> Option<&[V3]> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.static_velocities.as_deref(),
+        }
+    }
+
     /// Limit analysis: share of the static load factor carried by each tet's yield multipliers.
     pub fn yield_multiplier_share(&self) -> Option<&[f64]> {
         match self {

@@ -15,6 +15,9 @@ use std::f64::consts::SQRT_2;
 /// Largest ratio of the lengths of a wanted element in two directions.
 pub const ASPECT: f64 = 4.0;
 
+/// Second derivatives below this part of their mean over the mesh give no direction.
+const NOISE: f64 = 0.01;
+
 /// Smallest element size over the thickness of a body.
 const PER_THICKNESS: f64 = 0.2;
 
@@ -71,16 +74,28 @@ impl Metric {
 }
 
 /// The directions at each node as a tensor of determinant 1: those of the tets around it, averaged
-/// with their volumes. The unit tensor where there are none.
+/// with their volumes. The unit tensor where there are none, or where they are noise: where a field
+/// hardly varies, its second derivatives have the directions of rounding.
 fn shapes(mesh: &TetMesh, directions: &[Mandel]) -> Vec<Mandel> {
-    let mut sum = vec![[0.0; 6]; mesh.nodes.len()];
+    let mut sum = vec![([0.0; 6], 0.0); mesh.nodes.len()];
+    let (mut trace, mut volume) = (0.0, 0.0);
     for (e, (t, h)) in mesh.tets.iter().zip(directions).enumerate() {
         let v = mesh.volume(e);
+        trace += v * (h[0] + h[1] + h[2]);
+        volume += v;
         for n in t {
-            sum[*n as usize].iter_mut().zip(h).for_each(|(s, h)| *s += v * h);
+            let (total, weight) = &mut sum[*n as usize];
+            total.iter_mut().zip(h).for_each(|(s, h)| *s += v * h);
+            *weight += v;
         }
     }
-    sum.iter().map(shape).collect()
+    let noise = NOISE * trace / (3.0 * volume);
+    let at = |(total, weight): &([f64; 6], f64)| {
+        let mut mean = total.map(|t| t / weight);
+        mean[..3].iter_mut().for_each(|d| *d += noise);
+        shape(&mean)
+    };
+    sum.iter().map(at).collect()
 }
 
 /// The tensor scaled to determinant 1, after its eigenvalues are bounded so that sizes differ by at

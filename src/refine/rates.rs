@@ -13,8 +13,9 @@ use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
+use crate::refine::directions::{recovered_second_derivatives, second_derivatives};
+use crate::refine::mechanism_error;
 use crate::refine::optimum::Estimate;
-use crate::refine::{directions, mechanism_error};
 use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
 
@@ -138,13 +139,18 @@ pub fn estimate(
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
 /// the fields.
 ///
-/// The mesh of the lower bound follows the static program's own multipliers, that of the upper
-/// bound the error of its mechanism, one mesh for both the contributions to the gap.
+/// The mesh of the lower bound follows the static program's own multipliers and the directions of
+/// their velocities, that of the upper bound the error of its mechanism, one mesh for both the
+/// contributions to the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
     let share = pass.yield_multiplier_share();
-    let directions = pass
-        .kinematic_field()
-        .map_or_else(Vec::new, |u| directions::second_derivatives(&model.mesh, u));
+    let directions = match bounds {
+        Bounds::Static => {
+            pass.static_velocities().map(|u| recovered_second_derivatives(&model.mesh, u))
+        }
+        _ => pass.kinematic_field().map(|u| second_derivatives(&model.mesh, u)),
+    };
+    let directions = directions.unwrap_or_default();
     let contributions = match bounds {
         Bounds::Both => {
             return Some(Estimate { directions, ..estimate(model, pass.contributions()?, share) });
