@@ -89,9 +89,9 @@ fn shapes(mesh: &TetMesh, directions: &[Mandel]) -> Vec<Mandel> {
             *weight += v;
         }
     }
-    let noise = NOISE * trace / (3.0 * volume);
+    let noise = if volume > 0.0 { NOISE * trace / (3.0 * volume) } else { 0.0 };
     let at = |(total, weight): &([f64; 6], f64)| {
-        let mut mean = total.map(|t| t / weight);
+        let mut mean = total.map(|t| if *weight > 0.0 { t / weight } else { 0.0 });
         mean[..3].iter_mut().for_each(|d| *d += noise);
         shape(&mean)
     };
