@@ -287,7 +287,7 @@ pub fn certify_upper(
     );
     let weld_capacity =
         Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
-    let slip_capacity = Sum::of(slip::slip_faces(model).iter().map(|f| f.strength * f.area));
+    let slip_capacity = slip::capacity(model, &space, u);
     let capacity = capacity / smallest + weld_capacity + slip_capacity;
     let hidden = 10.0 * slenderness(model) * residual * capacity;
     let rounding = 1e-13 * (total + dead.value().abs());

@@ -135,6 +135,12 @@ pub fn dissipations(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> Vec<
     out.iter().map(|d| d.value()).collect()
 }
 
+/// `∫ k` over the faces that slip \[N\]. Faces at rest can stay so when residuals are removed.
+pub fn capacity(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
+    let faces = slip_faces(model).into_iter().filter(|f| f.dissipation(space, u) > 0.0);
+    Sum::of(faces.map(|f| f.strength * f.area))
+}
+
 /// Largest velocity that supports do not allow: the normal part of the Bernstein coefficients on
 /// slip faces, the held components at the nodes of other faces.
 pub fn off_supports(model: &AnalysisModel, space: &Tet10Space, u: &[V3]) -> f64 {
