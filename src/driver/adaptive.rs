@@ -129,6 +129,7 @@ fn shortfall(
         Some(Stop::Nothing) => {
             "no element contributes to the gap, so no finer mesh reduces it".into()
         }
+        Some(Stop::SameMesh) => "the remesher makes no finer mesh".into(),
         Some(Stop::Target) | None => format!("a finer mesh is needed ({})", context.finer),
     }
 }

@@ -194,6 +194,10 @@ impl Passes<'_> {
                 return Ok(Refined::Failed);
             }
         };
+        let before = self.kept.iter().find(|k| k.index == *last);
+        if before.is_some_and(|k| k.model.mesh == mesh.model.mesh) {
+            return Ok(Refined::Stop(Stop::SameMesh));
+        }
         self.run(mesh)?;
         if self.count(sequence, Some(p)) {
             return Ok(Refined::Mesh);

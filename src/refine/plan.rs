@@ -66,6 +66,8 @@ pub enum Stop {
     Memory,
     /// No tet contributes to the gap: refinement cannot narrow it.
     Nothing,
+    /// The remesher made the same mesh again.
+    SameMesh,
 }
 
 /// The decision.
