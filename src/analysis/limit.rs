@@ -90,6 +90,10 @@ pub fn run(
     Ok(pass)
 }
 
+/// The static program's own mechanism: shares of the yield multipliers and velocities of the
+/// vertices.
+type OwnMechanism = (Vec<f64>, Vec<V3>);
+
 /// Adds the lower bound of the model without friction; returns its shares of the yield multipliers
 /// and its velocities.
 fn add_frictionless(
@@ -97,7 +101,7 @@ fn add_frictionless(
     smooth: &AnalysisModel,
     options: &PassOptions,
     progress: &Progress,
-) -> Result<Option<(Vec<f64>, Vec<V3>)>, PassError> {
+) -> Result<Option<OwnMechanism>, PassError> {
     if let Ok(Some(free)) = free_mechanism::find(smooth) {
         pass.slides = Some(proof::moving_parts(smooth, &free.field));
         return Ok(None);
