@@ -1,6 +1,5 @@
 //! Failures of the mesher gmsh and of the remesher Mmg: their processes and their files.
 
-use super::process::shown;
 use crate::diag::{Diagnostic, Diagnostics};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -237,4 +236,9 @@ impl From<MesherError> for Diagnostics {
     fn from(error: MesherError) -> Self {
         Diagnostic::from(error).into()
     }
+}
+
+/// A command as one line of text.
+pub(super) fn shown(command: &[OsString]) -> String {
+    command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }

@@ -1,5 +1,5 @@
-//! Tetrahedral meshes: the mesher gmsh, the remesher Mmg, their files, and meshes whose interfaces match triangle by
-//! triangle.
+//! Tetrahedral meshes: the mesher gmsh, the remesher Mmg, their files, and meshes whose interfaces
+//! match triangle by triangle.
 
 pub mod bisect;
 pub mod error;

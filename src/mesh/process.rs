@@ -1,7 +1,7 @@
 //! Runs a mesher as a separate process: under a time limit, stopped on request, its log kept for
 //! messages.
 
-use super::mesher_error::{MesherError, final_path};
+use super::mesher_error::{MesherError, final_path, shown};
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::Read;
@@ -87,11 +87,6 @@ fn process(command: &[OsString]) -> Command {
     let mut c = Command::new(command.first().map_or("gmsh".as_ref(), OsString::as_os_str));
     c.args(command.iter().skip(1));
     c
-}
-
-/// A command as one line of text.
-pub(super) fn shown(command: &[OsString]) -> String {
-    command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
 /// Puts the command in a process group of its own. Ctrl-C in the terminal then reaches only this
