@@ -4,10 +4,7 @@
 //! Prints for each model and program: the sizes, the forecast, the iterations, the time of the
 //! whole solve, and the time of one factorisation and two solves of the same matrix in the same
 //! run. It also prints the ratio Y = solve ÷ (iterations × (one factorisation + two solves)).
-//! `--bound` certifies the bound of a limit program.
 
-use bracket::analysis::limit;
-use bracket::certify::fields::DisplacementField;
 use bracket::elements::hencky_kinematic::Flow;
 use bracket::mesh::gmsh::Mesher;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
@@ -15,10 +12,8 @@ use bracket::model::resolve::resolve;
 use bracket::model::{AnalysisModel, from_joint};
 use bracket::programs::conic::ConicProgram;
 use bracket::programs::{Kinematic, Static};
-use bracket::recover::limit_lower::{self, ApproximateStress};
-use bracket::recover::limit_upper;
 use bracket::solve;
-use bracket::solve::{Patterns, Solution, SolveOptions, Solver};
+use bracket::solve::{SolveOptions, Solver};
 use bracket::spec::analysis::AnalysisKind;
 use std::path::Path;
 use std::time::Instant;
@@ -29,7 +24,6 @@ struct Options {
     trace: bool,
     factor_only: bool,
     limit: bool,
-    bound: bool,
 }
 
 fn main() {
@@ -39,7 +33,6 @@ fn main() {
         trace: false,
         factor_only: false,
         limit: false,
-        bound: false,
     };
     let mut models = Vec::new();
     let mut threads = 1;
@@ -52,7 +45,6 @@ fn main() {
             "--clarabel" => options.solver = Solver::Clarabel,
             "--trace" => options.trace = true,
             "--limit" => options.limit = true,
-            "--bound" => options.bound = true,
             "--factor" => options.factor_only = true,
             "--threads" => threads = args.next().and_then(|n| n.parse().ok()).unwrap_or(1),
             "--size-factor" => size_factor = args.next().and_then(|n| n.parse().ok()),
@@ -78,7 +70,7 @@ fn main() {
             }
         };
         println!("{path}: {} macro tets", model.mesh.tets.len());
-        options.programs.iter().for_each(|p| run(&model, p, &options));
+        options.programs.iter().for_each(|p| run(&model, path, p, &options));
     }
 }
 
@@ -107,66 +99,28 @@ fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
     resolve(&file, meshed.mesh, &place).expect("the model is sound")
 }
 
-fn run(model: &AnalysisModel, name: &str, options: &Options) {
+fn run(model: &AnalysisModel, path: &str, name: &str, options: &Options) {
     let start = Instant::now();
-    if options.limit && name == "kinematic" {
-        let k = Kinematic::limit(model, Flow::Split).expect("the model is sound");
-        let solution = measure(name, start, &k.program, &k.map.block, options);
-        if let Some(x) = solution.filter(|_| options.bound).map(|s| s.x) {
-            let field = limit::velocity(DisplacementField { u: k.nodal(&x) });
-            let upper =
-                limit_upper::project(model, &field, limit::SUBDIVISIONS, &Patterns::default());
-            println!("  upper bound {:.6}", upper.expect("certified").certificate.factor);
+    let built = match (name, options.limit) {
+        ("kinematic", false) => Kinematic::new(model).map(|k| (k.program, k.map.block)),
+        ("kinematic", true) => {
+            Kinematic::limit(model, Flow::Split).map(|k| (k.program, k.map.block))
         }
-    } else if options.limit {
-        let s = Static::limit(model).expect("the model is sound");
-        let solution = measure(name, start, &s.program, &s.map.block, options);
-        if let Some(solution) = solution.filter(|_| options.bound) {
-            println!("  lower bound {:.6}", lower_bound(model, &s, &solution));
-        }
-    } else if name == "kinematic" {
-        let k = Kinematic::new(model).expect("the model is sound");
-        measure(name, start, &k.program, &k.map.block, options);
-    } else {
-        let s = Static::new(model).expect("the model is sound");
-        measure(name, start, &s.program, &s.map.block, options);
-    }
+        (_, false) => Static::new(model).map(|s| (s.program, s.map.block)),
+        (_, true) => Static::limit(model).map(|s| (s.program, s.map.block)),
+    };
+    let (program, block): (ConicProgram, Vec<u32>) = built.expect("the model is sound");
+    let assembly = start.elapsed().as_secs_f64();
+    println!(
+        "{path} {name}: {} unknowns, {} cones, assembled in {assembly:.2} s",
+        program.p.n,
+        program.cones.len()
+    );
+    measure(name, &program, &block, options);
     println!("  peak memory {} MiB", bracket::analysis::memory::peak_memory_mib().unwrap_or(0));
 }
 
-/// The certified lower bound of a model without dead loads.
-fn lower_bound(model: &AnalysisModel, statics: &Static<'_>, solution: &Solution) -> f64 {
-    let approximate = ApproximateStress {
-        parameters: &statics.parameters(&solution.x).expect("sound elements"),
-        contact: &statics.spread_contact(&solution.z[..statics.program.g.nrows()]),
-        welds: &statics.weld_tractions(&solution.x),
-        factor: solution.x.last().copied().unwrap_or(0.0),
-    };
-    let lower = limit_lower::project(model, &approximate, None, &Patterns::default());
-    lower.expect("certified").certificate.factor
-}
-
-/// Processor time of this process so far \[s\]; 0 where the system does not report it.
-fn cpu_seconds() -> f64 {
-    let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // user time is the 14th field; the second one, in brackets, may contain blanks
-    let after = stat.rsplit(')').next().unwrap_or_default();
-    after.split_whitespace().nth(11).and_then(|t| t.parse().ok()).map_or(0.0, |t: f64| t / 100.0)
-}
-
-fn measure(
-    name: &str,
-    began: Instant,
-    program: &ConicProgram,
-    block: &[u32],
-    options: &Options,
-) -> Option<Solution> {
-    println!(
-        "{name}: {} unknowns, {} cones, assembled in {:.2} s",
-        program.p.n,
-        program.cones.len(),
-        began.elapsed().as_secs_f64()
-    );
+fn measure(name: &str, program: &ConicProgram, block: &[u32], options: &Options) {
     let mut settings = SolveOptions { solver: options.solver, ..SolveOptions::default() };
     if options.limit {
         settings =
@@ -204,21 +158,19 @@ fn measure(
         );
     }
     if options.factor_only {
-        return None;
+        return;
     }
-    let (start, cpu) = (Instant::now(), cpu_seconds());
+    let start = Instant::now();
     let solution = prepared.solve(&settings);
     let seconds = setup + start.elapsed().as_secs_f64();
     println!(
-        "  {}: {} iterations, {seconds:.2} s, {:.2} s of user time, objective {:.9e}",
+        "  {}: {} iterations, {seconds:.2} s, objective {:.9e}",
         solution.status.words(),
         solution.iterations,
-        cpu_seconds() - cpu,
         program.objective(&solution.x, &solution.z)
     );
     if let Some(y) = yardstick {
         let unit = f64::from(solution.iterations.max(1)) * (y.factor + 2.0 * y.solve);
         println!("  Y = {:.3}", seconds / unit);
     }
-    Some(solution)
 }

@@ -10,10 +10,10 @@
 //! with M the mass matrix. The change of volume stays elastic.
 //!
 //! # Rigid-plastic (limit analysis)
-//! The dissipation `∫ √(2/3) f_y ‖ε‖` by Gauss's rule of four points is the maximum, over deviators
-//! q at the points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures enforce `tr ε = 0`. The
-//! split element needs one, for `∫ div u = 0`, since its inner velocities follow from the outer
-//! ones; the plain element needs four, at its vertices.
+//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the maximum, over deviators q at the
+//! points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures enforce `tr ε = 0`. The split
+//! element needs one, for `∫ div u = 0`, since its inner velocities follow from the outer ones; the
+//! plain element needs four, at its vertices.
 //!
 //! # Sign
 //! The multiplier of a point is `(‖p_i‖, −p_i)` times `V/4 √(2/3) f_y`: its deviatoric part points
@@ -99,7 +99,7 @@ impl YieldingTet10 {
         let volume = self.volume / subtets as f64;
         let flexibility = match self.rule {
             Rule::Hencky => volume * self.radius * self.radius / (16.0 * self.material.two_mu),
-            Rule::Gauss | Rule::Vertices => 0.0,
+            Rule::TenPoints | Rule::Vertices => 0.0,
         };
         data.extend(std::iter::repeat_n(flexibility, subtets));
         for row in self.pressure_rows(pressures) {

@@ -165,7 +165,7 @@ impl Kinematic {
                 radius,
                 body_force: forces[body],
                 split: flow == Flow::Split,
-                rule: if limit { Rule::Gauss } else { Rule::Hencky },
+                rule: if limit { Rule::TenPoints } else { Rule::Hencky },
             })
         };
         // rigid-plastic elements add nothing to P

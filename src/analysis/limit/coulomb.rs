@@ -38,8 +38,8 @@ pub struct CoulombEstimate {
     /// it lies a little beyond a bound under Coulomb's law, that bound. `None`: the fixed point was
     /// not reached.
     pub factor: Option<f64>,
-    /// The load factor of the program itself, which integrates the dissipation by Gauss's rule: it
-    /// is no bound.
+    /// The load factor of the program itself, which integrates the dissipation on a coarser rule
+    /// (measured on coarse stacks of blocks: up to a tenth above the upper bound).
     pub raw: Option<f64>,
     /// Convergence, including the problem with associated friction.
     pub run: FixedPointRun,
