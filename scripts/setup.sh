@@ -116,7 +116,7 @@ want() {
 # The executable of Mmg that mmgpy carries; its Python modules, which need numpy and scipy, are not used.
 remesher_runs() {
     for mmg in "$venv"/lib/python3*/site-packages/mmgpy/bin/mmg3d_O3; do
-        # its exit code after -h differs from machine to machine
+        # -h prints the version and ends with a code that is not 0
         [ -x "$mmg" ] && "$mmg" -h 2>&1 | grep -q 'MMG3D, Release' && return
     done
     return 1
