@@ -99,8 +99,12 @@ pub fn analyse_model(
     run_cases(vec![case], context, &limits, folder, &log)
 }
 
-/// Makes further meshes of a model file: with Mmg, or by bisection without it. `mesh`: with nodes
-/// that bodies share.
+/// Least number of tets of a mesh that Mmg adapts. A smaller mesh is mostly surface, and Mmg misses
+/// the wanted count by a sixth and more; bisection meets it.
+const LEAST_FOR_METRIC: usize = 1000;
+
+/// Makes further meshes of a model file: with Mmg, or by bisection without it and of small meshes.
+/// `mesh`: with nodes that bodies share.
 pub fn remesh_model<'a>(
     file: &ModelFile,
     place: Places<'a>,
@@ -112,7 +116,8 @@ pub fn remesh_model<'a>(
     let own = file.clone();
     let bisect =
         move |mesh| Box::new(ByBisection::new(&own, place, mesh)) as Box<dyn Remesh<'a> + 'a>;
-    let Some(remesher) = remesher(log) else { return bisect(mesh) };
+    let large = mesh.tets.len() >= LEAST_FOR_METRIC;
+    let Some(remesher) = large.then(|| remesher(log)).flatten() else { return bisect(mesh) };
     let tools = Tools {
         remesher,
         dir: folder.join("mesher"),
