@@ -71,7 +71,12 @@ pub fn convergence(
     stem: &str,
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
-    let row = |h: &HistoryRow| Some([h.macro_tets as f64, 100.0 * h.gap?]);
+    // meshes of one bound alternate: the size is that of the largest mesh so far
+    let mut largest = 0;
+    let row = |h: &HistoryRow| {
+        largest = largest.max(h.macro_tets);
+        Some([largest as f64, 100.0 * h.so_far.map_or(h.gap, |b| b.gap)?])
+    };
     let points: Vec<[f64; 2]> = entry.history.iter().filter_map(row).collect();
     if points.len() < 2 {
         return Ok(None);
@@ -91,13 +96,15 @@ pub fn convergence(
     }))
 }
 
-/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds.
-/// `None` if nothing dissipates.
+/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and
+/// by slip on supports. `None` if nothing dissipates.
 fn share_of_bodies(pass: &AnalysisPass) -> Option<f64> {
     let AnalysisPass::Factor(pass) = pass else { return None };
     let c = pass.upper.as_ref()?.certificate();
-    let [bodies, welds] = [&c.dissipation, &c.welds].map(|d| d.iter().sum::<f64>());
-    (bodies + welds > 0.0).then(|| bodies / (bodies + welds))
+    let [bodies, welds, supports] =
+        [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
+    let total = bodies + welds + supports;
+    (total > 0.0).then(|| bodies / total)
 }
 
 /// The deformed shape coloured by the size of the displacement, or the mechanism coloured by its
@@ -135,7 +142,7 @@ pub fn pass_picture(
                 Some(share) if share < LITTLE => {
                     // the remaining plastic flow is rounding error and is not drawn
                     densities.fill(0.0);
-                    "the welds dissipate all, the parts do not flow"
+                    "welds and slip on supports dissipate all, the parts do not flow"
                 }
                 _ => "coloured by its dissipation",
             };

@@ -3,13 +3,14 @@
 use crate::certify::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::diag::Diagnostics;
-use crate::driver::adaptive::{self, Adapted, Kept, Share};
+use crate::driver::adaptive::{self, Adapted};
 use crate::driver::case::{Case, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
 use crate::driver::context::RunContext;
 use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
+use crate::driver::passes::{Kept, Share};
 use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_picture};
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;
