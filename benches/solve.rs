@@ -5,9 +5,7 @@
 //! whole solve, and the time of one factorisation and two solves of the same matrix in the same
 //! run. It also prints the ratio Y = solve ÷ (iterations × (one factorisation + two solves)).
 
-use bracket::driver::meshing::sizes;
 use bracket::elements::hencky_kinematic::Flow;
-use bracket::geometry::size::SizeRule;
 use bracket::mesh::gmsh::Mesher;
 use bracket::mesh::joint::{MeshOptions, mesh_joint};
 use bracket::model::resolve::resolve;
@@ -66,7 +64,7 @@ fn main() {
     );
     for path in &models {
         let model = match size_factor {
-            Some(factor) => model_of_spec(Path::new(path), factor, options.limit),
+            Some(factor) => model_of_spec(Path::new(path), factor),
             None => {
                 bracket::model::resolve::load_model(Path::new(path)).expect("the model is readable")
             }
@@ -77,19 +75,18 @@ fn main() {
 }
 
 /// The first load case of a connection spec, its mesh sizes multiplied by `factor`.
-fn model_of_spec(path: &Path, factor: f64, limit: bool) -> AnalysisModel {
+fn model_of_spec(path: &Path, factor: f64) -> AnalysisModel {
     let input = bracket::driver::spec_file::read(path, None).expect("the spec is sound");
     let folder = std::env::temp_dir().join(format!("bracket-bench-{}", std::process::id()));
     let mut options = MeshOptions::new(&folder);
-    let asked = &input.spec.value.analysis.mesh;
-    let kind = if limit { AnalysisKind::Limit } else { AnalysisKind::Elastic };
-    options.layers = asked.layers;
-    options.sizes = SizeRule { factor, ..sizes(asked, &[kind]) };
+    options.layers = input.spec.value.analysis.mesh.layers;
+    options.sizes.factor = factor;
     options.mesher = Some(Mesher::find().expect("gmsh is installed"));
     let assembly = &input.joint.assembly;
     let meshed = mesh_joint(assembly, &options, &mut |_| {}).expect("the joint can be meshed");
     std::fs::remove_dir_all(&folder).expect("the folder is ours");
     let case = &from_joint::cases(assembly)[0];
+    let kind = AnalysisKind::Elastic;
     let file = from_joint::model_file(
         assembly,
         &meshed.mesh,

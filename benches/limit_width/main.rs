@@ -8,8 +8,9 @@
 //! flange). Options: `--size-factor F`, `--size PART=MM`, `--layers 1|2|4` through plates, flanges
 //! and webs, `--stretch FROM,TO,S` (elements in the spans FROM ≤ |x| ≤ TO are S times as long as
 //! they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--hinges S` (size
-//! between pulled bolts and toes over the thickness of the plate; 0: the size of the part),
-//! `--margins` (mesh lines beside the edges of footprints), `--bins MM`, `--static`, `--kinematic`, `--threads N`.
+//! between pulled bolts and toes over the thickness of the plate),
+//! `--margins` (mesh lines beside the edges of footprints), `--bins MM`, `--static`,
+//! `--kinematic`, `--threads N`.
 //!
 //! `--weak` solves the static program alone and prints which yield conditions limit its load
 //! factor. The multipliers of these conditions are velocities with a dissipation of their own. This
@@ -37,7 +38,6 @@ use bracket::certify::velocity_field::pieces;
 use bracket::elements::geometry::centroid;
 use bracket::elements::space::Tet10Space;
 use bracket::elements::tet10;
-use bracket::geometry::size::HALF_THICKNESS;
 use bracket::math::mandel;
 use bracket::math::quadrature::tetrahedron_mass;
 use bracket::mesh::TetMesh;
@@ -317,7 +317,7 @@ fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
     options.sizes.span_growth = o.growth.unwrap_or(options.sizes.span_growth);
     options.sizes.across_footprint = o.foot.unwrap_or(options.sizes.across_footprint);
     options.margins = o.margins;
-    options.sizes.at_hinges = Some(o.hinges.unwrap_or(HALF_THICKNESS)).filter(|s| *s > 0.0);
+    options.sizes.at_hinges = o.hinges;
     let mut m = mesh_joint(&changed(assembly, o), &options, &mut |_| {})
         .unwrap_or_else(|e| panic!("{e:#?}"));
     m.mesh.nodes.iter_mut().for_each(|x| x[0] = lengthen(&o.stretch, x[0]));

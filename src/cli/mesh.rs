@@ -14,7 +14,7 @@ use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::console::log::Log;
 use crate::text_file;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -64,7 +64,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
         }
     }
     let interrupt = Interrupt::watch()?;
-    let (assembly, layers, sizes, warnings) = load(&args.spec, &args.catalog)?;
+    let (assembly, layers, sizes, warnings) = load(args)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
     let mesher = Mesher::find()?;
     let log = Arc::new(Log::new(common.quiet));
@@ -74,7 +74,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
     options.layers = layers && !args.no_layers;
-    options.sizes = SizeRule { factor: args.size_factor, ..sizes };
+    options.sizes = sizes;
     options.time_limit = Duration::from_secs_f64(args.time_limit);
     options.mesher = Some(mesher);
     options.interrupt = Some(interrupt.flag());
@@ -122,15 +122,13 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
 
 /// The assembly, whether the spec requests mid-thickness layers, the element sizes, and the warnings
 /// of the catalogue.
-fn load(
-    path: &Path,
-    catalog: &CatalogOptions,
-) -> Result<(Assembly, bool, SizeRule, Vec<String>), Diagnostics> {
+fn load(args: &MeshArgs) -> Result<(Assembly, bool, SizeRule, Vec<String>), Diagnostics> {
+    let (path, catalog) = (args.spec.as_path(), &args.catalog);
     if path.extension().is_none_or(|e| e != "json") {
         let file = spec_file::read(path, catalog.folder())?;
         let warnings = file.catalog.warnings().iter().map(spec_file::catalog_warning).collect();
         let analysis = &file.spec.value.analysis;
-        let sizes = meshing::sizes(&analysis.mesh, &analysis.kind.0);
+        let sizes = meshing::sizes(&analysis.mesh, &analysis.kind.0, args.size_factor);
         return Ok((file.joint.assembly, analysis.mesh.layers, sizes, warnings));
     }
     if let Some(dir) = catalog.folder() {
@@ -147,7 +145,8 @@ fn load(
             .file(path)
             .help("check the path")
     })?;
-    serde_json::from_str(&text).map(|a| (a, true, SizeRule::default(), Vec::new())).map_err(|e| {
+    let sizes = SizeRule { factor: args.size_factor, ..SizeRule::default() };
+    serde_json::from_str(&text).map(|a| (a, true, sizes, Vec::new())).map_err(|e| {
         Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
             .file(path)
             .at(e.line(), e.column())

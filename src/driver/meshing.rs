@@ -35,11 +35,20 @@ impl Extent {
     }
 }
 
-/// The element sizes for these kinds of analysis. Limit analysis starts with small elements where
-/// plates turn about hinges, unless the spec gives one size for all parts.
-pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind]) -> SizeRule {
-    let at_hinges = kinds.contains(&AnalysisKind::Limit) && asked.size == MeshSize::Auto;
-    SizeRule { at_hinges: at_hinges.then_some(HALF_THICKNESS), ..SizeRule::default() }
+/// Factor on the element sizes with which limit analysis starts. The meshes of later passes are
+/// finer where the first pass found plastic flow.
+const LIMIT_START: f64 = 2.0;
+
+/// The element sizes for these kinds of analysis, times `size_factor`. Limit analysis alone starts
+/// with few elements, most of them where plates turn about hinges, unless the spec gives one size
+/// for all parts.
+pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind], size_factor: f64) -> SizeRule {
+    let even = SizeRule { factor: size_factor, ..SizeRule::default() };
+    if kinds == [AnalysisKind::Limit] && asked.size == MeshSize::Auto {
+        SizeRule { factor: LIMIT_START * size_factor, at_hinges: Some(HALF_THICKNESS), ..even }
+    } else {
+        even
+    }
 }
 
 /// The options of the mesher, which works in its own folder below `folder`.
@@ -55,7 +64,7 @@ pub fn mesh_options(
     options.full = full;
     let asked = &input.spec.value.analysis.mesh;
     options.layers = asked.layers;
-    options.sizes = SizeRule { factor: size_factor, ..sizes(asked, kinds) };
+    options.sizes = sizes(asked, kinds, size_factor);
     options.mesher = Some(mesher.clone());
     options.interrupt = Some(interrupt.flag());
     if let Some(limit) = input.spec.value.analysis.time_limit {

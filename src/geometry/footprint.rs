@@ -165,10 +165,7 @@ mod tests {
         assert_eq!(footprints(&scene).len(), 1);
         let found: Vec<[f64; 4]> =
             margins(&scene).iter().map(|r| [r.min[0], r.max[0], r.min[1], r.max[1]]).collect();
-        assert_eq!(
-            found,
-            [[1005.625, 1024.375, 0.0, 85.0], [1009.375, 1020.625, 0.0, 85.0]]
-        );
+        assert_eq!(found, [[1005.625, 1024.375, 0.0, 85.0], [1009.375, 1020.625, 0.0, 85.0]]);
         assert!(margins(&scene).iter().all(|r| r.axis == 2 && r.at == -180.0));
         let whole = Scene::new(&joint, true);
         assert_eq!((footprints(&whole).len(), margins(&whole).len()), (2, 4));

@@ -363,7 +363,11 @@ mod tests {
         for p in &mut joint.parts {
             p.label = "evil; System(\"rm\")".into();
         }
-        for purpose in [MESH, Purpose::Mesh { layers: true, margins: false, sizes: Sizing::View }, Purpose::Cad] {
+        for purpose in [
+            MESH,
+            Purpose::Mesh { layers: true, margins: false, sizes: Sizing::View },
+            Purpose::Cad,
+        ] {
             let text = script(&Scene::new(&joint, false), purpose);
             assert!(!text.contains("System") && !text.contains("evil"));
         }

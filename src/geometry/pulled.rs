@@ -23,9 +23,7 @@ pub(super) fn may_be(assembly: &Assembly, bolt: &Shank) -> bool {
         .iter()
         .filter(|p| p.role == PartRole::Bolt)
         .filter_map(|p| Shank::of(&p.solid))
-        .filter(|s| {
-            s.axis == bolt.axis && (s.start[s.axis] - bolt.start[bolt.axis]).abs() < SAME
-        })
+        .filter(|s| s.axis == bolt.axis && (s.start[s.axis] - bolt.start[bolt.axis]).abs() < SAME)
         .map(|s| s.start)
         .collect();
     let Some(out) = loaded_side(assembly, bolt) else { return true };

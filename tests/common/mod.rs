@@ -23,19 +23,11 @@ pub struct Block {
     pub max: [f64; 3],
     pub jitter: f64,
     pub seed: u64,
-    /// Index of a node from which diagonals run in all directions, in each direction 0 or 1.
-    pub phase: [usize; 3],
 }
 
 impl Block {
     pub fn new(cells: [usize; 3], max: [f64; 3]) -> Self {
-        Self { cells, min: [0.0; 3], max, jitter: 0.0, seed: 1, phase: [0; 3] }
-    }
-
-    /// Diagonals run in all directions from this node and from every second one.
-    pub fn phase(mut self, phase: [usize; 3]) -> Self {
-        self.phase = phase;
-        self
+        Self { cells, min: [0.0; 3], max, jitter: 0.0, seed: 1 }
     }
 
     pub fn jittered(mut self, seed: u64) -> Self {
@@ -84,7 +76,7 @@ impl Block {
                 for i in 0..nx {
                     let centre: [f64; 3] =
                         std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
-                    for t in mirrored::tets([i, j, k], self.phase) {
+                    for t in mirrored::tets([i, j, k], [0; 3]) {
                         tets.push(t.map(|[i, j, k]| id(i, j, k)));
                         tet_body.push(body(centre) as u32);
                     }
