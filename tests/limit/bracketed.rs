@@ -68,7 +68,7 @@ fn quarter_of_the_clamped_plate() {
 }
 
 /// C1 on a mesh that is finer towards the clamp and the free edge: the bracket is at most 2 % wide
-/// with at most 4 000 macro tets. The cells are a sixth of the half thickness where the plate turns.
+/// with at most 4 000 macro tets. Where the plate turns, cells are a twelfth of its thickness.
 #[test]
 fn clamped_plate_fine() {
     let near = (0..=14).map(|i| f64::from(i) / 12.0).collect();
