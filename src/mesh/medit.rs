@@ -141,3 +141,46 @@ pub fn parse(text: &str) -> Result<MeditMesh, String> {
     }
     Ok(mesh)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Files of Mmg carry more keywords than are read; all of them are passed over.
+    #[test]
+    fn other_keywords_are_skipped() {
+        let text = "MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n4\n0 0 0 0\n1 0 0 2 \n0 1 0 \
+                    0\n0 0 1e-1 0\nCorners\n2\n1\n2\nTriangles\n1\n1 2 3 5\nRequiredTriangles\n1\n1\
+                    \nTetrahedra\n1\n1 2 3 4 9\nNormals\n1\n0 0 1\nEnd\n";
+        let mesh = parse(text).expect("valid");
+        assert_eq!(mesh.nodes[3], [0.0, 0.0, 0.1]);
+        assert_eq!((mesh.triangles, mesh.tets), (vec![([0, 1, 2], 5)], vec![([0, 1, 2, 3], 9)]));
+    }
+
+    #[test]
+    fn damaged_files_are_refused() {
+        let whole = "Vertices\n1\n0 0 0 0\nTetrahedra\n1\n1 1 1 1 1\nEnd\n";
+        assert!(parse(whole).is_ok());
+        let cut = &whole[..whole.len() - 5];
+        assert_eq!(parse(cut), Err("it is cut off".into()));
+        assert_eq!(
+            parse(&whole.replace("0 0 0 0", "0 x 0 0")).map(|_| ()),
+            Err("`x` stands in place of a coordinate".into())
+        );
+        assert_eq!(
+            parse(&whole.replace("1 1 1 1 1", "1 1 1 2 1")).map(|_| ()),
+            Err("node 2 of 1".into())
+        );
+        assert_eq!(parse("Vertices\n0\nEnd").map(|_| ()), Err("it has no tetrahedra".into()));
+    }
+
+    /// The order of the six components: m11, m12, m22, m13, m23, m33.
+    #[test]
+    fn components_of_the_metric() {
+        let m = crate::math::mandel::symmetric_part(&[[1., 2., 4.], [2., 3., 5.], [4., 5., 6.]]);
+        let text = metric_text(&[m]);
+        let line = text.lines().nth(7).expect("the first tensor");
+        let numbers: Vec<f64> = line.split(' ').map(|w| w.parse().expect("a number")).collect();
+        assert!(numbers.iter().zip([1., 2., 3., 4., 5., 6.]).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+}

@@ -83,3 +83,6 @@ impl Remesher {
         restore(mesh, p, made).map_err(|why| MesherError::OtherBody { why })
     }
 }
+
+#[cfg(test)]
+mod tests;

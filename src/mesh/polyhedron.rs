@@ -316,3 +316,6 @@ static EMPTY: Signature = ([None, None], Vec::new());
 fn unit(a: V3) -> V3 {
     scale(1.0 / norm(a), a)
 }
+
+#[cfg(test)]
+mod tests;

@@ -227,3 +227,6 @@ fn dropped(mut mesh: TetMesh) -> TetMesh {
     mesh.nodes = nodes;
     mesh
 }
+
+#[cfg(test)]
+mod tests;

@@ -75,3 +75,64 @@ fn hessian(corners: &[V3; 4], values: &[f64; 10]) -> Mandel {
     }
     h
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::eigen::eigen;
+    use crate::math::vec3::dot;
+    use crate::mesh::fixtures::cubes;
+
+    /// `u = ½ (xᵀAx) a`, slanted to all axes; the second derivatives are A times the components.
+    fn field(x: V3) -> V3 {
+        let n = SLANT;
+        let s = dot(n, x);
+        [8.0 * s * s, -2.0 * s * s + x[0] * x[1], 3.0 * x[2]]
+    }
+
+    const SLANT: V3 = [0.6, 0.0, 0.8];
+
+    fn block() -> TetMesh {
+        let cells: Vec<_> = (0..64).map(|i| ([i % 4, i / 4 % 4, i / 16], "B")).collect();
+        cubes(&cells)
+    }
+
+    /// The second derivatives of a quadratic field are exact in every tet:
+    /// `|H₁| = 16 nnᵀ`, `|H₂| = |−4 nnᵀ + sym(xy)|`, `H₃ = 0`.
+    #[test]
+    fn exact_for_quadratic_fields() {
+        let mesh = block();
+        let u: Vec<V3> = Tet10Space::new(&mesh).nodes.iter().map(|x| field(*x)).collect();
+        let nn = symmetric_part(&SLANT.map(|a| SLANT.map(|b| a * b)));
+        let xy = symmetric_part(&[[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0; 3]]);
+        let second: Mandel = std::array::from_fn(|c| -4.0 * nn[c] + xy[c]);
+        let second = mapped(&second, f64::abs);
+        for h in second_derivatives(&mesh, &u) {
+            for c in 0..6 {
+                let want = 16.0 * nn[c] + second[c];
+                assert!((h[c] - want).abs() < 1e-9, "{h:?}");
+            }
+        }
+    }
+
+    /// From the vertices alone: away from the surface, where gradients are averaged from all
+    /// sides, the strongest direction is found to 10°.
+    #[test]
+    fn recovered_inside() {
+        let mesh = block();
+        let u: Vec<V3> = mesh.nodes.iter().map(|x| field(*x)).collect();
+        let all = recovered_second_derivatives(&mesh, &u);
+        let inner = (0..mesh.tets.len())
+            .filter(|e| mesh.corners(*e).iter().flatten().all(|x| *x > 5.0 && *x < 35.0));
+        let mut count = 0;
+        for e in inner {
+            let (values, vectors) = eigen(&all[e]);
+            let i = (0..3).max_by(|i, j| values[*i].total_cmp(&values[*j])).unwrap_or(0);
+            let cos = dot(vectors[i], SLANT).abs();
+            assert!(cos > 10f64.to_radians().cos(), "{cos}");
+            assert!(values[i] > 14.0 && values[i] < 25.0, "{values:?}");
+            count += 1;
+        }
+        assert_eq!(count, 48);
+    }
+}

@@ -140,3 +140,97 @@ pub fn least_sizes(mesh: &TetMesh) -> Vec<f64> {
     }
     least
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3::V3;
+    use crate::mesh::fixtures::cubes;
+
+    const AXES: [V3; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+    fn block() -> TetMesh {
+        let cells: Vec<_> = (0..64).map(|i| ([i % 4, i / 4 % 4, i / 16], "B")).collect();
+        cubes(&cells)
+    }
+
+    fn none(mesh: &TetMesh) -> SizeLimits {
+        let n = mesh.nodes.len();
+        SizeLimits { least: vec![0.0; n], most: vec![f64::INFINITY; n] }
+    }
+
+    /// The metric that divides every tet into `parts` with the second derivatives `h`.
+    fn metric(mesh: &TetMesh, parts: f64, h: Mandel, limits: &SizeLimits) -> Metric {
+        let n = mesh.tets.len();
+        Metric::new(mesh, &Edges::new(mesh), &vec![parts; n], &vec![h; n], limits)
+    }
+
+    /// Sizes in the three axes of a tensor.
+    fn sizes(m: &Mandel) -> [f64; 3] {
+        std::array::from_fn(|d| m[d].powf(-0.5))
+    }
+
+    /// Second derivatives 16 : 4 : 1 give sizes 1 : 2 : 4, but for the noise, of the volume that is
+    /// wanted, and as many unit tets as are wanted.
+    #[test]
+    fn sizes_of_a_quadratic_field() {
+        let mesh = block();
+        let metric = metric(&mesh, 3.0, [16.0, 4.0, 1.0, 0.0, 0.0, 0.0], &none(&mesh));
+        let h = crate::mesh::size_field::regular_edge(mesh.volume(0) / 3.0);
+        let noise = NOISE * 7.0;
+        for m in &metric.tensors {
+            let s = sizes(m);
+            let ratio = |i: usize, a: f64| (s[i] / s[0]).powi(2) * (a + noise) / (16.0 + noise);
+            assert!((ratio(1, 4.0) - 1.0).abs() < 1e-9 && (ratio(2, 1.0) - 1.0).abs() < 1e-9);
+            assert!((s.iter().product::<f64>().cbrt() / h - 1.0).abs() < 1e-9, "{s:?} {h}");
+        }
+        assert!(metric.parts(&mesh).iter().all(|p| (p - 3.0).abs() < 1e-9));
+        let coarser = metric.scaled(2.0);
+        assert!(coarser.parts(&mesh).iter().all(|p| (p - 0.375).abs() < 1e-9));
+    }
+
+    /// The aspect ratio is bounded; without derivatives all sizes are equal.
+    #[test]
+    fn bounded_aspect() {
+        let mesh = block();
+        for (h, ratio) in [([1e6, 1.0, 1.0], ASPECT), ([0.0; 3], 1.0), ([2.0, 2.0, 1e-9], ASPECT)] {
+            let metric = metric(&mesh, 1.0, compose(h, &AXES), &none(&mesh));
+            let s = sizes(&metric.tensors[0]);
+            assert!((s[2] / s[0] - ratio).abs() < 1e-9, "{h:?} {s:?}");
+            assert!(metric.parts(&mesh).iter().all(|p| (p - 1.0).abs() < 1e-9));
+        }
+    }
+
+    /// Sizes stay between their limits in every direction, whatever number of parts is wanted, and
+    /// the number of parts counts the limits.
+    #[test]
+    fn limited_sizes() {
+        let mesh = block();
+        let n = mesh.nodes.len();
+        let limits = SizeLimits { least: vec![4.0; n], most: vec![15.0; n] };
+        for parts in [1e-3, 1.0, 1e3] {
+            let metric = metric(&mesh, parts, [16.0, 4.0, 1.0, 0.0, 0.0, 0.0], &limits);
+            for m in &metric.tensors {
+                assert!(sizes(m).iter().all(|s| *s > 3.999_999 && *s < 15.000_001), "{m:?}");
+            }
+            let [few, many] = [15.0f64, 4.0].map(|h| 6.0 * SQRT_2 * mesh.volume(0) / h.powi(3));
+            let made = metric.parts(&mesh)[0];
+            assert!(made > 0.999 * few && made < 1.001 * many, "{few} {made} {many}");
+        }
+    }
+
+    /// Twice the volume over the surface: a plate of 40 × 40 × 10 has a thickness of 7.5 × (10/11.25)
+    /// = 6.67, a cube of 40 mm of 13.3; where both meet the smaller counts.
+    #[test]
+    fn thickness_of_bodies() {
+        let plate = (0..16).map(|i| ([i % 4, i / 4, 0], "PLATE"));
+        let block = (0..64).map(|i| ([i % 4, i / 4 % 4, 1 + i / 16], "BLOCK"));
+        let mesh = cubes(&plate.chain(block).collect::<Vec<_>>());
+        let least = least_sizes(&mesh);
+        for (x, least) in mesh.nodes.iter().zip(least) {
+            let area = 2.0 * 1600.0 + 4.0 * 400.0;
+            let want = if x[2] <= 10.0 { 2.0 * 16_000.0 / area } else { 2.0 * 64_000.0 / 9600.0 };
+            assert!((least - PER_THICKNESS * want).abs() < 1e-9, "{x:?} {least}");
+        }
+    }
+}

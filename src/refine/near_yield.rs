@@ -11,6 +11,7 @@ use crate::certify::fields::StressField;
 use crate::certify::plastic_field::length;
 use crate::elements::super_element::PointStress;
 use crate::math::mandel::deviator;
+use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
 
 /// The slack δ of the utilisation at which a tet has half of the weight of a yielding one.
@@ -26,9 +27,13 @@ pub fn shares(
     multipliers: &[f64],
     stress: Option<&StressField>,
 ) -> Vec<f64> {
+    let near = stress.map(|s| weights(&model.mesh, &model.yield_radii(), s));
+    mixed(multipliers, near)
+}
+
+fn mixed(multipliers: &[f64], near: Option<Vec<f64>>) -> Vec<f64> {
     let multipliers = normal(multipliers.iter().map(|m| m.max(0.0)).collect());
-    let Some(stress) = stress else { return multipliers };
-    let near = normal(weights(model, stress));
+    let Some(near) = near.map(normal) else { return multipliers };
     multipliers.iter().zip(near).map(|(m, n)| (1.0 - PART) * m + PART * n).collect()
 }
 
@@ -41,15 +46,40 @@ fn normal(mut x: Vec<f64>) -> Vec<f64> {
 }
 
 /// Volume times yield strength times `δ / (s + δ)`; zero in rigid bodies.
-fn weights(model: &AnalysisModel, stress: &StressField) -> Vec<f64> {
-    let radii = model.yield_radii();
+fn weights(mesh: &TetMesh, radii: &[Option<f64>], stress: &StressField) -> Vec<f64> {
     let one = |(e, points): (usize, &PointStress)| {
-        let Some(radius) = radii[model.mesh.tet_body[e] as usize] else { return 0.0 };
+        let Some(radius) = radii[mesh.tet_body[e] as usize] else { return 0.0 };
         let points = points.iter().flatten().map(|s| {
             let slack = (1.0 - length(&deviator(s)) / radius).max(0.0);
             SLACK / (slack + SLACK)
         });
-        model.mesh.volume(e) * radius * points.sum::<f64>() / 16.0
+        mesh.volume(e) * radius * points.sum::<f64>() / 16.0
     };
     stress.points.iter().enumerate().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::mandel::yield_radius;
+    use crate::mesh::fixtures::cubes;
+
+    /// A tet at yield outweighs one of the same volume at half of it as 1 to δ / (½ + δ); multipliers
+    /// keep their part, also of a tet without stress. All shares sum to 1.
+    #[test]
+    fn tets_at_yield_outweigh_others() {
+        let mesh = cubes(&[([0, 0, 0], "B")]);
+        let n = mesh.tets.len();
+        let mut stress = StressField::none(n);
+        for (e, s) in [(0, 100.0), (1, 50.0)] {
+            stress.points[e] = [[[s, 0.0, 0.0, 0.0, 0.0, 0.0]; 4]; 4];
+        }
+        let mut multipliers = vec![0.0; n];
+        multipliers[2] = 3.0;
+        let near = weights(&mesh, &[Some(yield_radius(100.0))], &stress);
+        let shares = mixed(&multipliers, Some(near));
+        assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        assert!((shares[1] / shares[0] - SLACK / (0.5 + SLACK)).abs() < 1e-12, "{shares:?}");
+        assert!(shares[2] > 1.0 - PART && shares[3] < 0.1 * PART, "{shares:?}");
+    }
 }
