@@ -120,8 +120,8 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-/// The assembly, whether the spec requests mid-thickness layers, the element sizes, and the warnings
-/// of the catalogue.
+/// The assembly, whether the spec requests mid-thickness layers, the element sizes, and the
+/// warnings of the catalogue.
 fn load(args: &MeshArgs) -> Result<(Assembly, bool, SizeRule, Vec<String>), Diagnostics> {
     let (path, catalog) = (args.spec.as_path(), &args.catalog);
     if path.extension().is_none_or(|e| e != "json") {

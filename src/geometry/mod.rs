@@ -13,6 +13,7 @@ pub mod line;
 pub mod proximity;
 mod pulled;
 pub mod scene;
+mod shank;
 pub mod size;
 pub mod validate;
 

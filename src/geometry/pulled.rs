@@ -4,7 +4,7 @@
 //! the loads on the other side pass through it. Their force and moment are distributed over the
 //! bolts linearly. Where both sides are supported, every bolt may be pulled.
 
-use super::hinges::Shank;
+use super::shank::Shank;
 use crate::assembly::Assembly;
 use crate::assembly::assembly::{Action, FaceRule, PartRole, Surface};
 use crate::math::vec3::{V3, add, cross, dot, sub};

@@ -7,8 +7,9 @@ use bracket::mesh::{NamedFaces, TetMesh, tet};
 /// ([`mirrored`]).
 pub struct Grid {
     pub planes: [Vec<f64>; 3],
-    /// Index of a node from which diagonals run in all directions, in each direction 0 or 1.
-    pub phase: [usize; 3],
+    /// Index of a node from which diagonals run in all directions, in each direction 0 or 1; `None`
+    /// for diagonals that are parallel in all cells.
+    pub phase: Option<[usize; 3]>,
     /// Inner nodes move by up to this fraction of the smaller neighbouring cell.
     pub jitter: f64,
     pub seed: u64,
@@ -48,12 +49,18 @@ pub fn even(from: f64, to: f64, n: usize) -> Vec<f64> {
 
 impl Grid {
     pub fn new(planes: [Vec<f64>; 3]) -> Self {
-        Self { planes, phase: [0; 3], jitter: 0.0, seed: 1 }
+        Self { planes, phase: Some([0; 3]), jitter: 0.0, seed: 1 }
     }
 
     /// Diagonals run in all directions from this node and from every second one.
     pub fn phase(mut self, phase: [usize; 3]) -> Self {
-        self.phase = phase;
+        self.phase = Some(phase);
+        self
+    }
+
+    /// Diagonals are parallel in all cells.
+    pub fn parallel(mut self) -> Self {
+        self.phase = None;
         self
     }
 
@@ -118,7 +125,8 @@ impl Grid {
             for j in 0..cells[1] {
                 for i in 0..cells[0] {
                     let Some(body) = of([i as isize, j as isize, k as isize]) else { continue };
-                    for t in mirrored::tets([i, j, k], self.phase) {
+                    let start = mirrored::start([i, j, k], self.phase);
+                    for t in mirrored::tets([i, j, k], start) {
                         mesh.tets.push(t.map(|[i, j, k]| id(i, j, k) as u32));
                         mesh.tet_body.push(body as u32);
                     }

@@ -14,10 +14,15 @@
 //! A plate turns about a line of its middle plane without further dissipation if such diagonals
 //! join that line with both of its surfaces. All diagonals of equal direction would obstruct it.
 
+/// The corner of the cell at `at` from which its paths start, in each direction 0 or 1: the one
+/// whose indices are even, counted from `phase`; the lowest one if there is no phase.
+pub fn start(at: [usize; 3], phase: Option<[usize; 3]>) -> [usize; 3] {
+    phase.map_or([0; 3], |phase| std::array::from_fn(|d| (at[d] + phase[d]) % 2))
+}
+
 /// The corners of the six tets of the cell at `at`, as nodes of the grid. Their volumes are
-/// positive. The paths start at the corner whose indices are even, counted from `phase`.
-pub fn tets(at: [usize; 3], phase: [usize; 3]) -> [[[usize; 3]; 4]; 6] {
-    let start: [usize; 3] = std::array::from_fn(|d| (at[d] + phase[d]) % 2);
+/// positive. The paths start at the corner `start`.
+pub fn tets(at: [usize; 3], start: [usize; 3]) -> [[[usize; 3]; 4]; 6] {
     let mirrored = start.iter().sum::<usize>() % 2 == 1;
     [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]].map(|path| {
         let mut node: [usize; 3] = std::array::from_fn(|d| at[d] + start[d]);

@@ -18,7 +18,8 @@ pub const PLANE_STRAIN: &str = "- {face: Y0, fix: [y]}\n- {face: Y1, fix: [y]}\n
 
 /// A slice in x and z of thickness `thick` along y, with the faces Y0 and Y1.
 pub fn slice(x: Vec<f64>, z: Vec<f64>, thick: f64, flat: impl Fn(usize, f64) -> bool) -> TetMesh {
-    let grid = Grid::new([x, vec![0.0, thick], z]).jittered(0.15, 3);
+    // nothing bends: parallel diagonals give the narrower bracket of A23 (3.5 %, mirrored 4.8 %)
+    let grid = Grid::new([x, vec![0.0, thick], z]).parallel().jittered(0.15, 3);
     let mut mesh = grid.mesh(&["B"], |_| Some(0), flat);
     name(&mut mesh, "Y0", "B", |p| p[1] == 0.0);
     name(&mut mesh, "Y1", "B", |p| p[1] == thick);

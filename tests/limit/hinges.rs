@@ -15,7 +15,7 @@ fn mirrored_cells_fit_together() {
         let n = [3, 4, 2];
         let mut tets = Vec::new();
         for cell in (0..n[0] * n[1] * n[2]).map(|c| [c % 3, c / 3 % 4, c / 12]) {
-            for tet in mirrored::tets(cell, phase) {
+            for tet in mirrored::tets(cell, mirrored::start(cell, Some(phase))) {
                 let x = tet.map(|p| p.map(|c| c as f64));
                 let volume = bracket::mesh::tet::signed_volume(&x);
                 assert!((volume - 1.0 / 6.0).abs() < 1e-15, "{phase:?} {tet:?}: {volume}");
