@@ -13,6 +13,8 @@ mod exact;
 mod hard;
 #[path = "limit/interaction.rs"]
 mod interaction;
+#[path = "limit/loose_pieces.rs"]
+mod loose_pieces;
 #[path = "limit/random.rs"]
 mod random;
 #[path = "limit/random_joints.rs"]

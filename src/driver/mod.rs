@@ -6,6 +6,7 @@ pub mod analyse_model;
 pub mod case;
 pub mod case_files;
 pub mod check_spec;
+pub mod collapse_pictures;
 pub mod context;
 pub mod demands;
 pub mod finish;

@@ -6,11 +6,12 @@ use crate::diag::Diagnostics;
 use crate::driver::adaptive::{self, Adapted, Kept, Share};
 use crate::driver::case::{Case, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
+use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::context::RunContext;
 use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
-use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_picture};
+use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_picture};
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
@@ -81,7 +82,9 @@ pub fn run_cases(
         let mesh_name =
             if asked.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
         write_passes(&upper, lower.as_ref(), &first, [&model_name, &mesh_name], stem, &folder)?;
-        pictures.extend(pass_picture(
+        let names = (asked[i].as_str(), stem);
+        pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
+        pictures.extend(deformed_picture(
             &upper.outcome,
             &asked[i],
             &upper.model,

@@ -5,11 +5,11 @@
 //! the shape are drawn where a pixel of a triangle lies near one of its edges, so that hidden lines
 //! remain hidden without a depth offset.
 
-use crate::math::vec3::{dot, unit};
+use crate::math::vec3::{V3, dot, unit};
 use crate::mesh::TetMesh;
 use crate::report::draw::canvas::{Canvas, Picture, SAMPLES};
 use crate::report::draw::legend::{legend, strip};
-pub use crate::report::draw::options::{Deformed, Field, PictureOptions};
+pub use crate::report::draw::options::{Colours, Deformed, Field, PictureOptions};
 use crate::report::draw::palette::{BACKGROUND, Bands, FRAME, Groups, INK, UNDEFINED, mix};
 use crate::report::draw::surface::{EdgeKind, Surface, unit_normal};
 use crate::report::draw::view::{LEGEND, View, natural_eye};
@@ -29,6 +29,7 @@ pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
 pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let kinds = surface.edge_kinds(FEATURE_ANGLE);
     let eye = unit(options.eye.unwrap_or_else(|| natural_eye(&surface)));
+    let rest = if options.ghost { ghost_lines(&surface, &kinds, eye) } else { Vec::new() };
     if let Some(Deformed { displacement, factor, .. }) = options.deformed {
         for (i, point) in surface.points.iter_mut().enumerate() {
             let u = displacement[surface.origin[i] as usize];
@@ -39,7 +40,7 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     }
     let groups = Groups::of(&surface.bodies);
     let bands = options.field.map(Bands::of);
-    let view = View::new(&surface, eye, options, bands.is_some());
+    let view = View::new(&surface, eye, options, bands.is_some(), &rest);
     let mut canvas = Canvas::new(view.width, view.height, BACKGROUND);
     let drawing = Drawing {
         surface: &surface,
@@ -49,6 +50,10 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         bands: &bands,
         options,
     };
+    for [a, b] in &rest {
+        let [a, b] = [a, b].map(|p| view.sample(*p).map(|x| x / SAMPLES as f64));
+        canvas.line([a[0], a[1]], [b[0], b[1]], 0.8, FRAME);
+    }
     drawing.triangles(&mut canvas);
     canvas.outline(INK, 0.01 * view.diagonal);
     canvas.blank_below(view.strip_top, BACKGROUND);
@@ -65,6 +70,21 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     }
     strip(&mut canvas, &view, &groups, options);
     canvas.finish()
+}
+
+/// The edges of the shape whose front can be seen.
+fn ghost_lines(surface: &Surface, kinds: &[[EdgeKind; 3]], eye: V3) -> Vec<[V3; 2]> {
+    let point = |n: u32| surface.points[n as usize];
+    let mut out = Vec::new();
+    for (triangle, kinds) in surface.triangles.iter().zip(kinds) {
+        if dot(unit_normal(triangle.nodes.map(point)), eye) <= 0.0 {
+            continue;
+        }
+        for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
+            out.push([point(triangle.nodes[i]), point(triangle.nodes[(i + 1) % 3])]);
+        }
+    }
+    out
 }
 
 /// Data from which the triangles are drawn.
