@@ -1,11 +1,12 @@
 #!/bin/sh
 # Makes this machine ready for Bracket (Debian 12 or alike) and may be run any number of times:
 #   - compiler, Python's venv module and the libraries gmsh needs, by apt, only if something is missing;
-#   - a project-local .venv with gmsh; with --test also what the tests compare with.
+#   - a project-local .venv with gmsh and Mmg (in mmgpy); with --test also what the tests compare with.
 # Exit 0: ready. Exit 4: something is missing that this script may not or cannot install; it says what to do.
 set -eu
 
 gmsh_version=4.15.2
+mmgpy_version=0.17.1
 meshio_version=5.3.5
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 venv=$root/.venv
@@ -102,16 +103,27 @@ if ! "$venv/bin/python" -m pip --version >/dev/null 2>&1; then
     "$python" -m venv "$venv" >&2 || stop "cannot make $venv"
 fi
 
-# want PACKAGE VERSION: installs it unless that very version is there.
+# want PACKAGE VERSION [OPTION]: installs it unless that very version is there; OPTION is one more option for pip.
 want() {
     if ! "$venv/bin/python" -c "import importlib.metadata as m, sys; sys.exit(m.version('$1') != '$2')" 2>/dev/null; then
         say "installing $1 $2 into .venv"
-        "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$1==$2" >&2 ||
+        # shellcheck disable=SC2086  # without an option there is no word
+        "$venv/bin/python" -m pip install --quiet --disable-pip-version-check ${3:-} "$1==$2" >&2 ||
             stop "pip could not install $1==$2; is the package index reachable?"
     fi
 }
 
+# The executable of Mmg that mmgpy carries; its Python modules, which need numpy and scipy, are not used.
+remesher_runs() {
+    for mmg in "$venv"/lib/python3*/site-packages/mmgpy/bin/mmg3d_O3; do
+        # -h prints the version and ends with a code that is not 0
+        [ -x "$mmg" ] && "$mmg" -h 2>&1 | grep -q 'MMG3D, Release' && return
+    done
+    return 1
+}
+
 want gmsh "$gmsh_version"
+want mmgpy "$mmgpy_version" --no-deps
 if [ "$test" = yes ]; then
     want meshio "$meshio_version"
     "$venv/bin/python" -c 'import numpy' 2>/dev/null ||
@@ -123,4 +135,6 @@ if ! mesher_runs; then
     "$venv/bin/python" "$venv/bin/gmsh" --version >&2 || true
     stop "gmsh $gmsh_version is installed but does not run (its message stands above). If a library is missing, install it; otherwise remove .venv and run this script again."
 fi
-say "ready: $(cargo --version), gmsh $gmsh_version in .venv"
+remesher_runs ||
+    stop "mmgpy $mmgpy_version is installed but its mmg3d_O3 does not run; remove .venv and run this script again. Without it Bracket works, with isotropic meshes."
+say "ready: $(cargo --version), gmsh $gmsh_version and mmgpy $mmgpy_version in .venv"

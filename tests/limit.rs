@@ -23,5 +23,7 @@ mod random_joints;
 mod rigid_bodies;
 #[path = "limit/shared_patterns.rs"]
 mod shared_patterns;
+#[path = "limit/slip.rs"]
+mod slip;
 #[path = "limit/welds.rs"]
 mod welds;

@@ -8,6 +8,8 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::ProgramOutcome;
 use crate::analysis::{elastic, hencky, limit};
 use crate::certify::contributions::Contributions;
+use crate::certify::velocity_field::VelocityField;
+use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 use crate::solve::SolveOptions;
 use crate::spec::analysis::AnalysisKind;
@@ -62,6 +64,34 @@ impl AnalysisPass {
         match self {
             AnalysisPass::Energy(p) => p.contributions.as_ref(),
             AnalysisPass::Factor(p) => p.contributions.as_ref(),
+        }
+    }
+
+    /// Displacements or velocities of the kinematic program at vertices and mid-side nodes.
+    pub fn kinematic_field(&self) -> Option<&[V3]> {
+        let field = match self {
+            AnalysisPass::Energy(p) => {
+                p.displacement.as_ref().or(p.plastic.as_ref().map(|f| &f.nodes))
+            }
+            AnalysisPass::Factor(p) => p.velocity.as_ref().map(|v| &v.nodes),
+        };
+        field.map(|f| &f.u[..])
+    }
+
+    /// Limit analysis: the velocities of the mechanism.
+    pub fn velocity(&self) -> Option<&VelocityField> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.velocity.as_ref(),
+        }
+    }
+
+    /// Limit analysis: the velocities of the vertices in the static program's own mechanism; their
+    /// sign and scale have no meaning.
+    pub fn static_velocities(&self) -> Option<&[V3]> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.static_velocities.as_deref(),
         }
     }
 

@@ -14,6 +14,7 @@ use crate::analysis::event::{Event, Progress};
 use crate::analysis::pass::{PassError, PassOptions};
 use crate::analysis::program::Program;
 use crate::certify::FactorBracket;
+use crate::math::vec3::V3;
 use crate::model::file::Bounds;
 use crate::model::{AnalysisModel, resolve};
 use crate::recover::free_mechanism;
@@ -52,6 +53,7 @@ pub fn run(
             pass.stress = Some(lower.stress);
             pass.lower = Some(lower.bound);
             pass.yield_multiplier_share = Some(lower.yield_multiplier_share);
+            pass.static_velocities = Some(lower.velocities);
         }
     }
     if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
@@ -61,10 +63,13 @@ pub fn run(
         match resolve::without_friction(model) {
             Ok(smooth) => {
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };
-                let share =
+                let found =
                     add_frictionless(&mut pass, &smooth, &options.remaining(start), progress)?;
-                if model.has_coulomb_friction() && share.is_some() {
-                    pass.yield_multiplier_share = share;
+                if let Some((share, velocities)) = found
+                    && model.has_coulomb_friction()
+                {
+                    pass.yield_multiplier_share = Some(share);
+                    pass.static_velocities = Some(velocities);
                 }
             }
             Err(e) => pass.slides = Some(e.into_first().message),
@@ -85,30 +90,35 @@ pub fn run(
     Ok(pass)
 }
 
-/// Adds the lower bound of the model without friction; returns its shares of the yield multipliers.
+/// The static program's own mechanism: shares of the yield multipliers and velocities of the
+/// vertices.
+type OwnMechanism = (Vec<f64>, Vec<V3>);
+
+/// Adds the lower bound of the model without friction; returns its shares of the yield multipliers
+/// and its velocities.
 fn add_frictionless(
     pass: &mut LimitPass,
     smooth: &AnalysisModel,
     options: &PassOptions,
     progress: &Progress,
-) -> Result<Option<Vec<f64>>, PassError> {
+) -> Result<Option<OwnMechanism>, PassError> {
     if let Ok(Some(free)) = free_mechanism::find(smooth) {
         pass.slides = Some(proof::moving_parts(smooth, &free.field));
         return Ok(None);
     }
     progress(Program::Static, Event::Frictionless);
     let statics = static_alone(smooth, options, progress, || LimitStatic::new(smooth))?;
-    let mut share = None;
+    let mut found = None;
     if let Some(s) = statics {
         pass.frictionless_run = Some(s.outcome);
         if let Some(lower) = s.answer {
             pass.frictionless_stress = Some(lower.stress);
             pass.frictionless = Some(lower.bound);
-            share = Some(lower.yield_multiplier_share);
+            found = Some((lower.yield_multiplier_share, lower.velocities));
         }
     }
     if let (Some(l), Some(u)) = (&pass.frictionless, &pass.upper) {
         pass.coulomb = Some(FactorBracket::new(l.clone(), u.clone())?);
     }
-    Ok(share)
+    Ok(found)
 }

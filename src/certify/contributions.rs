@@ -6,8 +6,9 @@
 //! `∫ strength ‖g‖`.
 //!
 //! Limit analysis, at unit power of the live loads:
-//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g)`, with
-//! dissipations by the rule of the upper bound. Every term is ≥ 0 where the stress is inside the
+//! `λ_up − λ_low = Σ_K ∫ π(ε) − σ:ε + Σ_contact ∫ r_N g_N + r_T·g_T + Σ_weld (D − ∫ t·g) + Σ_slip
+//! (D + ∫ σn·v)`, with dissipations by the rule of the upper bound; slip faces are those of
+//! [`crate::certify::slip`]. Every term is ≥ 0 where the stress is inside the
 //! yield surface.
 //!
 //! # Source
@@ -18,6 +19,7 @@ use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::plastic_certificate::{dissipated, stress_at_points};
 use crate::certify::plastic_field::{PlasticField, at_points, tensor};
+use crate::certify::slip::{SlipFace, slip_faces};
 use crate::certify::tractions::contact_tractions;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
@@ -44,16 +46,20 @@ pub struct Contributions {
     pub contacts: Vec<f64>,
     /// Contribution of each weld face, in the order of [`weld_faces`].
     pub welds: Vec<f64>,
+    /// Limit analysis: contribution of each held face on which a body may slip, in the order of
+    /// [`slip_faces`].
+    pub slips: Vec<f64>,
 }
 
 impl Contributions {
     /// Their sum: `Π_p + Π_c`, or `λ_up − λ_low`.
     pub fn total(&self) -> f64 {
-        Sum::of(self.elements.iter().chain(&self.contacts).chain(&self.welds).copied())
+        let faces = self.contacts.iter().chain(&self.welds).chain(&self.slips);
+        Sum::of(self.elements.iter().chain(faces).copied())
     }
 
     /// Contribution of each macro tet, with those of an interface face halved between the tets at
-    /// its two sides.
+    /// its two sides and those of a slip face added to its tet.
     pub fn by_tet(&self, model: &AnalysisModel) -> Vec<f64> {
         let mut tets = self.elements.clone();
         let contacts = contact_faces(model).into_iter().map(|f| (f.a, f.b)).zip(&self.contacts);
@@ -66,6 +72,10 @@ impl Contributions {
                 }
                 None => tets[a.tet as usize] += c,
             }
+        }
+        if !self.slips.is_empty() {
+            let faces = slip_faces(model).into_iter().zip(&self.slips);
+            faces.for_each(|(f, c)| tets[f.at.0 as usize] += c);
         }
         tets
     }
@@ -91,7 +101,7 @@ pub fn contributions(
         .collect();
     let contacts = contact_work(model, &space, u, s, Loads::ALL, true);
     let welds = weld_work(model, &space, u, s, Loads::ALL);
-    Contributions { elements, contacts, welds }
+    Contributions { elements, contacts, welds, slips: Vec::new() }
 }
 
 /// Velocities and a stress field of one mesh, each with the data of its certificate.
@@ -139,8 +149,12 @@ pub fn limit_contributions(model: &AnalysisModel, pair: &LimitPair) -> Contribut
         .collect();
     let mut contacts = contact_work(model, &space, &v.nodes, s, Loads::at(factor), false);
     let mut welds = weld_work(model, &space, &v.nodes, s, Loads::at(factor));
-    contacts.iter_mut().chain(&mut welds).for_each(|c| *c /= live_power);
-    Contributions { elements, contacts, welds }
+    let u = &v.nodes.u;
+    let slip = |f: &SlipFace| f.dissipation(&space, u) + f.power(model, &space, s, u);
+    let mut slips: Vec<f64> = slip_faces(model).iter().map(slip).collect();
+    let faces = contacts.iter_mut().chain(&mut welds).chain(&mut slips);
+    faces.for_each(|c| *c /= live_power);
+    Contributions { elements, contacts, welds, slips }
 }
 
 /// Mean of `σ:ε` over a tet, both linear in it.
@@ -175,7 +189,7 @@ pub fn plastic_contributions(
         .collect();
     let contacts = contact_work(model, &space, &field.nodes, s, Loads::ALL, true);
     let welds = weld_work(model, &space, &field.nodes, s, Loads::ALL);
-    Contributions { elements, contacts, welds }
+    Contributions { elements, contacts, welds, slips: Vec::new() }
 }
 
 fn minus(a: &PointStress, b: &PointStress) -> PointStress {

@@ -2,19 +2,21 @@
 //!
 //! Lower bound: a stress field in equilibrium with `factor · live + dead`, inside yield surface and
 //! friction cones. Upper bound: velocities that keep the volume and satisfy supports and contact
-//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. In limit
-//! analysis initial gaps count as closed, and bodies without a yield strength are rigid.
+//! law; the factor is `(dissipation − power of dead loads) / power of live loads`. The dissipation
+//! includes that of slip on held faces ([`crate::certify::slip`]). In limit analysis initial gaps
+//! count as closed, and bodies without a yield strength are rigid.
 //!
 //! Equations hold to rounding only. An exactly admissible stress or velocity lies nearby; its
 //! distance, estimated from the residuals, is the `cover` of the certificate. A bound must include
 //! this allowance.
 
-use crate::certify::certificate::{add_work, certify_stress, off_supports};
+use crate::certify::certificate::{add_work, certify_stress};
 use crate::certify::dissipation::mean_norm;
 use crate::certify::faces::{contact_faces, weld_faces};
 use crate::certify::fields::StressField;
 use crate::certify::measures::{largest, ratio};
 use crate::certify::rigid_fit::fit_rigid;
+use crate::certify::slip;
 use crate::certify::velocity_field::Piece;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
@@ -75,7 +77,7 @@ pub struct UpperCertificate {
     pub volume: f64,
     /// max ‖ε‖ h / max |u| in the others.
     pub rigid: f64,
-    /// max |u − u_d| / max |u| on supports and rigid faces.
+    /// max |u − u_d| / max |u| on supports and rigid faces; on slip faces the normal part.
     pub compatibility: f64,
     /// Largest violation of the contact law by a Bernstein coefficient / max |u|; `None` without
     /// contact.
@@ -87,6 +89,8 @@ pub struct UpperCertificate {
     pub dissipation: Vec<f64>,
     /// Dissipation of each weld, an upper bound \[N mm per unit of time\].
     pub welds: Vec<f64>,
+    /// Dissipation of the slip on each support, an upper bound \[N mm per unit of time\].
+    pub supports: Vec<f64>,
     /// Power of the live loads \[N mm per unit of time\].
     pub live_power: f64,
     /// Power of the dead loads \[N mm per unit of time\].
@@ -252,7 +256,7 @@ pub fn certify_upper(
         let power = if load.dead { &mut dead } else { &mut live };
         add_work(model, &space, u, load, power);
     }
-    let mut off = off_supports(model, &space, u);
+    let mut off = slip::off_supports(model, &space, u);
     for r in &model.rigid {
         let (motion, error) = fit_rigid(model, &space, u, r);
         off = off.max(error);
@@ -268,7 +272,9 @@ pub fn certify_upper(
     let trace = largest(shares.iter().map(|s| s.trace));
     let strain = largest(shares.iter().map(|s| s.strain));
     let welds = welds::dissipations(model, u);
-    let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(welds.iter().copied()));
+    let supports = slip::dissipations(model, &space, u);
+    let interfaces = welds.iter().chain(&supports).copied();
+    let total = Sum::of(dissipation.iter().map(|d| d.value()).chain(interfaces));
     // the flow that removes a volume change is larger by the inf-sup constant, about 10 in a
     // compact body and more in a slender one; every other residual moves a neighbouring element in
     // the same way
@@ -281,7 +287,9 @@ pub fn certify_upper(
     );
     let weld_capacity =
         Sum::of(weld_faces(model).iter().map(|f| f.law.strength * f.normal(model).1));
-    let hidden = 10.0 * slenderness(model) * residual * (capacity / smallest + weld_capacity);
+    let slip_capacity = slip::capacity(model, &space, u);
+    let capacity = capacity / smallest + weld_capacity + slip_capacity;
+    let hidden = 10.0 * slenderness(model) * residual * capacity;
     let rounding = 1e-13 * (total + dead.value().abs());
     UpperCertificate {
         factor: if finite { (total - dead.value()) / live.value() } else { f64::NAN },
@@ -292,6 +300,7 @@ pub fn certify_upper(
         smallest_margin: margin,
         dissipation: dissipation.iter().map(|d| d.value()).collect(),
         welds,
+        supports,
         live_power: live.value(),
         dead_power: dead.value(),
         cover: (hidden + rounding) / live.value().abs(),

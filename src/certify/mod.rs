@@ -19,6 +19,7 @@ pub mod plastic_field;
 pub mod resultants;
 pub mod rigid_fit;
 pub mod sampling;
+pub mod slip;
 pub mod tolerance;
 pub mod tractions;
 pub mod unlimited;

@@ -2,6 +2,7 @@
 
 use crate::certify::faces::{contact_faces, roles, weld_faces};
 use crate::certify::fields::{DisplacementField, StressField};
+use crate::certify::slip::slip_faces;
 use crate::certify::tractions::{contact_tractions, stress_at};
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::velocity_field::pieces;
@@ -83,6 +84,8 @@ pub struct SampledUpper {
     pub strain: f64,
     /// Violation of the contact law, gaps closed / largest velocity of the field.
     pub gap_cone: f64,
+    /// Normal velocity on held faces along which bodies may slip / largest velocity of the field.
+    pub held: f64,
 }
 
 const SEED: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -176,7 +179,16 @@ pub fn sample_upper(model: &AnalysisModel, field: &VelocityField, points: usize)
         let size = if yields { (eps[0] + eps[1] + eps[2]).abs() } else { mandel::norm(&eps) };
         strain = strain.max(size * model.mesh.volume(e).cbrt());
     }
-    SampledUpper { strain: relative(strain, scale), gap_cone }
+    let slips = slip_faces(model);
+    let mut held = 0.0f64;
+    for _ in 0..points * usize::from(!slips.is_empty()) {
+        let f = &slips[random.index(slips.len())];
+        let shape = triangle_p2(random.barycentric());
+        let nodes = space.triangle(f.nodes);
+        let v = (0..6).fold([0.0; 3], |v, i| vec3::along(v, shape[i], field.nodes.u[nodes[i]]));
+        held = held.max(f.across(v).abs());
+    }
+    SampledUpper { strain: relative(strain, scale), gap_cone, held: relative(held, scale) }
 }
 
 fn largest_stress(s: &StressField) -> f64 {

@@ -4,9 +4,11 @@ use super::common::{CommandResult, Common, Format};
 use crate::catalog::Catalog;
 use crate::diag::ExitStatus;
 use crate::mesh::gmsh::Mesher;
-use crate::mesh::mesher_error::VARIABLE;
+use crate::mesh::mesher_error::{REMESHER_VARIABLE, VARIABLE};
+use crate::mesh::mmg::Remesher;
 use crate::report::console::out;
 use serde::Serialize;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// Report what this machine has and what is missing.
@@ -66,7 +68,8 @@ pub fn run(_args: &DoctorArgs, common: &Common) -> CommandResult {
     let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let mesher = mesher();
     let venv = venv(&here, mesher.status == Status::Ok);
-    let findings = vec![mesher, venv, threads(common.threads), memory(), disk(&here), catalogue()];
+    let threads = threads(common.threads);
+    let findings = vec![mesher, remesher(), venv, threads, memory(), disk(&here), catalogue()];
     let healthy = findings.iter().all(|f| f.status != Status::Missing);
     match common.format {
         Format::Json => {
@@ -103,18 +106,34 @@ fn page(findings: &[Finding]) -> String {
 
 fn mesher() -> Finding {
     match Mesher::find() {
-        Ok(m) => {
-            let command =
-                m.command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ");
-            Finding::ok("mesher", format!("gmsh {}: {command}", m.version))
-        }
+        Ok(m) => Finding::ok("mesher", format!("gmsh {}: {}", m.version, words(&m.command))),
         Err(error) => {
-            let cure = match std::env::var_os(VARIABLE) {
-                Some(_) => format!("correct or unset {VARIABLE}; without it, {SETUP}"),
-                None => format!("{SETUP}, or set {VARIABLE} to a gmsh command"),
-            };
+            let cure = cure(VARIABLE, "gmsh");
             Finding::lacking("mesher", Status::Missing, error.to_string(), cure)
         }
+    }
+}
+
+/// Without the remesher adapted meshes have isotropic elements, so it may be absent.
+fn remesher() -> Finding {
+    match Remesher::find() {
+        Ok(m) => Finding::ok("remesher", format!("Mmg {}: {}", m.version, words(&m.command))),
+        Err(error) => {
+            let cure = cure(REMESHER_VARIABLE, "mmg3d");
+            Finding::lacking("remesher", Status::Optional, error.to_string(), cure)
+        }
+    }
+}
+
+fn words(command: &[OsString]) -> String {
+    command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
+}
+
+/// Advice for a command that was not found.
+fn cure(variable: &str, program: &str) -> String {
+    match std::env::var_os(variable) {
+        Some(_) => format!("correct or unset {variable}; without it, {SETUP}"),
+        None => format!("{SETUP}, or set {variable} to the command of {program}"),
     }
 }
 

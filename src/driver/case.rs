@@ -16,7 +16,7 @@ pub struct Case<'a> {
     /// Its `MODEL.yaml`, written into the folder under this name.
     pub model_file: (String, ModelFile),
     /// Makes further meshes; `None` if the case has only one.
-    pub remesh: Option<Box<dyn Remesh + 'a>>,
+    pub remesh: Option<Box<dyn Remesh<'a> + 'a>>,
     /// Wall time of meshing \[s\], if this run made the mesh.
     pub mesh_seconds: Option<f64>,
     /// For a direction of the spec's polygon: both actions in the units of its axes.

@@ -4,7 +4,7 @@ use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::limit;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::adaptive::Kept;
+use crate::driver::passes::Kept;
 use crate::mesh::msh_write;
 use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;

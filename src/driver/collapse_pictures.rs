@@ -6,7 +6,7 @@ use crate::analysis::limit::{LimitPass, SUBDIVISIONS};
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::certify::velocity_field::VelocityField;
 use crate::diag::Diagnostics;
-use crate::driver::adaptive::Kept;
+use crate::driver::passes::Kept;
 use crate::driver::pictures::{enlargement, png};
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
@@ -16,7 +16,8 @@ use crate::report::draw::whole::Whole;
 use crate::report::markdown::report_data::PictureRef;
 use crate::result::folder::ResultFolder;
 
-/// Share of the dissipation below which the bodies count as rigid compared with their welds.
+/// Share of the dissipation below which the bodies count as rigid compared with welds and
+/// supports.
 const LITTLE: f64 = 1e-3;
 /// Part of the whole in the densest places, at whose least density the colours end.
 const BRIGHT: f64 = 0.5;
@@ -88,7 +89,7 @@ fn mechanism(
         Some(share) if share < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
-            "the welds dissipate all, the parts do not flow".to_string()
+            "welds and slip on supports dissipate all, the parts do not flow".to_string()
         }
         Some(_) => format!(
             "coloured by its dissipation: {}; half of it is where the density exceeds 1",
@@ -130,12 +131,14 @@ fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str)
     Some(Ok((pictures, caption)))
 }
 
-/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds.
-/// `None` if nothing dissipates.
+/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and
+/// by slip on supports. `None` if nothing dissipates.
 fn share_of_bodies(pass: &LimitPass) -> Option<f64> {
     let c = pass.upper.as_ref()?.certificate();
-    let [bodies, welds] = [&c.dissipation, &c.welds].map(|d| d.iter().sum::<f64>());
-    (bodies + welds > 0.0).then(|| bodies / (bodies + welds))
+    let [bodies, welds, supports] =
+        [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
+    let total = bodies + welds + supports;
+    (total > 0.0).then(|| bodies / total)
 }
 
 fn percent(x: f64) -> String {

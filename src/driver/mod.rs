@@ -3,6 +3,7 @@
 
 pub mod adaptive;
 pub mod analyse_model;
+pub mod by_metric;
 pub mod case;
 pub mod case_files;
 pub mod check_spec;
@@ -17,11 +18,13 @@ pub mod meshing;
 pub mod output_folder;
 pub mod pass_entry;
 pub mod pass_run;
+pub mod passes;
 pub mod pictures;
 pub mod polygon;
 pub mod remesh;
 pub mod run_cases;
 pub mod run_spec;
+pub mod sequence;
 pub mod spec_cases;
 pub mod spec_checks;
 pub mod spec_context;

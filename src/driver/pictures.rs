@@ -69,7 +69,12 @@ pub fn convergence(
     stem: &str,
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
-    let row = |h: &HistoryRow| Some([h.macro_tets as f64, 100.0 * h.gap?]);
+    // meshes of one bound alternate: the size is that of the largest mesh so far
+    let mut largest = 0;
+    let row = |h: &HistoryRow| {
+        largest = largest.max(h.macro_tets);
+        Some([largest as f64, 100.0 * h.so_far.map_or(h.gap, |b| b.gap)?])
+    };
     let points: Vec<[f64; 2]> = entry.history.iter().filter_map(row).collect();
     if points.len() < 2 {
         return Ok(None);

@@ -5,6 +5,7 @@ use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::driver::meshing::{clean, quality_table};
 use crate::mesh::joint::{MeshOptions, mesh_joint};
+use crate::mesh::mmg::Remesher;
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
 use crate::mesh::{TetMesh, bisect, quality};
 use crate::model::file::{ModelFile, Nodes};
@@ -31,13 +32,27 @@ pub struct Made {
 }
 
 /// Makes the next mesh of a case.
-pub trait Remesh {
+pub trait Remesh<'a> {
+    /// A second remesher in the same state, for a sequence of meshes of its own.
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a>;
+
     /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers,
     /// as far as it is known beforehand.
     fn realised(&self, wanted: &[f64]) -> Vec<f64>;
 
     /// Makes the mesh of a design, in at most `seconds`.
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
+}
+
+/// Mmg, if it is installed; otherwise the log says what is used in its place.
+pub fn remesher(log: &Log) -> Option<Remesher> {
+    match Remesher::find() {
+        Ok(remesher) => Some(remesher),
+        Err(error) => {
+            log.line(format!("later meshes have isotropic elements: {error}"));
+            None
+        }
+    }
 }
 
 /// Relative deviation of the count of tets below which the mesher does not run again.
@@ -53,6 +68,7 @@ const MESHER_SECONDS: f64 = 600.0;
 pub type Places<'a> = &'a dyn Fn(&str) -> Place;
 
 /// Meshes a spec's geometry again with a map of sizes.
+#[derive(Clone)]
 pub struct ByMap<'a> {
     assembly: &'a Assembly,
     options: MeshOptions,
@@ -96,7 +112,11 @@ impl<'a> ByMap<'a> {
     }
 }
 
-impl Remesh for ByMap<'_> {
+impl<'a> Remesh<'a> for ByMap<'a> {
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a> {
+        Box::new(self.clone())
+    }
+
     fn realised(&self, wanted: &[f64]) -> Vec<f64> {
         SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh)
     }
@@ -145,6 +165,7 @@ impl Remesh for ByMap<'_> {
 }
 
 /// Refines a user's mesh by bisection.
+#[derive(Clone)]
 pub struct ByBisection<'a> {
     file: ModelFile,
     place: Places<'a>,
@@ -159,7 +180,11 @@ impl<'a> ByBisection<'a> {
     }
 }
 
-impl Remesh for ByBisection<'_> {
+impl<'a> Remesh<'a> for ByBisection<'a> {
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a> {
+        Box::new(self.clone())
+    }
+
     fn realised(&self, wanted: &[f64]) -> Vec<f64> {
         bisect::refine(&self.mesh, wanted).parts(self.mesh.tets.len())
     }

@@ -3,7 +3,7 @@
 use crate::certify::faces::contact_faces;
 use crate::checks::verdict::{self, Verdict};
 use crate::diag::Diagnostics;
-use crate::driver::adaptive::{self, Adapted, Kept, Share};
+use crate::driver::adaptive::{self, Adapted};
 use crate::driver::case::{Case, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
 use crate::driver::collapse_pictures::collapse_pictures;
@@ -11,6 +11,7 @@ use crate::driver::context::RunContext;
 use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
+use crate::driver::passes::{Kept, Share};
 use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_picture};
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;

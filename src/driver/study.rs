@@ -2,12 +2,13 @@
 
 use crate::analysis::memory::forget_peak;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::adaptive::{self, Share};
+use crate::driver::adaptive;
 use crate::driver::case::Case;
 use crate::driver::context::RunContext;
 use crate::driver::limits::Limits;
 use crate::driver::meshing::{Extent, mesh, mesh_options};
 use crate::driver::output_folder::Folder;
+use crate::driver::passes::Share;
 use crate::driver::remesh::{ByBisection, Places};
 use crate::driver::spec_cases::{cases, give_remesh};
 use crate::driver::spec_checks::{analysis_kinds, check_input};
@@ -91,7 +92,7 @@ impl Source for Spec<'_> {
         let seconds = start.elapsed().as_secs_f64();
         let mut cases = cases(self.input, &meshed, &self.kinds, None, seconds)?;
         if adaptive {
-            give_remesh(&mut cases, self.input, &options, &meshed, self.place);
+            give_remesh(&mut cases, self.input, &options, &meshed, self.place, self.log);
         }
         Ok(cases)
     }

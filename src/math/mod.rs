@@ -3,6 +3,7 @@
 
 pub mod convex;
 pub mod dense;
+pub mod eigen;
 pub mod figures;
 pub mod lanes;
 pub mod mandel;

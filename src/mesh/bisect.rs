@@ -142,6 +142,9 @@ impl Bisection {
             self.mesh.tets[t as usize] = with(b);
             self.mesh.tets.push(with(a));
             self.mesh.tet_body.push(self.mesh.tet_body[t as usize]);
+            if let Some(region) = self.mesh.tet_region.get(t as usize).copied() {
+                self.mesh.tet_region.push(region);
+            }
             self.parent.push(self.parent[t as usize]);
             let others: Vec<u32> = nodes.into_iter().filter(|n| *n != a && *n != b).collect();
             for &c in &others {

@@ -1,14 +1,18 @@
-//! Failures of the mesher gmsh: its process and its files.
+//! Failures of the mesher gmsh and of the remesher Mmg: their processes and their files.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::ExitStatus;
 
 /// Environment variable with the mesher's command: words separated by blanks, or a JSON list of
 /// words.
 pub const VARIABLE: &str = "BRACKET_GMSH";
 
-/// Oldest supported version; the scripts are written for it.
+/// The same for the remesher.
+pub const REMESHER_VARIABLE: &str = "BRACKET_MMG";
+
+/// Oldest supported version of gmsh; the scripts are written for it.
 pub const OLDEST: (u32, u32) = (4, 8);
 
 /// Failure of the mesher's process or of its files.
@@ -20,9 +24,17 @@ pub enum MesherError {
          current directory or the program, and there is no gmsh on PATH"
     )]
     Missing,
+    /// No command of the remesher was found.
+    #[error(
+        "the remesher Mmg was not found: {REMESHER_VARIABLE} is not set, no .venv with mmgpy lies \
+         above the current directory or the program, and there is no mmg3d_O3 on PATH"
+    )]
+    NoRemesher,
     /// The environment variable does not contain a valid command.
-    #[error("{VARIABLE} is `{value}`, which is neither words nor a JSON list of words")]
+    #[error("{variable} is `{value}`, which is neither words nor a JSON list of words")]
     BadVariable {
+        /// Its name.
+        variable: &'static str,
         /// Its value.
         value: String,
     },
@@ -35,10 +47,12 @@ pub enum MesherError {
         source: std::io::Error,
     },
     /// The command starts but does not report its version.
-    #[error("the mesher `{command}` does not answer `--version`: {answer}")]
+    #[error("the mesher `{command}` does not answer `{question}`: {answer}")]
     NoVersion {
         /// The command.
         command: String,
+        /// The argument that asks for the version.
+        question: &'static str,
         /// Its answer.
         answer: String,
     },
@@ -94,6 +108,12 @@ pub enum MesherError {
         /// Reason: absent, empty or truncated.
         why: String,
     },
+    /// The remesher's mesh does not fill the same bodies.
+    #[error("the remesher changed the bodies: {why}")]
+    OtherBody {
+        /// What differs.
+        why: String,
+    },
     /// The disk is full.
     #[error("no space is left on the disk for `{}`", file.display())]
     DiskFull {
@@ -111,6 +131,25 @@ pub enum MesherError {
 }
 
 impl MesherError {
+    /// The error for an answer without a version.
+    pub(super) fn no_version(command: &[OsString], question: &'static str, answer: &str) -> Self {
+        let answer = answer
+            .lines()
+            .last()
+            .map_or("it printed nothing".into(), |l| format!("`{}`", l.trim()));
+        MesherError::NoVersion { command: shown(command), question, answer }
+    }
+
+    /// The error for a run that failed: its first error lines, or the last line of its log.
+    pub(super) fn failed(status: ExitStatus, errors: &[String], log: &str) -> Self {
+        let said = match (errors.is_empty(), log.lines().rfind(|l| !l.trim().is_empty())) {
+            (false, _) => errors[..errors.len().min(3)].join("; "),
+            (true, Some(last)) => last.trim().to_string(),
+            (true, None) => "it printed nothing".to_string(),
+        };
+        MesherError::Failed { code: status.code().filter(|c| *c != 0), said }
+    }
+
     /// The error for a failed write; a full disk has its own variant.
     pub fn write(file: impl Into<PathBuf>, source: std::io::Error) -> Self {
         use std::io::ErrorKind as K;
@@ -143,11 +182,11 @@ impl From<MesherError> for Diagnostic {
             "run `bracket doctor`: it reports what is found and how to install what is missing"
                 .to_string();
         let (code, help) = match &error {
-            E::Missing => ("mesher/missing", doctor),
-            E::BadVariable { .. } => (
+            E::Missing | E::NoRemesher => ("mesher/missing", doctor),
+            E::BadVariable { variable, .. } => (
                 "mesher/variable",
                 format!(
-                    "set {VARIABLE} to a command, for example `[\"python\", \"gmsh\"]`, or unset \
+                    "set {variable} to a command, for example `[\"python\", \"gmsh\"]`, or unset \
                      it"
                 ),
             ),
@@ -176,6 +215,11 @@ impl From<MesherError> for Diagnostic {
                 "mesher/no-output",
                 "check that the disk is not full; then run `bracket doctor`".into(),
             ),
+            E::OtherBody { .. } => (
+                "mesher/other-body",
+                "the meshes that were made before count; give other element sizes for better ones"
+                    .into(),
+            ),
             E::DiskFull { .. } => {
                 ("mesher/disk", "free some space, or write elsewhere with `--out`".into())
             }
@@ -192,4 +236,9 @@ impl From<MesherError> for Diagnostics {
     fn from(error: MesherError) -> Self {
         Diagnostic::from(error).into()
     }
+}
+
+/// A command as one line of text.
+pub(super) fn shown(command: &[OsString]) -> String {
+    command.iter().map(|w| w.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }

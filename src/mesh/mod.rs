@@ -1,5 +1,5 @@
-//! Tetrahedral meshes: the mesher gmsh, its files, and meshes whose interfaces match triangle by
-//! triangle.
+//! Tetrahedral meshes: the mesher gmsh, the remesher Mmg, their files, and meshes whose interfaces
+//! match triangle by triangle.
 
 pub mod bisect;
 pub mod error;
@@ -7,14 +7,19 @@ pub mod error;
 pub(crate) mod fixtures;
 pub mod gmsh;
 pub mod joint;
+pub mod medit;
 pub mod merge;
 pub mod mesher_command;
 pub mod mesher_error;
+pub mod mmg;
 pub mod msh;
 pub mod msh_write;
 pub mod naming;
 pub mod numbering;
+pub mod polyhedron;
+mod process;
 pub mod quality;
+pub mod restore;
 pub mod size_field;
 pub mod split;
 pub mod tet;

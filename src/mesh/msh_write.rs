@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// The text of the file. Bodies are physical volumes 1, 2, …; named faces are physical surfaces
-/// 1001, 1002, ….
+/// The text of the file. Bodies are physical volumes 1, 2, …, their regions elementary volumes;
+/// named faces are physical surfaces 1001, 1002, ….
 pub fn text(mesh: &TetMesh) -> String {
     let mut out = String::with_capacity(64 * mesh.nodes.len() + 40 * mesh.tets.len());
     let first_face = 1001;
@@ -35,12 +35,12 @@ pub fn text(mesh: &TetMesh) -> String {
             let _ = writeln!(out, "{tag} 2 2 {id} {id} {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1);
         }
     }
-    for (t, body) in mesh.tets.iter().zip(&mesh.tet_body) {
+    for (e, (t, body)) in mesh.tets.iter().zip(&mesh.tet_body).enumerate() {
         tag += 1;
-        let id = body + 1;
+        let (id, entity) = (body + 1, mesh.tet_region.get(e).unwrap_or(body) + 1);
         let _ = writeln!(
             out,
-            "{tag} 4 2 {id} {id} {} {} {} {}",
+            "{tag} 4 2 {id} {entity} {} {} {} {}",
             t[0] + 1,
             t[1] + 1,
             t[2] + 1,
@@ -97,6 +97,7 @@ mod tests {
             ],
             tets: vec![[0, 1, 2, 3]],
             tet_body: vec![0],
+            tet_region: Vec::new(),
             bodies: vec!["BLOCK".into()],
             faces: vec![NamedFaces { name: "BASE".into(), triangles: vec![[0, 1, 2]] }],
         }

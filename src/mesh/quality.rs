@@ -179,7 +179,7 @@ mod tests {
             tets: vec![[0, 1, 2, 3], [0, 2, 1, 4]],
             tet_body: vec![0, 1],
             bodies: vec!["A".into(), "B".into()],
-            faces: vec![],
+            ..TetMesh::default()
         };
         assert_eq!(long_tets(&mesh, 50.0), [1, 0]);
         assert_eq!(long_tets(&mesh, 100.0), [1]);

@@ -46,6 +46,7 @@ impl Ord for Visit {
 }
 
 /// The edges of a mesh by node.
+#[derive(Clone, Debug)]
 pub struct Edges {
     /// Start of the neighbours of each node: node `n` has `neighbours[start[n]..start[n + 1]]`.
     start: Vec<u32>,

@@ -141,16 +141,16 @@ fn vertex(tet: &[u32; 4], node: u32) -> usize {
 }
 
 /// Disjoint sets with the smallest member as root.
-struct UnionFind {
+pub(super) struct UnionFind {
     parent: Vec<u32>,
 }
 
 impl UnionFind {
-    fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         Self { parent: (0..n as u32).collect() }
     }
 
-    fn root(&mut self, mut i: usize) -> usize {
+    pub(super) fn root(&mut self, mut i: usize) -> usize {
         while self.parent[i] as usize != i {
             self.parent[i] = self.parent[self.parent[i] as usize];
             i = self.parent[i] as usize;
@@ -158,7 +158,7 @@ impl UnionFind {
         i
     }
 
-    fn join(&mut self, i: usize, j: usize) {
+    pub(super) fn join(&mut self, i: usize, j: usize) {
         let (i, j) = (self.root(i), self.root(j));
         self.parent[i.max(j)] = i.min(j) as u32;
     }

@@ -21,6 +21,10 @@ pub struct TetMesh {
     pub tets: Vec<[u32; 4]>,
     /// Body (index into `bodies`) of each tet.
     pub tet_body: Vec<u32>,
+    /// Region of each tet: the mesher's volume that it lies in. A body may consist of several
+    /// regions (the two halves of a plate); remeshing keeps their common faces. Empty: each body is
+    /// one region.
+    pub tet_region: Vec<u32>,
     /// Names of the bodies (physical volumes).
     pub bodies: Vec<String>,
     /// Named faces (physical surfaces).

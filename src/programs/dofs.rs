@@ -43,7 +43,7 @@ impl DofMap {
     /// The program's unknown equal to full unknown `i`, if there is one.
     pub fn own(&self, i: usize) -> Option<usize> {
         match self.terms(i) {
-            [(k, _)] if (*k as usize) < self.plain => Some(*k as usize),
+            [(k, c)] if (*k as usize) < self.plain && *c == 1.0 => Some(*k as usize),
             _ => None,
         }
     }
@@ -53,7 +53,8 @@ impl DofMap {
         self.n - self.plain - self.closures
     }
 
-    /// True when full unknown `i` follows another one across a preloaded cut.
+    /// True when full unknown `i` follows others: across a preloaded cut, or along an oblique face
+    /// on which a body slips.
     pub fn follows(&self, i: usize) -> bool {
         self.own(i).is_none() && self.terms(i).iter().any(|(k, _)| (*k as usize) < self.plain)
     }

@@ -24,6 +24,7 @@ use crate::programs::contact_modes::{ContactMode, contact_modes};
 use crate::programs::dofs::DofMap;
 use crate::programs::loads::{BodyForceNodes, kinematic_forces};
 use crate::programs::rigid_motions::{self, RigidMotions, RigidPieces};
+use crate::programs::slip_face::{SlipFace, slip_faces};
 use crate::programs::yielding_elements::append;
 use crate::programs::{cuts, free_modes, weld_face};
 use std::collections::BTreeMap;
@@ -66,10 +67,12 @@ pub struct Kinematic {
     pub map: DofMap,
     /// Unknowns of the rigid faces and bodies.
     pub rigid: Vec<RigidMotions>,
+    /// The held faces on which bodies may slip, in limit analysis.
+    pub slips: Vec<SlipFace>,
     /// The control point of each contact cone; the cones of yielding elements follow.
     pub points: Vec<ControlPoint>,
-    /// First own unknown of each element, then of each weld face; own unknowns follow those that
-    /// elements share. Empty without plasticity and welds.
+    /// First own unknown of each element, then of each weld face and each slip face; own unknowns
+    /// follow those that elements share. Empty without plasticity and welds.
     pub own: Vec<usize>,
     /// True for tets whose element yields and is split; empty without plasticity.
     pub split: Vec<bool>,
@@ -129,8 +132,12 @@ impl Kinematic {
             Kind::Limit(_) | Kind::AroundRigidBodies => RigidPieces::unyielding(model),
             Kind::Elastic | Kind::Hencky(_) => RigidPieces::default(),
         };
-        let (map, rigid) =
-            rigid_motions::number_unknowns(model, &Points { model, space: &space }, &pieces)?;
+        let slips = match kind {
+            Kind::Limit(_) | Kind::AroundRigidBodies => slip_faces(model),
+            Kind::Elastic | Kind::Hencky(_) => Vec::new(),
+        };
+        let points = Points { model, space: &space };
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &slips)?;
         let materials = model.stiffnesses();
         let radii = model.yield_radii();
         // yield radius and kind of element of each tet that may flow
@@ -233,7 +240,15 @@ impl Kinematic {
         let tets = model.mesh.tets.len();
         if yields || !weld_faces.is_empty() {
             split = (0..tets).map(|e| matches!(flow_of(e), Some((_, Flow::Split)))).collect();
-            own = append(&mut program, tets + weld_faces.len(), |e| {
+            // the slip faces have elements in limit analysis only
+            let slips = if limit { &slips[..] } else { &[] };
+            let faces = tets + weld_faces.len();
+            own = append(&mut program, faces + slips.len(), |e| {
+                if let Some(slip) = e.checked_sub(faces) {
+                    let slip = &slips[slip];
+                    let jumps = slip.jumps(model, &space, true);
+                    return Ok(weld_face::element(&map, slip.strength, &jumps));
+                }
                 if let Some(weld) = e.checked_sub(tets) {
                     let (strength, face) = weld_faces[weld];
                     return Ok(weld_face::element(
@@ -249,7 +264,7 @@ impl Kinematic {
         if limit {
             program.add_load_factor(working_live_loads(forces_of(Loads::LIVE))?);
         }
-        Ok(Self { program, space, map, rigid, points, own, split })
+        Ok(Self { program, space, map, rigid, slips, points, own, split })
     }
 }
 
@@ -267,6 +282,13 @@ impl Kinematic {
             &self.map,
             faces.flat_map(|(_, f)| weld_face::kinematic_jumps(&self.space, f, false)),
         )
+    }
+
+    /// The Bernstein coefficients of the held tangential velocity on every slip face as rows on the
+    /// shared unknowns, three rows each.
+    pub fn slip_rows(&self, model: &AnalysisModel) -> Csr {
+        let jumps = self.slips.iter().flat_map(|s| s.jumps(model, &self.space, false));
+        weld_face::rows(&self.map, jumps)
     }
 
     /// Loads on the shared unknowns in limit analysis \[N\]; their product with velocities is the

@@ -2,7 +2,8 @@
 //!
 //! [`kinematic`] and [`static_form`] build them. The other files are their parts: unknowns
 //! ([`dofs`], [`rigid_motions`], [`cuts`], [`free_modes`]), [`loads`], [`contact`] cones, welds
-//! ([`weld_face`]) and elements that yield ([`yielding_elements`]).
+//! ([`weld_face`]), slip on held faces ([`slip_face`]) and elements that yield
+//! ([`yielding_elements`]).
 
 pub mod assemble;
 pub mod conic;
@@ -16,6 +17,7 @@ pub mod free_modes;
 pub mod kinematic;
 pub mod loads;
 pub mod rigid_motions;
+pub mod slip_face;
 pub mod static_form;
 pub mod super_elements;
 pub mod weld_face;

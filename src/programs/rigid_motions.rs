@@ -14,6 +14,7 @@ use crate::model::loads::Loads;
 use crate::programs::constraints::FacePoints;
 use crate::programs::cuts;
 use crate::programs::dofs::DofMap;
+use crate::programs::slip_face::{HeldPoints, SlipFace};
 use std::collections::BTreeMap;
 
 /// Displacements of unit motions below this are rounding of the null space and count as zero.
@@ -177,29 +178,33 @@ fn movers(
 }
 
 /// Numbers the unknowns of a program: three per point, less the held ones, plus the motions of
-/// rigid faces and pieces, plus the closures of preloaded cuts.
+/// rigid faces and pieces, plus the closures of preloaded cuts. Supports hold only the normal
+/// direction of `slips`.
 pub fn number_unknowns(
     model: &AnalysisModel,
     points: &impl FacePoints,
     pieces: &RigidPieces,
+    slips: &[SlipFace],
 ) -> Result<(DofMap, Vec<RigidMotions>), ModelError> {
-    let mut fixed = vec![[false; 3]; points.count()];
-    for s in &model.supports {
-        for p in s.faces.iter().flat_map(|f| points.points(f)) {
-            (0..3).for_each(|d| fixed[p][d] |= s.fix[d]);
-        }
-    }
     let claims = claims(model, points, pieces)?;
-    let followers = cuts::followers(model, points, &mut fixed, |p| {
-        (0..3).any(|d| claims.contains_key(&(p, d)))
-    })?;
+    let moved = |p| (0..3).any(|d| claims.contains_key(&(p, d)));
+    let HeldPoints { mut fixed, oblique } = HeldPoints::new(model, points, slips, moved);
+    let followers = cuts::followers(model, points, &mut fixed, moved)?;
     let mut combinations: Vec<Vec<(u32, f64)>> = vec![Vec::new(); 3 * points.count()];
     let mut block = Vec::new();
     for p in (0..points.count()).filter(|p| !followers.contains_key(p)) {
+        let oblique = oblique.get(&p);
         for d in 0..3 {
-            if !fixed[p][d] && !claims.contains_key(&(p, d)) {
-                combinations[3 * p + d].push((block.len() as u32, 1.0));
+            let free = !fixed[p][d] && !claims.contains_key(&(p, d));
+            if free && oblique.is_none_or(|v| v[d][d] == 1.0) {
+                let k = block.len() as u32;
                 block.push(points.block(p));
+                for i in 0..3 {
+                    let w = oblique.map_or(if i == d { 1.0 } else { 0.0 }, |v| v[i][d]);
+                    if w != 0.0 {
+                        combinations[3 * p + i].push((k, w));
+                    }
+                }
             }
         }
     }

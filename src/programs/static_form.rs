@@ -144,7 +144,7 @@ impl<'a> Static<'a> {
         let elements = SuperElements::new(model).under(counted);
         let pieces = if limit { RigidPieces::unyielding(model) } else { RigidPieces::default() };
         let points = Points { mesh: &model.mesh, faces: &elements.faces };
-        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces)?;
+        let (map, rigid) = rigid_motions::number_unknowns(model, &points, &pieces, &[])?;
         let radius = |e: usize| radii[e];
         let elastic: Vec<usize> =
             (0..model.mesh.tets.len()).filter(|&e| !limit && radius(e).is_none()).collect();
@@ -280,6 +280,22 @@ impl Static<'_> {
             }
         }
         shares
+    }
+
+    /// Velocities (in limit analysis; otherwise displacements) of the vertices of the mesh, from
+    /// the unknowns of a program: the multipliers of the equilibrium of tractions, averaged over
+    /// the faces at a vertex. Their sign and scale have no meaning.
+    pub fn vertex_velocities(&self, x: &[f64]) -> Vec<V3> {
+        let v = self.map.expand(x);
+        let mut sum = vec![([0.0; 3], 0.0); self.elements.model().mesh.nodes.len()];
+        for (nodes, v) in self.elements.faces.nodes.iter().zip(v.chunks_exact(9)) {
+            for (n, v) in nodes.iter().zip(v.chunks_exact(3)) {
+                let (total, count) = &mut sum[*n as usize];
+                (0..3).for_each(|c| total[c] += v[c]);
+                *count += 1.0;
+            }
+        }
+        sum.into_iter().map(|(total, count)| total.map(|x| x / f64::max(count, 1.0))).collect()
     }
 
     /// Stress parameters of every element from the unknowns of a program, as

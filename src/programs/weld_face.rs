@@ -50,21 +50,25 @@ pub fn static_jumps(elements: &SuperElements, face: &FacePair) -> Vec<Jump> {
     (0..3).map(|vertex| [0, 1, 2].map(|d| form(vertex, d))).collect()
 }
 
+/// Bernstein coefficient `i` of a quadratic function on a face: nodes of the face and factors.
+pub(super) fn bernstein(i: usize) -> Vec<(usize, f64)> {
+    match i.checked_sub(3) {
+        None => vec![(i, 1.0)],
+        Some(edge) => {
+            let [p, q] = FACE_EDGES[edge];
+            vec![(i, 2.0), (p, -0.5), (q, -0.5)]
+        }
+    }
+}
+
 /// The Bernstein coefficients of the jump on a face, each times its weight in the integral if
 /// `weighted`, on nodal displacements.
 pub fn kinematic_jumps(space: &Tet10Space, face: &FacePair, weighted: bool) -> Vec<Jump> {
     let area = vec3::norm(vec3::area_vector(&face.nodes_a.map(|n| space.nodes[n as usize])));
     let weight = if weighted { area / 6.0 } else { 1.0 };
     let (a, b) = (space.triangle(face.nodes_a), space.triangle(face.nodes_b));
-    let coefficient = |i: usize| match i.checked_sub(3) {
-        None => vec![(i, 1.0)],
-        Some(edge) => {
-            let [p, q] = FACE_EDGES[edge];
-            vec![(i, 2.0), (p, -0.5), (q, -0.5)]
-        }
-    };
     let form = |i: usize, d: usize| -> Form {
-        let both = coefficient(i).into_iter().flat_map(|(k, w)| {
+        let both = bernstein(i).into_iter().flat_map(|(k, w)| {
             let w = w * weight;
             [(3 * b[k] + d, w), (3 * a[k] + d, -w)]
         });
@@ -73,8 +77,8 @@ pub fn kinematic_jumps(space: &Tet10Space, face: &FacePair, weighted: bool) -> V
     (0..6).map(|i| [0, 1, 2].map(|d| form(i, d))).collect()
 }
 
-/// Weld face with the given weighted jumps as a yielding element; `None` when nothing of it can
-/// move.
+/// Weld face (or slip face) with the given weighted jumps as a yielding element; `None` when
+/// nothing of it can move.
 pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingElement> {
     let mut dofs: Vec<usize> = jumps.iter().flatten().flatten().map(|t| t.0).collect();
     dofs.sort_unstable();

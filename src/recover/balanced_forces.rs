@@ -167,8 +167,7 @@ struct Sets {
 fn nearest(sets: &Sets, rows: &Rows, start: &[f64], size: f64) -> Point {
     let mut y = vec![0.0; rows.count];
     let mut point = Point::at(&y, sets, rows, start);
-    for debug_step in 0..STEPS {
-        if std::env::var("DBG").is_ok() { eprintln!("{debug_step} open {:.3e} value {:.6e} kept {} y {:.2e}", point.open()/size, point.value, sets.kept.len(), norm(&y)/size); }
+    for _ in 0..STEPS {
         if point.open() <= EXACT * size {
             break;
         }

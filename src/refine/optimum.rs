@@ -9,6 +9,8 @@
 //! # Source
 //! Ladevèze and Pelle, optimal meshes; paper, section 4.1.
 
+use crate::math::mandel::Mandel;
+
 /// Bounds of the number of parts of a tet in one pass: the element size changes by ¼ to 2.
 const PARTS: [f64; 2] = [0.125, 64.0];
 
@@ -29,6 +31,9 @@ pub struct Estimate {
     pub contributions: Vec<f64>,
     /// Rates q, `η ~ h^(2q)`.
     pub rates: Vec<f64>,
+    /// Directions of the next mesh's elements: a tensor for each tet, see
+    /// [`crate::refine::directions`]; empty: none are preferred.
+    pub directions: Vec<Mandel>,
 }
 
 /// The density of a mesh to be made.
@@ -36,6 +41,8 @@ pub struct Estimate {
 pub struct Design {
     /// Number of parts of each tet, before grading.
     pub wanted: Vec<f64>,
+    /// Directions of the elements, those of the estimate.
+    pub directions: Vec<Mandel>,
     /// Number of tets that it will have.
     pub tets: f64,
     /// Expected gap over the present one.
@@ -84,7 +91,8 @@ impl Estimate {
     fn design(&self, mu: f64, realised: &dyn Fn(&[f64]) -> Vec<f64>) -> Design {
         let wanted = self.wanted(mu);
         let parts = realised(&wanted);
-        Design { tets: parts.iter().sum(), gap: self.gap_after(&parts), wanted }
+        let directions = self.directions.clone();
+        Design { tets: parts.iter().sum(), gap: self.gap_after(&parts), wanted, directions }
     }
 
     /// The curve from a third of the present tets to `most` tets, within the bounds of one pass;
@@ -200,7 +208,11 @@ mod tests {
         let q = 2.0;
         let contributions: Vec<f64> = (0..200).map(|i| 1.0 + 0.5 * f64::from(i % 7)).collect();
         let total: f64 = contributions.iter().sum();
-        let estimate = Estimate { contributions: contributions.clone(), rates: vec![q; 200] };
+        let estimate = Estimate {
+            contributions: contributions.clone(),
+            rates: vec![q; 200],
+            directions: vec![],
+        };
         let design = design(&estimate, 700.0);
         assert!((design.tets / 700.0 - 1.0).abs() < 0.01, "{}", design.tets);
         let e0 = (design.gap * total).sqrt();
@@ -225,7 +237,7 @@ mod tests {
         };
         let contributions: Vec<f64> = (0..60).map(|_| 1.0 + 3.0 * random()).collect();
         let rates: Vec<f64> = (0..60).map(|i| if i % 5 == 0 { 0.55 } else { 2.0 }).collect();
-        let estimate = Estimate { contributions, rates };
+        let estimate = Estimate { contributions, rates, directions: vec![] };
         let design = design(&estimate, 180.0);
         assert!(design.wanted.iter().all(|n| *n > PARTS[0] && *n < PARTS[1]), "not clipped");
         for _ in 0..200 {
@@ -241,7 +253,8 @@ mod tests {
     /// without contributions the curve is empty.
     #[test]
     fn goals_out_of_reach() {
-        let estimate = Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10] };
+        let estimate =
+            Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10], directions: vec![] };
         let curve = estimate.curve(1e9, &same);
         let [few, many] = curve.range().expect("a curve");
         assert!(few < 4.0 && many == 640.0, "{few} {many}");
@@ -251,10 +264,12 @@ mod tests {
         // h^(2q) with twice the tets along each side
         assert!((curve.gap_at(80.0) - 0.5).abs() < 0.01, "{}", curve.gap_at(80.0));
         assert!(estimate.with_tets(&curve, 1e9, &same).wanted.iter().all(|n| *n == PARTS[1]));
-        let nothing = Estimate { contributions: vec![0.0; 10], rates: vec![2.0; 10] };
+        let nothing =
+            Estimate { contributions: vec![0.0; 10], rates: vec![2.0; 10], directions: vec![] };
         assert_eq!(nothing.curve(1e9, &same).range(), None);
         // a contribution that is negative by rounding needs no parts
-        let estimate = Estimate { contributions: vec![1.0, -1e-17], rates: vec![2.0; 2] };
+        let estimate =
+            Estimate { contributions: vec![1.0, -1e-17], rates: vec![2.0; 2], directions: vec![] };
         assert_eq!(design(&estimate, 8.0).wanted[1], PARTS[0]);
     }
 }

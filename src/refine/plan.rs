@@ -66,6 +66,8 @@ pub enum Stop {
     Memory,
     /// No tet contributes to the gap: refinement cannot narrow it.
     Nothing,
+    /// The remesher made the same mesh again.
+    SameMesh,
 }
 
 /// The decision.
@@ -251,7 +253,11 @@ mod tests {
     /// A smooth problem on N tets: the gap goes with N^(−4/3).
     fn smooth(tets: usize) -> impl FnMut(f64) -> Curve {
         move |most| {
-            let estimate = Estimate { contributions: vec![1.0; tets], rates: vec![2.0; tets] };
+            let estimate = Estimate {
+                contributions: vec![1.0; tets],
+                rates: vec![2.0; tets],
+                directions: Vec::new(),
+            };
             estimate.curve(most, &|wanted| wanted.to_vec())
         }
     }
@@ -315,7 +321,7 @@ mod tests {
             assert!(p.tets <= 3000.0 * (1.0 + 1e-9) && p.seconds <= left.seconds, "{p:?}");
         }
         let none = |_| {
-            Estimate { contributions: vec![0.0; 8], rates: vec![2.0; 8] }
+            Estimate { contributions: vec![0.0; 8], rates: vec![2.0; 8], directions: Vec::new() }
                 .curve(1e5, &|w| w.to_vec())
         };
         let mut none = none;

@@ -7,10 +7,14 @@
 //! a second derivative of the strain), is there a multiple of its value one ring of tets farther
 //! away.
 
+use crate::analysis::dispatch::AnalysisPass;
 use crate::certify::contributions::Contributions;
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::regular_edge;
 use crate::model::AnalysisModel;
+use crate::model::file::Bounds;
+use crate::refine::directions::{recovered_second_derivatives, second_derivatives};
+use crate::refine::mechanism_error;
 use crate::refine::optimum::Estimate;
 use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
@@ -129,7 +133,32 @@ pub fn estimate(
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
         }
     }
-    Estimate { contributions, rates }
+    Estimate { contributions, rates, directions: Vec::new() }
+}
+
+/// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
+/// the fields.
+///
+/// The mesh of the lower bound follows the static program's own multipliers and the directions of
+/// their velocities, that of the upper bound the error of its mechanism, one mesh for both the
+/// contributions to the gap.
+pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
+    let share = pass.yield_multiplier_share();
+    let directions = match bounds {
+        Bounds::Static => {
+            pass.static_velocities().map(|u| recovered_second_derivatives(&model.mesh, u))
+        }
+        _ => pass.kinematic_field().map(|u| second_derivatives(&model.mesh, u)),
+    };
+    let directions = directions.unwrap_or_default();
+    let contributions = match bounds {
+        Bounds::Both => {
+            return Some(Estimate { directions, ..estimate(model, pass.contributions()?, share) });
+        }
+        Bounds::Static => share?.iter().map(|s| s.max(0.0)).collect(),
+        Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
+    };
+    Some(Estimate { contributions, rates: vec![PLASTIC; model.mesh.tets.len()], directions })
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are

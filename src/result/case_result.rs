@@ -96,6 +96,9 @@ pub struct CaseResult {
     /// Each weld of finite strength.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub welds: Vec<WeldUse>,
+    /// Limit analysis: each support along whose faces the mechanism of the upper bound slips.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub support_slip: Vec<SupportSlip>,
     /// Largest contact pressure on the last mesh, from both sides: estimates, not bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peak_contact_pressure: Option<PeakPressure>,
@@ -135,6 +138,15 @@ pub struct WeldUse {
     /// displacements of the upper bound \[N mm\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub work: Option<f64>,
+}
+
+/// Slip of a body along the faces of a support.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SupportSlip {
+    /// Name of the support's faces.
+    pub support: String,
+    /// Its share in the dissipation of the mechanism, a fraction.
+    pub share: f64,
 }
 
 /// Plastic state of a body that can yield.

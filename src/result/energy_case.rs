@@ -334,6 +334,7 @@ pub fn case_result(
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: None,
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
@@ -347,6 +348,7 @@ pub fn case_result(
             Vec::new(),
             pass.upper.as_ref().map_or(Vec::new(), |b| b.certificate().welds.clone()),
         ),
+        support_slip: Vec::new(),
         peak_contact_pressure: (peak != PeakPressure::default()).then_some(peak),
         warnings,
     }

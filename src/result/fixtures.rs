@@ -40,6 +40,7 @@ pub(crate) fn case() -> CaseResult {
         yielding: vec![],
         limiting_part: None,
         welds: vec![],
+        support_slip: vec![],
         peak_contact_pressure: None,
         warnings: vec![],
     }

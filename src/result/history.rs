@@ -35,6 +35,9 @@ pub struct HistoryRow {
     /// Wall time of everything on this mesh, the mesher included \[s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
+    /// The best bounds of this and the earlier meshes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub so_far: Option<SoFar>,
     /// Prediction for this mesh before it was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub predicted: Option<Predicted>,
@@ -46,12 +49,29 @@ pub struct HistoryRow {
     pub peak_memory_mib: Option<u64>,
 }
 
+/// The best bounds of all meshes so far, joined as in the answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoFar {
+    /// Lower bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<f64>,
+    /// Upper bound, unit of the case's quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<Upper>,
+    /// Relative gap, a fraction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// True if both are certified bounds.
+    pub strict: bool,
+}
+
 /// Prediction for a mesh before it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Predicted {
     /// Tetrahedra.
     pub macro_tets: usize,
-    /// Relative gap of this mesh's bounds, a fraction.
+    /// Relative gap of this mesh's bounds, a fraction. For a mesh made for one bound: of the best
+    /// bounds with this one.
     pub gap: f64,
     /// Wall time of everything on this mesh \[s\].
     pub seconds: f64,

@@ -10,6 +10,7 @@ use crate::result::bounds::{CaseBounds, FactorLimit};
 use crate::result::case_result::CaseResult;
 use crate::result::case_result::PartShare;
 use crate::result::case_result::PeakPressure;
+use crate::result::case_result::SupportSlip;
 use crate::result::certificate::Certificate;
 use crate::result::energy_case::estimate_warning;
 use crate::result::energy_case::only_load;
@@ -20,9 +21,11 @@ use crate::result::energy_case::weld_uses;
 use crate::result::history::HistoryRow;
 use crate::result::quantity::{FrictionModel, Quantity, RawBracket, Upper};
 
-use crate::certify::{FactorBracket, LowerFactor, UpperFactor, welds};
+use crate::certify::{FactorBracket, LowerFactor, UpperFactor, slip, welds};
+use crate::elements::space::Tet10Space;
 use crate::math::Sum;
 use crate::model::AnalysisModel;
+use crate::model::analysis::Support;
 use crate::solve::SolveStatus;
 
 /// The lower bound, the bracket and the static program of the problem that the user posed. Under
@@ -150,8 +153,16 @@ fn estimate_missing(model: &AnalysisModel, pass: &LimitPass) -> Option<String> {
     Some(format!("no estimate of the load factor under Coulomb's law by the fixed point: {why}"))
 }
 
-/// Share of each body and each weld in the dissipation of a mechanism.
-fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, Vec<f64>) {
+/// Shares in the dissipation of a mechanism.
+#[derive(Default)]
+struct Shares {
+    bodies: Vec<PartShare>,
+    welds: Vec<f64>,
+    /// Supports along which it slips.
+    supports: Vec<SupportSlip>,
+}
+
+fn shares(model: &AnalysisModel, velocity: &VelocityField) -> Shares {
     let mesh = &model.mesh;
     let mut bodies = vec![Sum::default(); mesh.bodies.len()];
     for (e, density) in dissipation_densities(model, velocity, SUBDIVISIONS).into_iter().enumerate()
@@ -159,11 +170,19 @@ fn shares(model: &AnalysisModel, velocity: &VelocityField) -> (Vec<PartShare>, V
         bodies[mesh.tet_body[e] as usize].add(density * mesh.volume(e));
     }
     let welds = welds::dissipations(model, &velocity.nodes.u);
-    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(welds.iter().copied()));
+    let supports = slip::dissipations(model, &Tet10Space::new(mesh), &velocity.nodes.u);
+    let interfaces = welds.iter().chain(&supports).copied();
+    let total = Sum::of(bodies.iter().map(|d| d.value()).chain(interfaces));
     let share = |d: f64| if total > 0.0 { d / total } else { 0.0 };
     let bodies = mesh.bodies.iter().zip(&bodies);
     let bodies = bodies.map(|(name, d)| PartShare { part: name.clone(), share: share(d.value()) });
-    (bodies.collect(), welds.into_iter().map(share).collect())
+    let supports = model.supports.iter().zip(supports).filter(|(_, d)| *d > 0.0);
+    let slip = |(s, d): (&Support, f64)| SupportSlip { support: s.name.clone(), share: share(d) };
+    Shares {
+        bodies: bodies.collect(),
+        welds: welds.into_iter().map(share).collect(),
+        supports: supports.map(slip).collect(),
+    }
 }
 
 /// The bounds of the load factor from a pass, for the problem that the user posed.
@@ -216,8 +235,7 @@ pub fn limit_case_result(
         .filter(|(most, _)| used.iter().all(|w| w.largest <= *most))
         .and_then(|n| n.1)
         .map(body);
-    let (dissipation, weld_shares) =
-        pass.velocity.as_ref().map_or_else(Default::default, |v| shares(model, v));
+    let shares = pass.velocity.as_ref().map_or_else(Shares::default, |v| shares(model, v));
     let peak = low.and_then(|b| b.certificate().peak_pressure);
     CaseResult {
         name: name.into(),
@@ -255,14 +273,16 @@ pub fn limit_case_result(
             static_: pass.statics.as_ref().map(program_run),
             static_frictionless: pass.frictionless_run.as_ref().map(program_run),
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds,
             peak_memory_mib: peak_memory_mib(),
         }],
-        dissipation,
+        dissipation: shares.bodies,
         yielding: Vec::new(),
         limiting_part,
-        welds: weld_uses(model, used, weld_shares, Vec::new()),
+        welds: weld_uses(model, used, shares.welds, Vec::new()),
+        support_slip: shares.supports,
         peak_contact_pressure: peak.map(|p| PeakPressure { kinematic: None, static_: Some(p) }),
         warnings,
     }

@@ -13,7 +13,7 @@ pub use crate::result::case_result::PartYield;
 pub use crate::result::case_result::PeakPressure;
 pub use crate::result::case_result::WeldUse;
 pub use crate::result::certificate::{Certificate, RESIDUAL_TOLERANCE};
-pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, TraceRow};
+pub use crate::result::history::{HistoryRow, Predicted, ProgramRun, SoFar, TraceRow};
 use crate::result::polygon::CapacityPolygon;
 pub use crate::result::quantity::{
     FrictionModel, LoadSize, Quantity, RawBracket, Unbounded, Upper,

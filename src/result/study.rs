@@ -37,7 +37,7 @@ pub struct Row {
     pub lower: Option<f64>,
     /// Smallest certified upper bound so far.
     pub upper: Option<f64>,
-    /// Gap of these two, a fraction; absent unless they are certified.
+    /// Gap of these two, a fraction.
     pub gap: Option<f64>,
     /// Gap expected before the mesh was made.
     pub expected_gap: Option<f64>,
@@ -60,21 +60,13 @@ pub struct Study {
 
 /// The rows of an entry's history.
 pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> {
-    let strict = entry.is_strict();
-    let (mut lower, mut upper, mut total) = (None::<f64>, None::<f64>, 0.0);
+    let mut total = 0.0;
     let mut one = |(i, h): (usize, &HistoryRow)| {
         let own = h.kinematic.as_ref().map_or(0.0, |r| r.seconds)
             + h.static_.as_ref().map_or(0.0, |r| r.seconds);
         let seconds = h.seconds.unwrap_or(own);
         total += seconds;
-        if strict {
-            lower = h.lower.into_iter().chain(lower).reduce(f64::max);
-            upper = h.upper.and_then(Upper::finite).into_iter().chain(upper).reduce(f64::min);
-        }
-        let gap = match (lower, upper) {
-            (Some(l), Some(u)) if l != 0.0 => Some((u - l) / l.abs()),
-            _ => None,
-        };
+        let so_far = h.so_far.filter(|b| b.strict).unwrap_or_default();
         Row {
             case: entry.name.clone(),
             analysis: entry.analysis,
@@ -83,9 +75,9 @@ pub fn study_rows(meshes: Meshes, solver: &str, entry: &CaseResult) -> Vec<Row> 
             mesh: i + 1,
             macro_tets: h.macro_tets,
             dofs: h.kinematic_dofs.unwrap_or(0) + h.static_dofs.unwrap_or(0),
-            lower,
-            upper,
-            gap,
+            lower: so_far.lower,
+            upper: so_far.upper.and_then(Upper::finite),
+            gap: so_far.gap,
             expected_gap: h.predicted.map(|p| p.gap),
             seconds,
             total_seconds: total,

@@ -36,12 +36,20 @@ fn a_target_is_reached_and_verified() {
             "{talk}"
         );
         let best = |key: &str, better: fn(f64, f64) -> f64| {
-            history.iter().map(|h| number(&h[key])).reduce(better)
+            history.iter().filter_map(|h| h[key].as_f64()).reduce(better)
         };
         assert_eq!(
             (best("lower", f64::max), best("upper", f64::min)),
             (c["lower"].as_f64(), c["upper"].as_f64())
         );
+        // in limit analysis each later mesh is made for one bound
+        let bounds = if name == "limit" { 1 } else { 2 };
+        for h in &history[1..] {
+            assert_eq!([&h["lower"], &h["upper"]].iter().filter(|b| !b.is_null()).count(), bounds);
+        }
+        let so_far: Vec<f64> = history.iter().map(|h| number(&h["so_far"]["gap"])).collect();
+        assert!(so_far.windows(2).all(|g| g[1] <= g[0]), "{name}: {so_far:?}");
+        assert_eq!(so_far.last().copied(), c["gap"].as_f64());
         for h in &history[1..] {
             let [found, want] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
             assert!((found / want - 1.0).abs() < 0.15, "{name}: {found} tets, {want} expected");

@@ -41,6 +41,37 @@ fn edit_result(bench: &Bench, edit: impl Fn(&mut Value)) {
     std::fs::write(bench.path().join("bar/result.json"), format!("{all:#}\n")).expect("written");
 }
 
+/// A block pushed along its clamped face slips on it. The result and the report tell the share, and
+/// `verify` recomputes it.
+#[test]
+fn slip_on_a_support() {
+    let yaml = BAR
+        .replace("{face: Z0, fix: [z]}", "{face: Z0, fix: [x, y, z]}")
+        .replace("  - {face: X0, fix: [x]}\n  - {face: Y0, fix: [y]}\n", "")
+        .replace("{face: X1, traction", "{face: Z1, traction");
+    let bench = bar(&yaml);
+    expect(&bench, &["analyse", "bar.yaml", "-q"], 0);
+    let whole = result(&bench, "bar");
+    let case = &whole["cases"][0];
+    let slip = &case["support_slip"][0];
+    assert_eq!(slip["support"], "Z0");
+    let share = number(&slip["share"]);
+    assert!(share > 0.01 && share <= 1.0, "{case}");
+    // shares of bodies and supports make the whole
+    assert!((share + number(&case["dissipation"][0]["share"]) - 1.0).abs() < 1e-12, "{case}");
+    // slip on the whole face, k over 100 MPa, bounds the load from above
+    assert!(number(&case["upper"]) <= 2.35 / 3.0f64.sqrt() * 1.0001, "{case}");
+    assert!(bench.read("bar/report.md").contains("slip on support Z0"));
+    expect(&bench, &["verify", "bar"], 0);
+    edit_result(&bench, |c| c["support_slip"][0]["share"] = (0.9 * share).into());
+    let (code, text) = {
+        let run = bench.run(&["verify", "bar"]);
+        (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned())
+    };
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("support_slip is not what the fields give"), "{text}");
+}
+
 #[test]
 fn verify_confirms_what_is_true_and_refutes_the_rest() {
     let (code, text) = after(|_| {});

@@ -95,6 +95,7 @@ impl Block {
             nodes,
             tets,
             tet_body,
+            tet_region: vec![],
             bodies: bodies.iter().map(|b| b.to_string()).collect(),
             faces: vec![],
         };

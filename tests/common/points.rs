@@ -371,6 +371,47 @@ fn cuts(name: &str, f: &Fields, random: &mut Random, tolerance: f64) {
     }
 }
 
+/// Velocities of limit analysis on held faces, at random points: bodies that yield may slip along
+/// a face that is held across and along it and carries no load; on other faces all held components
+/// are zero. Returns the largest velocity of slip.
+pub fn velocities_on_supports(name: &str, model: &AnalysisModel, v: &DisplacementField) -> f64 {
+    let space = bracket::elements::space::Tet10Space::new(&model.mesh);
+    let size = v.u.iter().map(|v| norm(*v)).fold(0.0, f64::max);
+    let mut random = Random::new(2025);
+    let mut slip = 0.0f64;
+    for s in model.supports.iter().filter(|s| !s.faces.is_empty()) {
+        for _ in 0..POINTS / 10 {
+            let f = &s.faces[random.below(s.faces.len())];
+            let vertices = FACES[f.local as usize].map(|i| model.mesh.tets[f.tet as usize][i]);
+            let [a, b, c] = vertices.map(|n| model.mesh.nodes[n as usize]);
+            let n = cross(sub(b, a), sub(c, a)).map(|x| x / norm(cross(sub(b, a), sub(c, a))));
+            let mut held = [false; 3];
+            for s in model.supports.iter().filter(|s| s.faces.contains(f)) {
+                (0..3).for_each(|d| held[d] |= s.fix[d]);
+            }
+            let body = model.mesh.tet_body[f.tet as usize] as usize;
+            let yields = model.materials[model.body_material[body] as usize].fy.is_some();
+            let loaded = model.surface_loads.iter().any(|l| l.faces.contains(f));
+            let across = (0..3).all(|d| held[d] || n[d].abs() < 1e-9);
+            let along = held.iter().filter(|h| **h).count() > 1;
+            let l = random.simplex::<3>();
+            let shape = bracket::math::quadrature::triangle_p2(l);
+            let nodes = space.triangle(vertices);
+            let at: V3 = std::array::from_fn(|d| (0..6).map(|i| shape[i] * v.u[nodes[i]][d]).sum());
+            if yields && across && along && !loaded {
+                let normal = (0..3).map(|d| n[d] * at[d]).sum::<f64>();
+                assert!(normal.abs() <= 1e-13 * size, "{name}: {at:?} on support {}", s.name);
+                slip = slip.max(norm(at));
+            } else {
+                (0..3)
+                    .filter(|&d| held[d])
+                    .for_each(|d| assert_eq!(at[d], 0.0, "{name}: support {}", s.name));
+            }
+        }
+    }
+    slip / size
+}
+
 fn supports(name: &str, f: &Fields, random: &mut Random) {
     for s in f.model.supports.iter().filter(|s| !s.faces.is_empty()) {
         for _ in 0..POINTS / 10 {

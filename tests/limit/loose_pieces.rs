@@ -89,11 +89,6 @@ fn found(m: &AnalysisModel) -> f64 {
 
 /// Every optimal static program gives a strict lower bound, which random points confirm, and which
 /// is as large as the load that the program found.
-#[test]
-fn debug22() {
-    bounds_are_recovered(22..23);
-}
-
 fn bounds_are_recovered(seeds: std::ops::Range<u64>) {
     let (mut brackets, mut smooth, mut compared) = (0, 0, 0);
     for seed in seeds {

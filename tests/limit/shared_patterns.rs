@@ -90,8 +90,9 @@ fn elastic_and_limit_analysis_share_patterns_and_give_the_same_results_as_alone(
     let before = shared.count();
     let together = LOADS.map(|load| run(load, &shared));
     let after = shared.count();
-    assert_eq!(after.0, before.0, "an elastic case brings no new pattern");
-    assert!(after.1 >= before.1 + 6, "{before:?} {after:?}");
+    // that of its kinematic program: bodies slip on held faces in limit analysis only
+    assert_eq!(after.0, before.0 + 1, "an elastic case brings one new pattern");
+    assert!(after.1 >= before.1 + 5, "{before:?} {after:?}");
     for (load, together) in LOADS.iter().zip(&together) {
         assert!(run(load, &Patterns::default()) == *together);
     }

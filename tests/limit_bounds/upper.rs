@@ -87,7 +87,9 @@ fn admissible_by_other_code() {
                 let mut unloaded = case.loaded(0.0);
                 unloaded.surface_loads.clear();
                 unloaded.body_loads.clear();
+                unloaded.supports.clear();
                 points::check(case.name, &unloaded, &zero, &upper.field.nodes);
+                points::velocities_on_supports(case.name, &case.model, &upper.field.nodes);
                 let space = Tet10Space::new(mesh);
                 let scale =
                     upper.field.nodes.u.iter().flatten().fold(0.0f64, |m, u| m.max(u.abs()));

@@ -19,6 +19,7 @@ use crate::common::grid::{finer_at_end, finer_at_start, joined, name};
 use crate::common::plane_strain::{PLANE_STRAIN, contains, slice};
 use crate::common::yielding::model;
 use bracket::model::AnalysisModel;
+use bracket::model::analysis::{RigidFace, Support};
 
 /// Half of the punch problem; `first` is the size of the smallest cell, at the corner.
 fn punch(first: f64, ratio: f64) -> AnalysisModel {
@@ -44,6 +45,28 @@ const PRANDTL: f64 = 2.0 + std::f64::consts::PI;
 #[test]
 fn prandtl_punch() {
     contains("A21", &punch(0.10, 1.4), PRANDTL, 0.08);
+}
+
+/// The same pressed the other way: the footprint is held and the far faces move. The half-space may
+/// slip along the footprint; a rough punch and a smooth one carry the same.
+#[test]
+fn prandtl_punch_held() {
+    let mut m = punch(0.10, 1.4);
+    let punch = m.rigid.remove(0);
+    let far: Vec<_> = m.supports.split_off(3);
+    let faces = far.into_iter().flat_map(|s| s.faces).collect();
+    m.supports.push(Support { name: punch.name, fix: [true, false, true], faces: punch.faces });
+    let action = punch.action.map(|a| -a);
+    m.rigid.push(RigidFace {
+        name: "FAR".into(),
+        components: punch.components,
+        free: punch.free,
+        at: punch.at,
+        action,
+        dead_action: punch.dead_action,
+        faces,
+    });
+    contains("A21, held", &m, PRANDTL, 0.08);
 }
 
 #[test]

@@ -94,6 +94,7 @@ fn case(name: &str) -> CaseResult {
             static_: Some(run(26)),
             static_frictionless: None,
             seconds: None,
+            so_far: None,
             predicted: None,
             mesh_seconds: Some(3.0),
             peak_memory_mib: Some(1024),
@@ -102,6 +103,7 @@ fn case(name: &str) -> CaseResult {
         yielding: vec![],
         limiting_part: None,
         welds: vec![],
+        support_slip: vec![],
         peak_contact_pressure: Some(PeakPressure { kinematic: Some(247.31), static_: Some(268.4) }),
         warnings: vec![],
     }

@@ -11,6 +11,7 @@ use crate::certify::free_mechanism::FreeMechanism;
 use crate::certify::unlimited::Unlimited;
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::{FactorBracket, LowerFactor, UpperFactor};
+use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
 
 /// How far an estimate may lie beyond a bound, over the bound: the open error of the fixed point
@@ -63,6 +64,8 @@ pub struct LimitPass {
     /// bound: the dissipation of the static program's own multipliers. Its place is not the
     /// mechanism of the kinematic program.
     pub yield_multiplier_share: Option<Vec<f64>>,
+    /// The velocities of the vertices in that mechanism; their sign and scale have no meaning.
+    pub static_velocities: Option<Vec<V3>>,
 }
 
 impl LimitPass {

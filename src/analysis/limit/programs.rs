@@ -5,6 +5,7 @@ use crate::certify::fields::{DisplacementField, StressField};
 use crate::certify::velocity_field::VelocityField;
 use crate::certify::{LowerFactor, UpperFactor};
 use crate::elements::hencky_kinematic::Flow;
+use crate::math::vec3::V3;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::{Kinematic, Static};
 use crate::recover::elastic::RecoverError;
@@ -37,6 +38,8 @@ pub(super) struct LimitStress {
     pub(super) bound: LowerFactor,
     /// Share of the load factor carried by each tet's yield multipliers.
     pub(super) yield_multiplier_share: Vec<f64>,
+    /// Velocities of the vertices, the multipliers of equilibrium.
+    pub(super) velocities: Vec<V3>,
 }
 
 impl LimitKinematic {
@@ -126,6 +129,7 @@ impl<'a> DiscreteProgram for LimitStatic<'a> {
             stress: lower.field,
             bound: LowerFactor::new(lower.certificate),
             yield_multiplier_share,
+            velocities: statics.vertex_velocities(&solution.x),
         })
     }
 

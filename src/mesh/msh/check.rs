@@ -63,6 +63,7 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
     let bodies = groups(raw.tets.iter().map(|t| t.physical));
     mesh.bodies = bodies.keys().map(|p| name(&raw, 3, *p)).collect();
     mesh.tet_body = raw.tets.iter().map(|t| bodies[&t.physical]).collect();
+    mesh.tet_region = regions(&raw, mesh.bodies.len());
 
     check_tets(&mesh, &raw, file)?;
     let table = FaceTable::new(&mesh.tets);
@@ -106,6 +107,17 @@ pub(super) fn finish(raw: Raw, file: &Path) -> Result<(TetMesh, Vec<String>), Me
 fn name(raw: &Raw, dim: u8, physical: i64) -> String {
     let kind = if dim == 3 { "VOLUME" } else { "SURFACE" };
     raw.names.get(&(dim, physical)).cloned().unwrap_or_else(|| format!("{kind}_{physical}"))
+}
+
+/// Region of each tet, numbered by body and entity; empty if every body is a single entity.
+fn regions(raw: &Raw, bodies: usize) -> Vec<u32> {
+    let mut numbers: BTreeMap<(i64, i64), u32> =
+        raw.tets.iter().map(|t| ((t.physical, t.entity), 0)).collect();
+    if numbers.len() == bodies {
+        return Vec::new();
+    }
+    numbers.values_mut().zip(0..).for_each(|(number, i)| *number = i);
+    raw.tets.iter().map(|t| numbers[&(t.physical, t.entity)]).collect()
 }
 
 /// Physical tags in increasing order, each with its index.

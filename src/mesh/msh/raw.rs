@@ -28,6 +28,8 @@ pub struct RawCell<const N: usize> {
     pub tag: u64,
     /// Physical tag; 0: none.
     pub physical: i64,
+    /// Tag of the geometric entity; 0: none.
+    pub entity: i64,
     /// Line in the file.
     pub line: usize,
     /// Node tags.

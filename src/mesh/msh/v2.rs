@@ -56,24 +56,23 @@ fn element(lines: &mut Lines<'_>, raw: &mut Raw) -> Result<(), MeshError> {
     let line = lines.line();
     let kind = checked_kind(code, tag, lines)?;
     let ntags: usize = words.number("the number of tags")?;
-    let mut physical = 0;
+    let (mut physical, mut entity) = (0, 0);
     for i in 0..ntags {
         let t: i64 = words.number("a tag")?;
-        if i == 0 {
-            physical = t.saturating_abs();
+        match i {
+            0 => physical = t.saturating_abs(),
+            1 => entity = t,
+            _ => {}
         }
     }
     match kind {
         Kind::Tet => {
-            raw.tets.push(RawCell { tag, physical, line, nodes: words.numbers("a node tag")? })
+            let nodes = words.numbers("a node tag")?;
+            raw.tets.push(RawCell { tag, physical, entity, line, nodes });
         }
         Kind::Triangle if physical != 0 => {
-            raw.triangles.push(RawCell {
-                tag,
-                physical,
-                line,
-                nodes: words.numbers("a node tag")?,
-            });
+            let nodes = words.numbers("a node tag")?;
+            raw.triangles.push(RawCell { tag, physical, entity, line, nodes });
         }
         _ => {}
     }

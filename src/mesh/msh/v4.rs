@@ -115,17 +115,13 @@ fn elements(lines: &mut Lines<'_>, entities: &Entities, raw: &mut Raw) -> Result
                 Kind::Tet => {
                     let physical =
                         physical.ok_or_else(|| unknown("volume"))?.first().copied().unwrap_or(0);
-                    raw.tets.push(RawCell {
-                        tag,
-                        physical,
-                        line,
-                        nodes: words.numbers("a node tag")?,
-                    });
+                    let nodes = words.numbers("a node tag")?;
+                    raw.tets.push(RawCell { tag, physical, entity, line, nodes });
                 }
                 Kind::Triangle => {
                     let nodes = words.numbers("a node tag")?;
                     for p in physical.ok_or_else(|| unknown("surface"))? {
-                        raw.triangles.push(RawCell { tag, physical: *p, line, nodes });
+                        raw.triangles.push(RawCell { tag, physical: *p, entity, line, nodes });
                     }
                 }
                 _ => {}

@@ -21,7 +21,7 @@ pub struct Plane {
 /// The remaining part of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
-    /// Its tets; named faces are left out.
+    /// Its tets; named faces and regions are left out.
     pub mesh: TetMesh,
     /// Each node as a point of an edge of the given mesh: both ends, and the part of the way from
     /// the first to the second; the same node twice for a node of the given mesh.
@@ -152,7 +152,7 @@ mod tests {
             tets: paths.iter().map(|[a, b]| [0, *a, *b, 7]).collect(),
             tet_body: vec![0, 0, 0, 1, 1, 1],
             bodies: vec!["A".into(), "B".into()],
-            faces: vec![],
+            ..TetMesh::default()
         };
         for e in 0..6 {
             if mesh.volume(e) < 0.0 {

@@ -160,6 +160,7 @@ mod tests {
             nodes: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0; 3]],
             tets: vec![[0, 1, 2, 3], [4, 1, 3, 2]],
             tet_body: vec![0, 1],
+            tet_region: vec![],
             bodies: vec!["A".into(), "B".into()],
             faces: vec![],
         }

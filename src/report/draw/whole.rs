@@ -6,7 +6,7 @@ use crate::mesh::TetMesh;
 /// The completed mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Whole {
-    /// Its tets; named faces are left out.
+    /// Its tets; named faces and regions are left out.
     pub mesh: TetMesh,
     /// The node of the given mesh that each node is, or is an image of.
     origin: Vec<u32>,
@@ -20,7 +20,7 @@ impl Whole {
     pub fn of(mesh: &TetMesh, axes: &[usize]) -> Self {
         let n = mesh.nodes.len();
         let mut out = Self {
-            mesh: TetMesh { faces: Vec::new(), ..mesh.clone() },
+            mesh: TetMesh { faces: Vec::new(), tet_region: Vec::new(), ..mesh.clone() },
             origin: (0..n as u32).collect(),
             signs: vec![[1.0; 3]; n],
         };
@@ -77,7 +77,7 @@ mod tests {
             tets: vec![[0, 1, 2, 3]],
             tet_body: vec![0],
             bodies: vec!["A".into()],
-            faces: vec![],
+            ..TetMesh::default()
         };
         let whole = Whole::of(&mesh, &[0, 1, 2]);
         assert_eq!((whole.mesh.nodes.len(), whole.mesh.tets.len()), (7, 8));

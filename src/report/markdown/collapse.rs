@@ -128,10 +128,18 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
             case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
         parts
             .extend(case.welds.iter().filter_map(|w| Some((format!("weld {}", w.weld), w.share?))));
+        parts.extend(
+            case.support_slip.iter().map(|s| (format!("slip on support {}", s.support), s.share)),
+        );
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
         let rows =
             parts.into_iter().map(|(name, share)| vec![name, format!("{:.1}", 100.0 * share)]);
-        let of = if case.welds.is_empty() { "body" } else { "body or weld" };
+        let of = match (case.welds.is_empty(), case.support_slip.is_empty()) {
+            (true, true) => "body",
+            (false, true) => "body or weld",
+            (true, false) => "body or support",
+            (false, false) => "body, weld or support",
+        };
         table(
             page,
             &Table { columns: strings([of, "share of the dissipation [%]"]), rows: rows.collect() },

@@ -37,7 +37,7 @@ pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
         "mesh [s]".into(),
         format!("lower{unit}"),
         format!("upper{unit}"),
-        "gap".into(),
+        "gap so far".into(),
         "peak memory [MiB]".into(),
     ];
     let rows = case.history.iter().enumerate().map(|(i, h)| {
@@ -59,7 +59,7 @@ pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
             seconds(h.mesh_seconds),
             low.unwrap_or_else(dash),
             high.unwrap_or_else(dash),
-            h.gap.map_or_else(dash, percent_up),
+            gap_so_far(h).map_or_else(dash, percent_up),
             h.peak_memory_mib.map_or_else(dash, |m| m.to_string()),
         ]
     });
@@ -83,6 +83,17 @@ pub(crate) fn history(page: &mut String, case: &CaseResult, symmetry: u32) {
     }
 }
 
+/// The gap of the best bounds of a mesh and the meshes before it.
+fn gap_so_far(h: &HistoryRow) -> Option<f64> {
+    h.so_far.map_or(h.gap, |b| b.gap)
+}
+
+/// The gap that the prediction of a mesh is about: of its own bounds, or for a mesh with one bound
+/// of the best bounds with this one.
+fn resulting(h: &HistoryRow) -> Option<f64> {
+    h.gap.or_else(|| gap_so_far(h))
+}
+
 /// Prediction and result of each further mesh.
 fn expectations(page: &mut String, case: &CaseResult) {
     let further = case.history.iter().enumerate().filter_map(|(i, h)| Some((i, h, h.predicted?)));
@@ -93,7 +104,7 @@ fn expectations(page: &mut String, case: &CaseResult) {
                 count(Some(p.macro_tets)),
                 count(Some(h.macro_tets)),
                 percent_up(p.gap),
-                h.gap.map_or_else(dash, percent_up),
+                resulting(h).map_or_else(dash, percent_up),
                 seconds(Some(p.seconds)),
                 seconds(h.seconds),
             ]

@@ -48,6 +48,12 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
                 && near(a.share, b.share)
                 && near(a.work, b.work)
         });
+    let support_slip = claimed.support_slip.len() == found.support_slip.len()
+        && claimed
+            .support_slip
+            .iter()
+            .zip(&found.support_slip)
+            .all(|(a, b)| a.support == b.support && near(Some(a.share), Some(b.share)));
     let yielding = claimed.yielding.len() == found.yielding.len()
         && claimed.yielding.iter().zip(&found.yielding).all(|(a, b)| {
             a.part == b.part
@@ -75,6 +81,7 @@ pub fn derived_differences(claimed: &CaseResult, found: &CaseResult) -> Vec<Stri
         ("preload", preload),
         ("dissipation", shares),
         ("welds", welds),
+        ("support_slip", support_slip),
         (
             "load_displacement_at_least",
             near(claimed.load_displacement_at_least, found.load_displacement_at_least),

@@ -125,7 +125,7 @@ impl CaseFiles<'_> {
             claimed,
             recomputed: bound.value(),
             residual: worst,
-            at_random_points: sampled.strain.max(sampled.gap_cone),
+            at_random_points: sampled.strain.max(sampled.gap_cone).max(sampled.held),
         };
         (Finding::new(self.case, "upper", numbers, bound.is_strict(), claims_strict), bound)
     }

@@ -1,0 +1,270 @@
+//! Remeshes with Mmg by a metric: as many elements as the design asks for, long where the fields
+//! vary little. Serves specs and users' meshes alike.
+
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::meshing::quality_table;
+use crate::driver::remesh::{Made, Places, Remesh};
+use crate::mesh::mmg::Remesher;
+use crate::mesh::polyhedron::Polyhedron;
+use crate::mesh::size_field::{Edges, SizeField};
+use crate::mesh::{TetMesh, quality};
+use crate::model::file::{ModelFile, Nodes};
+use crate::model::resolve::resolve;
+use crate::refine::metric::{Metric, SizeLimits, least_sizes};
+use crate::refine::optimum::Design;
+use crate::report::console::log::Log;
+use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+/// Makes the remesher that takes over where Mmg fails, starting from a mesh.
+pub type Fallback<'a> = Rc<dyn Fn(TetMesh) -> Box<dyn Remesh<'a> + 'a> + 'a>;
+
+/// Number of tets that Mmg makes over the number of regular unit tets of the metric, before its
+/// first run.
+const FILLING: f64 = 1.6;
+
+/// Relative deviation of the count of tets below which Mmg does not run again.
+const NEAR: f64 = 0.15;
+
+/// Runs of Mmg for one mesh.
+const RUNS: usize = 3;
+
+/// Smallest accepted dihedral angle \[degrees\]; flatter tets spoil the static program.
+const FLAT: f64 = 0.5;
+
+/// Time limit of one run of Mmg \[s\].
+const SECONDS: f64 = 300.0;
+
+/// What a remesher needs besides the model.
+#[derive(Clone)]
+pub struct Tools<'a> {
+    /// Mmg.
+    pub remesher: Remesher,
+    /// Its working folder.
+    pub dir: PathBuf,
+    /// Set by another thread to stop it.
+    pub interrupt: Arc<AtomicBool>,
+    /// Takes over where it fails.
+    pub fallback: Fallback<'a>,
+}
+
+/// Remeshes with Mmg.
+pub struct ByMetric<'a> {
+    tools: Tools<'a>,
+    file: ModelFile,
+    place: Places<'a>,
+    mesh: TetMesh,
+    edges: Edges,
+    limits: SizeLimits,
+    start: Start,
+    filling: f64,
+    /// The remesher in use since Mmg failed.
+    other: Option<Box<dyn Remesh<'a> + 'a>>,
+}
+
+/// Sizes of the first mesh at places where no later mesh is coarser.
+#[derive(Clone)]
+struct Start {
+    /// Nodes sorted by x, with the size there \[mm\].
+    nodes: Vec<([f64; 3], f64)>,
+    /// The bodies that stay as fine everywhere.
+    bodies: Vec<bool>,
+}
+
+/// The nodes on named faces, on interfaces between bodies, and in the given bodies.
+fn kept(mesh: &TetMesh, bodies: &[bool]) -> Vec<bool> {
+    let mut body = vec![u32::MAX; mesh.nodes.len()];
+    let mut kept = vec![false; mesh.nodes.len()];
+    for (t, b) in mesh.tets.iter().zip(&mesh.tet_body) {
+        for n in t {
+            let n = *n as usize;
+            kept[n] |= bodies[*b as usize] || (body[n] != u32::MAX && body[n] != *b);
+            body[n] = *b;
+        }
+    }
+    mesh.faces.iter().flat_map(|f| &f.triangles).flatten().for_each(|n| kept[*n as usize] = true);
+    kept
+}
+
+impl Start {
+    fn new(mesh: &TetMesh, edges: &Edges, bodies: Vec<bool>) -> Self {
+        let sizes = SizeField::new(mesh, edges, &vec![1.0; mesh.tets.len()]).sizes;
+        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &bodies)
+            .iter()
+            .zip(mesh.nodes.iter().zip(sizes))
+            .filter(|(kept, _)| **kept)
+            .map(|(_, (x, size))| (*x, size))
+            .collect();
+        nodes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        Self { nodes, bodies }
+    }
+
+    /// The size at the nearest of the nodes.
+    fn size_at(&self, x: [f64; 3]) -> f64 {
+        let (mut near, mut size) = (f64::INFINITY, f64::INFINITY);
+        let middle = self.nodes.partition_point(|n| n.0[0] < x[0]);
+        let mut look = |n: &([f64; 3], f64)| {
+            let along = (n.0[0] - x[0]).powi(2);
+            let d = along + (n.0[1] - x[1]).powi(2) + (n.0[2] - x[2]).powi(2);
+            if d < near {
+                (near, size) = (d, n.1);
+            }
+            along < near
+        };
+        for n in &self.nodes[middle..] {
+            if !look(n) {
+                break;
+            }
+        }
+        for n in self.nodes[..middle].iter().rev() {
+            if !look(n) {
+                break;
+            }
+        }
+        size
+    }
+
+    fn limits(&self, mesh: &TetMesh) -> SizeLimits {
+        let most = kept(mesh, &self.bodies)
+            .iter()
+            .zip(&mesh.nodes)
+            .map(|(kept, x)| if *kept { self.size_at(*x) } else { f64::INFINITY })
+            .collect();
+        SizeLimits { least: least_sizes(mesh), most }
+    }
+}
+
+impl<'a> ByMetric<'a> {
+    /// Starts from the first mesh, whose bodies share nodes. `bolt` tells the bodies that no later
+    /// mesh makes coarser.
+    pub fn new(
+        tools: Tools<'a>,
+        file: &ModelFile,
+        place: Places<'a>,
+        mesh: TetMesh,
+        bolt: impl Fn(&str) -> bool,
+    ) -> Self {
+        let edges = Edges::new(&mesh);
+        let bodies = mesh.bodies.iter().map(|b| bolt(b)).collect();
+        let start = Start::new(&mesh, &edges, bodies);
+        let limits = start.limits(&mesh);
+        let file = ModelFile { nodes: Nodes::Shared, ..file.clone() };
+        Self { tools, file, place, mesh, edges, limits, start, filling: FILLING, other: None }
+    }
+
+    /// The mesh of a design.
+    fn make(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<TetMesh, Diagnostics> {
+        let start = Instant::now();
+        let polyhedron = Polyhedron::new(&self.mesh);
+        if let Some(i) = polyhedron.loose.first() {
+            let name = &self.mesh.faces[*i as usize].name;
+            let message = format!("the face {name} lies inside a body and bounds no part of it");
+            return Err(Diagnostic::undecided("mesh/loose", message).into());
+        }
+        let mut scale = 1.0;
+        let mut best: Option<(f64, TetMesh)> = None;
+        let mut failed = None;
+        for run in 0..RUNS {
+            let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, SECONDS);
+            log.stage("remeshing");
+            let metric = Metric::new(&self.mesh, &self.edges, design, &self.limits, scale);
+            let units: f64 = metric.parts(&self.mesh).iter().sum();
+            if run == 0 {
+                // first the sizes that give the count with what Mmg made last time
+                scale = (units * self.filling / design.tets).cbrt();
+            }
+            let metric = Metric::new(&self.mesh, &self.edges, design, &self.limits, scale);
+            let units: f64 = metric.parts(&self.mesh).iter().sum();
+            let limit = Duration::from_secs_f64(left);
+            let made = self.tools.remesher.remesh(
+                &self.mesh,
+                &polyhedron,
+                &metric.tensors,
+                &self.tools.dir,
+                limit,
+                Some(&self.tools.interrupt),
+            );
+            let made = match made {
+                Ok(made) => made,
+                Err(error) => {
+                    failed = Some(Diagnostic::from(error));
+                    break;
+                }
+            };
+            let count = made.tets.len() as f64;
+            self.filling = (count / units).clamp(0.5, 4.0);
+            let miss = (count / design.tets).ln();
+            let worst =
+                quality::table(&made).iter().fold(f64::INFINITY, |w, b| w.min(b.worst_dihedral));
+            let flat = worst < FLAT;
+            if !flat && best.as_ref().is_none_or(|b| miss.abs() < b.0) {
+                best = Some((miss.abs(), made));
+            }
+            if miss.abs() < NEAR && !flat {
+                break;
+            }
+            scale *= if miss.abs() < NEAR { 0.97 } else { (miss / 3.0).exp() };
+        }
+        match (best, failed) {
+            (Some((_, mesh)), _) => Ok(mesh),
+            (None, Some(fault)) => Err(fault.into()),
+            (None, None) => {
+                Err(Diagnostic::undecided("mesh/flat", "every mesh had flat tets").into())
+            }
+        }
+    }
+}
+
+impl<'a> Remesh<'a> for ByMetric<'a> {
+    fn twin(&self) -> Box<dyn Remesh<'a> + 'a> {
+        Box::new(Self {
+            tools: self.tools.clone(),
+            file: self.file.clone(),
+            place: self.place,
+            mesh: self.mesh.clone(),
+            edges: self.edges.clone(),
+            limits: self.limits.clone(),
+            start: self.start.clone(),
+            filling: self.filling,
+            other: self.other.as_ref().map(|o| o.twin()),
+        })
+    }
+
+    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+        match &self.other {
+            Some(other) => other.realised(wanted),
+            None => SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh),
+        }
+    }
+
+    fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics> {
+        if let Some(other) = &mut self.other {
+            return other.remesh(design, seconds, log);
+        }
+        let start = Instant::now();
+        let made = self.make(design, seconds, log);
+        let _ = std::fs::remove_dir_all(&self.tools.dir);
+        let mesh = match made {
+            Ok(mesh) => mesh,
+            Err(faults) => {
+                let why = &faults.first().message;
+                log.line(format!("isotropic sizes from here on: {why}"));
+                let mut other = (self.tools.fallback)(self.mesh.clone());
+                let left = seconds - start.elapsed().as_secs_f64();
+                let made = other.remesh(design, left, log);
+                self.other = Some(other);
+                return made;
+            }
+        };
+        let model = resolve(&self.file, mesh.clone(), self.place)?;
+        self.edges = Edges::new(&mesh);
+        self.limits = self.start.limits(&mesh);
+        self.mesh = mesh.clone();
+        let quality = quality_table(&quality::table(&mesh));
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Made { model, mesh, file: self.file.clone(), quality, seconds })
+    }
+}

@@ -1,0 +1,134 @@
+//! The passes of a case: runs both programs on a mesh, keeps the entries of all passes and the
+//! fields of those that are still needed.
+
+use crate::analysis::dispatch::AnalysisPass;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::limits::Limits;
+use crate::driver::pass_entry::{pass_bounds, pass_entry};
+use crate::driver::pass_run::run_pass;
+use crate::mesh::TetMesh;
+use crate::model::AnalysisModel;
+use crate::model::file::ModelFile;
+use crate::refine::plan::Prediction;
+use crate::report::console::log::Log;
+use crate::report::markdown::report_data::Table;
+use crate::result::combine::{self, PassResult, best};
+use crate::result::result_file::{CaseResult, Predicted, SoFar};
+use crate::solve::Patterns;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// A pass whose fields are kept, with its mesh.
+pub struct Kept {
+    /// Its bounds and fields.
+    pub outcome: AnalysisPass,
+    /// The model on its mesh.
+    pub model: AnalysisModel,
+    /// Mesh, model file and quality; `None` for the first mesh, whose files exist already.
+    pub made: Option<(TetMesh, ModelFile, Table)>,
+    /// Number of the pass, from 0.
+    pub index: usize,
+}
+
+/// Data that a case shares with the other cases of the run.
+pub struct Share<'a> {
+    /// Time on the clock of the log at which the case should end, to leave the other cases their
+    /// share \[s\].
+    pub until: f64,
+    /// Sparsity patterns that passes on the first mesh have found.
+    pub patterns: &'a Patterns,
+}
+
+/// A mesh to be analysed.
+pub struct Mesh {
+    /// The model on it.
+    pub model: AnalysisModel,
+    /// Mesh, model file and quality; `None` for the first mesh.
+    pub made: Option<(TetMesh, ModelFile, Table)>,
+    /// Wall time of meshing \[s\].
+    pub seconds: Option<f64>,
+    /// What was expected of it.
+    pub predicted: Option<Prediction>,
+}
+
+/// The passes of a case.
+pub struct Passes<'a> {
+    /// Name of the case.
+    pub name: &'a str,
+    /// Limits of the run.
+    pub limits: &'a Limits,
+    /// Log of the run.
+    pub log: &'a Arc<Log>,
+    /// Its time and patterns.
+    pub share: &'a Share<'a>,
+    /// The entry of every pass.
+    pub entries: Vec<PassResult>,
+    /// The passes with fields.
+    pub kept: Vec<Kept>,
+}
+
+impl Passes<'_> {
+    /// Runs the programs on a mesh and keeps entry and fields.
+    pub fn run(&mut self, mesh: Mesh) -> Result<Option<&Kept>, Diagnostics> {
+        let Mesh { model, made, seconds: mesh_seconds, predicted } = mesh;
+        let index = self.entries.len();
+        let start = Instant::now();
+        let until = if index == 0 { f64::INFINITY } else { self.share.until };
+        // later meshes are used by this case only
+        let own = Patterns::default();
+        let patterns = if index == 0 { self.share.patterns } else { &own };
+        let outcome = run_pass(self.name, &model, until, patterns, self.limits, self.log)?;
+        let mut entry = pass_entry(&outcome, self.name, &model, mesh_seconds);
+        if let Some(row) = entry.history.last_mut() {
+            row.seconds = Some(mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
+            row.predicted = predicted.map(|p| Predicted {
+                macro_tets: p.tets.round() as usize,
+                gap: p.gap,
+                seconds: p.seconds,
+            });
+        }
+        let bounds = pass_bounds(&outcome, &entry);
+        self.entries.push(PassResult { entry, bounds });
+        self.kept.push(Kept { outcome, model, made, index });
+        let best = self.joined()?;
+        if let Some(row) = self.entries[index].entry.history.last_mut() {
+            row.so_far = Some(SoFar {
+                lower: best.lower,
+                upper: best.upper,
+                gap: best.gap,
+                strict: best.is_strict(),
+            });
+        }
+        Ok(self.kept.last())
+    }
+
+    /// The entry with the best bounds so far.
+    pub fn joined(&self) -> Result<CaseResult, Diagnostics> {
+        joined(self.name, &self.entries)
+    }
+
+    /// Drops the fields of passes without a best bound, except those of the passes in `used`.
+    pub fn drop_unused(&mut self, used: &[usize]) {
+        let place = best(&self.entries).map_or([0; 2], |b| [b.lower, b.upper]);
+        self.kept.retain(|k| place.contains(&k.index) || used.contains(&k.index));
+    }
+}
+
+/// The fault of a pass that cannot be found.
+pub fn lost(name: &str) -> Diagnostic {
+    Diagnostic::undecided("cli/lost", format!("the best pass of `{name}` was lost"))
+}
+
+/// The entry with the best bounds of all passes.
+pub fn joined(name: &str, entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
+    let Some(b) = best(entries) else { return Err(lost(name).into()) };
+    let upper = entries[b.upper].clone();
+    if b.upper == b.lower {
+        return Ok(upper.entry);
+    }
+    combine::join(upper, entries[b.lower].clone()).map_err(|e| {
+        Diagnostic::undecided("bounds/contradiction", e.to_string())
+            .help("the numbers are withheld; try `--solver clarabel`, and report the case")
+            .into()
+    })
+}

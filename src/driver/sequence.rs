@@ -1,0 +1,230 @@
+//! The meshes of a case after the first, each made where the last pass shows the largest error.
+
+use crate::analysis::memory::room;
+use crate::analysis::program::Program;
+use crate::diag::Diagnostics;
+use crate::driver::passes::{Mesh, Passes};
+use crate::driver::remesh::{Made, Remesh};
+use crate::model::AnalysisModel;
+use crate::model::file::Bounds;
+use crate::refine::plan::{self, Budget, Next, Prediction, Step, Stop};
+use crate::refine::rates;
+use crate::refine::track::{self, Track};
+use crate::report::console::pace::about;
+use crate::report::figures::{Rounding, fixed, percent_up};
+use crate::result::result_file::{ProgramRun, Upper};
+
+/// Meshes made one after the other by one remesher.
+pub struct Sequence<'a> {
+    track: Track,
+    remesher: Box<dyn Remesh<'a> + 'a>,
+    /// Index of its last pass.
+    last: usize,
+}
+
+impl<'a> Sequence<'a> {
+    /// A sequence that starts from the first mesh.
+    pub fn new(bounds: Bounds, remesher: Box<dyn Remesh<'a> + 'a>) -> Self {
+        Self { track: Track::new(bounds), remesher, last: 0 }
+    }
+}
+
+impl Passes<'_> {
+    /// Makes and analyses meshes until the target or a limit is reached. Returns the reason for
+    /// which no track made a further mesh.
+    pub fn adapt(
+        &mut self,
+        tracks: &mut [Sequence],
+        adapt: &plan::Limits,
+    ) -> Result<Option<Stop>, Diagnostics> {
+        for sequence in tracks.iter_mut() {
+            if !self.count(sequence, None) {
+                return Ok(None);
+            }
+        }
+        loop {
+            let mut stop = None;
+            let mut refined = false;
+            for i in 0..tracks.len() {
+                if self.limits.interrupt.asked() {
+                    return Ok(None);
+                }
+                let best = self.divide(tracks)?;
+                // the tracks that follow in this round need their part of the time
+                let part = 1.0 / (tracks.len() - i) as f64;
+                match self.refine(&mut tracks[i], adapt, best, part)? {
+                    Refined::Mesh => refined = true,
+                    // of both reasons the one that another mesh could remove
+                    Refined::Stop(why) => {
+                        stop = stop.filter(|s| *s != Stop::Target).or(Some(why));
+                    }
+                    Refined::Failed => return Ok(None),
+                }
+                let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
+                self.drop_unused(&last);
+            }
+            if !refined {
+                return Ok(stop);
+            }
+        }
+    }
+
+    /// Counts the last pass in a track; false if it gave no strict bound.
+    fn count(&self, sequence: &mut Sequence, predicted: Option<Prediction>) -> bool {
+        let index = self.entries.len() - 1;
+        let (Some(pass), Some(kept)) = (self.entries.last(), self.kept.last()) else {
+            return false;
+        };
+        let bounds = sequence.track.bounds;
+        let value = match bounds {
+            Bounds::Static => pass.bounds.lower(),
+            _ => pass.bounds.upper().and_then(Upper::finite),
+        };
+        let row = pass.entry.history.last();
+        let programs = |runs: [Option<&ProgramRun>; 2]| {
+            runs.into_iter().flatten().map(|r| r.seconds).sum::<f64>()
+        };
+        // the first mesh of two tracks is shared: each counts its own programs
+        let seconds = row.map_or(0.0, |row| {
+            let own = match bounds {
+                Bounds::Both => return row.seconds.unwrap_or(0.0),
+                Bounds::Static => [row.static_.as_ref(), row.static_frictionless.as_ref()],
+                Bounds::Kinematic => [row.kinematic.as_ref(), None],
+            };
+            row.mesh_seconds.unwrap_or(0.0) + programs(own)
+        });
+        let counts = |program: Program| match bounds {
+            Bounds::Both => true,
+            Bounds::Static => program == Program::Static,
+            Bounds::Kinematic => program == Program::Kinematic,
+        };
+        let forecasts = kept.outcome.runs().into_iter().filter(|(p, _)| counts(*p));
+        let bytes = forecasts.filter_map(|(_, r)| r.forecast).map(|f| f.bytes).max().unwrap_or(0);
+        sequence.last = index;
+        let (Some(value), true) = (value, pass.entry.is_strict()) else { return false };
+        let gap = pass.entry.gap.unwrap_or(f64::INFINITY);
+        if bounds == Bounds::Both && gap.is_infinite() {
+            return false;
+        }
+        let tets = kept.model.mesh.tets.len();
+        sequence.track.push(Step { tets, gap, seconds, bytes, predicted }, value);
+        true
+    }
+
+    /// The gap of the best bracket; where each bound has a track, divides it between them.
+    fn divide(&self, tracks: &mut [Sequence]) -> Result<f64, Diagnostics> {
+        let best = self.joined()?;
+        let gap = best.gap.unwrap_or(f64::INFINITY);
+        if let ([a, b], Some(lower), Some(upper)) =
+            (tracks, best.lower, best.upper.and_then(Upper::finite))
+        {
+            track::divide([&mut a.track, &mut b.track], upper - lower, lower);
+        }
+        Ok(gap)
+    }
+
+    /// Makes and analyses the next mesh of a track, if one is worth it. `best_gap`: gap of the
+    /// best bracket; `part`: part of the remaining time that this mesh may take.
+    fn refine(
+        &mut self,
+        sequence: &mut Sequence,
+        adapt: &plan::Limits,
+        best_gap: f64,
+        part: f64,
+    ) -> Result<Refined, Diagnostics> {
+        let Sequence { track, remesher, last } = sequence;
+        let (name, log) = (self.name, self.log);
+        let budget = Budget {
+            seconds: part * (self.share.until - log.seconds()),
+            bytes: room(self.limits.memory).map(|r| r.bytes),
+        };
+        let estimate = self
+            .kept
+            .iter()
+            .find(|k| k.index == *last)
+            .and_then(|k| rates::for_bounds(track.bounds, &k.model, &k.outcome));
+        let (Some(estimate), Some(present)) = (estimate, track.steps.last().copied()) else {
+            return Ok(Refined::Failed);
+        };
+        let realised = |wanted: &[f64]| remesher.realised(wanted);
+        let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
+        let (choice, curve) = plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
+            estimate.curve(most, &realised)
+        });
+        let p = match (choice, &curve) {
+            (Next::Refine(p), Some(_)) => p,
+            (Next::Stop(why), _) => return Ok(Refined::Stop(why)),
+            _ => return Ok(Refined::Failed),
+        };
+        let Some(curve) = curve else { return Ok(Refined::Failed) };
+        // a mesh for one bound changes half of the sum of both gaps
+        let of_bracket = match track.bounds {
+            Bounds::Both => p.gap,
+            _ => best_gap - 0.5 * (present.gap - p.gap),
+        };
+        log.line(format!(
+            "{name}: mesh {}: {} tets, gap {}; forecast for the next mesh{}: {} tets, gap {}, in \
+             {}",
+            *last + 1,
+            fixed(present.tets as f64, 0, Rounding::Nearest),
+            percent_up(best_gap),
+            whose(track.bounds),
+            fixed(p.tets, 0, Rounding::Nearest),
+            percent_up(of_bracket),
+            about(p.seconds)
+        ));
+        let order = plan::order(&track.steps, p.tets);
+        let design = estimate.with_tets(&curve, order, &realised);
+        let p = Prediction { tets: design.tets * p.tets / order, ..p };
+        let mesh = match remesher.remesh(&design, self.share.until - log.seconds(), log) {
+            Ok(Made { model, mesh, file, quality, seconds }) => Mesh {
+                model: AnalysisModel { bounds: track.bounds, ..model },
+                made: Some((mesh, file, quality)),
+                seconds: Some(seconds),
+                predicted: Some(Prediction { gap: of_bracket, ..p }),
+            },
+            Err(faults) => {
+                // the certified bounds remain valid without the next mesh
+                let why = faults.into_first().message;
+                log.line(format!("{name}: no further mesh: {why}"));
+                if let Some(e) = self.entries.last_mut().filter(|_| !self.limits.interrupt.asked())
+                {
+                    e.entry.warnings.push(format!("there was no finer mesh: {why}"));
+                }
+                return Ok(Refined::Failed);
+            }
+        };
+        let before = self.kept.iter().find(|k| k.index == *last);
+        if before.is_some_and(|k| k.model.mesh == mesh.model.mesh) {
+            return Ok(Refined::Stop(Stop::SameMesh));
+        }
+        self.run(mesh)?;
+        if self.count(sequence, Some(p)) {
+            return Ok(Refined::Mesh);
+        }
+        log.line(format!(
+            "{name}: mesh {}: no strict bound; the result uses the earlier meshes",
+            self.entries.len()
+        ));
+        Ok(Refined::Failed)
+    }
+}
+
+/// What became of the next mesh of a track.
+enum Refined {
+    /// It was made and gave a bound.
+    Mesh,
+    /// It was not made, for this reason.
+    Stop(Stop),
+    /// It could not be made, or gave no bound.
+    Failed,
+}
+
+/// The bound that a mesh is made for, as text.
+fn whose(bounds: Bounds) -> &'static str {
+    match bounds {
+        Bounds::Both => "",
+        Bounds::Static => " of the lower bound",
+        Bounds::Kinematic => " of the upper bound",
+    }
+}
