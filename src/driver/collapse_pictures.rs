@@ -29,7 +29,7 @@ const SLICES: usize = 40;
 /// over that of the shape below which it is.
 const MARKED: f64 = 0.2;
 const SMALL: f64 = 0.5;
-/// Largest number of bodies that a caption names, and the least share of a named body.
+/// Largest number of places that a caption names, and the least share of a named place.
 const NAMED: (usize, f64) = (3, 0.05);
 
 /// Pictures of a load factor: mechanism and limiting zones, as far as they are known.
@@ -52,10 +52,8 @@ pub fn collapse_pictures(
         let Some(drawn) = drawn else { return Ok(()) };
         let (pictures, caption) = drawn?;
         let captions = [caption, format!("Case {name}: the same, enlarged")];
-        for ((part, bytes), caption) in
-            [kind, &format!("{kind}_zone")].iter().zip(pictures).zip(captions)
-        {
-            let file = format!("{part}_{stem}.png");
+        let files = [format!("{kind}_{stem}.png"), format!("zone_{kind}_{stem}.png")];
+        for ((file, bytes), caption) in files.into_iter().zip(pictures).zip(captions) {
             folder.write(&file, &bytes)?;
             out.push(PictureRef { file, caption });
         }
@@ -85,16 +83,19 @@ fn mechanism(
     let size: Vec<f64> = u.iter().map(|x| vec3::norm(*x)).collect();
     let factor = enlargement(&model.mesh.nodes, &size, EXAGGERATED)?;
     let mut densities = dissipation_densities(model, v, SUBDIVISIONS);
-    let words = match share_of_bodies(pass) {
-        Some(share) if share < LITTLE => {
+    let words = match shares_of(pass) {
+        Some([bodies, ..]) if bodies < LITTLE => {
             // the remaining plastic flow is rounding error and is not drawn
             densities.fill(0.0);
             "welds and slip on supports dissipate all, the parts do not flow".to_string()
         }
-        Some(_) => format!(
-            "coloured by its dissipation: {}; half of it is where the density exceeds 1",
-            by_body(model, &densities)
-        ),
+        Some([bodies, welds, supports]) => {
+            let others = [(welds, "in welds"), (supports, "by slip on supports")];
+            format!(
+                "coloured by its dissipation: {}; half of that in the bodies has a density above 1",
+                by_body(model, &densities, bodies, &others)
+            )
+        }
         None => "nothing dissipates".to_string(),
     };
     let zones = Zones { densities, title: "dissipation density", colours: Colours::Fire };
@@ -117,7 +118,7 @@ fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str)
     }
     let density = |(e, s): (usize, &f64)| s.max(0.0) / model.mesh.volume(e);
     let densities: Vec<f64> = share.iter().enumerate().map(density).collect();
-    let bodies = by_body(model, &densities);
+    let bodies = by_body(model, &densities, 1.0, &[]);
     let zones = Zones { densities, title: "limiting zones", colours: Colours::Violet };
     let (pictures, cut) = match zones.draw(scene, None) {
         Ok(drawn) => drawn,
@@ -126,40 +127,45 @@ fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str)
     let tets = model.mesh.tets.len();
     let caption = format!(
         "Case {name}: what limits the lower bound: coloured where more strength would raise it: \
-         {bodies}; half of the gain is where the value exceeds 1. Mesh of {tets} tetrahedra{cut}"
+         {bodies}; half of the gain has a density above 1. Mesh of {tets} tetrahedra{cut}"
     );
     Some(Ok((pictures, caption)))
 }
 
-/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and
-/// by slip on supports. `None` if nothing dissipates.
-fn share_of_bodies(pass: &LimitPass) -> Option<f64> {
+/// Shares of bodies, welds and slip on supports in the dissipation of a mechanism; `None` if
+/// nothing dissipates.
+fn shares_of(pass: &LimitPass) -> Option<[f64; 3]> {
     let c = pass.upper.as_ref()?.certificate();
-    let [bodies, welds, supports] =
-        [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
-    let total = bodies + welds + supports;
-    (total > 0.0).then(|| bodies / total)
+    let shares = [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
+    let total: f64 = shares.iter().sum();
+    (total > 0.0).then(|| shares.map(|d| d / total))
 }
 
-fn percent(x: f64) -> String {
-    format!("{:.0} %", 100.0 * x)
-}
-
-/// The bodies with the largest shares, as text: `60 % in PLATE, 30 % in BOLT_1`.
-fn by_body(model: &AnalysisModel, densities: &[f64]) -> String {
+/// The bodies with the largest shares, and other places with theirs, as text: `60 % in PLATE, 30 %
+/// in BOLT_1, 10 % in welds`. The bodies together have the share `of_bodies`.
+fn by_body(
+    model: &AnalysisModel,
+    densities: &[f64],
+    of_bodies: f64,
+    others: &[(f64, &str)],
+) -> String {
     let mesh = &model.mesh;
     let mut sums = vec![0.0; mesh.bodies.len()];
     for (e, d) in densities.iter().enumerate() {
         sums[mesh.tet_body[e] as usize] += d * mesh.volume(e);
     }
     let total: f64 = sums.iter().sum();
-    let mut bodies: Vec<(f64, &String)> =
-        sums.iter().map(|s| s / total).zip(&mesh.bodies).collect();
-    bodies.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut places: Vec<(f64, String)> = sums
+        .iter()
+        .zip(&mesh.bodies)
+        .map(|(s, body)| (of_bodies * s / total, format!("in {body}")))
+        .chain(others.iter().map(|(share, place)| (*share, place.to_string())))
+        .collect();
+    places.sort_by(|a, b| b.0.total_cmp(&a.0));
     let (most, least) = NAMED;
-    let named = bodies.iter().take(most).enumerate().filter(|(i, b)| *i == 0 || b.0 >= least);
+    let named = places.iter().take(most).enumerate().filter(|(i, p)| *i == 0 || p.0 >= least);
     let words: Vec<String> =
-        named.map(|(_, (share, body))| format!("{} in {body}", percent(*share))).collect();
+        named.map(|(_, (share, place))| format!("{:.0} % {place}", 100.0 * share)).collect();
     words.join(", ")
 }
 
