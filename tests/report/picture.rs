@@ -5,8 +5,8 @@
 
 use bracket::mesh::TetMesh;
 use bracket::report::draw::Picture;
-use bracket::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
-use bracket::report::draw::surface::Surface;
+use bracket::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw, draw_surface};
+use bracket::report::draw::surface::{Surface, SurfaceTriangle};
 
 /// A box of `n` cells along each axis, five tets a cell, as body `body`.
 fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [usize; 3]) {
@@ -205,4 +205,52 @@ fn edges_at_rest_are_drawn_behind() {
         |ghost| draw(&mesh, &PictureOptions { deformed: Some(rest), ghost, ..Default::default() });
     let changed = still(true).rgb.iter().zip(&still(false).rgb).filter(|(a, b)| a != b).count();
     assert!(changed * 200 < still(true).rgb.len(), "{changed} bytes differ");
+}
+
+/// Two bodies that meet on a line, each with a flat triangle that touches the line with a corner
+/// only: the line between the bodies has no gap there.
+#[test]
+fn lines_have_no_gaps_at_corners() {
+    let points: Vec<[f64; 3]> = [
+        [-10.0, 0.0],
+        [0.0, 0.0],
+        [10.0, 0.0],
+        [-10.0, 1.0],
+        [10.0, 1.0],
+        [-10.0, -1.0],
+        [10.0, -1.0],
+    ]
+    .map(|[x, y]| [x, y, 0.0])
+    .to_vec();
+    let triangle = |nodes, body| SurfaceTriangle { nodes, body };
+    let surface = Surface {
+        triangles: vec![
+            triangle([0, 1, 3], 0),
+            triangle([1, 4, 3], 0),
+            triangle([1, 2, 4], 0),
+            triangle([0, 5, 1], 1),
+            triangle([1, 5, 6], 1),
+            triangle([1, 6, 2], 1),
+        ],
+        bodies: vec!["A".into(), "B".into()],
+        origin: (0..points.len() as u32).collect(),
+        signs: vec![[1.0; 3]; points.len()],
+        points,
+    };
+    let options = PictureOptions {
+        width: 800,
+        eye: Some([0.0, 0.0, 1.0]),
+        mesh_lines: false,
+        ..Default::default()
+    };
+    let picture = draw_surface(surface, &options);
+    keep(&picture, "line.png");
+    let rows: Vec<usize> =
+        (0..picture.height).filter(|y| picture.pixel(60, *y) != [255; 3]).collect();
+    // the strip below the shape is empty at this column
+    let middle = (rows[0] + rows[rows.len() - 1]) / 2;
+    for x in 60..740 {
+        let darkest = (middle - 4..=middle + 4).map(|y| picture.pixel(x, y)[0]).min();
+        assert!(darkest.is_some_and(|d| d < 110), "{darkest:?} in column {x}");
+    }
 }

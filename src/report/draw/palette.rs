@@ -128,6 +128,11 @@ impl Bands {
         (((value - self.low) / self.step).max(0.0) as usize).min(self.count - 1)
     }
 
+    /// True if the last band also contains values above its limit.
+    pub(super) fn exceeded(&self) -> bool {
+        self.extremes[1] > self.low + (self.count as f64 + 1e-9) * self.step
+    }
+
     pub(super) fn colour(&self, band: usize) -> Rgb {
         let stops = self.colours.stops();
         let last = stops.len() - 1;
@@ -202,6 +207,15 @@ mod tests {
             (0, 1, 10, 10)
         );
         assert_eq!((bands.label(0), bands.label(1)), ("-10".to_string(), "0".to_string()));
+        assert!(!bands.exceeded());
+        let cut = Bands::of(Field {
+            name: "s",
+            unit: "MPa",
+            values: &values,
+            range: Some([0.0, 50.0]),
+            colours: Colours::Fire,
+        });
+        assert!(cut.exceeded() && cut.band(97.0) == cut.count - 1 && cut.band(-3.0) == 0);
         for values in [vec![], vec![5.0; 3], vec![0.0; 2], vec![f64::NAN]] {
             let bands = Bands::of(Field {
                 name: "s",

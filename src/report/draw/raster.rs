@@ -19,6 +19,9 @@ use crate::report::draw::view::{LEGEND, View, natural_eye};
 /// below the 60° of the bolt's head.
 const FEATURE_ANGLE: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
+/// Half width \[samples\] and strength of the lines of the shape.
+const FEATURE_LINE: (f64, f64) = (1.3, 0.95);
+
 /// Draws a mesh.
 pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
     let surface = options.mirror.iter().fold(Surface::of(mesh), |s, &axis| s.mirrored(axis));
@@ -105,6 +108,14 @@ impl Drawing<'_> {
         let lamp = unit(
             [0, 1, 2].map(|k| self.view.eye[k] + 0.45 * self.view.up[k] - 0.7 * self.view.right[k]),
         );
+        let mut on_line = vec![false; points.len()];
+        for (triangle, kinds) in self.surface.triangles.iter().zip(self.kinds) {
+            for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
+                let [a, b] = [triangle.nodes[i], triangle.nodes[(i + 1) % 3]];
+                on_line[a as usize] = true;
+                on_line[b as usize] = true;
+            }
+        }
         for (t, triangle) in self.surface.triangles.iter().enumerate() {
             let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
             if dot(normal, self.view.eye) <= 0.0 {
@@ -118,6 +129,7 @@ impl Drawing<'_> {
             });
             let body = self.groups.colour(triangle.body);
             let kinds = self.kinds[t];
+            let touches = triangle.nodes.map(|n| on_line[n as usize]);
             let length = [0, 1, 2].map(|i| {
                 let (a, b) = (corners[i], corners[(i + 1) % 3]);
                 (a[0] - b[0]).hypot(a[1] - b[1])
@@ -136,15 +148,24 @@ impl Drawing<'_> {
                     }
                     _ => body.map(|c| c * light as f32),
                 };
+                let mut cover = 0.0f64;
                 for i in 0..3 {
                     let distance = w[(i + 2) % 3] * double_area / length[i].max(1e-9);
                     let (half, ink) = match kinds[i] {
-                        EdgeKind::Feature => (1.3, 0.95),
+                        EdgeKind::Feature => FEATURE_LINE,
                         EdgeKind::Mesh => (0.55, mesh_ink),
                     };
-                    let cover = (half + 0.5 - distance).clamp(0.0, 1.0) * ink;
-                    colour = mix(colour, INK, cover as f32);
+                    cover = cover.max((half + 0.5 - distance).clamp(0.0, 1.0) * ink);
                 }
+                // a triangle that touches a line with a corner only
+                for i in (0..3).filter(|i| touches[*i]) {
+                    let [x, y] = [0, 1].map(|k| {
+                        (0..3).map(|j| w[j] * (corners[j][k] - corners[i][k])).sum::<f64>()
+                    });
+                    let (half, ink) = FEATURE_LINE;
+                    cover = cover.max((half + 0.5 - x.hypot(y)).clamp(0.0, 1.0) * ink);
+                }
+                colour = mix(colour, INK, cover as f32);
                 colour
             });
         }
