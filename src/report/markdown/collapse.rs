@@ -117,8 +117,8 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
     if !case.dissipation.is_empty() {
         paragraph(
             page,
-            "The picture of the mechanism shows the structure as it collapses. What is grey moves \
-             as a rigid body, what is red yields most. Gaps between parts are those of the \
+            "The picture of the mechanism shows the structure as it collapses. What is grey yields \
+             little or not at all, what is red yields most. Gaps between parts are those of the \
              mechanism.",
         );
         if case.lower.is_some() {
