@@ -96,7 +96,10 @@ fn mechanism(
                 by_body(model, &densities, bodies, &others)
             )
         }
-        None => "nothing dissipates".to_string(),
+        None => {
+            densities.fill(0.0);
+            "nothing dissipates".to_string()
+        }
     };
     let zones = Zones { densities, title: "dissipation density", colours: Colours::Fire };
     let (pictures, cut) = match zones.draw(scene, Some((u, factor))) {
