@@ -129,8 +129,8 @@ fn limiting(share: &[f64], scene: (&AnalysisModel, &[usize], usize), name: &str)
     };
     let tets = model.mesh.tets.len();
     let caption = format!(
-        "Case {name}: what limits the lower bound: coloured where more strength would raise it: \
-         {bodies}; half of the gain has a density above 1. Mesh of {tets} tetrahedra{cut}"
+        "Case {name}: zones that limit the lower bound, coloured where more strength would raise \
+         it: {bodies}; half of the gain has a density above 1. Mesh of {tets} tetrahedra{cut}"
     );
     Some(Ok((pictures, caption)))
 }

@@ -1,10 +1,10 @@
 //! Interface forces nearest to given ones that stay in their sets and have given resultants.
 //!
-//! `min ½‖z − z₀‖²` with `A z = b` and z in a product K of convex sets. A row of A is a rigid motion
-//! that only contact resists, so A has many columns and few rows. The dual problem has one unknown
-//! per row: z = Π_K(z₀ + Aᵀ y), where y makes `A z = b`. A semismooth Newton method finds y; with
-//! half-lines alone it is an active-set method and ends after finitely many steps. Every iterate is
-//! in K.
+//! `min ½‖z − z₀‖²` with `A z = b` and z in a product K of convex sets. A row of A is a rigid
+//! motion that only contact resists, so A has many columns and few rows. The dual problem has one
+//! unknown per row: z = Π_K(z₀ + Aᵀ y), where y makes `A z = b`. A semismooth Newton method finds
+//! y; with half-lines alone it is an active-set method and ends after finitely many steps. Every
+//! iterate is in K.
 
 use crate::math::Sum;
 use crate::math::dense::{self, Mat, symmetric_eigen};
@@ -25,6 +25,10 @@ const SMALL: f64 = 1e-10;
 /// Forces below this part of the largest are made zero, the first part with which a balance is
 /// found. Where cones admit no other force than zero, the steps approach it slowly.
 const NOTHING: [f64; 5] = [0.0, 1e-9, 1e-8, 1e-7, 1e-6];
+/// Parts of the margin, the first with which a balance is found. Where only forces on the surface
+/// of a cone balance the loads (a block that is pushed with exactly its friction), the whole margin
+/// leaves a resultant of its size open.
+const MARGINS: [f64; 2] = [1.0, 1e-3];
 
 /// The rows in an orthonormal basis, stored force by force.
 struct Rows {
@@ -121,7 +125,8 @@ pub(crate) struct Open {
 }
 
 /// The forces inside `sets` that are nearest to `start` and have the resultants `rows · z =
-/// needed`; a cone is narrowed and a ball made smaller by `margin`.
+/// needed`; a cone is narrowed and a ball made smaller by `margin`, or by a thousandth of it where
+/// the margin makes a balance impossible.
 pub(crate) fn balanced_forces(
     sets: &[Within],
     rows: &[Vec<f64>],
@@ -132,7 +137,8 @@ pub(crate) fn balanced_forces(
     let rows = Rows::new(rows, needed);
     let size = norm(start).max(norm(&rows.needed));
     let mut best: Option<Point> = None;
-    for least in NOTHING {
+    let attempts = MARGINS.iter().flat_map(|part| NOTHING.map(|least| (part * margin, least)));
+    for (margin, least) in attempts {
         let forces = best.as_ref().map_or(start, |p| &p.z);
         let least = least * forces.iter().fold(0.0f64, |m, z| m.max(z.abs()));
         let force = |set: &Within| norm(&forces[set.range().0..][..set.range().1]);

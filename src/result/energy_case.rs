@@ -180,8 +180,8 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
     warnings
 }
 
-/// Reason why a program that was interrupted, refused, not certified or stopped by long tets gave no
-/// bound; `None` for every other reason.
+/// Reason why a program that was interrupted, refused, not certified or stopped by long tets gave
+/// no bound; `None` for every other reason.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramOutcome { trouble: Some(t), .. }) => {

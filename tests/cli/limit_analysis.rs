@@ -114,7 +114,7 @@ fn a_bar_collapses_where_it_must() {
         "nearest to the yield surface in body **B**",
         "| B | 100.0 |",
         "![Case bar: mechanism of the upper bound, coloured by its dissipation: 100 % in B; half",
-        "![Case bar: what limits the lower bound: coloured where more strength would raise it: 100",
+        "![Case bar: zones that limit the lower bound, coloured where more strength would raise",
         "Limit analysis: rigid, perfectly plastic",
         "| bar | volume |",
     ] {

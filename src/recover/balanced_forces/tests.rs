@@ -151,6 +151,23 @@ fn forces_that_must_be_zero() {
     assert!((z[2] - 40.0).abs() < 1e-12 && (z[3] - 60.0).abs() < 1e-12, "{z:?}");
 }
 
+/// A block that is pushed with exactly its friction: every force is on the surface of its cone, so
+/// that the whole margin of 1e-9 would leave a resultant of this size open.
+#[test]
+fn forces_on_the_surface_of_their_cones() {
+    let sets: Vec<Within> = (0..4).map(|c| Within::Cone { start: 3 * c, dim: 3 }).collect();
+    let row = |k: usize| (0..12).map(|i| if i % 3 == k { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+    let rows = [row(0), row(1), row(2)];
+    let mut random = Random(3);
+    let start: Vec<f64> =
+        (0..12).map(|i| [25.0, 24.9, 0.1][i % 3] + 0.05 * random.next()).collect();
+    let z = balanced_forces(&sets, &rows, &[100.0, 100.0, 0.0], &start, 1e-9).expect("possible");
+    for (got, needed) in resultants(&rows, &z).iter().zip([100.0, 100.0, 0.0]) {
+        assert!((got - needed).abs() < 2e-10, "{got} {needed}");
+    }
+    assert!(z.chunks(3).all(|f| f[1].hypot(f[2]) <= f[0]), "{z:?}");
+}
+
 /// Contacts that would have to pull: the missing resultant is named.
 #[test]
 fn impossible_resultants() {

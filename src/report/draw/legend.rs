@@ -65,7 +65,7 @@ fn four_digits(x: f64) -> String {
 /// Scale bar, names of the bodies, magnification and axes below the shape.
 pub(super) fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: &PictureOptions) {
     let base = view.strip_top + 46.0;
-    let mut x = axes(canvas, view, [MARGIN + 36.0, view.strip_top + 30.0]) + 28.0;
+    let mut x = axes(canvas, view, [MARGIN + 36.0, view.strip_top + 42.0]) + 28.0;
     let length = nice(110.0 / view.scale);
     let end = x + length * view.scale;
     canvas.line([x, base], [end, base], 1.4, INK);

@@ -108,14 +108,7 @@ impl Drawing<'_> {
         let lamp = unit(
             [0, 1, 2].map(|k| self.view.eye[k] + 0.45 * self.view.up[k] - 0.7 * self.view.right[k]),
         );
-        let mut on_line = vec![false; points.len()];
-        for (triangle, kinds) in self.surface.triangles.iter().zip(self.kinds) {
-            for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
-                let [a, b] = [triangle.nodes[i], triangle.nodes[(i + 1) % 3]];
-                on_line[a as usize] = true;
-                on_line[b as usize] = true;
-            }
-        }
+        let lines = self.lines();
         for (t, triangle) in self.surface.triangles.iter().enumerate() {
             let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
             if dot(normal, self.view.eye) <= 0.0 {
@@ -129,7 +122,13 @@ impl Drawing<'_> {
             });
             let body = self.groups.colour(triangle.body);
             let kinds = self.kinds[t];
-            let touches = triangle.nodes.map(|n| on_line[n as usize]);
+            let touched: Vec<[[f64; 3]; 2]> = triangle
+                .nodes
+                .iter()
+                .flat_map(|n| lines[*n as usize].iter().map(|m| [*n, *m]))
+                .filter(|[_, m]| !triangle.nodes.contains(m))
+                .map(|line| line.map(|n| points[n as usize]))
+                .collect();
             let length = [0, 1, 2].map(|i| {
                 let (a, b) = (corners[i], corners[(i + 1) % 3]);
                 (a[0] - b[0]).hypot(a[1] - b[1])
@@ -157,18 +156,35 @@ impl Drawing<'_> {
                     };
                     cover = cover.max((half + 0.5 - distance).clamp(0.0, 1.0) * ink);
                 }
-                // a triangle that touches a line with a corner only
-                for i in (0..3).filter(|i| touches[*i]) {
-                    let [x, y] = [0, 1].map(|k| {
-                        (0..3).map(|j| w[j] * (corners[j][k] - corners[i][k])).sum::<f64>()
-                    });
+                // lines that end at a corner of the triangle
+                let at = |k: usize| (0..3).map(|j| w[j] * corners[j][k]).sum::<f64>();
+                for [a, b] in &touched {
                     let (half, ink) = FEATURE_LINE;
-                    cover = cover.max((half + 0.5 - x.hypot(y)).clamp(0.0, 1.0) * ink);
+                    let distance = to_segment([at(0), at(1)], [a[0], a[1]], [b[0], b[1]]);
+                    cover = cover.max((half + 0.5 - distance).clamp(0.0, 1.0) * ink);
                 }
                 colour = mix(colour, INK, cover as f32);
                 colour
             });
         }
+    }
+
+    /// The other ends of the lines of the shape at each point, without lines behind the shape. A
+    /// triangle that touches a line with a corner only covers a part of its width.
+    fn lines(&self) -> Vec<Vec<u32>> {
+        let mut lines = vec![Vec::new(); self.surface.points.len()];
+        for (triangle, kinds) in self.surface.triangles.iter().zip(self.kinds) {
+            let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
+            if dot(normal, self.view.eye) <= 0.0 {
+                continue;
+            }
+            for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
+                let [a, b] = [triangle.nodes[i], triangle.nodes[(i + 1) % 3]];
+                lines[a as usize].push(b);
+                lines[b as usize].push(a);
+            }
+        }
+        lines
     }
 
     /// Strength of mesh lines: full for coarse meshes, fading where lines would merge into a grey
@@ -190,4 +206,12 @@ impl Drawing<'_> {
         let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
         0.55 * (*median / (8.0 * SAMPLES as f64)).clamp(0.25, 1.0)
     }
+}
+
+/// Distance of the point `x` from the segment from `a` to `b`.
+fn to_segment(x: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (d, e) = ([b[0] - a[0], b[1] - a[1]], [x[0] - a[0], x[1] - a[1]]);
+    let square = (d[0] * d[0] + d[1] * d[1]).max(f64::MIN_POSITIVE);
+    let along = ((d[0] * e[0] + d[1] * e[1]) / square).clamp(0.0, 1.0);
+    (e[0] - along * d[0]).hypot(e[1] - along * d[1])
 }
