@@ -20,6 +20,7 @@
 //! against the plastic strain.
 
 use crate::elements::columns::Columns;
+use crate::elements::flow_maps;
 use crate::elements::tet10::{self, strain_columns};
 use crate::elements::yielding_element::{Rule, Shape, YieldingElement};
 use crate::elements::{split_flow, split_tet10};
@@ -111,7 +112,13 @@ impl YieldingTet10 {
             self.push_inner(columns, &mut data, &mut q, &mut inner_stiffness);
         }
         let h = (0..shape.points()).flat_map(|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
-        YieldingElement { shape, columns: columns.unknowns.clone(), data, q, h, inner_stiffness }
+        let plain = columns.terms.is_none() && self.split && self.rule != Rule::Hencky;
+        let maps = match plain {
+            true => flow_maps::numbers(&self.corners, volume * self.radius),
+            false => Vec::new(),
+        };
+        let columns = columns.unknowns.clone();
+        YieldingElement { shape, columns, data, maps, q, h, inner_stiffness }
     }
 
     /// Deviatoric strains at the vertices of a subtet, times its volume and the yield radius.

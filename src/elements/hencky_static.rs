@@ -63,10 +63,15 @@ pub fn element(
         true => element.particular_flexibility().iter().map(|x| -unit * x).collect(),
         false => vec![0.0; PARAMETERS],
     };
+    let maps = match columns.terms {
+        None => element.map_numbers(unit, radius),
+        Some(_) => Vec::new(),
+    };
     YieldingElement {
         shape,
         columns: columns.unknowns.clone(),
         data,
+        maps,
         q,
         h,
         inner_stiffness: Vec::new(),

@@ -4,6 +4,7 @@
 //! with linear stress. Each has an elastic form and a form with von Mises cones.
 
 pub mod columns;
+pub mod flow_maps;
 pub mod geometry;
 pub mod hencky_kinematic;
 pub mod hencky_static;
@@ -12,6 +13,7 @@ pub mod space;
 pub mod split_flow;
 pub mod split_tet10;
 pub mod stress_basis;
+pub mod stress_maps;
 pub mod super_element;
 pub mod tet10;
 pub mod yielding_element;

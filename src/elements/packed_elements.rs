@@ -3,6 +3,8 @@
 //! The data of eight elements are interleaved entry by entry, so that every operation runs on the
 //! eight at once.
 
+use crate::elements::flow_maps::{self, add_at_points, from_points};
+use crate::elements::stress_maps;
 use crate::elements::yielding_element::{
     DEVIATOR, NONE, Rule, Shape, VERTEX_VALUES, YieldingElement,
 };
@@ -28,6 +30,10 @@ pub struct Batch {
     pub rows: [u32; LANES],
     /// Matrices, see [`YieldingElement`].
     pub data: Vec<Lane>,
+    /// Numbers of their products; empty: the matrices are used.
+    pub maps: Vec<Lane>,
+    /// True: the elements have a flexibility.
+    pub flexible: bool,
 }
 
 kernel! {
@@ -43,19 +49,8 @@ kernel! {
                 let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
                 let all = (&mut vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
                 add_times_part(simd, (e, v, at), all);
-                for weights in rule.points() {
-                    for vertex in 0..4 {
-                        if weights[vertex] == 0.0 {
-                            continue;
-                        }
-                        let w = simd.splat_f64s(weights[vertex]);
-                        for a in 0..DEVIATOR {
-                            let to = &mut out[at.of(point + a)];
-                            *to = simd.mul_add_e_f64s(w, vertices[DEVIATOR * vertex + a], *to);
-                        }
-                    }
-                    point += DEVIATOR;
-                }
+                add_at_points(simd, rule, &vertices, (&mut *out, at, point));
+                point += DEVIATOR * rule.points().len();
             }
         }
     }
@@ -71,20 +66,8 @@ kernel! {
             let at = Place { stride: parts::<S>(), offset };
             let mut point = 0;
             for e in strain.chunks_exact(size * parts::<S>()) {
-                let mut vertices = [simd.splat_f64s(0.0); VERTEX_VALUES];
-                for weights in rule.points() {
-                    for vertex in 0..4 {
-                        if weights[vertex] == 0.0 {
-                            continue;
-                        }
-                        let w = simd.splat_f64s(weights[vertex]);
-                        for a in 0..DEVIATOR {
-                            let to = &mut vertices[DEVIATOR * vertex + a];
-                            *to = simd.mul_add_e_f64s(w, sigma[at.of(point + a)], *to);
-                        }
-                    }
-                    point += DEVIATOR;
-                }
+                let vertices = from_points(simd, rule, (sigma, at, point));
+                point += DEVIATOR * rule.points().len();
                 let all = (&vertices[..], Place { stride: 1, offset: 0 }, VERTEX_VALUES);
                 add_transposed_part(simd, (e, &mut *v, at), all);
             }
@@ -159,12 +142,18 @@ impl Batch {
         let place = |of: &dyn Fn(&Placed) -> u32| -> [u32; LANES] {
             std::array::from_fn(|l| elements.get(l).map_or(NONE, of))
         };
+        let parts = first.shape.parts(first.columns.len());
+        let flexibility = parts.strain..parts.strain + parts.flexibility;
         Self {
             shape: first.shape,
             columns: (0..first.columns.len()).map(|i| place(&|e| e.0.columns[i])).collect(),
             own: place(&|e| e.1),
             rows: place(&|e| e.2),
             data: (0..first.data.len()).map(|i| lanes(&|e| e.data[i])).collect(),
+            maps: (0..first.maps.len()).map(|i| lanes(&|e| e.maps[i])).collect(),
+            flexible: elements
+                .iter()
+                .any(|e| e.0.data[flexibility.clone()].iter().any(|f| *f != 0.0)),
         }
     }
 
@@ -197,10 +186,14 @@ impl Batch {
     pub fn strain(&self, v: &[Lane], out: &mut [Lane]) {
         let [strain, _, volume, _] = self.parts();
         match self.shape {
+            Shape::Stress if !self.maps.is_empty() => stress_maps::add_strains(&self.maps, v, out),
             Shape::Stress => add_times(strain, v, out),
             Shape::Flow { rule, inner, .. } => {
                 let (points, pressures) = out.split_at_mut(DEVIATOR * self.shape.points());
-                strain_at_points(rule, strain, v, points);
+                match self.maps.is_empty() {
+                    true => strain_at_points(rule, strain, v, points),
+                    false => flow_maps::add_strains(rule, &self.maps, v, points),
+                }
                 add_times(volume, &v[inner..], pressures);
             }
         }
@@ -210,10 +203,16 @@ impl Batch {
     pub fn add_force(&self, sigma: &[Lane], v: &mut [Lane]) {
         let [strain, _, volume, _] = self.parts();
         match self.shape {
+            Shape::Stress if !self.maps.is_empty() => {
+                stress_maps::add_tractions(&self.maps, sigma, v);
+            }
             Shape::Stress => add_transposed(strain, sigma, v),
             Shape::Flow { rule, inner, .. } => {
                 let (points, pressures) = sigma.split_at(DEVIATOR * self.shape.points());
-                force_of_points(rule, strain, points, v);
+                match self.maps.is_empty() {
+                    true => force_of_points(rule, strain, points, v),
+                    false => flow_maps::add_forces(rule, &self.maps, points, v),
+                }
                 add_transposed(volume, pressures, &mut v[inner..]);
             }
         }
@@ -221,6 +220,9 @@ impl Batch {
 
     /// `out −= F σ`.
     pub fn subtract_flexibility(&self, sigma: &[Lane], out: &mut [Lane]) {
+        if !self.flexible {
+            return;
+        }
         let flexibility = self.parts()[1];
         match self.shape {
             Shape::Stress => subtract_symmetric(flexibility, sigma, out),
@@ -239,7 +241,10 @@ impl Batch {
         match self.shape {
             Shape::Stress => {
                 let mut out = vec![[0.0; LANES]; DEVIATOR * self.shape.points()];
-                add_times(self.parts()[2], sigma, &mut out);
+                match self.maps.is_empty() {
+                    true => add_times(self.parts()[2], sigma, &mut out),
+                    false => stress_maps::add_deviators(&self.maps, sigma, &mut out),
+                }
                 out
             }
             Shape::Flow { .. } => sigma[..DEVIATOR * self.shape.points()].to_vec(),
@@ -249,6 +254,9 @@ impl Batch {
     /// `out += Bᵀ d`, five values at each point.
     pub fn add_deviators(&self, d: &[Lane], out: &mut [Lane]) {
         match self.shape {
+            Shape::Stress if !self.maps.is_empty() => {
+                stress_maps::add_deviators_transposed(&self.maps, d, out);
+            }
             Shape::Stress => add_transposed(self.parts()[2], d, out),
             Shape::Flow { .. } => {
                 out.as_flattened_mut().iter_mut().zip(d.as_flattened()).for_each(|(o, d)| *o += d);

@@ -20,6 +20,8 @@ pub const TRACTIONS: usize = 36;
 pub(crate) struct Reference {
     /// Stress basis: `basis[k][p][parameter]`.
     pub(crate) basis: [[[Mandel; PARAMETERS]; 4]; 4],
+    /// The same, point by point and component by component: row `24 k + 6 p + c`.
+    pub(crate) stress: Box<[[f64; PARAMETERS]; 96]>,
     /// Area- and mass-weighted tractions of each parameter, `[traction][parameter]`, before `J`
     /// rotates them.
     pub(crate) traction: Box<[[f64; PARAMETERS]; TRACTIONS]>,
@@ -130,6 +132,10 @@ pub(crate) fn reference() -> &'static Reference {
                 flexibility.push(h);
             }
         }
-        Reference { basis, traction, flexibility }
+        let mut stress = Box::new([[0.0; PARAMETERS]; 96]);
+        for (r, row) in stress.iter_mut().enumerate() {
+            *row = std::array::from_fn(|a| basis[r / 24][r / 6 % 4][a][r % 6]);
+        }
+        Reference { basis, stress, traction, flexibility }
     })
 }

@@ -14,6 +14,7 @@
 use crate::elements::geometry::{centroid, jacobian};
 use crate::elements::stress_basis::reference;
 pub use crate::elements::stress_basis::{PARAMETERS, TRACTIONS};
+use crate::elements::stress_maps;
 use crate::math::dense::Cholesky;
 use crate::math::mandel::{self, Isotropic, Mandel};
 use crate::math::quadrature::{tetrahedron_mass, triangle_mass};
@@ -150,6 +151,11 @@ impl SuperElement {
             }
         }
         t
+    }
+
+    /// The numbers of [`super::stress_maps`] for parameters in the given unit.
+    pub fn map_numbers(&self, unit: f64, radius: f64) -> Vec<f64> {
+        stress_maps::numbers(&self.jacobian, &self.piola, unit, radius)
     }
 
     /// Stress of each parameter at point `p` of subtet `k`; no body force.

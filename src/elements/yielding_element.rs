@@ -160,6 +160,10 @@ pub struct YieldingElement {
     pub columns: Vec<u32>,
     /// Its matrices.
     pub data: Vec<f64>,
+    /// The numbers from which products with its matrices follow ([`super::flow_maps`],
+    /// [`super::stress_maps`]); empty: its columns are no plain nodes or faces, or its kind has no
+    /// such numbers.
+    pub maps: Vec<f64>,
     /// Linear terms of its own unknowns: parameters, then inner displacements.
     pub q: Vec<f64>,
     /// Offsets of its yield points, `(1, b_j)` each.

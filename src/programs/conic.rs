@@ -315,10 +315,13 @@ impl ConicProgram {
     pub fn quadratic_diagonal(&self, x: &[f64]) -> Vec<f64> {
         let mut y = self.p.mul_all([&x[..self.shared()]]);
         y.iter_mut().for_each(|y| y.resize(self.unknowns(), 0.0));
-        self.add_of_elements([x], &mut y, |batch, v, sigma, force, strain| {
-            batch.subtract_flexibility(sigma, strain);
-            batch.add_inner(v, force);
-        });
+        // rigid-plastic elements have no such blocks
+        if self.elements.batches.iter().any(|b| b.flexible || b.shape.inner() > 0) {
+            self.add_of_elements([x], &mut y, |batch, v, sigma, force, strain| {
+                batch.subtract_flexibility(sigma, strain);
+                batch.add_inner(v, force);
+            });
+        }
         let [y] = y;
         y
     }

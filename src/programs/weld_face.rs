@@ -108,6 +108,7 @@ pub fn element(map: &DofMap, strength: f64, jumps: &[Jump]) -> Option<YieldingEl
         shape,
         columns: columns.unknowns,
         data,
+        maps: Vec::new(),
         q,
         h,
         inner_stiffness: Vec::new(),

@@ -21,7 +21,7 @@ pub fn append<E: Send>(
     element: impl Fn(usize) -> Result<Option<YieldingElement>, E> + Sync,
 ) -> Result<Vec<usize>, E> {
     let mut first = vec![program.q.len()];
-    let mut waiting: BTreeMap<(Shape, usize), Vec<Placed>> = BTreeMap::new();
+    let mut waiting: BTreeMap<(Shape, usize, bool), Vec<Placed>> = BTreeMap::new();
     let mut batches = Vec::new();
     let mut start = 0;
     while start < elements {
@@ -38,7 +38,8 @@ pub fn append<E: Send>(
                 program
                     .cones
                     .extend((0..element.shape.points()).map(|_| Cone::SecondOrder(YIELD_ROWS)));
-                let same = waiting.entry((element.shape, element.columns.len())).or_default();
+                let (columns, mapped) = (element.columns.len(), !element.maps.is_empty());
+                let same = waiting.entry((element.shape, columns, mapped)).or_default();
                 same.push((element, own, row));
                 if same.len() == LANES {
                     batches.push(Batch::new(same));

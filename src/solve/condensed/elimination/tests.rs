@@ -26,6 +26,7 @@ fn element(shape: Shape, k: usize) -> YieldingElement {
         shape,
         columns: (0..k as u32).collect(),
         data,
+        maps: vec![],
         q: vec![],
         h: vec![],
         inner_stiffness: vec![],
