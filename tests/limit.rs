@@ -11,6 +11,8 @@ mod coulomb;
 mod exact;
 #[path = "limit/hard.rs"]
 mod hard;
+#[path = "limit/hinges.rs"]
+mod hinges;
 #[path = "limit/interaction.rs"]
 mod interaction;
 #[path = "limit/loose_pieces.rs"]

@@ -8,6 +8,7 @@ use crate::analysis::program::Program;
 use crate::analysis::program_outcome::ProgramOutcome;
 use crate::analysis::{elastic, hencky, limit};
 use crate::certify::contributions::Contributions;
+use crate::certify::fields::StressField;
 use crate::certify::velocity_field::VelocityField;
 use crate::math::vec3::V3;
 use crate::model::AnalysisModel;
@@ -92,6 +93,14 @@ impl AnalysisPass {
         match self {
             AnalysisPass::Energy(_) => None,
             AnalysisPass::Factor(p) => p.static_velocities.as_deref(),
+        }
+    }
+
+    /// Limit analysis: the stress at the reported lower bound.
+    pub fn stress(&self, coulomb: bool) -> Option<&StressField> {
+        match self {
+            AnalysisPass::Energy(_) => None,
+            AnalysisPass::Factor(p) => p.carried(coulomb).map(|c| c.0),
         }
     }
 

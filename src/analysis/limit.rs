@@ -35,8 +35,12 @@ pub fn run(
     if let Some(pass) = proof::without_programs(model, &options.solve.patterns)? {
         return Ok(pass);
     }
-    let (kinematic, statics) =
-        both(model, options, progress, LimitKinematic::new, LimitStatic::new)?;
+    let answered_without = options.answer_from.is_some() && model.has_coulomb_friction();
+    let (kinematic, statics) = if answered_without && model.bounds == Bounds::Static {
+        (None, None)
+    } else {
+        both(model, options, progress, LimitKinematic::new, LimitStatic::new)?
+    };
     let mut pass = LimitPass::default();
     if let Some(k) = kinematic {
         pass.kinematic = Some(k.outcome);
@@ -45,8 +49,10 @@ pub fn run(
             pass.upper = Some(bound);
         }
     }
-    let wants_frictionless =
-        model.has_friction() && statics.as_ref().is_some_and(|s| s.outcome.refusal.is_none());
+    let fits = match &statics {
+        Some(s) => s.outcome.refusal.is_none(),
+        None => answered_without && model.bounds == Bounds::Static,
+    };
     if let Some(s) = statics {
         pass.statics = Some(s.outcome);
         if let Some(lower) = s.answer {
@@ -59,7 +65,9 @@ pub fn run(
     if let (Some(l), Some(u)) = (&pass.lower, &pass.upper) {
         pass.bracket = Some(FactorBracket::new(l.clone(), u.clone())?);
     }
-    if wants_frictionless && !options.solve.interrupted() {
+    let reached = |at: f64| pass.lower.as_ref().is_some_and(|l| l.value() >= at);
+    let wanted = model.has_coulomb_friction() || options.answer_from.is_none_or(reached);
+    if model.has_friction() && fits && wanted && !options.solve.interrupted() {
         match resolve::without_friction(model) {
             Ok(smooth) => {
                 let smooth = AnalysisModel { bounds: Bounds::Static, ..smooth };

@@ -15,12 +15,18 @@ pub struct PassOptions {
     pub solve: SolveOptions,
     /// Source of the memory available for solves.
     pub room: RoomSource,
+    /// Limit analysis with friction. `None`: the static program is solved with and without friction.
+    /// `Some(at)`: only for the bound that answers the friction law. Under Coulomb's law that is the
+    /// one without friction; with associated friction the one without friction is added where the
+    /// one with friction reaches the load factor `at`.
+    pub answer_from: Option<f64>,
 }
 
 impl Default for PassOptions {
     /// Default solves, limited by the memory of the machine.
     fn default() -> Self {
-        Self { solve: SolveOptions::default(), room: Arc::new(|| room(None)) }
+        let room: RoomSource = Arc::new(|| room(None));
+        Self { solve: SolveOptions::default(), room, answer_from: None }
     }
 }
 

@@ -5,14 +5,16 @@ use super::common::{CommandResult, Common, Format};
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
+use crate::driver::meshing;
 use crate::driver::output_folder::Folder;
 use crate::driver::spec_file;
+use crate::geometry::size::SizeRule;
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint, write_step};
 use crate::mesh::{msh_write, quality};
 use crate::report::console::log::Log;
 use crate::text_file;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -62,7 +64,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
         }
     }
     let interrupt = Interrupt::watch()?;
-    let (assembly, layers, warnings) = load(&args.spec, &args.catalog)?;
+    let (assembly, layers, sizes, warnings) = load(args)?;
     let out = args.out.clone().unwrap_or_else(|| args.spec.with_extension(""));
     let mesher = Mesher::find()?;
     let log = Arc::new(Log::new(common.quiet));
@@ -72,7 +74,7 @@ pub fn run(args: &MeshArgs, common: &Common) -> CommandResult {
     let mut options = MeshOptions::new(&folder.aside);
     options.full = args.full;
     options.layers = layers && !args.no_layers;
-    options.sizes.factor = args.size_factor;
+    options.sizes = sizes;
     options.time_limit = Duration::from_secs_f64(args.time_limit);
     options.mesher = Some(mesher);
     options.interrupt = Some(interrupt.flag());
@@ -118,15 +120,16 @@ fn summary(joint: &JointMesh) -> serde_json::Value {
     })
 }
 
-/// The assembly, whether the spec requests mid-thickness layers, and the warnings of the catalogue.
-fn load(
-    path: &Path,
-    catalog: &CatalogOptions,
-) -> Result<(Assembly, bool, Vec<String>), Diagnostics> {
+/// The assembly, whether the spec requests mid-thickness layers, the element sizes, and the warnings
+/// of the catalogue.
+fn load(args: &MeshArgs) -> Result<(Assembly, bool, SizeRule, Vec<String>), Diagnostics> {
+    let (path, catalog) = (args.spec.as_path(), &args.catalog);
     if path.extension().is_none_or(|e| e != "json") {
         let file = spec_file::read(path, catalog.folder())?;
         let warnings = file.catalog.warnings().iter().map(spec_file::catalog_warning).collect();
-        return Ok((file.joint.assembly, file.spec.value.analysis.mesh.layers, warnings));
+        let analysis = &file.spec.value.analysis;
+        let sizes = meshing::sizes(&analysis.mesh, &analysis.kind.0, args.size_factor);
+        return Ok((file.joint.assembly, analysis.mesh.layers, sizes, warnings));
     }
     if let Some(dir) = catalog.folder() {
         let text = format!(
@@ -142,7 +145,8 @@ fn load(
             .file(path)
             .help("check the path")
     })?;
-    serde_json::from_str(&text).map(|a| (a, true, Vec::new())).map_err(|e| {
+    let sizes = SizeRule { factor: args.size_factor, ..SizeRule::default() };
+    serde_json::from_str(&text).map(|a| (a, true, sizes, Vec::new())).map_err(|e| {
         Diagnostic::input("assembly/parse", format!("this is not an assembly: {e}"))
             .file(path)
             .at(e.line(), e.column())

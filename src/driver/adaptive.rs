@@ -25,6 +25,25 @@ pub struct Adapted {
     pub upper: Kept,
     /// The pass with the best lower bound, if it is a different pass.
     pub lower: Option<Kept>,
+    /// The pass with the best lower bound without friction, if it is neither of them.
+    frictionless: Option<Kept>,
+    /// Index of the pass with that bound.
+    frictionless_index: usize,
+}
+
+impl Adapted {
+    /// The pass with the best lower bound without friction, if it is not the one with the best
+    /// lower bound.
+    pub fn frictionless(&self) -> Option<&Kept> {
+        let at = self.frictionless_index;
+        if self.lower.as_ref().unwrap_or(&self.upper).index == at {
+            return None;
+        }
+        [Some(&self.upper), self.frictionless.as_ref()]
+            .into_iter()
+            .flatten()
+            .find(|k| k.index == at)
+    }
 }
 
 /// Analyses a case on successive meshes. `first` means that no case was analysed before; a program
@@ -99,11 +118,13 @@ fn finish(
         |index: usize| kept.iter().position(|k| k.index == index).map(|i| kept.swap_remove(i));
     let upper = take(b.upper);
     let lower = if b.lower == b.upper { None } else { take(b.lower) };
+    let apart = ![b.lower, b.upper].contains(&b.frictionless);
+    let frictionless = if apart { take(b.frictionless) } else { None };
     // both passes have been kept since they became the best
     let Some(upper) = upper else {
         return Err(lost(name).into());
     };
-    Ok(Adapted { entry, upper, lower })
+    Ok(Adapted { entry, upper, lower, frictionless, frictionless_index: b.frictionless })
 }
 
 /// The reason why the target gap was missed, with the remedy.

@@ -4,6 +4,7 @@
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::meshing::quality_table;
 use crate::driver::remesh::{Made, Places, Remesh};
+use crate::math::mandel::Mandel;
 use crate::mesh::mmg::Remesher;
 use crate::mesh::polyhedron::Polyhedron;
 use crate::mesh::size_field::{Edges, SizeField};
@@ -24,7 +25,12 @@ pub type Fallback<'a> = Rc<dyn Fn(TetMesh) -> Box<dyn Remesh<'a> + 'a> + 'a>;
 
 /// Number of tets that Mmg makes over the number of regular unit tets of the metric, before its
 /// first run.
-const FILLING: f64 = 1.6;
+const FILLING: f64 = 2.0;
+
+/// Largest such number of an even mesh. In thin walls the remesher makes many times the elements
+/// wanted; sizes that give the count then starve the other bodies (a beam splice: five times the
+/// count in the beams, half of it in the bolts, and a worse bound than on isotropic sizes).
+const UNEVEN: f64 = 3.5;
 
 /// Relative deviation of the count of tets below which Mmg does not run again.
 const NEAR: f64 = 0.15;
@@ -70,12 +76,23 @@ pub struct ByMetric<'a> {
 struct Start {
     /// Nodes sorted by x, with the size there \[mm\].
     nodes: Vec<([f64; 3], f64)>,
+    /// Names of the faces that stay as fine.
+    faces: Vec<String>,
     /// The bodies that stay as fine everywhere.
     bodies: Vec<bool>,
 }
 
-/// The nodes on named faces, on interfaces between bodies, and in the given bodies.
-fn kept(mesh: &TetMesh, bodies: &[bool]) -> Vec<bool> {
+/// Names of the faces where loads, supports and rigid faces act; symmetry planes, which hold one
+/// component only, are left out.
+fn acting(file: &ModelFile) -> Vec<String> {
+    let held = file.supports.iter().filter(|s| s.fix.len() != 1).map(|s| &s.face);
+    let rigid = file.rigid.iter().map(|r| &r.face);
+    let loads = file.loads.iter().chain(&file.dead).filter_map(|l| l.face.as_ref());
+    held.chain(rigid).chain(loads).cloned().collect()
+}
+
+/// The nodes on the given faces, on interfaces between bodies, and in the given bodies.
+fn kept(mesh: &TetMesh, faces: &[String], bodies: &[bool]) -> Vec<bool> {
     let mut body = vec![u32::MAX; mesh.nodes.len()];
     let mut kept = vec![false; mesh.nodes.len()];
     for (t, b) in mesh.tets.iter().zip(&mesh.tet_body) {
@@ -85,21 +102,22 @@ fn kept(mesh: &TetMesh, bodies: &[bool]) -> Vec<bool> {
             body[n] = *b;
         }
     }
-    mesh.faces.iter().flat_map(|f| &f.triangles).flatten().for_each(|n| kept[*n as usize] = true);
+    let faces = mesh.faces.iter().filter(|f| faces.contains(&f.name));
+    faces.flat_map(|f| &f.triangles).flatten().for_each(|n| kept[*n as usize] = true);
     kept
 }
 
 impl Start {
-    fn new(mesh: &TetMesh, edges: &Edges, bodies: Vec<bool>) -> Self {
+    fn new(mesh: &TetMesh, edges: &Edges, faces: Vec<String>, bodies: Vec<bool>) -> Self {
         let sizes = SizeField::new(mesh, edges, &vec![1.0; mesh.tets.len()]).sizes;
-        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &bodies)
+        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &faces, &bodies)
             .iter()
             .zip(mesh.nodes.iter().zip(sizes))
             .filter(|(kept, _)| **kept)
             .map(|(_, (x, size))| (*x, size))
             .collect();
         nodes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-        Self { nodes, bodies }
+        Self { nodes, faces, bodies }
     }
 
     /// The size at the nearest of the nodes.
@@ -128,7 +146,7 @@ impl Start {
     }
 
     fn limits(&self, mesh: &TetMesh) -> SizeLimits {
-        let most = kept(mesh, &self.bodies)
+        let most = kept(mesh, &self.faces, &self.bodies)
             .iter()
             .zip(&mesh.nodes)
             .map(|(kept, x)| if *kept { self.size_at(*x) } else { f64::INFINITY })
@@ -149,10 +167,16 @@ impl<'a> ByMetric<'a> {
     ) -> Self {
         let edges = Edges::new(&mesh);
         let bodies = mesh.bodies.iter().map(|b| bolt(b)).collect();
-        let start = Start::new(&mesh, &edges, bodies);
+        let start = Start::new(&mesh, &edges, acting(file), bodies);
         let limits = start.limits(&mesh);
         let file = ModelFile { nodes: Nodes::Shared, ..file.clone() };
-        Self { tools, file, place, mesh, edges, limits, start, filling: FILLING, other: None }
+        let (filling, other) = (FILLING, None);
+        Self { tools, file, place, mesh, edges, limits, start, filling, other }
+    }
+
+    /// The metric whose unit tets are the wanted parts.
+    fn metric(&self, wanted: &[f64], directions: &[Mandel]) -> Metric {
+        Metric::new(&self.mesh, &self.edges, wanted, directions, &self.limits)
     }
 
     /// The mesh of a design.
@@ -164,27 +188,19 @@ impl<'a> ByMetric<'a> {
             let message = format!("the face {name} lies inside a body and bounds no part of it");
             return Err(Diagnostic::undecided("mesh/loose", message).into());
         }
-        let mut scale = 1.0;
+        let metric = self.metric(&design.wanted, &design.directions);
+        let wanted: f64 = metric.parts(&self.mesh).iter().sum();
         let mut best: Option<(f64, TetMesh)> = None;
         let mut failed = None;
-        for run in 0..RUNS {
+        for _ in 0..RUNS {
             let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, SECONDS);
             log.stage("remeshing");
-            let metric = Metric::new(&self.mesh, &self.edges, design, &self.limits, scale);
-            let units: f64 = metric.parts(&self.mesh).iter().sum();
-            if run == 0 {
-                // first the sizes that give the count with what Mmg made last time
-                scale = (units * self.filling / design.tets).cbrt();
-            }
-            let metric = Metric::new(&self.mesh, &self.edges, design, &self.limits, scale);
-            let units: f64 = metric.parts(&self.mesh).iter().sum();
-            let limit = Duration::from_secs_f64(left);
             let made = self.tools.remesher.remesh(
                 &self.mesh,
                 &polyhedron,
-                &metric.tensors,
+                &metric.scaled(self.filling.cbrt()).tensors,
                 &self.tools.dir,
-                limit,
+                Duration::from_secs_f64(left),
                 Some(&self.tools.interrupt),
             );
             let made = match made {
@@ -194,9 +210,13 @@ impl<'a> ByMetric<'a> {
                     break;
                 }
             };
-            let count = made.tets.len() as f64;
-            self.filling = (count / units).clamp(0.5, 4.0);
-            let miss = (count / design.tets).ln();
+            let miss = (made.tets.len() as f64 / wanted).ln();
+            if miss.exp() * self.filling > UNEVEN {
+                let why =
+                    format!("Mmg makes {} tets where {wanted:.0} are wanted", made.tets.len());
+                failed = Some(Diagnostic::undecided("mesh/uneven", why));
+                break;
+            }
             let worst =
                 quality::table(&made).iter().fold(f64::INFINITY, |w, b| w.min(b.worst_dihedral));
             let flat = worst < FLAT;
@@ -206,7 +226,9 @@ impl<'a> ByMetric<'a> {
             if miss.abs() < NEAR && !flat {
                 break;
             }
-            scale *= if miss.abs() < NEAR { 0.97 } else { (miss / 3.0).exp() };
+            // the count follows the sizes with the power −3; other sizes also move flat tets
+            let factor = if miss.abs() < NEAR { 0.9 } else { miss.exp() };
+            self.filling = (self.filling * factor).clamp(0.5, UNEVEN);
         }
         match (best, failed) {
             (Some((_, mesh)), _) => Ok(mesh),
@@ -233,10 +255,10 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
         })
     }
 
-    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+    fn realised(&self, wanted: &[f64], directions: &[Mandel]) -> Vec<f64> {
         match &self.other {
-            Some(other) => other.realised(wanted),
-            None => SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh),
+            Some(other) => other.realised(wanted, directions),
+            None => self.metric(wanted, directions).parts(&self.mesh),
         }
     }
 

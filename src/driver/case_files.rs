@@ -4,9 +4,9 @@ use crate::analysis::dispatch::AnalysisPass;
 use crate::analysis::limit;
 use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::adaptive::Adapted;
 use crate::driver::passes::Kept;
 use crate::mesh::msh_write;
-use crate::model::AnalysisModel;
 use crate::model::file::ModelFile;
 use crate::result::fields::field_files::{
     displacement_grid, lower_grid, shift_grid, stress_grid, velocity_grid, yielding_stress_grid,
@@ -22,20 +22,27 @@ use crate::spec::yaml;
 /// of the first mesh; `[model, mesh]` are the names of the model file and of the mesh file of a
 /// mesh that is not the first.
 pub fn write_passes(
-    upper: &Kept,
-    lower: Option<&Kept>,
+    adapted: &Adapted,
     first: &ModelFile,
     [model, mesh]: [&str; 2],
     stem: &str,
     folder: &ResultFolder,
 ) -> Result<(), Diagnostics> {
+    let Adapted { upper, lower, .. } = adapted;
+    let frictionless = adapted.frictionless();
+    let here = frictionless.is_none();
     write_model(upper, first, ["", model, mesh], folder)?;
-    write_fields(&upper.outcome, &upper.model, stem, folder, [true, lower.is_none()])?;
-    if let Some(lower) = lower {
-        // the better lower bound is on another mesh, whose model is written beside the field
-        let [model, mesh] = ["yaml", "msh"].map(|kind| format!("{stem}_static.{kind}"));
-        write_model(lower, first, ["fields/", &model, &mesh], folder)?;
-        write_fields(&lower.outcome, &lower.model, stem, folder, [false, true])?;
+    let statics = lower.is_none();
+    write_fields(upper, stem, folder, [true, statics, statics && here])?;
+    // bounds on other meshes: their models are written beside their fields
+    for (pass, kind, fields) in [
+        (lower.as_ref(), "static", [false, true, here]),
+        (frictionless, "static_frictionless", [false, false, true]),
+    ] {
+        let Some(pass) = pass else { continue };
+        let [model, mesh] = ["yaml", "msh"].map(|end| format!("{stem}_{kind}.{end}"));
+        write_model(pass, first, ["fields/", &model, &mesh], folder)?;
+        write_fields(pass, stem, folder, fields)?;
     }
     Ok(())
 }
@@ -62,14 +69,15 @@ fn write_model(
     Ok(folder.write(&format!("{place}{file}"), text.as_bytes())?)
 }
 
-/// Writes the fields of the kinematic and of the static program, each only if requested.
+/// Writes the fields of the kinematic and of the static program, and of the static one without
+/// friction, each only if requested.
 fn write_fields(
-    pass: &AnalysisPass,
-    model: &AnalysisModel,
+    pass: &Kept,
     stem: &str,
     folder: &ResultFolder,
-    [kinematic, statics]: [bool; 2],
+    [kinematic, statics, frictionless]: [bool; 3],
 ) -> Result<(), Diagnostics> {
+    let Kept { outcome: pass, model, .. } = pass;
     let write = |kind: &str, grid: VtuGrid| -> Result<(), Diagnostics> {
         let bytes = grid.to_bytes().map_err(Diagnostic::from)?;
         Ok(folder.write(&format!("fields/{stem}_{kind}.vtu"), &bytes)?)
@@ -108,11 +116,11 @@ fn write_fields(
                     write(DEAD_FIELD, lower_grid(model, dead, 0.0))?;
                 }
             }
-            for (kind, stress, bound) in [
-                ("static", &p.stress, &p.lower),
-                ("static_frictionless", &p.frictionless_stress, &p.frictionless),
+            for (kind, asked, stress, bound) in [
+                ("static", statics, &p.stress, &p.lower),
+                ("static_frictionless", frictionless, &p.frictionless_stress, &p.frictionless),
             ] {
-                if let (true, Some(s), Some(b)) = (statics, stress, bound) {
+                if let (true, Some(s), Some(b)) = (asked, stress, bound) {
                     write(kind, lower_grid(model, s, b.certificate().factor))?;
                 }
             }

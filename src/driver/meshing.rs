@@ -3,11 +3,13 @@
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::interrupt::Interrupt;
 use crate::driver::spec_file::SpecFile;
+use crate::geometry::size::{HALF_THICKNESS, SizeRule};
 use crate::mesh::gmsh::Mesher;
 use crate::mesh::joint::{JointMesh, MeshOptions, mesh_joint};
 use crate::mesh::quality::BodyQuality;
 use crate::report::console::log::Log;
 use crate::report::markdown::report_data::Table;
+use crate::spec::analysis::{AnalysisKind, MeshSize, MeshSpec};
 use std::path::Path;
 use std::time::Duration;
 
@@ -33,18 +35,36 @@ impl Extent {
     }
 }
 
+/// Factor on the element sizes with which limit analysis starts. The meshes of later passes are
+/// finer where the first pass found plastic flow.
+const LIMIT_START: f64 = 2.0;
+
+/// The element sizes for these kinds of analysis, times `size_factor`. Limit analysis alone starts
+/// with few elements, most of them where plates turn about hinges, unless the spec gives one size
+/// for all parts.
+pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind], size_factor: f64) -> SizeRule {
+    let even = SizeRule { factor: size_factor, ..SizeRule::default() };
+    if kinds == [AnalysisKind::Limit] && asked.size == MeshSize::Auto {
+        SizeRule { factor: LIMIT_START * size_factor, at_hinges: Some(HALF_THICKNESS), ..even }
+    } else {
+        even
+    }
+}
+
 /// The options of the mesher, which works in its own folder below `folder`.
 pub fn mesh_options(
     Extent { full, size_factor }: Extent,
     input: &SpecFile,
+    kinds: &[AnalysisKind],
     mesher: &Mesher,
     interrupt: &Interrupt,
     folder: &Path,
 ) -> MeshOptions {
     let mut options = MeshOptions::new(folder.join("mesher"));
     options.full = full;
-    options.layers = input.spec.value.analysis.mesh.layers;
-    options.sizes.factor = size_factor;
+    let asked = &input.spec.value.analysis.mesh;
+    options.layers = asked.layers;
+    options.sizes = sizes(asked, kinds, size_factor);
     options.mesher = Some(mesher.clone());
     options.interrupt = Some(interrupt.flag());
     if let Some(limit) = input.spec.value.analysis.time_limit {

@@ -35,11 +35,13 @@ pub fn too_large(name: &str, pass: &AnalysisPass, context: &RunContext) -> Diagn
 }
 
 /// Runs both programs of a case on one mesh. `until` is the time on the log's clock at which solves
-/// end \[s\]. `patterns` are the sparsity patterns that earlier passes on this mesh have found.
+/// end \[s\]. `patterns` are the sparsity patterns that earlier passes on this mesh have found;
+/// `answer_from`: see [`PassOptions`].
 pub fn run_pass(
     name: &str,
     model: &AnalysisModel,
     until: f64,
+    answer_from: Option<f64>,
     patterns: &Patterns,
     limits: &Limits,
     log: &Arc<Log>,
@@ -74,6 +76,6 @@ pub fn run_pass(
     let progress: Progress =
         Arc::new(move |program, event| progress::note(&shown, &name, tolerance, program, event));
     let memory = limits.memory;
-    let options = PassOptions { solve, room: Arc::new(move || room(memory)) };
+    let options = PassOptions { solve, room: Arc::new(move || room(memory)), answer_from };
     AnalysisPass::run(model, &options, &progress).map_err(|e| Diagnostic::from(e).into())
 }

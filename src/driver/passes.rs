@@ -8,15 +8,18 @@ use crate::driver::pass_entry::{pass_bounds, pass_entry};
 use crate::driver::pass_run::run_pass;
 use crate::mesh::TetMesh;
 use crate::model::AnalysisModel;
-use crate::model::file::ModelFile;
+use crate::model::file::{Bounds, ModelFile};
 use crate::refine::plan::Prediction;
 use crate::report::console::log::Log;
 use crate::report::markdown::report_data::Table;
 use crate::result::combine::{self, PassResult, best};
-use crate::result::result_file::{CaseResult, Predicted, SoFar};
+use crate::result::result_file::{CaseResult, FrictionModel, Predicted, SoFar};
 use crate::solve::Patterns;
 use std::sync::Arc;
 use std::time::Instant;
+
+/// Load factor of the load that a verdict is asked for.
+const LOAD: f64 = 1.0;
 
 /// A pass whose fields are kept, with its mesh.
 pub struct Kept {
@@ -77,7 +80,9 @@ impl Passes<'_> {
         // later meshes are used by this case only
         let own = Patterns::default();
         let patterns = if index == 0 { self.share.patterns } else { &own };
-        let outcome = run_pass(self.name, &model, until, patterns, self.limits, self.log)?;
+        let answer_from = self.answer_from(&model)?;
+        let outcome =
+            run_pass(self.name, &model, until, answer_from, patterns, self.limits, self.log)?;
         let mut entry = pass_entry(&outcome, self.name, &model, mesh_seconds);
         if let Some(row) = entry.history.last_mut() {
             row.seconds = Some(mesh_seconds.unwrap_or(0.0) + start.elapsed().as_secs_f64());
@@ -102,6 +107,17 @@ impl Passes<'_> {
         Ok(self.kept.last())
     }
 
+    /// Where a mesh for the lower bound alone needs the bound without friction, see
+    /// [`crate::analysis::pass::PassOptions`]: with associated friction it decides the verdict, and
+    /// is computed again where it has not reached the load yet.
+    fn answer_from(&self, model: &AnalysisModel) -> Result<Option<f64>, Diagnostics> {
+        if self.entries.is_empty() || model.bounds != Bounds::Static {
+            return Ok(None);
+        }
+        let safe = self.joined()?.frictionless.and_then(|f| f.lower);
+        Ok(Some(if safe.is_some_and(|l| l >= LOAD) { f64::INFINITY } else { LOAD }))
+    }
+
     /// The entry with the best bounds so far.
     pub fn joined(&self) -> Result<CaseResult, Diagnostics> {
         joined(self.name, &self.entries)
@@ -109,7 +125,7 @@ impl Passes<'_> {
 
     /// Drops the fields of passes without a best bound, except those of the passes in `used`.
     pub fn drop_unused(&mut self, used: &[usize]) {
-        let place = best(&self.entries).map_or([0; 2], |b| [b.lower, b.upper]);
+        let place = best(&self.entries).map_or([0; 3], |b| [b.lower, b.upper, b.frictionless]);
         self.kept.retain(|k| place.contains(&k.index) || used.contains(&k.index));
     }
 }
@@ -123,10 +139,16 @@ pub fn lost(name: &str) -> Diagnostic {
 pub fn joined(name: &str, entries: &[PassResult]) -> Result<CaseResult, Diagnostics> {
     let Some(b) = best(entries) else { return Err(lost(name).into()) };
     let upper = entries[b.upper].clone();
+    let safe = entries[b.frictionless].entry.frictionless;
+    // only with associated friction is it no part of the answer, and may come from a third mesh
+    let with_safe = |entry: CaseResult| match entry.problem {
+        FrictionModel::Associated => CaseResult { frictionless: safe, ..entry },
+        _ => entry,
+    };
     if b.upper == b.lower {
-        return Ok(upper.entry);
+        return Ok(with_safe(upper.entry));
     }
-    combine::join(upper, entries[b.lower].clone()).map_err(|e| {
+    combine::join(upper, entries[b.lower].clone()).map(with_safe).map_err(|e| {
         Diagnostic::undecided("bounds/contradiction", e.to_string())
             .help("the numbers are withheld; try `--solver clarabel`, and report the case")
             .into()

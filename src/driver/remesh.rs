@@ -4,6 +4,7 @@
 use crate::assembly::Assembly;
 use crate::diag::{Diagnostic, Diagnostics, Place};
 use crate::driver::meshing::{clean, quality_table};
+use crate::math::mandel::Mandel;
 use crate::mesh::joint::{MeshOptions, mesh_joint};
 use crate::mesh::mmg::Remesher;
 use crate::mesh::size_field::{Edges, FILLING, SizeField};
@@ -36,9 +37,9 @@ pub trait Remesh<'a> {
     /// A second remesher in the same state, for a sequence of meshes of its own.
     fn twin(&self) -> Box<dyn Remesh<'a> + 'a>;
 
-    /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers,
-    /// as far as it is known beforehand.
-    fn realised(&self, wanted: &[f64]) -> Vec<f64>;
+    /// Number of parts into which each tet of the last mesh will be divided for the wanted numbers
+    /// and directions, as far as it is known beforehand.
+    fn realised(&self, wanted: &[f64], directions: &[Mandel]) -> Vec<f64>;
 
     /// Makes the mesh of a design, in at most `seconds`.
     fn remesh(&mut self, design: &Design, seconds: f64, log: &Log) -> Result<Made, Diagnostics>;
@@ -117,7 +118,7 @@ impl<'a> Remesh<'a> for ByMap<'a> {
         Box::new(self.clone())
     }
 
-    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+    fn realised(&self, wanted: &[f64], _: &[Mandel]) -> Vec<f64> {
         SizeField::new(&self.mesh, &self.edges, wanted).parts(&self.mesh)
     }
 
@@ -185,7 +186,7 @@ impl<'a> Remesh<'a> for ByBisection<'a> {
         Box::new(self.clone())
     }
 
-    fn realised(&self, wanted: &[f64]) -> Vec<f64> {
+    fn realised(&self, wanted: &[f64], _: &[Mandel]) -> Vec<f64> {
         bisect::refine(&self.mesh, wanted).parts(self.mesh.tets.len())
     }
 

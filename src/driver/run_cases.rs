@@ -67,11 +67,14 @@ pub fn run_cases(
             .time
             .map_or(f64::INFINITY, |t| now + (t - now).max(0.0) / (asked.len() - i) as f64);
         let share = Share { until, patterns: &patterns };
-        let Adapted { mut entry, upper, lower } =
-            adaptive::analyse(case, i == 0, &share, &context, limits, log)?;
+        let adapted = adaptive::analyse(case, i == 0, &share, &context, limits, log)?;
+        let stem = stems[i].as_str();
+        let mesh_name =
+            if asked.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        write_passes(&adapted, &first, [&model_name, &mesh_name], stem, &folder)?;
+        let Adapted { mut entry, upper, lower, .. } = adapted;
         let best = lower.as_ref().unwrap_or(&upper);
         judge_case(&mut entry, &upper, direction.is_some(), &context);
-        let stem = stems[i].as_str();
         let maps = add_forces(&mut entry, best, &context, stem, &folder)?;
         let pictures = &mut analyses.pictures;
         if pictures.is_empty() {
@@ -80,9 +83,6 @@ pub fn run_cases(
                 context.mesh_quality = quality.clone();
             }
         }
-        let mesh_name =
-            if asked.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
-        write_passes(&upper, lower.as_ref(), &first, [&model_name, &mesh_name], stem, &folder)?;
         let names = (asked[i].as_str(), stem);
         pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
         pictures.extend(deformed_picture(

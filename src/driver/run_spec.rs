@@ -65,7 +65,8 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     input.catalog.warnings().iter().for_each(|w| log.line(spec_file::catalog_warning(w)));
     report_checks(&checks, &demands(&input.spec.value.loads), &log);
     let start = Instant::now();
-    let options = mesh_options(run.extent, &input, &mesher, &limits.interrupt, folder.path());
+    let options =
+        mesh_options(run.extent, &input, &kinds, &mesher, &limits.interrupt, folder.path());
     let meshed = mesh(&options, &input, &log)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
     let mesh_file = folder.path().join("mesh.msh");

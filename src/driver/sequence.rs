@@ -146,7 +146,7 @@ impl Passes<'_> {
         let (Some(estimate), Some(present)) = (estimate, track.steps.last().copied()) else {
             return Ok(Refined::Failed);
         };
-        let realised = |wanted: &[f64]| remesher.realised(wanted);
+        let realised = |wanted: &[f64]| remesher.realised(wanted, &estimate.directions);
         let own_gap = if track.bounds == Bounds::Both { best_gap } else { present.gap };
         let (choice, curve) = plan::next(&track.steps, own_gap, adapt, &budget, &mut |most| {
             estimate.curve(most, &realised)

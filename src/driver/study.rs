@@ -212,6 +212,7 @@ pub fn run_study(options: &StudyOptions, mut limits: Limits) -> Result<Study, Di
         let mesh_options = mesh_options(
             Extent { full: false, size_factor: options.size_factor },
             &input,
+            &kinds,
             &mesher,
             &limits.interrupt,
             &folder.aside,

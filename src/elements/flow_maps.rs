@@ -383,7 +383,7 @@ mod tests {
                     radius: 190.0 + l as f64,
                     body_force: [0.0; 3],
                     split: true,
-                    rule: Rule::Gauss,
+                    rule: Rule::TenPoints,
                 };
                 let columns = Columns { unknowns: (0..30).collect(), terms: None };
                 (tet.element(&columns), 1000 * l as u32, 1000 * l as u32)

@@ -5,6 +5,7 @@
 //! with success after many kinds of error.
 
 use super::flat::{FlatPrism, FlatSolid};
+use super::footprint::{Rectangle, footprints, margins, weld_lines};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
 use crate::assembly::assembly::{MidPlane, OutlineEdge, Solid};
@@ -30,6 +31,8 @@ pub enum Purpose {
     Mesh {
         /// Cut plates, flanges, webs and stiffeners at mid-thickness.
         layers: bool,
+        /// Draw lines just inside and outside the edges of footprints.
+        margins: bool,
         /// Element sizes.
         sizes: Sizing,
     },
@@ -53,8 +56,8 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
             layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
         w.body(i, body, &planes);
     }
-    if let Purpose::Mesh { sizes, .. } = purpose {
-        w.footprints(scene);
+    if let Purpose::Mesh { sizes, margins, .. } = purpose {
+        w.footprints(scene, margins);
         w.fragments(scene.bodies.len());
         w.groups(scene);
         match sizes {
@@ -268,16 +271,16 @@ impl Writer {
     fn inner_planes(&mut self, list: &str, body: &Body, planes: &[MidPlane]) {
         let kept: Vec<_> = planes
             .iter()
-            .filter_map(|MidPlane { axis, at, min, max }| {
-                size::clip(*axis, *at, *min, *max, &body.planes)
+            .filter_map(|&MidPlane { axis, at, min, max }| {
+                Rectangle { axis, at, min, max }.clip(&body.planes)
             })
             .collect();
         if kept.is_empty() {
             return;
         }
         self.line("m() = {};");
-        for (axis, at, min, max) in kept {
-            self.polygon(&rectangle(axis, at, min, max));
+        for plane in kept {
+            self.polygon(&plane.corners());
             self.put(format_args!(
                 "t() = BooleanIntersection{{ Surface{{s}}; Delete; }}{{ Volume{{{list}}}; }};"
             ));
@@ -288,12 +291,11 @@ impl Writer {
         ));
     }
 
-    fn footprints(&mut self, scene: &Scene) {
+    fn footprints(&mut self, scene: &Scene, beside: bool) {
         self.line("f() = {};");
-        for (axis, at, min, max) in
-            size::footprints(scene).into_iter().chain(size::weld_lines(scene))
-        {
-            self.polygon(&rectangle(axis, at, min, max));
+        let lines = if beside { margins(scene) } else { Vec::new() };
+        for drawn in footprints(scene).into_iter().chain(lines).chain(weld_lines(scene)) {
+            self.polygon(&drawn.corners());
             self.line("f() += {s};");
         }
     }
@@ -328,18 +330,6 @@ fn triple(p: V3) -> String {
     format!("{x}, {y}, {z}")
 }
 
-fn rectangle(axis: usize, at: f64, min: V3, max: V3) -> [V3; 4] {
-    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-    let corner = |p: f64, q: f64| {
-        let mut c = [0.0; 3];
-        c[axis] = at;
-        c[a] = p;
-        c[b] = q;
-        c
-    };
-    [corner(min[a], min[b]), corner(max[a], min[b]), corner(max[a], max[b]), corner(min[a], max[b])]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -347,12 +337,14 @@ mod tests {
 
     const MESH: Purpose = Purpose::Mesh {
         layers: true,
+        margins: false,
         sizes: Sizing::Rule(SizeRule {
             factor: 1.0,
             growth: 0.5,
             across_footprint: 2.0,
             span_growth: 0.1,
             span_limit: 2.0,
+            at_hinges: None,
         }),
     };
 
@@ -371,7 +363,11 @@ mod tests {
         for p in &mut joint.parts {
             p.label = "evil; System(\"rm\")".into();
         }
-        for purpose in [MESH, Purpose::Mesh { layers: true, sizes: Sizing::View }, Purpose::Cad] {
+        for purpose in [
+            MESH,
+            Purpose::Mesh { layers: true, margins: false, sizes: Sizing::View },
+            Purpose::Cad,
+        ] {
             let text = script(&Scene::new(&joint, false), purpose);
             assert!(!text.contains("System") && !text.contains("evil"));
         }
@@ -393,7 +389,8 @@ mod tests {
     fn mid_planes_on_a_symmetry_plane_are_not_cut_again() {
         let joint = paper_joint();
         let cuts = |full: bool, layers: bool| {
-            let purpose = Purpose::Mesh { layers, sizes: Sizing::Rule(SizeRule::default()) };
+            let sizes = Sizing::Rule(SizeRule::default());
+            let purpose = Purpose::Mesh { layers, margins: false, sizes };
             script(&Scene::new(&joint, full), purpose)
                 .matches("BooleanIntersection{ Surface")
                 .count()

@@ -6,9 +6,12 @@ pub mod exact;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub mod flat;
+pub mod footprint;
 pub mod geo_script;
+pub mod hinges;
 pub mod line;
 pub mod proximity;
+mod pulled;
 pub mod scene;
 pub mod size;
 pub mod validate;

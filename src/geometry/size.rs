@@ -3,12 +3,14 @@
 //! Near a plate or bolt the size is that of the part, and it grows with the distance from the part.
 //! In a member the size is that of the part near the joint, and it grows along the span up to a
 //! limit. At the imprinted footprints of loads and supports, whose edges concentrate stress, it is
-//! a fraction of the footprint's width. Only box and formula fields are used, because gmsh 4.8
-//! supports them too.
+//! a fraction of the footprint's width. For limit analysis it is half the thickness where plates
+//! turn about hinges. Only box and formula fields are used, because gmsh 4.8 supports them too.
 
 use super::flat::Bounds;
-use super::scene::{ON_PLANE, Scene};
-use crate::assembly::assembly::{PartRole, Surface};
+use super::footprint::{Rectangle, footprints};
+use super::hinges;
+use super::scene::Scene;
+use crate::assembly::assembly::PartRole;
 use crate::math::vec3::V3;
 use std::fmt::Write;
 
@@ -25,7 +27,14 @@ pub struct SizeRule {
     pub across_footprint: f64,
     /// Largest size in a member's span, as a multiple of its size at the joint.
     pub span_limit: f64,
+    /// Largest size between pulled bolts and toes, over the thickness of the plate
+    /// ([`super::hinges`]); `None`: the size of the part.
+    pub at_hinges: Option<f64>,
 }
+
+/// Value of [`SizeRule::at_hinges`] in limit analysis. Below it the lower bound gains nothing
+/// further (docs/theory.md, section 15).
+pub const HALF_THICKNESS: f64 = 0.5;
 
 impl Default for SizeRule {
     fn default() -> Self {
@@ -35,6 +44,7 @@ impl Default for SizeRule {
             across_footprint: 2.0,
             span_growth: 0.1,
             span_limit: 2.0,
+            at_hinges: None,
         }
     }
 }
@@ -44,61 +54,6 @@ const FREE: f64 = 1e6;
 
 /// Distance over which a box field grows \[mm\]; beyond it the members' sizes govern.
 const REACH: f64 = 1000.0;
-
-/// The imprinted rectangles on the kept side: normal axis, coordinate, lowest and highest corner.
-pub(super) fn footprints(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
-    let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
-    scene
-        .assembly
-        .faces
-        .iter()
-        .filter(|f| scene.body(&f.part).is_some())
-        .filter_map(|f| match f.surface {
-            Surface::Plane { axis, at, min, max } if f.imprint => clip(axis, at, min, max, &planes),
-            _ => None,
-        })
-        .collect()
-}
-
-/// The imprinted rectangles of welds on the kept side; they set no element size.
-pub(super) fn weld_lines(scene: &Scene) -> Vec<(usize, f64, V3, V3)> {
-    let planes: Vec<usize> = scene.symmetry.iter().map(|s| s.axis).collect();
-    let kept = scene
-        .assembly
-        .welds
-        .iter()
-        .filter(|w| w.imprint && w.between.iter().all(|p| scene.body(p).is_some()));
-    kept.filter_map(|w| match w.surface {
-        Surface::Plane { axis, at, min, max } => clip(axis, at, min, max, &planes),
-        Surface::Mantle { .. } => None,
-    })
-    .collect()
-}
-
-/// The kept part of a rectangle of a coordinate plane; `None` if nothing of it is kept or it lies
-/// on a symmetry plane.
-pub(super) fn clip(
-    axis: usize,
-    at: f64,
-    min: V3,
-    max: V3,
-    planes: &[usize],
-) -> Option<(usize, f64, V3, V3)> {
-    let mut min = min;
-    for &k in planes {
-        if k == axis {
-            if at <= ON_PLANE {
-                return None;
-            }
-        } else {
-            min[k] = min[k].max(0.0);
-            if max[k] - min[k] <= ON_PLANE {
-                return None;
-            }
-        }
-    }
-    Some((axis, at, min, max))
-}
 
 /// The script lines that define the fields and use their minimum as the background field.
 pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
@@ -158,15 +113,23 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
             }
         }
     }
-    for (axis, at, min, max) in footprints(scene) {
-        let sides = [(axis + 1) % 3, (axis + 2) % 3].map(|k| max[k] - min[k]);
-        let size = sides[0].min(sides[1]) / rule.across_footprint * rule.factor;
+    for footprint in footprints(scene) {
+        let size = footprint.width() / rule.across_footprint * rule.factor;
+        let Rectangle { axis, at, min, max } = footprint;
         let (mut lo, mut hi) = (min, max);
         lo[axis] = at;
         hi[axis] = at;
         id += 1;
         box_field(&mut out, id, size, size + rule.growth * REACH, lo, hi, REACH);
         chosen.push(id.to_string());
+    }
+    if let Some(share) = rule.at_hinges {
+        for zone in hinges::zones(scene) {
+            let size = share * zone.thickness * rule.factor;
+            id += 1;
+            box_field(&mut out, id, size, size + rule.growth * REACH, zone.min, zone.max, REACH);
+            chosen.push(id.to_string());
+        }
     }
     id += 1;
     let _ = writeln!(out, "Field[{id}] = Min; Field[{id}].FieldsList = {{{}}};", chosen.join(", "));

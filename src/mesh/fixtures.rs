@@ -1,4 +1,5 @@
 //! Small meshes for tests: blocks of cubes, each cut into six tets along its main diagonal.
+//! Neighbouring cubes are mirror images of each other.
 
 use super::tet::signed_volume;
 use super::topology::{FaceTable, face_nodes};
@@ -19,7 +20,8 @@ pub fn cubes(cells: &[([i32; 3], &str)]) -> TetMesh {
         });
         // the six paths from one corner to the opposite one, along one axis after another
         for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
-            let mut p = *cell;
+            let start = cell.map(|c| c.rem_euclid(2));
+            let mut p: [i32; 3] = std::array::from_fn(|d| cell[d] + start[d]);
             let mut tet = [0; 4];
             for v in 0..4 {
                 tet[v] = *numbers.entry(p).or_insert_with(|| {
@@ -27,7 +29,7 @@ pub fn cubes(cells: &[([i32; 3], &str)]) -> TetMesh {
                     (mesh.nodes.len() - 1) as u32
                 });
                 if v < 3 {
-                    p[order[v]] += 1;
+                    p[order[v]] = cell[order[v]] + 1 - start[order[v]];
                 }
             }
             if signed_volume(&tet.map(|n| mesh.nodes[n as usize])) < 0.0 {

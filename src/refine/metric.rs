@@ -9,7 +9,6 @@ use crate::math::vec3::{area_vector, det, norm};
 use crate::mesh::TetMesh;
 use crate::mesh::size_field::{Edges, SizeField};
 use crate::mesh::topology::FaceTable;
-use crate::refine::optimum::Design;
 use std::f64::consts::SQRT_2;
 
 /// Largest ratio of the lengths of a wanted element in two directions.
@@ -38,27 +37,34 @@ pub struct SizeLimits {
 }
 
 impl Metric {
-    /// The metric of a design on `mesh`, all sizes multiplied by `scale` within the limits.
+    /// The metric that divides each tet of `mesh` into `wanted` parts of the given directions,
+    /// within the limits of the sizes.
     pub fn new(
         mesh: &TetMesh,
         edges: &Edges,
-        design: &Design,
+        wanted: &[f64],
+        directions: &[Mandel],
         limits: &SizeLimits,
-        scale: f64,
     ) -> Self {
-        let sizes = SizeField::new(mesh, edges, &design.wanted).sizes;
-        let shapes = shapes(mesh, &design.directions);
+        let sizes = SizeField::new(mesh, edges, wanted).sizes;
+        let shapes = shapes(mesh, directions);
         let tensors = (0..mesh.nodes.len())
             .map(|n| {
                 let (values, vectors) = eigen(&shapes[n]);
                 let bounded = |v: f64| {
-                    let size = scale * sizes[n] / v.sqrt();
+                    let size = sizes[n] / v.sqrt();
                     size.min(limits.most[n]).max(limits.least[n]).powi(-2)
                 };
                 compose(values.map(bounded), &vectors)
             })
             .collect();
         Self { tensors }
+    }
+
+    /// The metric with all sizes multiplied by `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let by = factor.powi(-2);
+        Self { tensors: self.tensors.iter().map(|m| m.map(|x| by * x)).collect() }
     }
 
     /// Number of regular unit tets of the metric in each tet.

@@ -5,6 +5,7 @@
 pub mod directions;
 pub mod mechanism_error;
 pub mod metric;
+pub mod near_yield;
 pub mod optimum;
 pub mod plan;
 pub mod rates;

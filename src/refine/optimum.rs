@@ -12,7 +12,7 @@
 use crate::math::mandel::Mandel;
 
 /// Bounds of the number of parts of a tet in one pass: the element size changes by ¼ to 2.
-const PARTS: [f64; 2] = [0.125, 64.0];
+pub const PARTS: [f64; 2] = [0.125, 64.0];
 
 /// Step of `ln μ` along a curve: a third more tets where the solution is smooth.
 const STEP: f64 = 0.7;
@@ -34,6 +34,8 @@ pub struct Estimate {
     /// Directions of the next mesh's elements: a tensor for each tet, see
     /// [`crate::refine::directions`]; empty: none are preferred.
     pub directions: Vec<Mandel>,
+    /// Fewest parts of a tet; below 1 tets are coarsened where they contribute little.
+    pub least_parts: f64,
 }
 
 /// The density of a mesh to be made.
@@ -75,7 +77,7 @@ impl Estimate {
     /// Number of parts of each tet at the multiplier μ.
     fn wanted(&self, mu: f64) -> Vec<f64> {
         let one = |c: &f64, q: &f64| {
-            (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(PARTS[0], PARTS[1])
+            (mu * q * c.max(0.0)).powf(3.0 / (2.0 * q + 3.0)).clamp(self.least_parts, PARTS[1])
         };
         self.contributions.iter().zip(&self.rates).map(|(c, q)| one(c, q)).collect()
     }
@@ -104,8 +106,9 @@ impl Estimate {
             return Curve { points };
         }
         let raw = |price: f64| self.wanted(price.exp());
-        // bisection for the price of a third of the tets, before grading
-        let few = 0.35 * self.contributions.len() as f64;
+        // bisection for the price of a third of the tets, before grading, or of a few more than
+        // the fewest
+        let few = f64::max(0.35, 1.02 * self.least_parts) * self.contributions.len() as f64;
         let (mut low, mut high) = (-40.0 - total.ln(), 60.0 - total.ln());
         while high - low > 0.1 {
             let middle = 0.5 * (low + high);
@@ -212,6 +215,7 @@ mod tests {
             contributions: contributions.clone(),
             rates: vec![q; 200],
             directions: vec![],
+            least_parts: PARTS[0],
         };
         let design = design(&estimate, 700.0);
         assert!((design.tets / 700.0 - 1.0).abs() < 0.01, "{}", design.tets);
@@ -237,7 +241,7 @@ mod tests {
         };
         let contributions: Vec<f64> = (0..60).map(|_| 1.0 + 3.0 * random()).collect();
         let rates: Vec<f64> = (0..60).map(|i| if i % 5 == 0 { 0.55 } else { 2.0 }).collect();
-        let estimate = Estimate { contributions, rates, directions: vec![] };
+        let estimate = Estimate { contributions, rates, directions: vec![], least_parts: PARTS[0] };
         let design = design(&estimate, 180.0);
         assert!(design.wanted.iter().all(|n| *n > PARTS[0] && *n < PARTS[1]), "not clipped");
         for _ in 0..200 {
@@ -253,8 +257,12 @@ mod tests {
     /// without contributions the curve is empty.
     #[test]
     fn goals_out_of_reach() {
-        let estimate =
-            Estimate { contributions: vec![1.0; 10], rates: vec![0.5; 10], directions: vec![] };
+        let estimate = Estimate {
+            contributions: vec![1.0; 10],
+            rates: vec![0.5; 10],
+            directions: vec![],
+            least_parts: PARTS[0],
+        };
         let curve = estimate.curve(1e9, &same);
         let [few, many] = curve.range().expect("a curve");
         assert!(few < 4.0 && many == 640.0, "{few} {many}");
@@ -264,12 +272,20 @@ mod tests {
         // h^(2q) with twice the tets along each side
         assert!((curve.gap_at(80.0) - 0.5).abs() < 0.01, "{}", curve.gap_at(80.0));
         assert!(estimate.with_tets(&curve, 1e9, &same).wanted.iter().all(|n| *n == PARTS[1]));
-        let nothing =
-            Estimate { contributions: vec![0.0; 10], rates: vec![2.0; 10], directions: vec![] };
+        let nothing = Estimate {
+            contributions: vec![0.0; 10],
+            rates: vec![2.0; 10],
+            directions: vec![],
+            least_parts: PARTS[0],
+        };
         assert_eq!(nothing.curve(1e9, &same).range(), None);
         // a contribution that is negative by rounding needs no parts
-        let estimate =
-            Estimate { contributions: vec![1.0, -1e-17], rates: vec![2.0; 2], directions: vec![] };
+        let estimate = Estimate {
+            contributions: vec![1.0, -1e-17],
+            rates: vec![2.0; 2],
+            directions: vec![],
+            least_parts: PARTS[0],
+        };
         assert_eq!(design(&estimate, 8.0).wanted[1], PARTS[0]);
     }
 }

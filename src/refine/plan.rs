@@ -235,7 +235,7 @@ pub fn next(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::refine::optimum::Estimate;
+    use crate::refine::optimum::{Estimate, PARTS};
 
     const LIMITS: Limits = Limits { target_gap: 0.02, max_passes: 6, max_macro_tets: 200_000 };
     const ENDLESS: Budget = Budget { seconds: f64::INFINITY, bytes: None };
@@ -257,6 +257,7 @@ mod tests {
                 contributions: vec![1.0; tets],
                 rates: vec![2.0; tets],
                 directions: Vec::new(),
+                least_parts: PARTS[0],
             };
             estimate.curve(most, &|wanted| wanted.to_vec())
         }
@@ -321,8 +322,13 @@ mod tests {
             assert!(p.tets <= 3000.0 * (1.0 + 1e-9) && p.seconds <= left.seconds, "{p:?}");
         }
         let none = |_| {
-            Estimate { contributions: vec![0.0; 8], rates: vec![2.0; 8], directions: Vec::new() }
-                .curve(1e5, &|w| w.to_vec())
+            Estimate {
+                contributions: vec![0.0; 8],
+                rates: vec![2.0; 8],
+                directions: Vec::new(),
+                least_parts: PARTS[0],
+            }
+            .curve(1e5, &|w| w.to_vec())
         };
         let mut none = none;
         assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));

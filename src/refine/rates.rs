@@ -15,7 +15,8 @@ use crate::model::AnalysisModel;
 use crate::model::file::Bounds;
 use crate::refine::directions::{recovered_second_derivatives, second_derivatives};
 use crate::refine::mechanism_error;
-use crate::refine::optimum::Estimate;
+use crate::refine::near_yield;
+use crate::refine::optimum::{Estimate, PARTS};
 use crate::spec::analysis::AnalysisKind;
 use rayon::prelude::*;
 
@@ -133,14 +134,14 @@ pub fn estimate(
             *c = (1.0 - part) * c.max(0.0) + part * gap / all * held.max(0.0);
         }
     }
-    Estimate { contributions, rates, directions: Vec::new() }
+    Estimate { contributions, rates, directions: Vec::new(), least_parts: PARTS[0] }
 }
 
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
 /// the fields.
 ///
-/// The mesh of the lower bound follows the static program's own multipliers and the directions of
-/// their velocities, that of the upper bound the error of its mechanism, one mesh for both the
+/// The mesh of the lower bound follows the static program's own multipliers, the places near yield
+/// and the directions of the multipliers' velocities, that of the upper bound the error of its mechanism, one mesh for both the
 /// contributions to the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
     let share = pass.yield_multiplier_share();
@@ -155,10 +156,15 @@ pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) ->
         Bounds::Both => {
             return Some(Estimate { directions, ..estimate(model, pass.contributions()?, share) });
         }
-        Bounds::Static => share?.iter().map(|s| s.max(0.0)).collect(),
+        Bounds::Static => {
+            near_yield::shares(model, share?, pass.stress(model.has_coulomb_friction()))
+        }
         Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
     };
-    Some(Estimate { contributions, rates: vec![PLASTIC; model.mesh.tets.len()], directions })
+    // the next mechanism may be where the last mesh was refined
+    let least_parts = if bounds == Bounds::Static { 1.0 } else { 0.5 };
+    let rates = vec![PLASTIC; model.mesh.tets.len()];
+    Some(Estimate { contributions, rates, directions, least_parts })
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are

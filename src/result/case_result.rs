@@ -183,6 +183,13 @@ impl CaseResult {
         self.certificate.is_some_and(|c| c.strict)
     }
 
+    /// The strict lower bound without friction beside an answer with associated friction.
+    pub fn safe_lower(&self) -> Option<f64> {
+        (self.problem == FrictionModel::Associated)
+            .then(|| self.frictionless.and_then(|f| f.lower))
+            .flatten()
+    }
+
     /// The strict bounds that a verdict is based on. With associated friction the lower bound is
     /// the one without friction. `None` if there is no such bound.
     pub fn safe_bounds(&self) -> (Option<f64>, Option<f64>) {
@@ -190,7 +197,7 @@ impl CaseResult {
             return (None, None);
         }
         let lower = match self.problem {
-            FrictionModel::Associated => self.frictionless.and_then(|f| f.lower),
+            FrictionModel::Associated => self.safe_lower(),
             _ => self.lower,
         };
         let upper = match self.upper {

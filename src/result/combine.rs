@@ -25,6 +25,9 @@ pub struct Best {
     pub lower: usize,
     /// Index of the pass with the smallest upper bound.
     pub upper: usize,
+    /// Index of the pass with the largest strict lower bound without friction, beside an answer
+    /// with associated friction; otherwise that with the largest lower bound.
+    pub frictionless: usize,
 }
 
 /// The best bounds of the passes, which are given in their order; strict bounds take precedence
@@ -50,7 +53,7 @@ pub fn best(passes: &[PassResult]) -> Option<Best> {
         let has_bound = |p: &PassResult| p.bounds.lower().is_some() || p.bounds.upper().is_some();
         let bounded = || passes.iter().rposition(|p| counts(&p) && has_bound(p));
         let one = narrowest.or_else(bounded).or_else(|| passes.len().checked_sub(1))?;
-        return Some(Best { lower: one, upper: one });
+        return Some(Best { lower: one, upper: one, frictionless: one });
     }
     // the first of equal bounds wins
     let place = |value: &dyn Fn(&CaseBounds) -> Option<f64>| {
@@ -65,7 +68,14 @@ pub fn best(passes: &[PassResult]) -> Option<Best> {
     let lower = place(&CaseBounds::lower);
     let upper = place(&|b| b.upper().and_then(Upper::finite).map(|u| -u));
     let some = lower.or(upper).or_else(|| (!passes.is_empty()).then_some(0))?;
-    Some(Best { lower: lower.unwrap_or(some), upper: upper.unwrap_or(some) })
+    let (lower, upper) = (lower.unwrap_or(some), upper.unwrap_or(some));
+    let mut frictionless = (passes[lower].entry.safe_lower(), lower);
+    for (i, p) in passes.iter().enumerate() {
+        if p.entry.safe_lower() > frictionless.0 {
+            frictionless = (p.entry.safe_lower(), i);
+        }
+    }
+    Some(Best { lower, upper, frictionless: frictionless.1 })
 }
 
 fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {

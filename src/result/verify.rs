@@ -7,7 +7,7 @@ mod energy;
 mod factor;
 mod finding;
 
-use crate::certify::UpperFactor;
+use crate::certify::{FactorBracket, UpperFactor};
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::model::resolve::load_model;
 use crate::result::combine::{PassResult, join};
@@ -77,13 +77,15 @@ fn verify_case(
     // if the better lower bound is on another mesh, that mesh is stored beside its field
     let beside = folder.join("fields").join(format!("{stem}_static.yaml"));
     let other = if beside.exists() { Some(load_model(&beside)?) } else { None };
+    let smooth = folder.join("fields").join(format!("{stem}_static_frictionless.yaml"));
+    let here = !smooth.exists();
     let mut refuted = Vec::new();
     let mut findings = Vec::new();
     let mut found: Option<PassResult> = None;
     let (mut mechanism, mut carried) = (None, None);
     let sides = match &other {
-        None => vec![(&model, [true, true])],
-        Some(other) => vec![(&model, [true, false]), (other, [false, true])],
+        None => vec![(&model, [true, true, here])],
+        Some(other) => vec![(&model, [true, false, false]), (other, [false, true, here])],
     };
     for (model, wanted) in sides {
         if symmetry != model.symmetry {
@@ -123,6 +125,18 @@ fn verify_case(
                 upper
             }
         });
+    }
+    if !here && let Some(found) = &mut found {
+        let model = load_model(&smooth)?;
+        let files = CaseFiles { model: &model, case, folder, stem, wanted: [false, false, true] };
+        let (new, entry, pass) = files.factors(&mut refuted)?;
+        findings.extend(new);
+        if let (Some(lower), Some((_, upper))) = (pass.frictionless, &mechanism)
+            && let Err(e) = FactorBracket::new(lower, upper.clone())
+        {
+            refuted.push(format!("{}: {e}", case.name));
+        }
+        found.entry.frictionless = entry.frictionless;
     }
     let Some(PassResult { entry, .. }) = found else { return Ok((findings, (refuted, None))) };
     refuted.extend(derived_differences(case, &entry));

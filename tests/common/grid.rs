@@ -1,11 +1,14 @@
 //! Bodies cut from a structured grid of unequal planes: slices, punches, T-stubs.
 
-use super::Random;
+use super::{Random, mirrored};
 use bracket::mesh::{NamedFaces, TetMesh, tet};
 
-/// Planes of the grid along x, y, z, ascending. Every cell of a body becomes six tets.
+/// Planes of the grid along x, y, z, ascending. Every cell of a body becomes six tets
+/// ([`mirrored`]).
 pub struct Grid {
     pub planes: [Vec<f64>; 3],
+    /// Index of a node from which diagonals run in all directions, in each direction 0 or 1.
+    pub phase: [usize; 3],
     /// Inner nodes move by up to this fraction of the smaller neighbouring cell.
     pub jitter: f64,
     pub seed: u64,
@@ -45,7 +48,13 @@ pub fn even(from: f64, to: f64, n: usize) -> Vec<f64> {
 
 impl Grid {
     pub fn new(planes: [Vec<f64>; 3]) -> Self {
-        Self { planes, jitter: 0.0, seed: 1 }
+        Self { planes, phase: [0; 3], jitter: 0.0, seed: 1 }
+    }
+
+    /// Diagonals run in all directions from this node and from every second one.
+    pub fn phase(mut self, phase: [usize; 3]) -> Self {
+        self.phase = phase;
+        self
     }
 
     pub fn jittered(mut self, jitter: f64, seed: u64) -> Self {
@@ -109,22 +118,15 @@ impl Grid {
             for j in 0..cells[1] {
                 for i in 0..cells[0] {
                     let Some(body) = of([i as isize, j as isize, k as isize]) else { continue };
-                    for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
-                        let mut at = [0; 3];
-                        let mut t = [id(i, j, k) as u32; 4];
-                        for (n, &d) in path.iter().enumerate() {
-                            at[d] = 1;
-                            t[n + 1] = id(i + at[0], j + at[1], k + at[2]) as u32;
-                        }
-                        mesh.tets.push(t);
+                    for t in mirrored::tets([i, j, k], self.phase) {
+                        mesh.tets.push(t.map(|[i, j, k]| id(i, j, k) as u32));
                         mesh.tet_body.push(body as u32);
                     }
                 }
             }
         }
         drop_unused(&mut mesh);
-        // tets from paths of odd order have negative volume
-        super::mapped(mesh, |x| x)
+        mesh
     }
 }
 

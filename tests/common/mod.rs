@@ -3,6 +3,7 @@
 
 pub mod grid;
 pub mod limit;
+pub mod mirrored;
 pub mod oracle;
 pub mod plane_strain;
 pub mod plastic;
@@ -14,7 +15,8 @@ pub mod yielding;
 
 use bracket::mesh::{NamedFaces, TetMesh};
 
-/// A structured block of tets (six per cell), interior nodes jittered by `jitter` × cell size.
+/// A structured block of tets (six per cell, [`mirrored`]), interior nodes jittered by `jitter` ×
+/// cell size.
 pub struct Block {
     pub cells: [usize; 3],
     pub min: [f64; 3],
@@ -72,20 +74,10 @@ impl Block {
         for k in 0..nz {
             for j in 0..ny {
                 for i in 0..nx {
-                    let c = |a: usize, b: usize, c: usize| id(i + a, j + b, k + c);
                     let centre: [f64; 3] =
                         std::array::from_fn(|d| self.min[d] + h[d] * ([i, j, k][d] as f64 + 0.5));
-                    for path in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
-                        let mut at = [0; 3];
-                        let mut t = [c(0, 0, 0); 4];
-                        for (n, &d) in path.iter().enumerate() {
-                            at[d] = 1;
-                            t[n + 1] = c(at[0], at[1], at[2]);
-                        }
-                        if [[0, 2, 1], [2, 1, 0], [1, 0, 2]].contains(&path) {
-                            t.swap(1, 2);
-                        }
-                        tets.push(t);
+                    for t in mirrored::tets([i, j, k], [0; 3]) {
+                        tets.push(t.map(|[i, j, k]| id(i, j, k)));
                         tet_body.push(body(centre) as u32);
                     }
                 }

@@ -1,4 +1,8 @@
 //! A structured mesh of a triangle times layers: triangular prisms and octants of spheres.
+//!
+//! The diagonals on the sides of a prism run from the corner of lower colour to that of higher
+//! colour, with three colours so that no edge joins two equal ones. Layers are mirror images of each
+//! other.
 
 use bracket::math::vec3::{cross, dot, sub};
 use bracket::mesh::{NamedFaces, TetMesh};
@@ -43,9 +47,12 @@ impl Prism {
         }
         for k in 0..self.layers {
             for t in &triangles {
-                // sorted corners make the diagonals of neighbouring prisms agree
+                // one order of the colours makes the diagonals of neighbouring prisms agree
                 let mut s = *t;
-                s.sort_unstable();
+                s.sort_unstable_by_key(|&c| (flat[c][0] + 2 * flat[c][1]) % 3);
+                if k % 2 == 1 {
+                    s.reverse();
+                }
                 let low = s.map(|c| (k * per + c) as u32);
                 let high = s.map(|c| ((k + 1) * per + c) as u32);
                 mesh.tets.push([low[0], low[1], low[2], high[2]]);

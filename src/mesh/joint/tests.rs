@@ -42,6 +42,7 @@ fn measure_paper_quarter() {
                 across_footprint: number("FOOT", d.across_footprint),
                 span_growth: number("SPAN_GROWTH", d.span_growth),
                 span_limit: number("SPAN_LIMIT", d.span_limit),
+                at_hinges: d.at_hinges,
             };
         });
         println!(

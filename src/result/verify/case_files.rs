@@ -18,8 +18,9 @@ pub struct CaseFiles<'a> {
     pub folder: &'a Path,
     /// Stem of the file names.
     pub stem: &'a str,
-    /// Whether the fields of the kinematic and of the static program are on this model's mesh.
-    pub wanted: [bool; 2],
+    /// Whether the fields of the kinematic and of the static program, and of the static one without
+    /// friction, are on this model's mesh.
+    pub wanted: [bool; 3],
 }
 
 impl CaseFiles<'_> {

@@ -29,7 +29,7 @@ impl CaseFiles<'_> {
         &self,
         refuted: &mut Vec<String>,
     ) -> Result<(Vec<Finding>, CaseResult, EnergyPass), Diagnostics> {
-        let Self { model: given, case, wanted: [kinematic, statics], .. } = *self;
+        let Self { model: given, case, wanted: [kinematic, statics, _], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let yields = given.analysis == AnalysisKind::Elastoplastic;
         let mut findings = Vec::new();

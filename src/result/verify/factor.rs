@@ -28,7 +28,7 @@ impl CaseFiles<'_> {
         &self,
         refuted: &mut Vec<String>,
     ) -> Result<(Vec<Finding>, CaseResult, LimitPass), Diagnostics> {
-        let Self { model, case, wanted: [kinematic, statics], .. } = *self;
+        let Self { model, case, wanted: [kinematic, statics, frictionless], .. } = *self;
         let claims_strict = case.certificate.is_some_and(|c| c.strict);
         let coulomb = case.problem == FrictionModel::Coulomb;
         let mut findings = Vec::new();
@@ -45,7 +45,7 @@ impl CaseFiles<'_> {
         }
         let smooth =
             case.frictionless.and_then(|f| f.lower).or(if coulomb { case.lower } else { None });
-        if let Some(claimed) = smooth.filter(|_| statics) {
+        if let Some(claimed) = smooth.filter(|_| frictionless) {
             let without = model.without_friction();
             let strict = claims_strict || !coulomb;
             let (mut found, bound, stress) =
