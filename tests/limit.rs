@@ -15,6 +15,8 @@ mod hard;
 mod hinges;
 #[path = "limit/interaction.rs"]
 mod interaction;
+#[path = "limit/loose_pieces.rs"]
+mod loose_pieces;
 #[path = "limit/random.rs"]
 mod random;
 #[path = "limit/random_joints.rs"]

@@ -2,6 +2,7 @@
 //! each other.
 
 use crate::math::vec3::{self, V3};
+use crate::mesh::quality;
 use crate::model::AnalysisModel;
 use crate::programs::conic::{ConicProgram, cone_margin};
 
@@ -12,6 +13,28 @@ const NAMED: f64 = 0.05;
 /// that grow without limit in an infeasible program, so it is larger than rounding: accurate enough
 /// to name the contacts, not to prove infeasibility.
 const VANISHES: f64 = 1e-2;
+
+/// Tets more than this many times as long as thick are named where a solver fails.
+const LONG: f64 = 30.0;
+/// Largest number of tets named.
+const MOST_TETS: usize = 3;
+
+/// The tets whose shape can explain why a solver ended without a solution, as text: the longest
+/// ones. `None` when no tet is long.
+pub fn long_tets(model: &AnalysisModel) -> Option<String> {
+    let long = quality::long_tets(&model.mesh, LONG);
+    let named: Vec<String> =
+        long.iter().take(MOST_TETS).map(|e| quality::tet_words(&model.mesh, *e)).collect();
+    let worst = named.join("; ");
+    match (long.len(), named.is_empty()) {
+        (_, true) => None,
+        (n, _) if n <= MOST_TETS => Some(format!("long tets can be the cause: {worst}")),
+        (n, _) => Some(format!(
+            "long tets can be the cause, {n} of them are more than {LONG} times as long as thick; \
+             the longest: {worst}"
+        )),
+    }
+}
 
 /// The parts that move along an unbounded direction, as text; `moved`: displacement of points, each
 /// with its part.

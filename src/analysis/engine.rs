@@ -1,5 +1,6 @@
 //! Runs both programs on one mesh: assembly, plan of the memory, solves, certificates.
 
+use crate::analysis::diagnosis;
 use crate::analysis::discrete_program::{BaseProgram, DiscreteProgram};
 use crate::analysis::event::{Event, Progress};
 use crate::analysis::memory::{Limit, plan};
@@ -195,6 +196,7 @@ impl Context<'_> {
             rounds: 1,
             mechanism: None,
             conflict: None,
+            long_tets: None,
             trouble: None,
         };
         Job { problem, origin, prepared, outcome }
@@ -363,6 +365,7 @@ impl Context<'_> {
             SolveStatus::Infeasible => {
                 outcome.conflict = problem.conflict(self.model, &solution.z);
             }
+            status if stalled(status) => outcome.long_tets = diagnosis::long_tets(self.model),
             _ => {}
         }
         Ok(None)

@@ -47,6 +47,9 @@ pub struct ProgramOutcome {
     pub mechanism: Option<String>,
     /// For an infeasible program: the contacts that exclude each other, as text.
     pub conflict: Option<String>,
+    /// For a solve that ended without a solution and without a certificate: the tets whose shape
+    /// can be the cause, as text.
+    pub long_tets: Option<String>,
     /// Why no field could be certified although the solve ended with an optimal solution.
     pub trouble: Option<String>,
 }

@@ -7,6 +7,7 @@ pub mod by_metric;
 pub mod case;
 pub mod case_files;
 pub mod check_spec;
+pub mod collapse_pictures;
 pub mod context;
 pub mod demands;
 pub mod finish;

@@ -1,16 +1,14 @@
-//! Pictures of a case: mesh, deformed shape or mechanism, contact pressures, convergence.
+//! Pictures of a case: mesh, deformed shape, contact pressures, convergence.
 
 use crate::analysis::dispatch::AnalysisPass;
-use crate::analysis::limit;
 use crate::certify::fields::StressField;
-use crate::certify::limit_certificate::dissipation_densities;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::math::vec3::{self, V3};
 use crate::model::AnalysisModel;
 use crate::report::draw::Picture;
 use crate::report::draw::contact_map::contact_map;
 use crate::report::draw::plot::{Plot, Series};
-use crate::report::draw::raster::{Deformed, Field, PictureOptions, draw};
+use crate::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw};
 use crate::report::figures::{self, Rounding};
 use crate::report::markdown::report_data::PictureRef;
 use crate::result::file_names::file_stem;
@@ -19,7 +17,7 @@ use crate::result::forces::StaticForces;
 use crate::result::result_file::CaseResult;
 use crate::result::result_file::HistoryRow;
 
-fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
+pub(crate) fn png(picture: &Picture) -> Result<Vec<u8>, Diagnostics> {
     picture.to_png().map_err(|e| {
         Diagnostic::environment("report/picture", format!("the picture cannot be encoded: {e}"))
             .into()
@@ -96,20 +94,8 @@ pub fn convergence(
     }))
 }
 
-/// Share of the bodies in the dissipation of a mechanism; the rest is dissipated in the welds and
-/// by slip on supports. `None` if nothing dissipates.
-fn share_of_bodies(pass: &AnalysisPass) -> Option<f64> {
-    let AnalysisPass::Factor(pass) = pass else { return None };
-    let c = pass.upper.as_ref()?.certificate();
-    let [bodies, welds, supports] =
-        [&c.dissipation, &c.welds, &c.supports].map(|d| d.iter().sum::<f64>());
-    let total = bodies + welds + supports;
-    (total > 0.0).then(|| bodies / total)
-}
-
-/// The deformed shape coloured by the size of the displacement, or the mechanism coloured by its
-/// dissipation.
-pub fn pass_picture(
+/// The deformed shape coloured by the size of the displacement.
+pub fn deformed_picture(
     pass: &AnalysisPass,
     name: &str,
     model: &AnalysisModel,
@@ -117,61 +103,38 @@ pub fn pass_picture(
     stem: &str,
     folder: &ResultFolder,
 ) -> Result<Option<PictureRef>, Diagnostics> {
+    let AnalysisPass::Energy(pass) = pass else { return Ok(None) };
+    let Some(u) = &pass.displacement else { return Ok(None) };
     let mesh = &model.mesh;
-    let (field, u) = match pass {
-        AnalysisPass::Energy(p) => (None, p.displacement.as_ref()),
-        AnalysisPass::Factor(p) => {
-            let v = p.velocity.as_ref().or(p.free.as_ref().map(|f| &f.field));
-            (v, v.map(|v| &v.nodes))
-        }
-    };
-    let Some(u) = u else { return Ok(None) };
     let vertices = &u.u[..mesh.nodes.len()];
     let size: Vec<f64> = vertices.iter().map(|x| vec3::norm(*x)).collect();
-    let Some(factor) = enlargement(&mesh.nodes, &size) else { return Ok(None) };
-    let (values, range);
-    let (colours, file, caption) = match field {
-        None => (
-            Field { name: "displacement", unit: "mm", values: &size, range: None },
-            format!("deformed_{stem}.png"),
-            format!("Case {}: deformed shape, {factor} times enlarged", name),
-        ),
-        Some(v) => {
-            let mut densities = dissipation_densities(model, v, limit::SUBDIVISIONS);
-            let words = match share_of_bodies(pass) {
-                Some(share) if share < LITTLE => {
-                    // the remaining plastic flow is rounding error and is not drawn
-                    densities.fill(0.0);
-                    "welds and slip on supports dissipate all, the parts do not flow"
-                }
-                _ => "coloured by its dissipation",
-            };
-            (values, range) = plastic_zones(model, &densities);
-            (
-                Field { name: "dissipation, relative", unit: "", values: &values, range },
-                format!("mechanism_{stem}.png"),
-                format!("Case {name}: mechanism of the upper bound, {words}"),
-            )
-        }
+    let Some(factor) = enlargement(&mesh.nodes, &size, VISIBLE) else { return Ok(None) };
+    let field = Field {
+        name: "displacement",
+        unit: "mm",
+        values: &size,
+        range: None,
+        colours: Colours::Spectrum,
     };
-    let deformed = Some(Deformed { displacement: vertices, factor, to_scale: field.is_none() });
     let options = PictureOptions {
         mirror,
         mesh_lines: false,
-        field: Some(colours),
-        deformed,
+        field: Some(field),
+        deformed: Some(Deformed { displacement: vertices, factor, to_scale: true }),
         ..PictureOptions::default()
     };
+    let file = format!("deformed_{stem}.png");
     folder.write(&file, &png(&draw(mesh, &options))?)?;
+    let caption = format!("Case {name}: deformed shape, {factor} times enlarged");
     Ok(Some(PictureRef { file, caption }))
 }
 
-/// Share of the dissipation below which the bodies count as rigid compared with their welds.
-const LITTLE: f64 = 1e-3;
+/// Largest displacement of a drawn elastic shape, over the size of the shape.
+const VISIBLE: f64 = 0.05;
 
-/// A round factor that draws the largest displacement as about a twentieth of the size of the
-/// shape; `None` if nothing moves.
-fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
+/// A round factor that draws the largest displacement as at most `part` of the size of the shape;
+/// `None` if nothing moves.
+pub(crate) fn enlargement(nodes: &[V3], size: &[f64], part: f64) -> Option<f64> {
     let largest = size.iter().fold(0.0f64, |a, b| a.max(*b));
     if largest == 0.0 {
         return None;
@@ -179,31 +142,7 @@ fn enlargement(nodes: &[V3], size: &[f64]) -> Option<f64> {
     let (lo, hi) = nodes.iter().fold(([f64::MAX; 3], [f64::MIN; 3]), |(lo, hi), x| {
         (std::array::from_fn(|d| lo[d].min(x[d])), std::array::from_fn(|d| hi[d].max(x[d])))
     });
-    let wanted = 0.05 * vec3::norm(vec3::sub(hi, lo)) / largest;
+    let wanted = part * vec3::norm(vec3::sub(hi, lo)) / largest;
     let power = 10f64.powf(wanted.log10().floor());
     Some([5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|f| *f <= wanted).unwrap_or(power))
-}
-
-/// Dissipation densities at the nodes, divided by their mean if the mechanism dissipates, and the
-/// range of colours. The range ends at the largest value drawn, but at most at the mean, so that a
-/// single corner with a huge density does not leave the rest dark.
-fn plastic_zones(model: &AnalysisModel, densities: &[f64]) -> (Vec<f64>, Option<[f64; 2]>) {
-    let mesh = &model.mesh;
-    let mut nodes = vec![(0.0, 0.0); mesh.nodes.len()];
-    let (mut square, mut total) = (0.0, 0.0);
-    for (e, (tet, d)) in mesh.tets.iter().zip(densities).enumerate() {
-        let v = mesh.volume(e);
-        square += v * d * d;
-        total += v * d;
-        tet.iter().for_each(|&n| {
-            let sum = &mut nodes[n as usize];
-            *sum = (sum.0 + v * d, sum.1 + v);
-        });
-    }
-    let mean = if total > 0.0 { square / total } else { 1.0 };
-    let values: Vec<f64> =
-        nodes.into_iter().map(|(d, v)| if v > 0.0 { d / v / mean } else { 0.0 }).collect();
-    let largest = values.iter().fold(0.0f64, |m, x| m.max(*x));
-    let top = if largest > 0.0 { largest.min(1.0) } else { 1.0 };
-    (values, Some([0.0, top]))
 }

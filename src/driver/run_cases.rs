@@ -6,12 +6,13 @@ use crate::diag::Diagnostics;
 use crate::driver::adaptive::{self, Adapted};
 use crate::driver::case::{Case, refuse_idle, stems};
 use crate::driver::case_files::write_passes;
+use crate::driver::collapse_pictures::collapse_pictures;
 use crate::driver::context::RunContext;
 use crate::driver::finish::{Analyses, Finished, certified, finish};
 use crate::driver::limits::Limits;
 use crate::driver::pass_entry::lower_stress;
 use crate::driver::passes::{Kept, Share};
-use crate::driver::pictures::{contact_pictures, convergence, mesh_picture, pass_picture};
+use crate::driver::pictures::{contact_pictures, convergence, deformed_picture, mesh_picture};
 use crate::driver::polygon::Directions;
 use crate::model::AnalysisModel;
 use crate::report::console::log::Log;
@@ -82,7 +83,9 @@ pub fn run_cases(
                 context.mesh_quality = quality.clone();
             }
         }
-        pictures.extend(pass_picture(
+        let names = (asked[i].as_str(), stem);
+        pictures.extend(collapse_pictures(&upper, best, names, &context.mirror, &folder)?);
+        pictures.extend(deformed_picture(
             &upper.outcome,
             &asked[i],
             &upper.model,

@@ -116,14 +116,40 @@ pub fn smallest_dihedral(x: &[V3; 4]) -> f64 {
 
 /// Longest edge divided by smallest height, relative to the regular tet (1 = regular).
 pub fn aspect(x: &[V3; 4]) -> f64 {
+    length_over_thickness(x) * (2.0f64 / 3.0).sqrt()
+}
+
+/// Longest edge divided by smallest height.
+pub fn length_over_thickness(x: &[V3; 4]) -> f64 {
     let mut longest = 0.0f64;
     for [i, j] in super::tet::EDGES {
         longest = longest.max(norm(sub(x[j], x[i])));
     }
     let volume = super::tet::signed_volume(x);
     let largest = area_vectors(x).map(norm).into_iter().fold(0.0, f64::max);
-    let height = 3.0 * volume / largest;
-    longest / height * (2.0f64 / 3.0).sqrt()
+    longest * largest / (3.0 * volume)
+}
+
+/// Number, body, place and shape of a tet, as text.
+pub fn tet_words(mesh: &TetMesh, tet: usize) -> String {
+    let corners = mesh.corners(tet);
+    let body = mesh.bodies.get(mesh.tet_body[tet] as usize).map_or("", String::as_str);
+    // rounded before it is printed, and without the sign of a zero
+    let tenth = |x: f64| (10.0 * x).round() / 10.0 + 0.0;
+    let [x, y, z] = [0, 1, 2].map(|k| tenth(corners.iter().map(|c| 0.25 * c[k]).sum::<f64>()));
+    let ratio = length_over_thickness(&corners);
+    format!(
+        "tet {tet} of body `{body}` near ({x:.1}, {y:.1}, {z:.1}) mm, {ratio:.0} times as long as \
+         thick"
+    )
+}
+
+/// The tets that are more than `least` times as long as thick, the longest first.
+pub fn long_tets(mesh: &TetMesh, least: f64) -> Vec<usize> {
+    let ratios = (0..mesh.tets.len()).map(|e| (length_over_thickness(&mesh.corners(e)), e));
+    let mut long: Vec<(f64, usize)> = ratios.filter(|(ratio, _)| *ratio > least).collect();
+    long.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    long.into_iter().map(|(_, e)| e).collect()
 }
 
 #[cfg(test)]
@@ -141,5 +167,23 @@ mod tests {
         );
         // longest edge √2, smallest height 1/√3
         assert!((aspect(&corner) - 2.0).abs() < 1e-12);
+        assert!((length_over_thickness(&corner) - 6.0f64.sqrt()).abs() < 1e-12);
+    }
+
+    /// Two tets of height 0.1 and 0.01 over a right triangle with legs of 4 mm.
+    #[test]
+    fn long_tets_are_named_with_the_longest_first() {
+        let foot = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+        let mesh = TetMesh {
+            nodes: foot.into_iter().chain([[1.0, 1.0, 0.1], [1.0, 1.0, -0.01]]).collect(),
+            tets: vec![[0, 1, 2, 3], [0, 2, 1, 4]],
+            tet_body: vec![0, 1],
+            bodies: vec!["A".into(), "B".into()],
+            ..TetMesh::default()
+        };
+        assert_eq!(long_tets(&mesh, 50.0), [1, 0]);
+        assert_eq!(long_tets(&mesh, 100.0), [1]);
+        let words = "tet 1 of body `B` near (1.3, 1.3, 0.0) mm, 566 times as long as thick";
+        assert_eq!(tet_words(&mesh, 1), words);
     }
 }

@@ -7,16 +7,12 @@ pub enum ModelError {
     #[error("rigid faces `{0}` and `{1}` share an edge and both move it in {2}")]
     RigidFacesTouch(String, String, &'static str),
     /// A tet too flat for its stress parameters.
-    #[error("tet {tet} (near {x:.1}, {y:.1}, {z:.1} mm) is too flat for the static program")]
+    #[error("the static program needs rounder tets than {words}")]
     FlatTet {
         /// Index of the tet, from 0.
         tet: usize,
-        /// Centroid \[mm\].
-        x: f64,
-        /// Centroid \[mm\].
-        y: f64,
-        /// Centroid \[mm\].
-        z: f64,
+        /// Its number, body, place and shape, see [`crate::mesh::quality::tet_words`].
+        words: String,
     },
     /// Nothing can give way.
     #[error(

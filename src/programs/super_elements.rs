@@ -1,11 +1,11 @@
 //! The super-elements of a mesh: elements, face numbering and body forces shared by the static
 //! program and the recovery of its stresses.
 
-use crate::elements::geometry::centroid;
 use crate::elements::super_element::{SuperElement, TRACTIONS};
 use crate::math::mandel::Isotropic;
 use crate::math::vec3::V3;
 use crate::mesh::numbering::FaceNumbering;
+use crate::mesh::quality;
 use crate::model::ModelError;
 use crate::model::analysis::{AnalysisModel, BoundaryFace};
 use crate::model::loads::Loads;
@@ -58,9 +58,9 @@ impl<'a> SuperElements<'a> {
         let body = self.model.mesh.tet_body[e] as usize;
         let force = self.body[body];
         let force = (force != [0.0; 3]).then_some((force, self.origin));
-        SuperElement::new(corners, self.materials[body], force).ok_or_else(|| {
-            let c = centroid(&corners);
-            ModelError::FlatTet { tet: e, x: c[0], y: c[1], z: c[2] }
+        SuperElement::new(corners, self.materials[body], force).ok_or_else(|| ModelError::FlatTet {
+            tet: e,
+            words: quality::tet_words(&self.model.mesh, e),
         })
     }
 

@@ -180,12 +180,16 @@ fn program_warnings(pass: &EnergyPass) -> Vec<String> {
     warnings
 }
 
-/// Reason why a program that was interrupted, refused or not certified gave no bound; `None` for
-/// every other status.
+/// Reason why a program that was interrupted, refused, not certified or stopped by long tets gave
+/// no bound; `None` for every other reason.
 pub(crate) fn run_warning(name: &str, bound: &str, run: &ProgramOutcome) -> Option<String> {
     Some(match (run.status, run) {
         (_, ProgramOutcome { trouble: Some(t), .. }) => {
             format!("the {name} solution could not be certified: {t}")
+        }
+        (status, ProgramOutcome { long_tets: Some(tets), .. }) => {
+            let status = status.words();
+            format!("the {name} program ended with status `{status}`: no {bound} bound; {tets}")
         }
         (SolveStatus::Interrupted, ProgramOutcome { iterations: 0, .. }) => {
             format!(

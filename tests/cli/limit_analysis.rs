@@ -113,13 +113,15 @@ fn a_bar_collapses_where_it_must() {
         "The given load of the whole structure is 12.00 kN; the load at collapse lies between",
         "nearest to the yield surface in body **B**",
         "| B | 100.0 |",
-        "![Case bar: mechanism of the upper bound, coloured by its dissipation](mechanism_bar.png)",
+        "![Case bar: mechanism of the upper bound, coloured by its dissipation: 100 % in B; half",
+        "![Case bar: zones that limit the lower bound, coloured where more strength would raise",
         "Limit analysis: rigid, perfectly plastic",
         "| bar | volume |",
     ] {
         assert!(report.contains(words), "lacks {words}\n{report}");
     }
     assert!(bench.path().join("bar/mechanism_bar.png").is_file());
+    assert!(bench.path().join("bar/limiting_bar.png").is_file());
     let grid = |kind: &str| {
         let bytes =
             std::fs::read(bench.path().join(format!("bar/fields/bar_{kind}.vtu"))).expect("field");

@@ -13,8 +13,13 @@
 use crate::common::limit::{run, sharp_factors, strict};
 use crate::common::yielding::FY;
 use crate::common::{Block, mapped, solved};
-use bracket::mesh::TetMesh;
+use bracket::analysis::event::silent;
+use bracket::analysis::limit;
+use bracket::analysis::pass::PassOptions;
+use bracket::mesh::{TetMesh, quality};
 use bracket::model::AnalysisModel;
+use bracket::result::limit_case::limit_case_result;
+use bracket::solve::SolveStatus;
 
 const P: f64 = 60.0;
 const SIZE: [f64; 3] = [10.0, 8.0, 12.0];
@@ -153,4 +158,42 @@ fn thin_strip_with_short_elements_at_its_hinge() {
     let [low, up] =
         thin_strip("thin strip, short elements", [0.0, 0.5, 1.0, 1.5, 2.0, 4.0, 10.0, 25.0, 50.0]);
     assert!(low > 1.0 && up < 1.2, "[{low}, {up}]");
+}
+
+/// A clamped plate of tets that are about twice `ratio` times as long as thick.
+fn stretched(ratio: f64) -> AnalysisModel {
+    let mesh = Block::new([3, 3, 3], [1.0; 3]).jittered(2).mesh(&["PLATE"], |_| 0, |_, _| false);
+    let mesh = mapped(mesh, |x| [100.0 * x[0], 100.0 * x[1], 100.0 / ratio * x[2]]);
+    let yaml = format!(
+        "materials: {{s: {{E: 210000, nu: 0.3, fy: {FY:?}}}}}\nbodies: {{PLATE: s}}\nsupports:\n- \
+         {{face: X0, fix: [x, y, z]}}\nloads:\n- {{face: X1, traction: [0, 0, 1]}}\n"
+    );
+    match solved::resolve_as("limit", &yaml, mesh) {
+        Ok(model) => model,
+        Err(e) => panic!("{e:?}"),
+    }
+}
+
+/// Tets 2 500 times as long as thick: the kinematic program loses its digits, and the warning names
+/// the longest tets with body, place and shape. Tets twice as long are refused by the static
+/// program in the same words. Tets 250 times as long as thick do no harm.
+#[test]
+fn long_tets_are_named() {
+    strict("ratio 100", &stretched(100.0), &run(&stretched(100.0)));
+    let model = stretched(1000.0);
+    let longest =
+        |m: &AnalysisModel| quality::tet_words(&m.mesh, quality::long_tets(&m.mesh, 30.0)[0]);
+    let pass = run(&model);
+    let kinematic = pass.kinematic.as_ref().unwrap();
+    assert_ne!(kinematic.status, SolveStatus::Optimal);
+    let entry = limit_case_result("case", &model, &pass, None);
+    println!("{:#?}", entry.warnings);
+    let warning = entry.warnings.iter().find(|w| w.contains("kinematic program")).unwrap();
+    let words = longest(&model);
+    assert!(words.contains("of body `PLATE` near (") && words.contains(" times as long as thick"));
+    assert!(warning.contains(&words) && warning.contains(kinematic.status.words()), "{warning}");
+    let refused = limit::run(&stretched(3000.0), &PassOptions::default(), &silent());
+    let message = refused.unwrap_err().to_string();
+    println!("{message}");
+    assert!(message.contains("of body `PLATE` near (") && message.contains("times as long as"));
 }

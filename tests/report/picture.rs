@@ -5,8 +5,8 @@
 
 use bracket::mesh::TetMesh;
 use bracket::report::draw::Picture;
-use bracket::report::draw::raster::{Deformed, Field, PictureOptions, draw};
-use bracket::report::draw::surface::Surface;
+use bracket::report::draw::raster::{Colours, Deformed, Field, PictureOptions, draw, draw_surface};
+use bracket::report::draw::surface::{Surface, SurfaceTriangle};
 
 /// A box of `n` cells along each axis, five tets a cell, as body `body`.
 fn add_box(mesh: &mut TetMesh, name: &str, low: [f64; 3], high: [f64; 3], n: [usize; 3]) {
@@ -104,7 +104,13 @@ fn a_field_shows_its_bands_and_grey_where_it_is_not_defined() {
         mesh.nodes.iter().map(|p| if p[2] < -100.0 { f64::NAN } else { p[2] * 1.7 }).collect();
     let displacement: Vec<[f64; 3]> =
         mesh.nodes.iter().map(|p| [0.0, 0.0, -1e-4 * p[0] * p[0]]).collect();
-    let field = Field { name: "von Mises stress", unit: "MPa", values: &values, range: None };
+    let field = Field {
+        name: "von Mises stress",
+        unit: "MPa",
+        values: &values,
+        range: None,
+        colours: Colours::Spectrum,
+    };
     let options = PictureOptions {
         width: 800,
         max_height: 700,
@@ -142,4 +148,109 @@ fn nothing_to_draw_is_no_panic() {
     let picture = draw(&TetMesh::default(), &PictureOptions::default());
     assert!(picture.width == 1600 && picture.to_png().is_ok());
     assert!(Surface::of(&TetMesh::default()).triangles.is_empty());
+}
+
+/// A zone of a field, enlarged: more of the picture has its colour.
+#[test]
+fn a_zone_is_enlarged() {
+    let mesh = quarter();
+    let values: Vec<f64> =
+        mesh.nodes.iter().map(|x| if x[2] > 150.0 && x[0] < 30.0 { 1.0 } else { 0.0 }).collect();
+    let field = Field {
+        name: "zone",
+        unit: "",
+        values: &values,
+        range: Some([0.0, 1.0]),
+        colours: Colours::Fire,
+    };
+    let whole = PictureOptions { field: Some(field), mesh_lines: false, ..Default::default() };
+    let close = PictureOptions { around: Some(0.5), ..whole.clone() };
+    // left of the legend
+    let coloured = |p: &Picture| {
+        let red = |x: usize, y: usize| {
+            let [r, g, b] = p.pixel(x, y).map(i32::from);
+            r > g + 40 && r > b + 20
+        };
+        let width = p.width - 260;
+        (0..p.height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .filter(|(x, y)| red(*x, *y))
+            .count()
+    };
+    let [whole, close] = [draw(&mesh, &whole), draw(&mesh, &close)];
+    keep(&close, "zone.png");
+    assert!(coloured(&whole) > 500, "{}", coloured(&whole));
+    assert!(coloured(&close) > 3 * coloured(&whole), "{} {}", coloured(&close), coloured(&whole));
+}
+
+/// The edges at rest appear beside the deformed shape, and only there.
+#[test]
+fn edges_at_rest_are_drawn_behind() {
+    let mesh = quarter();
+    let moved: Vec<[f64; 3]> =
+        mesh.nodes.iter().map(|x| [0.0, 0.0, -0.1 * (200.0 + x[2])]).collect();
+    let deformed = Deformed { displacement: &moved, factor: 1.0, to_scale: false };
+    let options = PictureOptions { deformed: Some(deformed), ghost: true, ..Default::default() };
+    let with = draw(&mesh, &options);
+    keep(&with, "ghost.png");
+    // above the deformed top, which sank by 40 mm, lines remain on white ground
+    let shape = |p: &Picture, y: usize| (0..p.width).filter(|x| p.pixel(*x, y) != [255; 3]).count();
+    let first = (0..with.height).find(|y| shape(&with, *y) > 0).expect("drawn");
+    let line = shape(&with, first + 20);
+    assert!(line > 0 && line < 60, "{line} pixels in a row that only lines cross");
+    // at rest the shape covers its own edges
+    let still = vec![[0.0; 3]; mesh.nodes.len()];
+    let rest = Deformed { displacement: &still, ..deformed };
+    let still =
+        |ghost| draw(&mesh, &PictureOptions { deformed: Some(rest), ghost, ..Default::default() });
+    let changed = still(true).rgb.iter().zip(&still(false).rgb).filter(|(a, b)| a != b).count();
+    assert!(changed * 200 < still(true).rgb.len(), "{changed} bytes differ");
+}
+
+/// Two bodies that meet on a line, each with a flat triangle that touches the line with a corner
+/// only: the line between the bodies has no gap there.
+#[test]
+fn lines_have_no_gaps_at_corners() {
+    let points: Vec<[f64; 3]> = [
+        [-10.0, 0.0],
+        [0.0, 0.0],
+        [10.0, 0.0],
+        [-10.0, 1.0],
+        [10.0, 1.0],
+        [-10.0, -1.0],
+        [10.0, -1.0],
+    ]
+    .map(|[x, y]| [x, y, 0.0])
+    .to_vec();
+    let triangle = |nodes, body| SurfaceTriangle { nodes, body };
+    let surface = Surface {
+        triangles: vec![
+            triangle([0, 1, 3], 0),
+            triangle([1, 4, 3], 0),
+            triangle([1, 2, 4], 0),
+            triangle([0, 5, 1], 1),
+            triangle([1, 5, 6], 1),
+            triangle([1, 6, 2], 1),
+        ],
+        bodies: vec!["A".into(), "B".into()],
+        origin: (0..points.len() as u32).collect(),
+        signs: vec![[1.0; 3]; points.len()],
+        points,
+    };
+    let options = PictureOptions {
+        width: 800,
+        eye: Some([0.0, 0.0, 1.0]),
+        mesh_lines: false,
+        ..Default::default()
+    };
+    let picture = draw_surface(surface, &options);
+    keep(&picture, "line.png");
+    let rows: Vec<usize> =
+        (0..picture.height).filter(|y| picture.pixel(740, *y) != [255; 3]).collect();
+    // the strip below the shape is empty at this column
+    let middle = (rows[0] + rows[rows.len() - 1]) / 2;
+    for x in 60..740 {
+        let darkest = (middle - 4..=middle + 4).map(|y| picture.pixel(x, y)[0]).min();
+        assert!(darkest.is_some_and(|d| d < 110), "{darkest:?} in column {x}");
+    }
 }

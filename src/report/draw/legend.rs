@@ -31,19 +31,18 @@ pub(super) fn legend(canvas: &mut Canvas, bands: &Bands, field: Field, left: f64
     for i in (0..=bands.count).step_by(label_every) {
         let at = top + (bands.count - i) as f64 * height;
         canvas.line([left + 34.0, at], [left + 40.0, at], 0.6, INK);
-        canvas.text(&bands.label(i), left + 46.0, at + LETTER / 2.0 - 1.0, LETTER * 0.9, INK);
+        let more = if i == bands.count && bands.exceeded() { " and more" } else { "" };
+        let label = bands.label(i) + more;
+        canvas.text(&label, left + 46.0, at + LETTER / 2.0 - 1.0, LETTER * 0.9, INK);
     }
     if bands.extremes[0].is_finite() {
         let foot = top + bands.count as f64 * height + 2.0 * LETTER;
+        let [low, high] = bands.extremes;
+        // rounding errors of a field that is zero there
+        let low = if low.abs() < 1e-6 * high.abs() { 0.0 } else { low };
+        canvas.text(&format!("min {}", four_digits(low)), left, foot, LETTER * 0.8, INK);
         canvas.text(
-            &format!("min {}", four_digits(bands.extremes[0])),
-            left,
-            foot,
-            LETTER * 0.8,
-            INK,
-        );
-        canvas.text(
-            &format!("max {}", four_digits(bands.extremes[1])),
+            &format!("max {}", four_digits(high)),
             left,
             foot + 1.5 * LETTER,
             LETTER * 0.8,
@@ -66,7 +65,7 @@ fn four_digits(x: f64) -> String {
 /// Scale bar, names of the bodies, magnification and axes below the shape.
 pub(super) fn strip(canvas: &mut Canvas, view: &View, groups: &Groups, options: &PictureOptions) {
     let base = view.strip_top + 46.0;
-    let mut x = axes(canvas, view, [MARGIN + 36.0, view.strip_top + 30.0]) + 28.0;
+    let mut x = axes(canvas, view, [MARGIN + 36.0, view.strip_top + 42.0]) + 28.0;
     let length = nice(110.0 / view.scale);
     let end = x + length * view.scale;
     canvas.line([x, base], [end, base], 1.4, INK);

@@ -12,8 +12,10 @@ pub mod palette;
 pub mod plot;
 pub mod polygon;
 pub mod raster;
+pub mod section;
 pub mod surface;
 pub mod svg;
 pub mod view;
+pub mod whole;
 
 pub use canvas::Picture;

@@ -12,6 +12,20 @@ pub struct Field<'a> {
     /// Lowest and highest value of the colours; absent: those of the field. Values outside have the
     /// first or last colour.
     pub range: Option<[f64; 2]>,
+    /// Its colours.
+    pub colours: Colours,
+}
+
+/// The colours of a field.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colours {
+    /// From blue over green to red, for a field that has a value everywhere.
+    #[default]
+    Spectrum,
+    /// From grey over yellow to red, for a field that is zero in most places.
+    Fire,
+    /// From grey over light blue to dark violet, for another such field.
+    Violet,
 }
 
 /// Magnified displacements.
@@ -41,12 +55,16 @@ pub struct PictureOptions<'a> {
     /// Bodies to zoom in on. The frame is their extent plus a quarter, and the rest is cut at its
     /// border. Empty: the whole shape.
     pub focus: &'a [&'a str],
+    /// Zooms in on the places where the field reaches this value, in the same way.
+    pub around: Option<f64>,
     /// Whether the lines of the mesh are drawn.
     pub mesh_lines: bool,
     /// A field instead of body colours.
     pub field: Option<Field<'a>>,
     /// The deformed shape instead of the given one.
     pub deformed: Option<Deformed<'a>>,
+    /// Whether the edges of the given shape are drawn behind the deformed one.
+    pub ghost: bool,
 }
 
 impl Default for PictureOptions<'_> {
@@ -57,9 +75,11 @@ impl Default for PictureOptions<'_> {
             mirror: &[],
             eye: None,
             focus: &[],
+            around: None,
             mesh_lines: true,
             field: None,
             deformed: None,
+            ghost: false,
         }
     }
 }

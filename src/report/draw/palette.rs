@@ -1,7 +1,7 @@
 //! Colours of bodies and of the bands of a field.
 
 use crate::report::draw::canvas::Rgb;
-use crate::report::draw::options::Field;
+use crate::report::draw::options::{Colours, Field};
 
 pub(super) const BACKGROUND: Rgb = [255.0, 255.0, 255.0];
 pub(super) const INK: Rgb = [38.0, 42.0, 48.0];
@@ -21,7 +21,7 @@ pub(super) const BODY_COLOURS: [Rgb; 8] = [
 ];
 
 /// Colours of a field from low to high.
-const FIELD_COLOURS: [Rgb; 7] = [
+const SPECTRUM: [Rgb; 7] = [
     [54.0, 70.0, 158.0],
     [58.0, 142.0, 200.0],
     [92.0, 192.0, 180.0],
@@ -30,6 +30,34 @@ const FIELD_COLOURS: [Rgb; 7] = [
     [240.0, 144.0, 60.0],
     [190.0, 36.0, 44.0],
 ];
+const FIRE: [Rgb; 7] = [
+    [222.0, 226.0, 230.0],
+    [255.0, 240.0, 150.0],
+    [254.0, 206.0, 90.0],
+    [252.0, 158.0, 60.0],
+    [244.0, 104.0, 42.0],
+    [216.0, 40.0, 32.0],
+    [140.0, 0.0, 34.0],
+];
+const VIOLET: [Rgb; 7] = [
+    [222.0, 226.0, 230.0],
+    [170.0, 222.0, 240.0],
+    [110.0, 190.0, 232.0],
+    [78.0, 148.0, 220.0],
+    [84.0, 96.0, 204.0],
+    [106.0, 44.0, 172.0],
+    [74.0, 6.0, 112.0],
+];
+
+impl Colours {
+    fn stops(self) -> &'static [Rgb; 7] {
+        match self {
+            Colours::Spectrum => &SPECTRUM,
+            Colours::Fire => &FIRE,
+            Colours::Violet => &VIOLET,
+        }
+    }
+}
 
 /// Groups of bodies that share a colour: bodies whose names agree up to the first `_` or digit.
 pub(super) struct Groups {
@@ -67,6 +95,7 @@ pub(super) struct Bands {
     pub count: usize,
     /// Lowest and highest value of the field itself.
     pub extremes: [f64; 2],
+    colours: Colours,
 }
 
 impl Bands {
@@ -81,24 +110,36 @@ impl Bands {
             // no value, or one value everywhere: a single band around it
             let value = if low.is_finite() { low } else { 0.0 };
             let step = nice(value.abs().max(1.0));
-            return Self { low: (value / step).floor() * step, step, count: 1, extremes };
+            return Self {
+                low: (value / step).floor() * step,
+                step,
+                count: 1,
+                extremes,
+                colours: field.colours,
+            };
         }
         let step = nice((high - low) / 12.0);
         let first = (low / step + 1e-9).floor();
         let count = ((high / step - 1e-9).ceil() - first).max(1.0) as usize;
-        Self { low: first * step, step, count, extremes }
+        Self { low: first * step, step, count, extremes, colours: field.colours }
     }
 
     pub(super) fn band(&self, value: f64) -> usize {
         (((value - self.low) / self.step).max(0.0) as usize).min(self.count - 1)
     }
 
+    /// True if the last band also contains values above its limit.
+    pub(super) fn exceeded(&self) -> bool {
+        self.extremes[1] > self.low + (self.count as f64 + 1e-9) * self.step
+    }
+
     pub(super) fn colour(&self, band: usize) -> Rgb {
-        let last = FIELD_COLOURS.len() - 1;
+        let stops = self.colours.stops();
+        let last = stops.len() - 1;
         let t =
             if self.count > 1 { band as f64 / (self.count - 1) as f64 * last as f64 } else { 0.0 };
         let i = (t as usize).min(last - 1);
-        mix(FIELD_COLOURS[i], FIELD_COLOURS[i + 1], (t - i as f64) as f32)
+        mix(stops[i], stops[i + 1], (t - i as f64) as f32)
     }
 
     /// A limit with enough digits to distinguish it from the next.
@@ -153,15 +194,36 @@ mod tests {
     #[test]
     fn bands_cover_the_field_with_round_limits() {
         let values = [-3.0, f64::NAN, 97.0];
-        let bands = Bands::of(Field { name: "s", unit: "MPa", values: &values, range: None });
+        let bands = Bands::of(Field {
+            name: "s",
+            unit: "MPa",
+            values: &values,
+            range: None,
+            colours: Colours::Spectrum,
+        });
         assert_eq!((bands.low, bands.step, bands.count), (-10.0, 10.0, 11));
         assert_eq!(
             (bands.band(-3.0), bands.band(0.0), bands.band(97.0), bands.band(1e9)),
             (0, 1, 10, 10)
         );
         assert_eq!((bands.label(0), bands.label(1)), ("-10".to_string(), "0".to_string()));
+        assert!(!bands.exceeded());
+        let cut = Bands::of(Field {
+            name: "s",
+            unit: "MPa",
+            values: &values,
+            range: Some([0.0, 50.0]),
+            colours: Colours::Fire,
+        });
+        assert!(cut.exceeded() && cut.band(97.0) == cut.count - 1 && cut.band(-3.0) == 0);
         for values in [vec![], vec![5.0; 3], vec![0.0; 2], vec![f64::NAN]] {
-            let bands = Bands::of(Field { name: "s", unit: "", values: &values, range: None });
+            let bands = Bands::of(Field {
+                name: "s",
+                unit: "",
+                values: &values,
+                range: None,
+                colours: Colours::Spectrum,
+            });
             assert!(bands.count == 1 && bands.step > 0.0, "{values:?}");
         }
     }

@@ -5,11 +5,11 @@
 //! the shape are drawn where a pixel of a triangle lies near one of its edges, so that hidden lines
 //! remain hidden without a depth offset.
 
-use crate::math::vec3::{dot, unit};
+use crate::math::vec3::{V3, dot, unit};
 use crate::mesh::TetMesh;
 use crate::report::draw::canvas::{Canvas, Picture, SAMPLES};
 use crate::report::draw::legend::{legend, strip};
-pub use crate::report::draw::options::{Deformed, Field, PictureOptions};
+pub use crate::report::draw::options::{Colours, Deformed, Field, PictureOptions};
 use crate::report::draw::palette::{BACKGROUND, Bands, FRAME, Groups, INK, UNDEFINED, mix};
 use crate::report::draw::surface::{EdgeKind, Surface, unit_normal};
 use crate::report::draw::view::{LEGEND, View, natural_eye};
@@ -18,6 +18,9 @@ use crate::report::draw::view::{LEGEND, View, natural_eye};
 /// between the facets of a bolt's twelve-sided shank and those of a fillet in three facets, and
 /// below the 60° of the bolt's head.
 const FEATURE_ANGLE: f64 = 35.0 * std::f64::consts::PI / 180.0;
+
+/// Half width \[samples\] and strength of the lines of the shape.
+const FEATURE_LINE: (f64, f64) = (1.3, 0.95);
 
 /// Draws a mesh.
 pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
@@ -29,6 +32,7 @@ pub fn draw(mesh: &TetMesh, options: &PictureOptions) -> Picture {
 pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     let kinds = surface.edge_kinds(FEATURE_ANGLE);
     let eye = unit(options.eye.unwrap_or_else(|| natural_eye(&surface)));
+    let rest = if options.ghost { ghost_lines(&surface, &kinds, eye) } else { Vec::new() };
     if let Some(Deformed { displacement, factor, .. }) = options.deformed {
         for (i, point) in surface.points.iter_mut().enumerate() {
             let u = displacement[surface.origin[i] as usize];
@@ -39,7 +43,7 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     }
     let groups = Groups::of(&surface.bodies);
     let bands = options.field.map(Bands::of);
-    let view = View::new(&surface, eye, options, bands.is_some());
+    let view = View::new(&surface, eye, options, bands.is_some(), &rest);
     let mut canvas = Canvas::new(view.width, view.height, BACKGROUND);
     let drawing = Drawing {
         surface: &surface,
@@ -49,6 +53,10 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
         bands: &bands,
         options,
     };
+    for [a, b] in &rest {
+        let [a, b] = [a, b].map(|p| view.sample(*p).map(|x| x / SAMPLES as f64));
+        canvas.line([a[0], a[1]], [b[0], b[1]], 0.8, FRAME);
+    }
     drawing.triangles(&mut canvas);
     canvas.outline(INK, 0.01 * view.diagonal);
     canvas.blank_below(view.strip_top, BACKGROUND);
@@ -65,6 +73,21 @@ pub fn draw_surface(mut surface: Surface, options: &PictureOptions) -> Picture {
     }
     strip(&mut canvas, &view, &groups, options);
     canvas.finish()
+}
+
+/// The edges of the shape whose front can be seen.
+fn ghost_lines(surface: &Surface, kinds: &[[EdgeKind; 3]], eye: V3) -> Vec<[V3; 2]> {
+    let point = |n: u32| surface.points[n as usize];
+    let mut out = Vec::new();
+    for (triangle, kinds) in surface.triangles.iter().zip(kinds) {
+        if dot(unit_normal(triangle.nodes.map(point)), eye) <= 0.0 {
+            continue;
+        }
+        for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
+            out.push([point(triangle.nodes[i]), point(triangle.nodes[(i + 1) % 3])]);
+        }
+    }
+    out
 }
 
 /// Data from which the triangles are drawn.
@@ -85,6 +108,7 @@ impl Drawing<'_> {
         let lamp = unit(
             [0, 1, 2].map(|k| self.view.eye[k] + 0.45 * self.view.up[k] - 0.7 * self.view.right[k]),
         );
+        let lines = self.lines();
         for (t, triangle) in self.surface.triangles.iter().enumerate() {
             let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
             if dot(normal, self.view.eye) <= 0.0 {
@@ -98,6 +122,13 @@ impl Drawing<'_> {
             });
             let body = self.groups.colour(triangle.body);
             let kinds = self.kinds[t];
+            let touched: Vec<[[f64; 3]; 2]> = triangle
+                .nodes
+                .iter()
+                .flat_map(|n| lines[*n as usize].iter().map(|m| [*n, *m]))
+                .filter(|[_, m]| !triangle.nodes.contains(m))
+                .map(|line| line.map(|n| points[n as usize]))
+                .collect();
             let length = [0, 1, 2].map(|i| {
                 let (a, b) = (corners[i], corners[(i + 1) % 3]);
                 (a[0] - b[0]).hypot(a[1] - b[1])
@@ -116,18 +147,44 @@ impl Drawing<'_> {
                     }
                     _ => body.map(|c| c * light as f32),
                 };
+                let mut cover = 0.0f64;
                 for i in 0..3 {
                     let distance = w[(i + 2) % 3] * double_area / length[i].max(1e-9);
                     let (half, ink) = match kinds[i] {
-                        EdgeKind::Feature => (1.3, 0.95),
+                        EdgeKind::Feature => FEATURE_LINE,
                         EdgeKind::Mesh => (0.55, mesh_ink),
                     };
-                    let cover = (half + 0.5 - distance).clamp(0.0, 1.0) * ink;
-                    colour = mix(colour, INK, cover as f32);
+                    cover = cover.max((half + 0.5 - distance).clamp(0.0, 1.0) * ink);
                 }
+                // lines that end at a corner of the triangle
+                let at = |k: usize| (0..3).map(|j| w[j] * corners[j][k]).sum::<f64>();
+                for [a, b] in &touched {
+                    let (half, ink) = FEATURE_LINE;
+                    let distance = to_segment([at(0), at(1)], [a[0], a[1]], [b[0], b[1]]);
+                    cover = cover.max((half + 0.5 - distance).clamp(0.0, 1.0) * ink);
+                }
+                colour = mix(colour, INK, cover as f32);
                 colour
             });
         }
+    }
+
+    /// The other ends of the lines of the shape at each point, without lines behind the shape. A
+    /// triangle that touches a line with a corner only covers a part of its width.
+    fn lines(&self) -> Vec<Vec<u32>> {
+        let mut lines = vec![Vec::new(); self.surface.points.len()];
+        for (triangle, kinds) in self.surface.triangles.iter().zip(self.kinds) {
+            let normal = unit_normal(triangle.nodes.map(|n| self.surface.points[n as usize]));
+            if dot(normal, self.view.eye) <= 0.0 {
+                continue;
+            }
+            for i in (0..3).filter(|i| kinds[*i] == EdgeKind::Feature) {
+                let [a, b] = [triangle.nodes[i], triangle.nodes[(i + 1) % 3]];
+                lines[a as usize].push(b);
+                lines[b as usize].push(a);
+            }
+        }
+        lines
     }
 
     /// Strength of mesh lines: full for coarse meshes, fading where lines would merge into a grey
@@ -149,4 +206,12 @@ impl Drawing<'_> {
         let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
         0.55 * (*median / (8.0 * SAMPLES as f64)).clamp(0.25, 1.0)
     }
+}
+
+/// Distance of the point `x` from the segment from `a` to `b`.
+fn to_segment(x: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (d, e) = ([b[0] - a[0], b[1] - a[1]], [x[0] - a[0], x[1] - a[1]]);
+    let square = (d[0] * d[0] + d[1] * d[1]).max(f64::MIN_POSITIVE);
+    let along = ((d[0] * e[0] + d[1] * e[1]) / square).clamp(0.0, 1.0);
+    (e[0] - along * d[0]).hypot(e[1] - along * d[1])
 }

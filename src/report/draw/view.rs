@@ -1,9 +1,9 @@
 //! Projection of a shape onto a picture, and the space around the shape.
 
-use crate::math::vec3::{cross, dot, unit};
+use crate::math::vec3::{V3, cross, dot, unit};
 use crate::report::draw::canvas::SAMPLES;
 use crate::report::draw::options::PictureOptions;
-use crate::report::draw::surface::Surface;
+use crate::report::draw::surface::{Surface, SurfaceTriangle};
 
 /// Space for the legend of a field \[pixels\].
 pub(super) const LEGEND: f64 = 230.0;
@@ -13,6 +13,9 @@ const STRIP: f64 = 84.0;
 pub(super) const MARGIN: f64 = 24.0;
 /// Height of capitals \[pixels\].
 pub(super) const LETTER: f64 = 14.0;
+
+/// Space around the places that a field marks, on each side, over their extent.
+const AROUND: f64 = 0.4;
 
 /// A view from slightly above that shows the long side across the picture. A shape on one side of
 /// the plane x = 0 or y = 0 (a half or quarter model) is seen from its outside.
@@ -46,11 +49,13 @@ pub(super) struct View {
 }
 
 impl View {
+    /// The view of a surface; `rest`: further lines that it shows.
     pub(super) fn new(
         surface: &Surface,
         eye: [f64; 3],
         options: &PictureOptions,
         has_legend: bool,
+        rest: &[[V3; 2]],
     ) -> Self {
         let world_up = if eye[2].abs() > 0.999 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
         let right = unit(cross(world_up, eye));
@@ -58,15 +63,24 @@ impl View {
         let mut frame = Frame::default();
         let focused: Vec<bool> =
             surface.bodies.iter().map(|b| options.focus.contains(&b.as_str())).collect();
-        let close = focused.contains(&true);
-        for triangle in surface.triangles.iter().filter(|t| !close || focused[t.body as usize]) {
+        let reached = |n: u32| match (options.around, options.field) {
+            (Some(least), Some(f)) => f.values[surface.origin[n as usize] as usize] >= least,
+            _ => false,
+        };
+        let near =
+            |t: &&SurfaceTriangle| focused[t.body as usize] || t.nodes.into_iter().any(reached);
+        let close = surface.triangles.iter().any(|t| near(&t));
+        for triangle in surface.triangles.iter().filter(|t| !close || near(t)) {
             for n in triangle.nodes {
                 let p = surface.points[n as usize];
                 frame.add([dot(p, right), dot(p, up)]);
             }
         }
+        for p in rest.iter().flatten().filter(|_| !close) {
+            frame.add([dot(*p, right), dot(*p, up)]);
+        }
         if close {
-            frame.grow(0.125);
+            frame.grow(if options.around.is_some() { AROUND } else { 0.125 });
         }
         let (low, high) = surface.extents();
         let diagonal = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();

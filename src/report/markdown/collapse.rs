@@ -115,6 +115,21 @@ pub(crate) fn mechanism(page: &mut String, case: &CaseResult) {
         );
     }
     if !case.dissipation.is_empty() {
+        paragraph(
+            page,
+            "The picture of the mechanism shows the structure as it collapses. What is grey yields \
+             little or not at all, what is red yields most. Gaps between parts are those of the \
+             mechanism.",
+        );
+        if case.lower.is_some() {
+            paragraph(
+                page,
+                "The picture of the limiting zones marks in violet what limits the lower bound: \
+                 the zones in which more strength would raise it. Each bound has its own mesh and \
+                 its own picture. The two pictures need not mark the same zones while the bounds \
+                 are far apart.",
+            );
+        }
         paragraph(page, "Where the mechanism of the upper bound dissipates energy:");
         let mut parts: Vec<(String, f64)> =
             case.dissipation.iter().map(|p| (p.part.clone(), p.share)).collect();
