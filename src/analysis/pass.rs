@@ -15,10 +15,10 @@ pub struct PassOptions {
     pub solve: SolveOptions,
     /// Source of the memory available for solves.
     pub room: RoomSource,
-    /// Limit analysis with friction. `None`: the static program is solved with and without friction.
-    /// `Some(at)`: only for the bound that answers the friction law. Under Coulomb's law that is the
-    /// one without friction; with associated friction the one without friction is added where the
-    /// one with friction reaches the load factor `at`.
+    /// Limit analysis with friction. `None`: the static program is solved with and without
+    /// friction. `Some(at)`: only for the bound that answers the friction law. Under Coulomb's law
+    /// that is the one without friction; with associated friction the one without friction is
+    /// added where the one with friction reaches the load factor `at`.
     pub answer_from: Option<f64>,
 }
 

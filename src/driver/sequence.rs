@@ -12,7 +12,7 @@ use crate::refine::rates;
 use crate::refine::track::{self, Track};
 use crate::report::console::pace::about;
 use crate::report::figures::{Rounding, fixed, percent_up};
-use crate::result::result_file::{ProgramRun, Upper};
+use crate::result::result_file::{FrictionModel, Upper};
 
 /// Meshes made one after the other by one remesher.
 pub struct Sequence<'a> {
@@ -20,12 +20,14 @@ pub struct Sequence<'a> {
     remesher: Box<dyn Remesh<'a> + 'a>,
     /// Index of its last pass.
     last: usize,
+    /// No further mesh could be made, or the last one gave no bound.
+    failed: bool,
 }
 
 impl<'a> Sequence<'a> {
     /// A sequence that starts from the first mesh.
     pub fn new(bounds: Bounds, remesher: Box<dyn Remesh<'a> + 'a>) -> Self {
-        Self { track: Track::new(bounds), remesher, last: 0 }
+        Self { track: Track::new(bounds), remesher, last: 0, failed: false }
     }
 }
 
@@ -49,16 +51,20 @@ impl Passes<'_> {
                 if self.limits.interrupt.asked() {
                     return Ok(None);
                 }
+                // the other track may go on
+                if tracks[i].failed {
+                    continue;
+                }
                 let best = self.divide(tracks)?;
                 // the tracks that follow in this round need their part of the time
-                let part = 1.0 / (tracks.len() - i) as f64;
+                let part = 1.0 / tracks[i..].iter().filter(|t| !t.failed).count() as f64;
                 match self.refine(&mut tracks[i], adapt, best, part)? {
                     Refined::Mesh => refined = true,
                     // of both reasons the one that another mesh could remove
                     Refined::Stop(why) => {
                         stop = stop.filter(|s| *s != Stop::Target).or(Some(why));
                     }
-                    Refined::Failed => return Ok(None),
+                    Refined::Failed => tracks[i].failed = true,
                 }
                 let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
                 self.drop_unused(&last);
@@ -81,17 +87,18 @@ impl Passes<'_> {
             _ => pass.bounds.upper().and_then(Upper::finite),
         };
         let row = pass.entry.history.last();
-        let programs = |runs: [Option<&ProgramRun>; 2]| {
-            runs.into_iter().flatten().map(|r| r.seconds).sum::<f64>()
-        };
         // the first mesh of two tracks is shared: each counts its own programs
         let seconds = row.map_or(0.0, |row| {
             let own = match bounds {
                 Bounds::Both => return row.seconds.unwrap_or(0.0),
-                Bounds::Static => [row.static_.as_ref(), row.static_frictionless.as_ref()],
-                Bounds::Kinematic => [row.kinematic.as_ref(), None],
+                // later meshes compute the bound that answers
+                Bounds::Static if pass.entry.problem == FrictionModel::Coulomb => {
+                    row.static_frictionless.as_ref()
+                }
+                Bounds::Static => row.static_.as_ref(),
+                Bounds::Kinematic => row.kinematic.as_ref(),
             };
-            row.mesh_seconds.unwrap_or(0.0) + programs(own)
+            row.mesh_seconds.unwrap_or(0.0) + own.map_or(0.0, |r| r.seconds)
         });
         let counts = |program: Program| match bounds {
             Bounds::Both => true,
@@ -132,7 +139,7 @@ impl Passes<'_> {
         best_gap: f64,
         part: f64,
     ) -> Result<Refined, Diagnostics> {
-        let Sequence { track, remesher, last } = sequence;
+        let Sequence { track, remesher, last, .. } = sequence;
         let (name, log) = (self.name, self.log);
         let budget = Budget {
             seconds: part * (self.share.until - log.seconds()),

@@ -1,11 +1,11 @@
 //! Where the lower bound is held down, or will be after the next mesh.
 //!
 //! The yield multipliers show the mechanism that limits the lower bound now. A joint has others of
-//! almost the same load factor: two equal plates, for instance. A mesh that follows one alone lifts
-//! it, and the next one limits the bound. The multipliers of an interior-point solve at an earlier
-//! stage of its path, where slack s and multiplier z have the product μ, show them all: `z = μ / s`.
-//! So tets near yield get the weight `δ / (s + δ)` per volume and yield strength, s the slack of the
-//! utilisation at a point of a tet.
+//! almost the same load factor: two equal plates, for instance. A mesh that follows one alone
+//! lifts it, and the next one limits the bound. At an earlier stage of the path of an
+//! interior-point solve slack s and multiplier z have the product μ, and `z = μ / s` shows them all.
+//! So tets near yield get the weight `δ / (s + δ)` per volume and yield strength, s the slack of
+//! the utilisation at a point of a tet.
 
 use crate::certify::fields::StressField;
 use crate::certify::plastic_field::length;
@@ -64,8 +64,8 @@ mod tests {
     use crate::math::mandel::yield_radius;
     use crate::mesh::fixtures::cubes;
 
-    /// A tet at yield outweighs one of the same volume at half of it as 1 to δ / (½ + δ); multipliers
-    /// keep their part, also of a tet without stress. All shares sum to 1.
+    /// A tet at yield outweighs one of the same volume at half of it as 1 to δ / (½ + δ);
+    /// multipliers keep their part, also of a tet without stress. All shares sum to 1.
     #[test]
     fn tets_at_yield_outweigh_others() {
         let mesh = cubes(&[([0, 0, 0], "B")]);

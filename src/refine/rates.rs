@@ -140,9 +140,9 @@ pub fn estimate(
 /// The estimate for the meshes of the bounds asked for, from a pass on `model`; `None` if it lacks
 /// the fields.
 ///
-/// The mesh of the lower bound follows the static program's own multipliers, the places near yield
-/// and the directions of the multipliers' velocities, that of the upper bound the error of its mechanism, one mesh for both the
-/// contributions to the gap.
+/// The mesh of the lower bound follows the static program's own multipliers, the places near
+/// yield, and the directions of the multipliers' velocities; that of the upper bound follows the
+/// error of its mechanism, one mesh for both the contributions to the gap.
 pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) -> Option<Estimate> {
     let share = pass.yield_multiplier_share();
     let directions = match bounds {
