@@ -17,6 +17,8 @@ mod hinges;
 mod interaction;
 #[path = "limit/loose_pieces.rs"]
 mod loose_pieces;
+#[path = "limit/mesh_pairs.rs"]
+mod mesh_pairs;
 #[path = "limit/random.rs"]
 mod random;
 #[path = "limit/random_joints.rs"]

@@ -219,8 +219,8 @@ mod tests {
         }
     }
 
-    /// Twice the volume over the surface: a plate of 40 × 40 × 10 has a thickness of 7.5 × (10/11.25)
-    /// = 6.67, a cube of 40 mm of 13.3; where both meet the smaller counts.
+    /// Twice the volume over the surface: 6.67 for a plate of 40 × 40 × 10 mm, 13.3 for a cube of
+    /// 40 mm; where both meet the smaller counts.
     #[test]
     fn thickness_of_bodies() {
         let plate = (0..16).map(|i| ([i % 4, i / 4, 0], "PLATE"));

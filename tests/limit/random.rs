@@ -31,10 +31,17 @@ impl Random {
 /// Two stacked blocks, tied or in contact, clamped or guided at the foot, under a traction at the
 /// top and sometimes a dead pressure. `None` if a part is loose.
 pub fn assembly(seed: u64) -> Option<AnalysisModel> {
+    assembly_on(seed, [0; 3])
+}
+
+/// The same on another mesh, with so many `more` cells in each direction, an even number in the
+/// third.
+pub fn assembly_on(seed: u64, more: [usize; 3]) -> Option<AnalysisModel> {
     let mut r = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     (0..8).for_each(|_| _ = r.next());
     let size = [r.between(5.0, 40.0), r.between(5.0, 40.0), r.between(10.0, 60.0)];
     let cells = [r.among(1, 2), r.among(1, 2), 2 * r.among(1, 2)];
+    let cells = std::array::from_fn(|d| cells[d] + more[d]);
     let middle = 0.5 * size[2];
     let shape = Block { cells, min: [0.0; 3], max: size, jitter: 0.2, seed };
     let mesh = shape.mesh(
