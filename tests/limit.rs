@@ -15,8 +15,6 @@ mod hard;
 mod hinges;
 #[path = "limit/interaction.rs"]
 mod interaction;
-#[path = "limit/loose_pieces.rs"]
-mod loose_pieces;
 #[path = "limit/mesh_pairs.rs"]
 mod mesh_pairs;
 #[path = "limit/random.rs"]

@@ -35,17 +35,13 @@ impl Extent {
     }
 }
 
-/// Factor on the element sizes with which limit analysis starts. The meshes of later passes are
-/// finer where the first pass found plastic flow.
-const LIMIT_START: f64 = 2.0;
-
 /// The element sizes for these kinds of analysis, times `size_factor`. Limit analysis alone starts
 /// with few elements, most of them where plates turn about hinges, unless the spec gives one size
 /// for all parts.
 pub fn sizes(asked: &MeshSpec, kinds: &[AnalysisKind], size_factor: f64) -> SizeRule {
     let even = SizeRule { factor: size_factor, ..SizeRule::default() };
     if kinds == [AnalysisKind::Limit] && asked.size == MeshSize::Auto {
-        SizeRule { factor: LIMIT_START * size_factor, at_hinges: Some(HALF_THICKNESS), ..even }
+        SizeRule { at_hinges: Some(HALF_THICKNESS), ..even }
     } else {
         even
     }

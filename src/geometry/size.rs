@@ -28,7 +28,7 @@ pub struct SizeRule {
     /// Largest size in a member's span, as a multiple of its size at the joint.
     pub span_limit: f64,
     /// Largest size between pulled bolts and toes, over the thickness of the plate
-    /// ([`super::hinges`]); `None`: the size of the part.
+    /// ([`super::hinges`]), and twice the sizes elsewhere; `None`: the size of the part.
     pub at_hinges: Option<f64>,
 }
 
@@ -49,6 +49,10 @@ impl Default for SizeRule {
     }
 }
 
+/// Factor on all sizes of a joint with hinges: most elements stand at the hinges, and later meshes
+/// are finer where the first one shows plastic flow.
+const BESIDE_HINGES: f64 = 2.0;
+
 /// A size above that of every field \[mm\].
 const FREE: f64 = 1e6;
 
@@ -57,6 +61,9 @@ const REACH: f64 = 1000.0;
 
 /// The script lines that define the fields and use their minimum as the background field.
 pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
+    let zones = rule.at_hinges.map_or_else(Vec::new, |_| hinges::zones(scene));
+    let coarse = SizeRule { factor: BESIDE_HINGES * rule.factor, ..*rule };
+    let rule = if zones.is_empty() { rule } else { &coarse };
     let mut out = String::new();
     let mut id = 0;
     let mut chosen: Vec<String> = Vec::new();
@@ -124,7 +131,7 @@ pub fn fields(scene: &Scene, rule: &SizeRule) -> String {
         chosen.push(id.to_string());
     }
     if let Some(share) = rule.at_hinges {
-        for zone in hinges::zones(scene) {
+        for zone in zones {
             let size = share * zone.thickness * rule.factor;
             id += 1;
             box_field(&mut out, id, size, size + rule.growth * REACH, zone.min, zone.max, REACH);

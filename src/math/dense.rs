@@ -80,26 +80,22 @@ impl<const N: usize> Cholesky<N> {
     }
 }
 
-/// Eigenvalues of a symmetric matrix in ascending order, and the orthonormal eigenvector of each.
-pub fn symmetric_eigen(a: &Mat<f64>) -> (Vec<f64>, Vec<Vec<f64>>) {
-    let n = a.nrows();
-    if n == 0 {
-        return (Vec::new(), Vec::new());
-    }
-    let eig =
-        a.self_adjoint_eigen(Side::Lower).expect("a finite symmetric matrix has eigenvectors");
-    let values = eig.S().column_vector().iter().copied().collect();
-    (values, (0..n).map(|i| (0..n).map(|r| eig.U()[(r, i)]).collect()).collect())
-}
-
 /// Orthonormal basis of the null space of a symmetric positive semidefinite matrix: the
 /// eigenvectors whose eigenvalue is below `tolerance` times the largest, one per column. Empty if
 /// the matrix is regular.
 pub fn null_space(gram: &Mat<f64>, tolerance: f64) -> Vec<Vec<f64>> {
-    let (values, vectors) = symmetric_eigen(gram);
-    let largest = values.iter().map(|v| v.abs()).fold(0.0, f64::max);
-    let pairs = values.into_iter().zip(vectors);
-    pairs.filter(|(v, _)| largest == 0.0 || *v <= tolerance * largest).map(|(_, u)| u).collect()
+    let n = gram.nrows();
+    if n == 0 {
+        return Vec::new();
+    }
+    let eig =
+        gram.self_adjoint_eigen(Side::Lower).expect("a finite symmetric matrix has eigenvectors");
+    let s = eig.S().column_vector();
+    let largest = (0..n).map(|i| s[i].abs()).fold(0.0, f64::max);
+    (0..n)
+        .filter(|&i| largest == 0.0 || s[i] <= tolerance * largest)
+        .map(|i| (0..n).map(|r| eig.U()[(r, i)]).collect())
+        .collect()
 }
 
 /// Minimum-norm solution of a small symmetric positive semidefinite system.
@@ -120,11 +116,6 @@ pub fn pseudo_solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     let rhs = Mat::from_fn(n, 1, |i, _| d[i] * b[(i, 0)]);
     let y = regular.partial_piv_lu().solve(&rhs);
     Mat::from_fn(n, 1, |i, _| d[i] * y[(i, 0)])
-}
-
-/// Solution of a small regular system.
-pub fn solve(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    a.partial_piv_lu().solve(b)
 }
 
 /// Least-squares solution of `A X = B`, refined once.

@@ -19,9 +19,8 @@ use crate::model::AnalysisModel;
 use crate::model::loads::Loads;
 use crate::recover::elastic::RecoverError;
 
-/// Largest violation of a friction cone, relative to the largest traction, that rounding explains:
-/// 2.5e-12 was measured at contacts that carry nothing. The certificate judges the result.
-const ROUNDING: f64 = 1e-11;
+/// Largest violation of a friction cone, relative to the largest traction, that rounding explains.
+const ROUNDING: f64 = 1e-12;
 
 /// A stress field and its certificate.
 #[derive(Clone, Debug, PartialEq)]

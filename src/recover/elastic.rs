@@ -7,8 +7,6 @@
 
 use crate::certify::fields::{DisplacementField, StressField};
 use crate::elements::super_element::PARAMETERS;
-use crate::math::rigid_motion::rigid_displacement;
-use crate::math::vec3;
 use crate::model::{AnalysisModel, ModelError};
 use crate::programs::conic::{ConicProgram, Csr, SymmetricCsc, cone_margin};
 use crate::programs::constraints;
@@ -18,19 +16,14 @@ use crate::programs::dofs::DofMap;
 use crate::programs::kinematic::Kinematic;
 use crate::programs::static_form::Static;
 use crate::programs::super_elements::SuperElements;
-use crate::recover::balanced_forces::{Open, balanced_forces};
-use crate::recover::force_sets::{Within, cone_ranges};
+use crate::recover::force_sets::{Within, balance, cone_ranges};
 use crate::recover::restore_equilibrium::restore_equilibrium;
 use crate::solve::Solution;
 use crate::solve::sparse::{LinearError, Patterns, SparseCholesky};
 use rayon::prelude::*;
 
-/// Margin of the traction of a weld below its strength, relative to the strength, and of a contact
-/// inside its cone, relative to the pressure.
-pub(crate) const INSIDE: f64 = 1e-9;
-/// A part is named where its motion reaches this fraction of the largest.
-const NAMED: f64 = 0.05;
-
+/// Margin of the traction of a weld below its strength, relative to the strength.
+const INSIDE: f64 = 1e-9;
 /// Reason why a field could not be recovered.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum RecoverError {
@@ -41,16 +34,8 @@ pub enum RecoverError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// Contact forces could not be balanced inside their cones.
-    #[error(
-        "the contact forces of part(s) {parts} cannot be balanced inside their friction cones: \
-         {part:.1e} of the forces is missing"
-    )]
-    Unbalanced {
-        /// The parts that move where a resultant is missing.
-        parts: String,
-        /// The missing resultant over the size of the forces.
-        part: f64,
-    },
+    #[error("the contact forces of part(s) {0} cannot be balanced inside their friction cones")]
+    Unbalanced(String),
     /// The fixed point for Coulomb friction was not found.
     #[error(
         "the fixed point for Coulomb friction did not converge: after {solves} solves the slips \
@@ -342,35 +327,40 @@ pub(crate) fn interface_sets(statics: &Static) -> Vec<Within> {
 
 /// Contact and weld tractions, corrected so that they balance the loads on every rigid motion that
 /// only they resist.
+///
+/// Where a contact force is below the error of the solver, the exact force may be zero (a loose
+/// part without load): such forces are dropped when no balance is found with them.
 fn balanced_tractions(
     statics: &Static,
-    found: Vec<f64>,
+    mut found: Vec<f64>,
     modes: &[ContactMode],
 ) -> Result<(Vec<f64>, Vec<f64>), RecoverError> {
     let program = &statics.program;
+    let contacts = program.g.nrows();
+    let sets = interface_sets(statics);
+    sets.iter().for_each(|set| set.draw_in(&mut found, INSIDE));
+    let apart = |mut z: Vec<f64>| {
+        let t = z.split_off(contacts);
+        (z, t)
+    };
+    if modes.is_empty() || found.is_empty() {
+        return Ok(apart(found));
+    }
     let rows: Vec<Vec<f64>> = modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
     let needed: Vec<f64> =
         modes.iter().map(|m| m.unknowns.iter().zip(&program.q).map(|(a, b)| a * b).sum()).collect();
-    let mut z = balanced_forces(&interface_sets(statics), &rows, &needed, &found, INSIDE)
-        .map_err(|open| unbalanced(statics, modes, &open))?;
-    let t = z.split_off(program.g.nrows());
-    Ok((z, t))
-}
-
-/// The error that names the parts which move in the motion whose resultant stays open.
-pub(crate) fn unbalanced(statics: &Static, modes: &[ContactMode], open: &Open) -> RecoverError {
-    let model = statics.elements.model();
-    let mut moved = vec![0.0f64; model.parts.len()];
-    for (x, part) in model.mesh.nodes.iter().zip(model.node_parts()) {
-        let u = modes.iter().zip(&open.direction).fold([0.0; 3], |u, (mode, c)| {
-            let motion = &mode.parts[part as usize];
-            vec3::add(u, vec3::scale(*c, rigid_displacement(motion, [0.0; 3], *x)))
-        });
-        let here = &mut moved[part as usize];
-        *here = here.max(vec3::norm(u));
+    let noise = 1e-7 * found.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    for least in [0.0, noise] {
+        let mut z = found.clone();
+        for (start, dim) in cone_ranges(program) {
+            let force = &mut z[start..start + dim];
+            if force[0] < least {
+                force.fill(0.0);
+            }
+        }
+        if balance(&sets, &rows, &needed, &mut z) {
+            return Ok(apart(z));
+        }
     }
-    let most = moved.iter().fold(0.0f64, |m, u| m.max(*u));
-    let named = model.parts.iter().zip(&moved).filter(|(_, u)| **u > NAMED * most);
-    let parts: Vec<&str> = named.map(|(name, _)| name.as_str()).collect();
-    RecoverError::Unbalanced { parts: parts.join(", "), part: open.part }
+    Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", ")))
 }

@@ -1,6 +1,11 @@
-//! Sets that interface forces must stay in.
+//! Sets that interface forces must stay in, and the balance of forces inside them.
 
-use crate::programs::conic::ConicProgram;
+use crate::math::Sum;
+use crate::math::dense::{Mat, pseudo_solve};
+use crate::programs::conic::{ConicProgram, cone_margin};
+
+/// Fraction of a strength that is kept free for rounding.
+const ROOM: f64 = 1e-11;
 
 /// First row and number of rows of each contact cone.
 pub(crate) fn cone_ranges(program: &ConicProgram) -> Vec<(usize, usize)> {
@@ -27,60 +32,48 @@ impl Within {
         }
     }
 
-    /// Moves its force to the nearest point of the set. A cone is narrowed, and a ball made
-    /// smaller, by the fraction `margin`.
-    pub fn project(self, z: &mut [f64], margin: f64) {
-        let (start, dim) = self.range();
-        let force = &mut z[start..start + dim];
-        match self {
-            Within::Cone { .. } => into_cone(force, 1.0 - margin),
-            Within::Ball { radius, .. } => {
-                let (size, room) = (norm(force), (1.0 - margin) * radius);
-                if size > room {
-                    force.iter_mut().for_each(|x| *x *= room / size);
-                }
+    /// Shortens a force in a ball to at most `1 − margin` of the radius; does nothing in cones.
+    pub fn draw_in(self, z: &mut [f64], margin: f64) {
+        if let Within::Ball { start, radius } = self {
+            let force = &mut z[start..start + 3];
+            let (size, room) = (norm(force), (1.0 - margin) * radius);
+            if size > room {
+                force.iter_mut().for_each(|x| *x *= room / size);
             }
         }
     }
 
-    /// Derivative of [`Within::project`] at the force `x`: a symmetric matrix, of which a half-line
-    /// uses the first entry.
-    pub fn slope(self, x: &[f64], margin: f64) -> [[f64; 3]; 3] {
-        const ONE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// Distance to the surface, with the room for rounding subtracted; negative outside.
+    fn margin(self, z: &[f64]) -> f64 {
+        let (start, dim) = self.range();
+        let force = &z[start..start + dim];
         match self {
-            Within::Cone { dim: 1, .. } if x[0] > 0.0 => ONE,
-            Within::Cone { dim: 1, .. } => [[0.0; 3]; 3],
-            Within::Cone { .. } => {
-                let (n, t, k) = (x[0], norm(&x[1..]), 1.0 - margin);
-                if t <= k * n {
-                    return ONE;
+            Within::Cone { .. } => cone_margin(force),
+            Within::Ball { radius, .. } => (1.0 - ROOM) * radius - norm(force),
+        }
+    }
+
+    /// The inverse Hessian of the set's barrier at `z` times `r`: `z zᵀ − ½ det(z) J` of a cone (z²
+    /// of the half-line), `½ d (I − 2 z zᵀ/(d + 2 ‖z‖²))` with `d = radius² − ‖z‖²` of a ball.
+    fn metric(self, z: &[f64], r: &[f64], out: &mut [f64]) {
+        let along: f64 = z.iter().zip(r).map(|(a, b)| a * b).sum();
+        match self {
+            Within::Cone { dim, .. } => {
+                let half_det = if dim == 1 {
+                    0.0
+                } else {
+                    0.5 * cone_margin(z).max(0.0) * (2.0 * z[0] - cone_margin(z))
+                };
+                for i in 0..dim {
+                    let j = if i == 0 { 1.0 } else { -1.0 };
+                    out[i] = z[i] * along - half_det * j * r[i];
                 }
-                if n <= -k * t {
-                    return [[0.0; 3]; 3];
-                }
-                // projected: (p, k p u) with p = (n + k t)/(1 + k²) and u the direction of shear
-                let along = 1.0 / (1.0 + k * k);
-                let across = k * (n + k * t) * along / t;
-                let g = [1.0, k * x[1] / t, k * x[2] / t];
-                std::array::from_fn(|i| {
-                    std::array::from_fn(|j| {
-                        let turn = if i > 0 && j > 0 {
-                            across * (ONE[i][j] - x[i] * x[j] / (t * t))
-                        } else {
-                            0.0
-                        };
-                        along * g[i] * g[j] + turn
-                    })
-                })
             }
             Within::Ball { radius, .. } => {
-                let (size, room) = (norm(x), (1.0 - margin) * radius);
-                if size <= room {
-                    return ONE;
-                }
-                std::array::from_fn(|i| {
-                    std::array::from_fn(|j| room / size * (ONE[i][j] - x[i] * x[j] / (size * size)))
-                })
+                let size = norm(z);
+                let d = ((radius - size) * (radius + size)).max(0.0);
+                let taken = 2.0 * along / (d + 2.0 * size * size).max(f64::MIN_POSITIVE);
+                (0..3).for_each(|i| out[i] = 0.5 * d * (r[i] - taken * z[i]));
             }
         }
     }
@@ -101,4 +94,36 @@ pub(crate) fn into_cone(s: &mut [f64], slope: f64) {
         let shorter = slope * (1.0 - 1e-15) * s[0] / t;
         s[1..].iter_mut().for_each(|x| *x *= shorter);
     }
+}
+
+/// Corrects `z` by the smallest change in the Dikin metric of each set that makes
+/// `rows · z = needed`; true when every force is still in its set.
+///
+/// In the inverse Hessian of a cone's barrier, a force near the surface of the cone grows or
+/// shrinks easily along itself and hardly moves out of the cone; a change of length below 1 stays
+/// inside.
+pub(crate) fn balance(sets: &[Within], rows: &[Vec<f64>], needed: &[f64], z: &mut [f64]) -> bool {
+    let n = rows.len();
+    for _ in 0..3 {
+        let weighted: Vec<Vec<f64>> = rows
+            .iter()
+            .map(|row| {
+                let mut w = vec![0.0; z.len()];
+                for set in sets {
+                    let (s, d) = set.range();
+                    set.metric(&z[s..s + d], &row[s..s + d], &mut w[s..s + d]);
+                }
+                w
+            })
+            .collect();
+        let dot = |a: &[f64], b: &[f64]| Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
+        let gram = Mat::from_fn(n, n, |i, j| dot(&rows[i], &weighted[j]));
+        let missing = Mat::from_fn(n, 1, |i, _| needed[i] - dot(&rows[i], z));
+        // a mode without contacts has a zero row here; the pseudo-inverse does not change it
+        let multipliers = pseudo_solve(&gram, &missing);
+        for r in 0..z.len() {
+            z[r] += (0..n).map(|i| weighted[i][r] * multipliers[(i, 0)]).sum::<f64>();
+        }
+    }
+    sets.iter().all(|set| set.margin(z) >= 0.0)
 }

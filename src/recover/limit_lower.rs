@@ -20,21 +20,22 @@ use crate::math::vec3;
 use crate::model::AnalysisModel;
 use crate::model::loads::{Loads, face_corners};
 use crate::programs::constraints::hold;
-use crate::programs::contact_modes::ContactMode;
 use crate::programs::super_elements::SuperElements;
 use crate::programs::{Static, constraints};
-use crate::recover::balanced_forces::balanced_forces;
 use crate::recover::draw_inside::check_dead;
 pub use crate::recover::draw_inside::{Lower, LowerError, draw_inside};
 use crate::recover::elastic::{
-    INSIDE, RecoverError, add_interface_forces, balance_elements, interface_sets, interface_work,
-    stress_field, unbalanced,
+    RecoverError, add_interface_forces, balance_elements, interface_sets, interface_work,
+    stress_field,
 };
-use crate::recover::force_sets::Within;
+use crate::recover::force_sets::{Within, balance, into_cone};
 use crate::solve::sparse::{Patterns, SparseCholesky};
 
 /// Factor on the stiffness of bodies that never yield.
 const RIGID: f64 = 1e8;
+/// Margins of contact tractions inside their cones, relative to the pressure; the first with which
+/// a balance is found is used.
+const INSIDE: [f64; 7] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 /// Live tractions over the yield radius below which they count as zero.
 const NOTHING: f64 = 1e-6;
 
@@ -67,7 +68,7 @@ pub fn project(
 ) -> Result<Lower, LowerError> {
     let dead =
         if model.has_dead_loads() { Some(dead.ok_or(LowerError::NoDeadField)?) } else { None };
-    let found = equilibrium(model, approximate, patterns)
+    let found = equilibrium(model, approximate, dead.is_some(), patterns)
         .and_then(|(field, factor)| draw_inside(model, field, factor, dead));
     match found {
         // no stress of this mesh carries the live loads: zero stress at zero load is a bound
@@ -119,7 +120,7 @@ pub fn dead_field(
     patterns: &Patterns,
 ) -> Result<StressField, LowerError> {
     let (field, _) =
-        equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, patterns)?;
+        equilibrium(model, &ApproximateStress { factor: 0.0, ..*approximate }, false, patterns)?;
     check_dead(model, &field)?;
     Ok(field)
 }
@@ -143,17 +144,19 @@ fn stiffened(model: &AnalysisModel) -> AnalysisModel {
     stiff
 }
 
-/// The field in equilibrium to rounding nearest to the approximate one, and its factor.
+/// The field in equilibrium to rounding nearest to the approximate one, and its factor. With
+/// `lenient` contact tractions may stay outside their cones.
 fn equilibrium(
     model: &AnalysisModel,
     approximate: &ApproximateStress,
+    lenient: bool,
     patterns: &Patterns,
 ) -> Result<(StressField, f64), LowerError> {
     let stiff = stiffened(model);
     let statics = Static::new(&stiff).map_err(RecoverError::from)?;
     let modes = statics.contact_modes();
-    let (mut z, factor) = balanced(&statics, approximate, &modes)?;
     let motions: Vec<Vec<f64>> = modes.into_iter().map(|m| m.unknowns).collect();
+    let (mut z, factor) = balanced(&statics, approximate, &motions, lenient)?;
     let welds = z.split_off(statics.program.g.nrows());
     let loads = Loads::at(factor);
     let mut p = statics.program.p.clone();
@@ -175,34 +178,73 @@ fn equilibrium(
 fn balanced(
     statics: &Static,
     approximate: &ApproximateStress,
-    modes: &[ContactMode],
+    motions: &[Vec<f64>],
+    lenient: bool,
 ) -> Result<(Vec<f64>, f64), RecoverError> {
     let factor = approximate.factor;
     let mut sets = interface_sets(statics);
     let mut tractions = statics.gather_contact(approximate.contact);
     tractions.extend_from_slice(approximate.welds);
+    if motions.is_empty() || sets.is_empty() {
+        return Ok((inside(&sets, &tractions, INSIDE[0], 0.0), factor));
+    }
     let dot = |a: &[f64], b: &[f64]| Sum::of(a.iter().zip(b).map(|(a, b)| a * b));
     let forces = |loads: Loads| -> Result<Vec<f64>, RecoverError> {
         let (f, p) = (statics.forces(loads), statics.particular_forces(loads)?);
         Ok(f.iter().zip(&p).map(|(a, b)| a - b).collect())
     };
     let (live, dead) = (forces(Loads::LIVE)?, forces(Loads::DEAD)?);
-    let mut rows: Vec<Vec<f64>> =
-        modes.iter().map(|m| interface_work(statics, &m.unknowns)).collect();
-    let needed: Vec<f64> = modes.iter().map(|m| -dot(&m.unknowns, &dead)).collect();
-    // the load factor is one more force, on a half-line, and as large as the largest traction: a
-    // relative change of both costs the same
-    let most = tractions.iter().fold(0.0f64, |m, z| m.max(z.abs()));
-    let unit = if most > 0.0 { factor / most } else { factor };
-    if factor > 0.0 {
-        for (row, m) in rows.iter_mut().zip(modes) {
-            row.push(unit * dot(&m.unknowns, &live));
+    // the load factor is one more force, on a half-line
+    let rows: Vec<Vec<f64>> = motions
+        .iter()
+        .map(|m| {
+            let mut row = interface_work(statics, m);
+            row.push(dot(m, &live));
+            row
+        })
+        .collect();
+    let needed: Vec<f64> = motions.iter().map(|m| -dot(m, &dead)).collect();
+    let tied = sets.clone();
+    sets.push(Within::Cone { start: tractions.len(), dim: 1 });
+    let noise = 1e-7 * tractions.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+    let mut outside = None;
+    for shrink in INSIDE {
+        for least in [0.0, noise] {
+            let mut z = inside(&tied, &tractions, shrink, least);
+            z.push(factor);
+            let found = balance(&sets, &rows, &needed, &mut z);
+            let factor = z.pop().unwrap_or(factor);
+            if found {
+                return Ok((z, factor));
+            }
+            if outside.is_none() && factor.is_finite() {
+                outside = Some((z, factor));
+            }
         }
-        sets.push(Within::Cone { start: tractions.len(), dim: 1 });
-        tractions.push(factor / unit);
     }
-    let mut z = balanced_forces(&sets, &rows, &needed, &tractions, INSIDE)
-        .map_err(|open| unbalanced(statics, modes, &open))?;
-    let found = if factor > 0.0 { z.pop().map_or(factor, |z| unit * z) } else { factor };
-    Ok((z, found))
+    match outside {
+        Some(found) if lenient => Ok(found),
+        _ => Err(RecoverError::Unbalanced(statics.elements.model().parts.join(", "))),
+    }
 }
+
+/// The nearest forces inside the sets, with a margin of `shrink` times the pressure in cones and
+/// `shrink` times the strength in balls. Forces with less pressure than `least` become zero.
+fn inside(sets: &[Within], z: &[f64], shrink: f64, least: f64) -> Vec<f64> {
+    let mut z = z.to_vec();
+    for set in sets {
+        let Within::Cone { start, dim } = *set else {
+            set.draw_in(&mut z, shrink);
+            continue;
+        };
+        let force = &mut z[start..start + dim];
+        if least > 0.0 && force[0] < least {
+            force.fill(0.0);
+        }
+        into_cone(force, 1.0 - shrink);
+    }
+    z
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,5 @@
 //! From the unknowns of a solved program to admissible fields.
 
-pub mod balanced_forces;
 pub mod draw_inside;
 pub mod elastic;
 pub mod force_sets;

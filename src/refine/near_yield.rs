@@ -2,10 +2,10 @@
 //!
 //! The yield multipliers show the mechanism that limits the lower bound now. A joint has others of
 //! almost the same load factor: two equal plates, for instance. A mesh that follows one alone
-//! lifts it, and the next one limits the bound. At an earlier stage of the path of an
-//! interior-point solve slack s and multiplier z have the product μ, and `z = μ / s` shows them
-//! all. So tets near yield get the weight `δ / (s + δ)` per volume and yield strength, s the slack of
-//! the utilisation at a point of a tet.
+//! lifts it, and the next one limits the bound. At an earlier stage of an interior-point solve
+//! slack s and multiplier z have the product μ: then `z = μ / s` shows them all. So tets near yield
+//! get the weight `δ / (s + δ)` per volume and yield strength, s the slack of the utilisation at a
+//! point of a tet.
 
 use crate::certify::fields::StressField;
 use crate::certify::plastic_field::length;

@@ -60,7 +60,8 @@ impl Block {
                 for i in 0..=nx {
                     let at = [i, j, k];
                     nodes.push(std::array::from_fn(|d| {
-                        let x = self.min[d] + h[d] * at[d] as f64;
+                        let last = at[d] == self.cells[d];
+                        let x = if last { self.max[d] } else { self.min[d] + h[d] * at[d] as f64 };
                         let fixed = at[d] == 0 || at[d] == self.cells[d] || flat(d, x);
                         let r = random();
                         if fixed { x } else { x + 2.0 * self.jitter * h[d] * r }

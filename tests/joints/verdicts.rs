@@ -14,7 +14,7 @@ fn answer(bench: &Bench, name: &str, n: f64, code: i32) -> (String, [f64; 2]) {
          max_passes: 1, mesh: {{layers: false}}}}\n"
     );
     std::fs::write(bench.path().join(format!("{name}.yaml")), spec).expect("written");
-    let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "2.5"]);
+    let run = bench.run(&["run", &format!("{name}.yaml"), "--size-factor", "1.25"]);
     assert_eq!(run.status.code(), Some(code), "{name}: {}", String::from_utf8_lossy(&run.stderr));
     let result: Value =
         serde_json::from_str(&bench.read(&format!("{name}/result.json"))).expect("JSON");
