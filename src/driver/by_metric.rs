@@ -35,6 +35,10 @@ const UNEVEN: f64 = 3.5;
 /// Relative deviation of the count of tets below which Mmg does not run again.
 const NEAR: f64 = 0.15;
 
+/// Relative deviation of the count beyond which a mesh is not used: forecasts of time and memory
+/// would not hold, nor the limit of the number of tets.
+const FAR: f64 = 0.25;
+
 /// Runs of Mmg for one mesh.
 const RUNS: usize = 3;
 
@@ -231,7 +235,12 @@ impl<'a> ByMetric<'a> {
             self.filling = (self.filling * factor).clamp(0.5, UNEVEN);
         }
         match (best, failed) {
-            (Some((_, mesh)), _) => Ok(mesh),
+            (Some((miss, mesh)), _) if miss < FAR => Ok(mesh),
+            (Some((_, mesh)), _) => {
+                let made = mesh.tets.len();
+                let why = format!("Mmg makes {made} tets where {wanted:.0} are wanted");
+                Err(Diagnostic::undecided("mesh/uneven", why).into())
+            }
             (None, Some(fault)) => Err(fault.into()),
             (None, None) => {
                 Err(Diagnostic::undecided("mesh/flat", "every mesh had flat tets").into())

@@ -18,7 +18,7 @@ use crate::model::AnalysisModel;
 const SLACK: f64 = 0.03;
 
 /// Part of the estimate that goes to tets near yield; the rest follows the multipliers.
-const PART: f64 = 0.4;
+const PART: f64 = 0.15;
 
 /// The shares of the tets in what holds the lower bound down, with the sum 1: their `multipliers`,
 /// and their nearness to yield under `stress`.

@@ -162,7 +162,7 @@ pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) ->
         Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
     };
     // the next mechanism may be where the last mesh was refined
-    let least_parts = if bounds == Bounds::Static { 1.0 } else { 0.5 };
+    let least_parts = 0.5;
     let rates = vec![PLASTIC; model.mesh.tets.len()];
     Some(Estimate { contributions, rates, directions, least_parts })
 }
