@@ -32,6 +32,12 @@ pub struct Adapted {
 }
 
 impl Adapted {
+    /// True if a lower bound is on the first mesh and the upper bound on another one.
+    pub fn keeps_first_mesh(&self) -> bool {
+        let beside = [self.lower.as_ref(), self.frictionless()];
+        self.upper.made.is_some() && beside.into_iter().flatten().any(|k| k.made.is_none())
+    }
+
     /// The pass with the best lower bound without friction, if it is not the one with the best
     /// lower bound.
     pub fn frictionless(&self) -> Option<&Kept> {

@@ -69,8 +69,9 @@ pub fn run_cases(
         let share = Share { until, patterns: &patterns };
         let adapted = adaptive::analyse(case, i == 0, &share, &context, limits, log)?;
         let stem = stems[i].as_str();
-        let mesh_name =
-            if asked.len() == 1 { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
+        // the first mesh is `mesh.msh`; it stays where something else needs it
+        let alone = asked.len() == 1 && !adapted.keeps_first_mesh();
+        let mesh_name = if alone { "mesh.msh".into() } else { format!("mesh_{stem}.msh") };
         write_passes(&adapted, &first, [&model_name, &mesh_name], stem, &folder)?;
         let Adapted { mut entry, upper, lower, .. } = adapted;
         let best = lower.as_ref().unwrap_or(&upper);

@@ -57,3 +57,30 @@ fn a_bolted_joint_at_95_percent_of_the_lower_and_105_of_the_upper_bound() {
         }
     }
 }
+
+/// With associated friction the bound without friction decides the verdict. On later meshes it is
+/// left out where it reaches the load already. It then stays on the first mesh, and `verify`
+/// confirms all three bounds on their meshes.
+#[test]
+fn the_bound_without_friction_may_stay_on_the_first_mesh() {
+    let bench = Bench::new();
+    let spec = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
+                M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
+                true, flange_thickness: 12, flange_width: 160, web_height: 30}\nfriction: {mu: \
+                0.3, law: associated}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 20 \
+                kN}]\nanalysis: {kind: limit, max_passes: 2, target_gap: 0.01, max_macro_tets: 1500, mesh: {layers: \
+                false}}\n";
+    std::fs::write(bench.path().join("stub.yaml"), spec).expect("written");
+    let run = bench.run(&["run", "stub.yaml", "--size-factor", "5"]);
+    assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+    let result: Value = serde_json::from_str(&bench.read("stub/result.json")).expect("JSON");
+    let case = &result["cases"][0];
+    let history = case["history"].as_array().expect("rows");
+    assert!(history[0]["static_frictionless"].is_object() && history.len() == 3, "{history:?}");
+    assert!(history[1..].iter().all(|h| h["static_frictionless"].is_null()), "{history:?}");
+    assert!(case["frictionless"]["lower"].as_f64().is_some_and(|l| l >= 1.0), "{case}");
+    let verified = bench.run(&["verify", "stub"]);
+    let text = String::from_utf8_lossy(&verified.stdout).into_owned();
+    assert_eq!(verified.status.code(), Some(0), "{text}");
+    assert_eq!(text.matches("confirmed").count(), 3, "{text}");
+}
