@@ -68,8 +68,8 @@ fn the_bound_without_friction_may_stay_on_the_first_mesh() {
                 M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
                 true, flange_thickness: 12, flange_width: 160, web_height: 30}\nfriction: {mu: \
                 0.3, law: associated}\nloads: [{name: ULS1, end: top, at: bolt_plane, N: 20 \
-                kN}]\nanalysis: {kind: limit, max_passes: 2, target_gap: 0.01, max_macro_tets: 1500, mesh: {layers: \
-                false}}\n";
+                kN}]\nanalysis: {kind: limit, max_passes: 2, target_gap: 0.01, max_macro_tets: \
+                1500, mesh: {layers: false}}\n";
     std::fs::write(bench.path().join("stub.yaml"), spec).expect("written");
     let run = bench.run(&["run", "stub.yaml", "--size-factor", "5"]);
     assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
