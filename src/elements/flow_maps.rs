@@ -360,6 +360,7 @@ kernel! {
 mod tests {
     use super::*;
     use crate::elements::columns::Columns;
+    use crate::elements::fixtures::{corners, equals_by_matrix, lanes};
     use crate::elements::hencky_kinematic::YieldingTet10;
     use crate::elements::packed_elements::Batch;
     use crate::elements::yielding_element::Shape;
@@ -369,13 +370,9 @@ mod tests {
     /// Eight different tets: products from the numbers equal those with the matrices.
     #[test]
     fn products_equal_those_of_the_matrix() {
-        let noise = |i: usize| ((i * 7919) % 1009) as f64 / 1009.0 - 0.5;
         let elements: Vec<_> = (0..LANES)
             .map(|l| {
-                let unit = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.5]];
-                let corners: [V3; 4] = std::array::from_fn(|v| {
-                    std::array::from_fn(|d| unit[v][d] + noise(12 * l + 3 * v + d))
-                });
+                let corners = corners(l);
                 let tet = YieldingTet10 {
                     corners,
                     volume: crate::mesh::tet::signed_volume(&corners),
@@ -391,17 +388,9 @@ mod tests {
             .collect();
         let by_numbers = Batch::new(&elements);
         assert!(by_numbers.maps.len() == NUMBERS && !by_numbers.flexible);
-        let by_matrix = Batch { maps: Vec::new(), ..by_numbers.clone() };
         let Shape::Flow { pressures: 1, .. } = by_numbers.shape else { panic!("a split element") };
-        let lanes = |count: usize, seed: usize| -> Vec<Lane> {
-            (0..count).map(|i| std::array::from_fn(|l| noise(seed + 8 * i + l))).collect()
-        };
-        let both = |of: &dyn Fn(&Batch) -> Vec<Lane>| {
-            let (a, b) = (of(&by_numbers), of(&by_matrix));
-            let size = b.as_flattened().iter().fold(0.0f64, |m, x| m.max(x.abs()));
-            let off = a.as_flattened().iter().zip(b.as_flattened());
-            let off = off.fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(size > 1.0 && off < 1e-12 * size, "{off} of {size}");
+        let both = |product: &dyn Fn(&Batch) -> Vec<Lane>| {
+            equals_by_matrix(&by_numbers, 1.0, product);
         };
         let rows = DEVIATOR * by_numbers.shape.points() + 1;
         let (v, sigma) = (lanes(30, 3), lanes(rows, 17));

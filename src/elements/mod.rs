@@ -4,6 +4,8 @@
 //! with linear stress. Each has an elastic form and a form with von Mises cones.
 
 pub mod columns;
+#[cfg(test)]
+pub(crate) mod fixtures;
 pub mod flow_maps;
 pub mod geometry;
 pub mod hencky_kinematic;

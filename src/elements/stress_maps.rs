@@ -196,23 +196,19 @@ kernel! {
 mod tests {
     use super::*;
     use crate::elements::columns::Columns;
+    use crate::elements::fixtures::{corners, equals_by_matrix, lanes};
     use crate::elements::hencky_static::element;
     use crate::elements::packed_elements::Batch;
     use crate::elements::super_element::SuperElement;
     use crate::math::mandel::Isotropic;
-    use crate::math::vec3::V3;
     use crate::math::wide::LANES;
 
     /// Eight different tets: products from the numbers equal those with the matrices.
     #[test]
     fn products_equal_those_of_the_matrices() {
-        let noise = |i: usize| ((i * 7919) % 1009) as f64 / 1009.0 - 0.5;
         let elements: Vec<_> = (0..LANES)
             .map(|l| {
-                let unit = [[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.5]];
-                let corners: [V3; 4] = std::array::from_fn(|v| {
-                    std::array::from_fn(|d| unit[v][d] + noise(12 * l + 3 * v + d))
-                });
+                let corners = corners(l);
                 let tet = SuperElement::new(corners, Isotropic::new(210_000.0, 0.3), None)
                     .expect("a good shape");
                 let unknowns = (0..TRACTIONS as u32).collect();
@@ -222,16 +218,8 @@ mod tests {
             .collect();
         let by_numbers = Batch::new(&elements);
         assert!(by_numbers.maps.len() == FIRST_DEVIATOR + 30 && !by_numbers.flexible);
-        let by_matrix = Batch { maps: Vec::new(), ..by_numbers.clone() };
-        let lanes = |count: usize, seed: usize| -> Vec<Lane> {
-            (0..count).map(|i| std::array::from_fn(|l| noise(seed + 8 * i + l))).collect()
-        };
-        let both = |of: &dyn Fn(&Batch) -> Vec<Lane>| {
-            let (a, b) = (of(&by_numbers), of(&by_matrix));
-            let size = b.as_flattened().iter().fold(0.0f64, |m, x| m.max(x.abs()));
-            let off = a.as_flattened().iter().zip(b.as_flattened());
-            let off = off.fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(size > 0.1 && off < 1e-12 * size, "{off} of {size}");
+        let both = |product: &dyn Fn(&Batch) -> Vec<Lane>| {
+            equals_by_matrix(&by_numbers, 0.1, product);
         };
         let (v, sigma, d) = (lanes(TRACTIONS, 3), lanes(PARAMETERS, 17), lanes(80, 29));
         both(&|batch| {
