@@ -35,8 +35,11 @@ pub fn run(
     if let Some(pass) = proof::without_programs(model, &options.solve.patterns)? {
         return Ok(pass);
     }
-    let answered_without = options.answer_from.is_some() && model.has_coulomb_friction();
-    let (kinematic, statics) = if answered_without && model.bounds == Bounds::Static {
+    // under Coulomb's law the lower bound without friction answers
+    let without_alone = options.answer_from.is_some()
+        && model.has_coulomb_friction()
+        && model.bounds == Bounds::Static;
+    let (kinematic, statics) = if without_alone {
         (None, None)
     } else {
         both(model, options, progress, LimitKinematic::new, LimitStatic::new)?
@@ -51,7 +54,7 @@ pub fn run(
     }
     let fits = match &statics {
         Some(s) => s.outcome.refusal.is_none(),
-        None => answered_without && model.bounds == Bounds::Static,
+        None => without_alone,
     };
     if let Some(s) = statics {
         pass.statics = Some(s.outcome);

@@ -216,9 +216,7 @@ impl<'a> ByMetric<'a> {
             };
             let miss = (made.tets.len() as f64 / wanted).ln();
             if miss.exp() * self.filling > UNEVEN {
-                let why =
-                    format!("Mmg makes {} tets where {wanted:.0} are wanted", made.tets.len());
-                failed = Some(Diagnostic::undecided("mesh/uneven", why));
+                failed = Some(uneven(&made, wanted));
                 break;
             }
             let worst =
@@ -236,17 +234,19 @@ impl<'a> ByMetric<'a> {
         }
         match (best, failed) {
             (Some((miss, mesh)), _) if miss < FAR => Ok(mesh),
-            (Some((_, mesh)), _) => {
-                let made = mesh.tets.len();
-                let why = format!("Mmg makes {made} tets where {wanted:.0} are wanted");
-                Err(Diagnostic::undecided("mesh/uneven", why).into())
-            }
+            (Some((_, mesh)), _) => Err(uneven(&mesh, wanted).into()),
             (None, Some(fault)) => Err(fault.into()),
             (None, None) => {
                 Err(Diagnostic::undecided("mesh/flat", "every mesh had flat tets").into())
             }
         }
     }
+}
+
+/// The fault of a mesh that misses the wanted count.
+fn uneven(made: &TetMesh, wanted: f64) -> Diagnostic {
+    let message = format!("Mmg makes {} tets where {wanted:.0} are wanted", made.tets.len());
+    Diagnostic::undecided("mesh/uneven", message)
 }
 
 impl<'a> Remesh<'a> for ByMetric<'a> {

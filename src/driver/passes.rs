@@ -80,7 +80,7 @@ impl Passes<'_> {
         // later meshes are used by this case only
         let own = Patterns::default();
         let patterns = if index == 0 { self.share.patterns } else { &own };
-        let answer_from = self.answer_from(&model)?;
+        let answer_from = self.answer_from(&model);
         let outcome =
             run_pass(self.name, &model, until, answer_from, patterns, self.limits, self.log)?;
         let mut entry = pass_entry(&outcome, self.name, &model, mesh_seconds);
@@ -110,12 +110,10 @@ impl Passes<'_> {
     /// Where a mesh for the lower bound alone needs the bound without friction, see
     /// [`crate::analysis::pass::PassOptions`]: with associated friction it decides the verdict, and
     /// is computed again where it has not reached the load yet.
-    fn answer_from(&self, model: &AnalysisModel) -> Result<Option<f64>, Diagnostics> {
-        if self.entries.is_empty() || model.bounds != Bounds::Static {
-            return Ok(None);
-        }
-        let safe = self.joined()?.frictionless.and_then(|f| f.lower);
-        Ok(Some(if safe.is_some_and(|l| l >= LOAD) { f64::INFINITY } else { LOAD }))
+    fn answer_from(&self, model: &AnalysisModel) -> Option<f64> {
+        let best = best(&self.entries).filter(|_| model.bounds == Bounds::Static)?;
+        let safe = self.entries[best.frictionless].entry.safe_lower();
+        Some(if safe.is_some_and(|l| l >= LOAD) { f64::INFINITY } else { LOAD })
     }
 
     /// The entry with the best bounds so far.

@@ -30,6 +30,10 @@ pub const SINGULAR: f64 = 0.55;
 /// Rate in limit analysis: the error of the dissipation is proportional to that of the strain.
 pub const PLASTIC: f64 = 0.5;
 
+/// Fewest parts of a tet on a mesh for one bound: the next mechanism may be where the last mesh was
+/// refined.
+const LEAST_PARTS: f64 = 0.5;
+
 /// Ratios of the scaled contribution per volume around a node to that of the ring beyond: up to the
 /// first the node lies in a smooth region, from the second on at a singular edge. In between the
 /// rate is interpolated.
@@ -161,10 +165,8 @@ pub fn for_bounds(bounds: Bounds, model: &AnalysisModel, pass: &AnalysisPass) ->
         }
         Bounds::Kinematic => mechanism_error::of_tets(model, pass.velocity()?),
     };
-    // the next mechanism may be where the last mesh was refined
-    let least_parts = 0.5;
     let rates = vec![PLASTIC; model.mesh.tets.len()];
-    Some(Estimate { contributions, rates, directions, least_parts })
+    Some(Estimate { contributions, rates, directions, least_parts: LEAST_PARTS })
 }
 
 /// Fraction of two distributions over the tets that lies in different places: 0 where they are
