@@ -100,7 +100,7 @@ impl YieldingTet10 {
         let volume = self.volume / subtets as f64;
         let flexibility = match self.rule {
             Rule::Hencky => volume * self.radius * self.radius / (16.0 * self.material.two_mu),
-            Rule::TenPoints | Rule::Vertices => 0.0,
+            Rule::TenPoints | Rule::Gauss | Rule::Vertices => 0.0,
         };
         data.extend(std::iter::repeat_n(flexibility, subtets));
         for row in self.pressure_rows(pressures) {

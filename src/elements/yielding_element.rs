@@ -28,6 +28,9 @@ pub enum Rule {
     Hencky,
     /// Rigid-plastic, dissipation by the rule of the 8 sub-subtets: 4 vertices, 6 mid-sides.
     TenPoints,
+    /// Rigid-plastic, dissipation by Gauss's rule of degree two: four points inside. Not a bound of
+    /// the dissipation by itself; the certificate computes one from the velocities.
+    Gauss,
     /// Rigid-plastic at the vertices: faces of welds, see [`crate::programs::weld_face`].
     Vertices,
 }
@@ -50,6 +53,13 @@ const TEN_POINTS: [[f64; 4]; 10] = {
         [0.0, 0.0, M, M],
     ]
 };
+/// Four points inside, `V/4` each: exact for quadratic functions.
+const GAUSS_POINTS: [[f64; 4]; 4] = {
+    // (5 + 3 √5)/20 and (5 − √5)/20, a quarter each
+    const A: f64 = 0.585_410_196_624_968_5 / 4.0;
+    const B: f64 = 0.138_196_601_125_010_5 / 4.0;
+    [[A, B, B, B], [B, A, B, B], [B, B, A, B], [B, B, B, A]]
+};
 /// The vertices, `V/4` each.
 const FOUR_POINTS: [[f64; 4]; 4] =
     [[0.25, 0.0, 0.0, 0.0], [0.0, 0.25, 0.0, 0.0], [0.0, 0.0, 0.25, 0.0], [0.0, 0.0, 0.0, 0.25]];
@@ -60,6 +70,7 @@ impl Rule {
         match self {
             Rule::Hencky | Rule::Vertices => &FOUR_POINTS,
             Rule::TenPoints => &TEN_POINTS,
+            Rule::Gauss => &GAUSS_POINTS,
         }
     }
 }

@@ -165,7 +165,15 @@ impl Kinematic {
                 radius,
                 body_force: forces[body],
                 split: flow == Flow::Split,
-                rule: if limit { Rule::TenPoints } else { Rule::Hencky },
+                rule: if limit {
+                    match std::env::var("BR_RULE").as_deref() {
+                        Ok("v") => Rule::Vertices,
+                        Ok("g") => Rule::Gauss,
+                        _ => Rule::TenPoints,
+                    }
+                } else {
+                    Rule::Hencky
+                },
             })
         };
         // rigid-plastic elements add nothing to P

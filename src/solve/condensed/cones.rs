@@ -1,6 +1,9 @@
 //! Cone arithmetic and Nesterov–Todd scaling, cone by cone, on flat vectors.
 
+use super::vectors::PIECE;
 use crate::programs::conic::Cone;
+use rayon::prelude::*;
+use std::ops::Range;
 
 /// The product cone of a program.
 #[derive(Clone, Debug)]
@@ -9,19 +12,24 @@ pub struct Cones {
     pub blocks: Vec<(usize, usize)>,
     /// Total number of rows.
     pub rows: usize,
+    /// The cones in pieces, one thread's work each.
+    pieces: Vec<Range<usize>>,
 }
 
 /// `a₀² − ‖a₁‖²` as a product of sums, exact to rounding near the surface of the cone.
+#[inline(always)]
 fn det(a: &[f64]) -> f64 {
     let n = norm(&a[1..]);
     (a[0] - n) * (a[0] + n)
 }
 
+#[inline(always)]
 fn norm(a: &[f64]) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
@@ -29,7 +37,7 @@ impl Cones {
     /// The product of the cones of a program.
     pub fn new(cones: &[Cone]) -> Self {
         let mut rows = 0;
-        let blocks = cones
+        let blocks: Vec<(usize, usize)> = cones
             .iter()
             .map(|c| {
                 let start = rows;
@@ -37,7 +45,35 @@ impl Cones {
                 (start, c.dim())
             })
             .collect();
-        Self { blocks, rows }
+        let pieces = pieces(&blocks);
+        Self { blocks, rows, pieces }
+    }
+
+    /// Calls `of` with each cone, its first row, its dimension and its part of `out`. `out` may end
+    /// after any of the cones.
+    fn each(&self, out: &mut [f64], of: impl Fn(usize, usize, usize, &mut [f64]) + Sync) {
+        let mut rest = out;
+        let mut parts = Vec::with_capacity(self.pieces.len());
+        for piece in &self.pieces {
+            let (at, _) = self.blocks[piece.start];
+            let end = self.blocks[piece.end - 1];
+            let (part, after) = rest.split_at_mut((end.0 + end.1 - at).min(rest.len()));
+            rest = after;
+            parts.push((piece.clone(), at, part));
+        }
+        parts.into_par_iter().for_each(|(piece, first, part)| {
+            for k in piece {
+                let (s, d) = self.blocks[k];
+                let Some(own) = part.get_mut(s - first..s - first + d) else { break };
+                of(k, s, d, own);
+            }
+        });
+    }
+
+    /// The value of each cone.
+    fn values<T: Send>(&self, of: impl Fn(usize, usize) -> T + Sync) -> Vec<T> {
+        let blocks = self.blocks.par_iter().with_min_len(PIECE / 8);
+        blocks.map(|&(s, d)| of(s, d)).collect()
     }
 
     /// Degree of the barrier: one per cone (the second-order cone's barrier is counted by its
@@ -56,31 +92,31 @@ impl Cones {
     /// Jordan product `a ∘ b`.
     pub fn product(&self, a: &[f64], b: &[f64]) -> Vec<f64> {
         let mut c = vec![0.0; self.rows];
-        for &(s, d) in &self.blocks {
+        self.each(&mut c, |_, s, d, c| {
             let (x, y) = (&a[s..s + d], &b[s..s + d]);
-            c[s] = dot(x, y);
+            c[0] = dot(x, y);
             for i in 1..d {
-                c[s + i] = x[0] * y[i] + y[0] * x[i];
+                c[i] = x[0] * y[i] + y[0] * x[i];
             }
-        }
+        });
         c
     }
 
     /// The x with `a ∘ x = b`.
     pub fn divide(&self, a: &[f64], b: &[f64]) -> Vec<f64> {
         let mut c = vec![0.0; self.rows];
-        for &(s, d) in &self.blocks {
+        self.each(&mut c, |_, s, d, c| {
             let (l, y) = (&a[s..s + d], &b[s..s + d]);
             if d == 1 {
-                c[s] = y[0] / l[0];
-                continue;
+                c[0] = y[0] / l[0];
+                return;
             }
             let x0 = (l[0] * y[0] - dot(&l[1..], &y[1..])) / det(l);
-            c[s] = x0;
+            c[0] = x0;
             for i in 1..d {
-                c[s + i] = (y[i] - x0 * l[i]) / l[0];
+                c[i] = (y[i] - x0 * l[i]) / l[0];
             }
-        }
+        });
         c
     }
 
@@ -88,38 +124,60 @@ impl Cones {
     /// row); above the span the excess is limited to its upper end.
     pub fn outside(&self, v: &[f64], targets: &[f64], span: (f64, f64)) -> Vec<f64> {
         let mut out = vec![0.0; self.rows];
-        for &(s, d) in &self.blocks {
+        self.each(&mut out, |_, s, d, out| {
+            let v = &v[s..s + d];
             let (low, high) = (span.0 * targets[s], span.1 * targets[s]);
             let excess = |e: f64| (e - e.clamp(low, high)).min(high);
             if d == 1 {
-                out[s] = excess(v[s]);
-                continue;
+                out[0] = excess(v[0]);
+                return;
             }
-            let n = norm(&v[s + 1..s + d]);
-            let (more, less) = (excess(v[s] + n), excess(v[s] - n));
-            out[s] = 0.5 * (more + less);
+            let n = norm(&v[1..]);
+            let (more, less) = (excess(v[0] + n), excess(v[0] - n));
+            out[0] = 0.5 * (more + less);
             if n > 0.0 {
-                (1..d).for_each(|i| out[s + i] = 0.5 * (more - less) * v[s + i] / n);
+                (1..d).for_each(|i| out[i] = 0.5 * (more - less) * v[i] / n);
             }
-        }
+        });
         out
     }
 
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
-        self.blocks
-            .iter()
-            .fold(most, |step, &(s, d)| step.min(step_in(&x[s..s + d], &dx[s..s + d])))
+        let blocks = self.blocks.par_iter().with_min_len(PIECE / 8);
+        blocks.map(|&(s, d)| step_in(&x[s..s + d], &dx[s..s + d])).reduce(|| most, f64::min)
     }
 
     /// Largest step of each cone alone.
-    pub fn own_steps<'a>(&'a self, x: &'a [f64], dx: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        self.blocks.iter().map(|&(s, d)| step_in(&x[s..s + d], &dx[s..s + d]))
+    pub fn own_steps(&self, x: &[f64], dx: &[f64]) -> Vec<f64> {
+        self.values(|s, d| step_in(&x[s..s + d], &dx[s..s + d]))
     }
+}
+
+/// Ranges of cones of about equal numbers of rows.
+fn pieces(blocks: &[(usize, usize)]) -> Vec<Range<usize>> {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    while start < blocks.len() {
+        let last = blocks[start].0 + PIECE;
+        let end = start + blocks[start..].partition_point(|b| b.0 < last);
+        pieces.push(start..end);
+        start = end;
+    }
+    pieces
 }
 
 /// Largest step of one block.
 fn step_in(x: &[f64], dx: &[f64]) -> f64 {
+    match (x.len(), x.first_chunk::<6>(), dx.first_chunk::<6>()) {
+        // with a known length the loops are unrolled
+        (6, Some(x), Some(dx)) => step_of(x, dx),
+        _ => step_of(x, dx),
+    }
+}
+
+#[inline(always)]
+fn step_of(x: &[f64], dx: &[f64]) -> f64 {
     if x.len() == 1 {
         return if dx[0] < 0.0 { -x[0] / dx[0] } else { f64::INFINITY };
     }
@@ -154,31 +212,33 @@ pub struct Scaling {
 impl Scaling {
     /// The scaling of a pair strictly inside the cones; `None` when one of them is on the surface.
     pub fn new(cones: &Cones, s: &[f64], z: &[f64]) -> Option<Self> {
-        let mut eta = Vec::with_capacity(cones.blocks.len());
-        let mut w = vec![0.0; cones.rows];
-        for &(at, d) in &cones.blocks {
-            let (sb, zb) = (&s[at..at + d], &z[at..at + d]);
-            if d == 1 {
-                if !(sb[0] > 0.0 && zb[0] > 0.0) {
-                    return None;
+        let eta = cones.values(|at, d| {
+            let (s, z) = (&s[at..at + d], &z[at..at + d]);
+            match d {
+                1 => (s[0] > 0.0 && z[0] > 0.0).then(|| (s[0] / z[0]).sqrt()),
+                _ => {
+                    let (ds, dz) = (det(s), det(z));
+                    let inside = ds > 0.0 && dz > 0.0 && s[0] > 0.0 && z[0] > 0.0;
+                    inside.then(|| (ds.sqrt() / dz.sqrt()).sqrt())
                 }
-                eta.push((sb[0] / zb[0]).sqrt());
-                w[at] = 1.0;
-                continue;
             }
-            let (ds, dz) = (det(sb), det(zb));
-            if !(ds > 0.0 && dz > 0.0 && sb[0] > 0.0 && zb[0] > 0.0) {
-                return None;
+        });
+        let eta: Vec<f64> = eta.into_iter().collect::<Option<_>>()?;
+        let mut w = vec![0.0; cones.rows];
+        cones.each(&mut w, |_, at, d, w| {
+            if d == 1 {
+                w[0] = 1.0;
+                return;
             }
-            let (rs, rz) = (ds.sqrt(), dz.sqrt());
-            let gamma = (0.5 * (1.0 + dot(sb, zb) / (rs * rz))).sqrt();
+            let (s, z) = (&s[at..at + d], &z[at..at + d]);
+            let (rs, rz) = (det(s).sqrt(), det(z).sqrt());
+            let gamma = (0.5 * (1.0 + dot(s, z) / (rs * rz))).sqrt();
             for i in 1..d {
-                w[at + i] = (sb[i] / rs - zb[i] / rz) / (2.0 * gamma);
+                w[i] = (s[i] / rs - z[i] / rz) / (2.0 * gamma);
             }
             // normalised: w₀² − ‖w₁‖² = 1
-            w[at] = (1.0 + dot(&w[at + 1..at + d], &w[at + 1..at + d])).sqrt();
-            eta.push((rs / rz).sqrt());
-        }
+            w[0] = (1.0 + dot(&w[1..], &w[1..])).sqrt();
+        });
         let mut scaling = Self { eta, w, lambda: Vec::new() };
         scaling.lambda = scaling.apply(cones, z);
         Some(scaling)
@@ -188,9 +248,9 @@ impl Scaling {
     fn map(&self, cones: &Cones, x: &[f64], inverse: bool, times: usize) -> Vec<f64> {
         let mut y = x.to_vec();
         let sign = if inverse { -1.0 } else { 1.0 };
-        for (k, &(s, d)) in cones.blocks.iter().enumerate().take_while(|(_, b)| b.0 < x.len()) {
+        cones.each(&mut y, |k, s, d, y| {
             let e = if inverse { 1.0 / self.eta[k] } else { self.eta[k] };
-            let (w, y) = (&self.w[s..s + d], &mut y[s..s + d]);
+            let w = &self.w[s..s + d];
             for _ in 0..times {
                 // with a known length the loops are unrolled
                 match (w.first_chunk::<6>(), y.first_chunk_mut::<6>()) {
@@ -199,7 +259,7 @@ impl Scaling {
                     _ => hyperbolic(e, sign, w, y),
                 }
             }
-        }
+        });
         y
     }
 

@@ -6,6 +6,8 @@
 //! Eisenstat, Elman and Schultz, Variational iterative methods for nonsymmetric systems of linear
 //! equations (1983).
 
+use super::vectors::{add, scale};
+
 /// A correction of a solution, and its effect on the stationarity rows.
 pub struct Correction {
     /// Unknowns.
@@ -19,9 +21,6 @@ pub struct Correction {
 impl Correction {
     /// Makes the effect a unit vector, or zero, orthogonal to those of earlier corrections.
     pub fn orthogonalise(&mut self, earlier: &[Self], dot: impl Fn(&[f64], &[f64]) -> f64) {
-        let add = |a: &mut [f64], part: f64, b: &[f64]| {
-            a.iter_mut().zip(b).for_each(|(a, b)| *a += part * b)
-        };
         for other in earlier {
             let part = -dot(&self.effect, &other.effect);
             add(&mut self.effect, part, &other.effect);
@@ -31,7 +30,7 @@ impl Correction {
         let size = dot(&self.effect, &self.effect).sqrt();
         let unit = if size > 0.0 { size.recip() } else { 0.0 };
         for v in [&mut self.effect, &mut self.x, &mut self.z] {
-            v.iter_mut().for_each(|v| *v *= unit);
+            scale(v, unit);
         }
     }
 }
@@ -39,7 +38,7 @@ impl Correction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::condensed::cones::dot;
+    use crate::solve::condensed::vectors::dot;
 
     /// Plain refinement never converges with a solver that is wrong by a factor in one direction of
     /// two; two corrections do.

@@ -11,7 +11,7 @@
 //! Goulart and Chen, Clarabel: an interior-point solver for conic programs with quadratic
 //! objectives (2024).
 
-use super::cones::{Scaling, dot};
+use super::cones::Scaling;
 use super::newton::Newton;
 use super::point::Point;
 use super::residuals::{certificate, residuals};
@@ -20,6 +20,7 @@ use super::settings::Settings;
 use super::start::starting_point;
 use super::system::CondensedSystem;
 use super::targets::Targets;
+use super::vectors::{add, dot, scale};
 use crate::solve::status::{Iteration, SolveOptions, SolveStatus};
 use std::time::Instant;
 
@@ -142,17 +143,17 @@ pub fn iterate(
             return stop(SolveStatus::ReducedAccuracy, best, best_merit, iteration);
         }
         for (v, d) in [(&mut p.x, &d.x), (&mut p.s, &d.s), (&mut p.z, &d.z)] {
-            v.iter_mut().zip(d).for_each(|(v, d)| *v += a * d);
+            add(v, a, d);
         }
         p.tau += a * d.tau;
         p.kappa += a * d.kappa;
         // the embedding is homogeneous: its scale is kept near one
-        let scale = 1.0 / p.tau.max(p.kappa);
+        let size = 1.0 / p.tau.max(p.kappa);
         for v in [&mut p.x, &mut p.s, &mut p.z] {
-            v.iter_mut().for_each(|v| *v *= scale);
+            scale(v, size);
         }
-        p.tau *= scale;
-        p.kappa *= scale;
+        p.tau *= size;
+        p.kappa *= size;
     }
     stop(SolveStatus::IterationLimit, best, best_merit, options.max_iterations)
 }

@@ -22,6 +22,7 @@ pub mod system;
 pub mod targets;
 #[cfg(test)]
 mod tests;
+pub mod vectors;
 pub mod yield_points;
 
 pub use prepared::Prepared;

@@ -1,6 +1,6 @@
 //! Newton's system of one iteration, and the directions it gives: affine, corrected, centred.
 
-use super::cones::{Scaling, dot};
+use super::cones::Scaling;
 use super::correction::Correction;
 use super::point::{Direction, Point};
 use super::residuals::Residuals;
@@ -9,6 +9,7 @@ use super::settings::Settings;
 use super::static_condensation::Side;
 use super::system::{CondensedSystem, Solved};
 use super::targets::Targets;
+use super::vectors::{add, dot, sum, vector};
 
 /// Newton's system of one iteration.
 pub struct Newton<'a> {
@@ -93,7 +94,7 @@ impl<'a> Newton<'a> {
             let slack: [Vec<f64>; SIDES] = std::array::from_fn(|k| {
                 let (Solved { x, z, .. }, r2) = (&solution[k], rhs[k].1);
                 let (gx, w2) = (problem.program.rows(x), scaling.apply_twice(&problem.cones, z));
-                (0..r2.len()).map(|i| r2[i] + gx[i] + w2[i]).collect()
+                vector(r2.len(), |i| r2[i] + gx[i] + w2[i])
             });
             let sides = std::array::from_fn::<_, SIDES, _>(|k| {
                 (solution[k].error.as_slice(), slack[k].as_slice())
@@ -101,17 +102,13 @@ impl<'a> Newton<'a> {
             let correction = self.system.solve::<SIDES, true>(problem, scaling, sides);
             for (k, correction) in correction.into_iter().enumerate() {
                 let solution = &mut solution[k];
-                let effect = solution
-                    .error
-                    .iter()
-                    .zip(&correction.error)
-                    .map(|(r, left)| r - left)
-                    .collect();
+                let (before, left) = (&solution.error, &correction.error);
+                let effect = vector(left.len(), |i| before[i] - left[i]);
                 let mut next = Correction { x: correction.x, z: correction.z, effect };
                 next.orthogonalise(&corrections[k], |a, b| self.weighted_dot(a, b));
                 let part = self.weighted_dot(&solution.error, &next.effect);
-                solution.x.iter_mut().zip(&next.x).for_each(|(a, b)| *a += part * b);
-                solution.z.iter_mut().zip(&next.z).for_each(|(a, b)| *a += part * b);
+                add(&mut solution.x, part, &next.x);
+                add(&mut solution.z, part, &next.z);
                 // computed anew: the error updated by the correction would hide the rounding of the
                 // sum
                 solution.error =
@@ -126,7 +123,7 @@ impl<'a> Newton<'a> {
     fn weighted_dot(&self, a: &[f64], b: &[f64]) -> f64 {
         let others = (self.allowed[0] / self.allowed[1]).powi(2);
         let weight = |i: usize| if self.problem.maximised[i] { others } else { 1.0 };
-        (0..a.len()).map(|i| weight(i) * a[i] * b[i]).sum()
+        sum(a.len(), |i| weight(i) * a[i] * b[i])
     }
 
     /// Right-hand side that removes the fraction `1 − σ` of the residuals, with complementarity
@@ -135,8 +132,9 @@ impl<'a> Newton<'a> {
         let cones = &self.problem.cones;
         let keep = 1.0 - sigma;
         let back = self.scaling.apply(cones, &cones.divide(&self.scaling.lambda, ds));
-        let r1 = self.r.f1.iter().map(|f| -keep * f).collect();
-        let r2 = self.r.f2.iter().zip(&back).map(|(f, b)| b - keep * f).collect();
+        let (f1, f2) = (&self.r.f1, &self.r.f2);
+        let r1 = vector(f1.len(), |i| -keep * f1[i]);
+        let r2 = vector(f2.len(), |i| back[i] - keep * f2[i]);
         (r1, r2)
     }
 
@@ -162,7 +160,7 @@ impl<'a> Newton<'a> {
         }
         let sigma = targets.sigma;
         let products = |part: f64| -> Vec<f64> {
-            (0..ll.len()).map(|i| ll[i] + part * cross[i] - targets.products[i]).collect()
+            vector(ll.len(), |i| ll[i] + part * cross[i] - targets.products[i])
         };
         let scalar =
             |part: f64| p.kappa * p.tau + part * affine.kappa * affine.tau - targets.centre;
@@ -201,8 +199,7 @@ impl<'a> Newton<'a> {
             }
             let longer = (step + settings.longer).min(1.0);
             let (s, z) = (self.scaling.apply_inverse(cones, &d.s), self.scaling.apply(cones, &d.z));
-            let ahead =
-                |v: &[f64]| lambda.iter().zip(v).map(|(l, v)| l + longer * v).collect::<Vec<f64>>();
+            let ahead = |v: &[f64]| vector(v.len(), |i| lambda[i] + longer * v[i]);
             let excess =
                 cones.outside(&cones.product(&ahead(&s), &ahead(&z)), &targets.products, centre);
             let tk = (p.tau + longer * d.tau) * (p.kappa + longer * d.kappa);
@@ -224,11 +221,11 @@ impl<'a> Newton<'a> {
         let (keep, h) = (1.0 - sigma, &self.problem.program.h);
         let tau =
             (-keep * r.f3 + dk / p.tau - dot(&self.slope, &x1) - dot(h, &z1)) / self.denominator;
-        let x: Vec<f64> = x1.iter().zip(&self.x2).map(|(a, b)| a + tau * b).collect();
-        let z: Vec<f64> = z1.iter().zip(&self.z2).map(|(a, b)| a + tau * b).collect();
+        let x = vector(x1.len(), |i| x1[i] + tau * self.x2[i]);
+        let z = vector(z1.len(), |i| z1[i] + tau * self.z2[i]);
         // the slack row holds exactly: s = G x + h τ with the residual shrunk
         let gx = self.problem.program.rows(&x);
-        let s = (0..h.len()).map(|i| gx[i] + h[i] * tau - keep * r.f2[i]).collect();
+        let s = vector(h.len(), |i| gx[i] + h[i] * tau - keep * r.f2[i]);
         let kappa = -(dk + p.kappa * tau) / p.tau;
         Direction { x, s, z, tau, kappa }
     }
@@ -236,8 +233,8 @@ impl<'a> Newton<'a> {
     /// For each cone, the fraction of a direction (at most 1) that stays inside that cone.
     pub fn own_steps(&self, d: &Direction) -> Vec<f64> {
         let (p, cones) = (self.point, &self.problem.cones);
-        let steps = cones.own_steps(&p.s, &d.s).zip(cones.own_steps(&p.z, &d.z));
-        steps.map(|(s, z)| s.min(z).min(1.0)).collect()
+        let (s, z) = (cones.own_steps(&p.s, &d.s), cones.own_steps(&p.z, &d.z));
+        vector(s.len(), |k| s[k].min(z[k]).min(1.0))
     }
 
     /// Largest step that stays in all cones.

@@ -1,5 +1,7 @@
 //! Iterates and directions of the homogeneous embedding.
 
+use super::vectors::vector;
+
 /// An iterate: the unknowns of the program are x/τ, its multipliers z/τ.
 #[derive(Clone, Debug)]
 pub struct Point {
@@ -32,7 +34,7 @@ pub struct Direction {
 impl Direction {
     /// `self + part · other`.
     pub fn plus(&self, part: f64, other: &Self) -> Self {
-        let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + part * b).collect();
+        let sum = |a: &[f64], b: &[f64]| vector(a.len(), |i| a[i] + part * b[i]);
         Self {
             x: sum(&self.x, &other.x),
             s: sum(&self.s, &other.s),

@@ -1,10 +1,10 @@
 //! Residuals of the homogeneous embedding, and certificates that the program is unbounded or
 //! infeasible.
 
-use super::cones::dot;
 use super::point::Point;
-use super::scaled_program::{ScaledProgram, largest};
+use super::scaled_program::ScaledProgram;
 use super::settings::Settings;
+use super::vectors::{dot, largest, vector};
 use crate::solve::status::SolveStatus;
 
 /// Residuals of the embedding at a point, and the numbers of the stopping rules.
@@ -48,8 +48,8 @@ pub fn residuals(
     let gz = problem.program.rows_transposed(&p.z);
     let gx = problem.program.rows(&p.x);
     let n = p.x.len();
-    let f1: Vec<f64> = (0..n).map(|i| px[i] - gz[i] + q[i] * p.tau).collect();
-    let f2: Vec<f64> = (0..p.s.len()).map(|r| p.s[r] - gx[r] - h[r] * p.tau).collect();
+    let f1 = vector(n, |i| px[i] - gz[i] + q[i] * p.tau);
+    let f2 = vector(p.s.len(), |r| p.s[r] - gx[r] - h[r] * p.tau);
     let (xpx, cx, hz) = (problem.signed_dot(&p.x, &px), problem.signed_dot(q, &p.x), dot(h, &p.z));
     let t = p.tau;
     // the maximiser's share: its linear terms, and the yield points

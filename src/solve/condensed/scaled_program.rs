@@ -1,6 +1,7 @@
 //! A scaled program and its cones, with the scalar products and measures of the iteration.
 
-use super::cones::{Cones, dot};
+use super::cones::Cones;
+use super::vectors::{dot, largest, sum, vector};
 use crate::programs::conic::ConicProgram;
 
 /// A scaled program, ready for the iteration.
@@ -35,7 +36,7 @@ impl ScaledProgram {
         if !self.saddle {
             return dot(a, b);
         }
-        (0..a.len()).map(|i| if self.maximised[i] { -a[i] * b[i] } else { a[i] * b[i] }).sum()
+        sum(a.len(), |i| if self.maximised[i] { -a[i] * b[i] } else { a[i] * b[i] })
     }
 
     /// Maximised entries with the opposite sign.
@@ -51,7 +52,7 @@ impl ScaledProgram {
         if !self.saddle {
             return if maximised { vec![0.0; a.len()] } else { a.to_vec() };
         }
-        a.iter().zip(&self.maximised).map(|(v, m)| if *m == maximised { *v } else { 0.0 }).collect()
+        vector(a.len(), |i| if self.maximised[i] == maximised { a[i] } else { 0.0 })
     }
 
     /// Largest entry among the minimised unknowns, and among all. Rows of minimised unknowns are
@@ -87,9 +88,4 @@ impl ScaledProgram {
             .map(|(r, v)| if (r >= self.points) == points { *v } else { 0.0 })
             .collect()
     }
-}
-
-/// Largest magnitude of the entries.
-pub(super) fn largest(a: &[f64]) -> f64 {
-    a.iter().fold(0.0, |m, x| m.max(x.abs()))
 }

@@ -1,10 +1,11 @@
 //! Starting point of the iteration.
 
-use super::cones::{Scaling, dot};
+use super::cones::Scaling;
 use super::point::Point;
-use super::scaled_program::{ScaledProgram, largest};
+use super::scaled_program::ScaledProgram;
 use super::settings::Settings;
 use super::system::{CondensedSystem, Solved};
+use super::vectors::{dot, largest};
 use crate::programs::conic::cone_margin;
 
 /// The minimum of `½ xᵀPx + qᵀx + ½‖s‖²` over `s = Gx + h`, with slacks and multipliers moved

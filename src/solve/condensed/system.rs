@@ -5,9 +5,10 @@
 //! the sparse factor. Every entry has its place in the storage of the factor, so that no second
 //! matrix is assembled.
 
-use super::cones::{Cones, Scaling, dot};
+use super::cones::{Cones, Scaling};
 use super::elements::{ElementSystem, UNSCALED, union};
 use super::scaled_program::ScaledProgram;
+use super::vectors::{dot, vector};
 use super::yield_points::SCALING;
 use crate::elements::yielding_element::YIELD_ROWS;
 use crate::programs::conic::ConicProgram;
@@ -159,7 +160,7 @@ impl CondensedSystem {
         let program = &problem.program;
         let [px] = program.quadratic([x]);
         let gz = program.rows_transposed(z);
-        let mut error: Vec<f64> = (0..r1.len()).map(|i| r1[i] - px[i] + gz[i]).collect();
+        let mut error = vector(r1.len(), |i| r1[i] - px[i] + gz[i]);
         if self.elements.proximal > 0.0 {
             let factor = program.unknowns() - usize::from(!program.live.is_empty());
             for i in (program.shared()..factor).filter(|&i| problem.maximised[i]) {
