@@ -10,8 +10,8 @@
 //! with M the mass matrix. The change of volume stays elastic.
 //!
 //! # Rigid-plastic (limit analysis)
-//! The dissipation `∫ √(2/3) f_y ‖ε‖` by the ten-point rule is the maximum, over deviators q at the
-//! points with `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures enforce `tr ε = 0`. The split
+//! The dissipation `∫ √(2/3) f_y ‖ε‖` by a rule is the maximum, over deviators q at its points with
+//! `‖q_j‖ ≤ w_j √(2/3) f_y`, of `Σ q_j·ε_j`. Pressures enforce `tr ε = 0`. The split
 //! element needs one, for `∫ div u = 0`, since its inner velocities follow from the outer ones; the
 //! plain element needs four, at its vertices.
 //!

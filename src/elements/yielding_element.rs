@@ -26,10 +26,12 @@ pub const VERTEX_VALUES: usize = 4 * DEVIATOR;
 pub enum Rule {
     /// Elastic, perfectly plastic (Hencky): exact elastic energy, dissipation by the vertex rule.
     Hencky,
-    /// Rigid-plastic, dissipation by the rule of the 8 sub-subtets: 4 vertices, 6 mid-sides.
+    /// Rigid-plastic, dissipation by the rule of the 8 sub-subtets: 4 vertices, 6 mid-sides. An
+    /// upper bound of the dissipation.
     TenPoints,
-    /// Rigid-plastic, dissipation by Gauss's rule of degree two: four points inside. Not a bound of
-    /// the dissipation by itself; the certificate computes one from the velocities.
+    /// Rigid-plastic, dissipation by Gauss's rule of degree two, four points inside. Four points
+    /// determine a linear strain, so no flow escapes them. The rule is no bound of the dissipation:
+    /// the certificate computes one from the velocities.
     Gauss,
     /// Rigid-plastic at the vertices: faces of welds, see [`crate::programs::weld_face`].
     Vertices,
@@ -53,7 +55,8 @@ const TEN_POINTS: [[f64; 4]; 10] = {
         [0.0, 0.0, M, M],
     ]
 };
-/// Four points inside, `V/4` each: exact for quadratic functions.
+/// Four points inside as means of the vertices, times their weights `V/4`: exact for quadratic
+/// functions.
 const GAUSS_POINTS: [[f64; 4]; 4] = {
     // (5 + 3 √5)/20 and (5 − √5)/20, a quarter each
     const A: f64 = 0.585_410_196_624_968_5 / 4.0;

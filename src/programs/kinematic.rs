@@ -29,6 +29,13 @@ use crate::programs::yielding_elements::append;
 use crate::programs::{cuts, free_modes, weld_face};
 use std::collections::BTreeMap;
 
+/// Number of tets up to which limit analysis uses the finer of two rules.
+///
+/// Gauss's rule may miss the best mechanism of few tets by 4e-5 (a bent beam) to 5e-4 (a hinge two
+/// tets wide). On meshes of joints it gives bounds 1e-3 lower than the finer rule, in half the time
+/// and memory.
+const FINE_RULE: usize = 4_000;
+
 struct Points<'a> {
     model: &'a AnalysisModel,
     space: &'a Tet10Space,
@@ -150,6 +157,11 @@ impl Kinematic {
             }
         };
         let limit = matches!(kind, Kind::Limit(_));
+        let rule = match limit {
+            false => Rule::Hencky,
+            true if model.mesh.tets.len() <= FINE_RULE => Rule::TenPoints,
+            true => Rule::Gauss,
+        };
         let yields = (0..model.mesh.tets.len()).any(|e| flow_of(e).is_some());
         let forces = model.body_forces(Loads::ALL);
         let dofs = |e: usize| {
@@ -165,15 +177,7 @@ impl Kinematic {
                 radius,
                 body_force: forces[body],
                 split: flow == Flow::Split,
-                rule: if limit {
-                    match std::env::var("BR_RULE").as_deref() {
-                        Ok("v") => Rule::Vertices,
-                        Ok("g") => Rule::Gauss,
-                        _ => Rule::TenPoints,
-                    }
-                } else {
-                    Rule::Hencky
-                },
+                rule,
             })
         };
         // rigid-plastic elements add nothing to P

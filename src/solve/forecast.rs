@@ -8,10 +8,10 @@ const TYPICAL_ITERATIONS: f64 = 20.0;
 /// Number of solves in an iteration.
 const SOLVES: f64 = 4.0;
 /// Number of solves in an iteration of limit analysis.
-const LIMIT_SOLVES: f64 = 10.0;
+const LIMIT_SOLVES: f64 = 8.0;
 /// Cost of all passes over one row of a yield condition in an iteration, as operations at the dense
-/// rate: 1.3 µs at 40 GFLOP/s, measured on both programs of two joints.
-const ROW_WORK: f64 = 5e4;
+/// rate: 0.5 µs at 40 GFLOP/s, measured on both programs of two joints.
+const ROW_WORK: f64 = 2e4;
 
 /// Forecast of one solve by the condensed method.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

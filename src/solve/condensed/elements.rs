@@ -96,6 +96,12 @@ impl ElementSystem {
         }
     }
 
+    /// True for the kinematic program of limit analysis.
+    pub fn have_pressures(&self) -> bool {
+        let pressures = |b: &Batch| matches!(b.shape, Shape::Flow { pressures: 1.., .. });
+        self.batches.iter().any(pressures)
+    }
+
     /// Memory in addition to that of the program \[bytes\].
     pub fn bytes(&self) -> usize {
         let places: usize = self.places.iter().map(|p| 4 * p.len()).sum();

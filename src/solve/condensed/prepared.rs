@@ -8,7 +8,7 @@ use crate::programs::conic::ConicProgram;
 use crate::solve::forecast::{Forecast, Yardstick};
 use crate::solve::scales::Scales;
 use crate::solve::sparse::{LinearError, Patterns};
-use crate::solve::status::{Solution, SolveOptions};
+use crate::solve::status::{Solution, SolveOptions, SolveStatus};
 use std::time::Instant;
 
 /// A program that is scaled, ordered and laid out.
@@ -68,7 +68,11 @@ impl Prepared {
 
     fn run(&mut self, options: &SolveOptions) -> Solution {
         let start = Instant::now();
-        let result = ipm::iterate(&self.problem, &mut self.system, options, start);
+        let mut result = ipm::iterate(&self.problem, &mut self.system, options, start);
+        // a larger term keeps the digits that very long tets lose
+        if result.status == SolveStatus::NumericalError && self.system.raise_proximal() {
+            result = ipm::iterate(&self.problem, &mut self.system, options, start);
+        }
         Solution {
             status: result.status,
             x: self.scales.unscale_x(&result.x),

@@ -43,6 +43,7 @@ fn condensed_matrix_gives_the_forces_of_the_element() {
         (flow(4, Rule::Hencky, 15, 0), 30, 0.0),
         (flow(1, Rule::TenPoints, 0, 4), 30, 1e-2),
         (flow(4, Rule::TenPoints, 0, 1), 30, 1e-2),
+        (flow(4, Rule::Gauss, 0, 1), 30, 1e-2),
         (Shape::Stress, 36, 1e-3),
     ];
     for (shape, k, proximal) in shapes {
