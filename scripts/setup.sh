@@ -138,5 +138,5 @@ if ! mesher_runs; then
     stop "gmsh $gmsh_version is installed but does not run (its message stands above). If a library is missing, install it; otherwise remove .venv and run this script again."
 fi
 remesher_runs ||
-    say "warning: mmgpy $mmgpy_version has no mmg3d_O3 that runs here. Bracket works without it: later meshes are isotropic. To try again, remove .venv and run this script again."
+    say "warning: mmgpy $mmgpy_version has no mmg3d_O3 that runs here. Bracket works without it: it refines your meshes by bisection. To try again, remove .venv and run this script again."
 say "ready: $(cargo --version), gmsh $gmsh_version in .venv"

@@ -114,7 +114,7 @@ fn mesher() -> Finding {
     }
 }
 
-/// Without the remesher adapted meshes have isotropic elements, so it may be absent.
+/// Without the remesher users' meshes are refined by bisection, so it may be absent.
 fn remesher() -> Finding {
     match Remesher::find() {
         Ok(m) => Finding::ok("remesher", format!("Mmg {}: {}", m.version, words(&m.command))),

@@ -124,7 +124,7 @@ pub fn remesh_model<'a>(
         interrupt: limits.interrupt.flag(),
         fallback: Rc::new(bisect),
     };
-    Box::new(ByMetric::new(tools, file, place, mesh, |_| false))
+    Box::new(ByMetric::new(tools, file, place, mesh))
 }
 
 /// Name of the folder a file lies in.

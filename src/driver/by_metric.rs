@@ -1,5 +1,5 @@
 //! Remeshes with Mmg by a metric: as many elements as the design asks for, long where the fields
-//! vary little. Serves specs and users' meshes alike.
+//! vary little.
 
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::meshing::quality_table;
@@ -82,8 +82,6 @@ struct Start {
     nodes: Vec<([f64; 3], f64)>,
     /// Names of the faces that stay as fine.
     faces: Vec<String>,
-    /// The bodies that stay as fine everywhere.
-    bodies: Vec<bool>,
 }
 
 /// Names of the faces where loads, supports and rigid faces act; symmetry planes, which hold one
@@ -95,14 +93,14 @@ fn acting(file: &ModelFile) -> Vec<String> {
     held.chain(rigid).chain(loads).cloned().collect()
 }
 
-/// The nodes on the given faces, on interfaces between bodies, and in the given bodies.
-fn kept(mesh: &TetMesh, faces: &[String], bodies: &[bool]) -> Vec<bool> {
+/// The nodes on the given faces and on interfaces between bodies.
+fn kept(mesh: &TetMesh, faces: &[String]) -> Vec<bool> {
     let mut body = vec![u32::MAX; mesh.nodes.len()];
     let mut kept = vec![false; mesh.nodes.len()];
     for (t, b) in mesh.tets.iter().zip(&mesh.tet_body) {
         for n in t {
             let n = *n as usize;
-            kept[n] |= bodies[*b as usize] || (body[n] != u32::MAX && body[n] != *b);
+            kept[n] |= body[n] != u32::MAX && body[n] != *b;
             body[n] = *b;
         }
     }
@@ -112,16 +110,16 @@ fn kept(mesh: &TetMesh, faces: &[String], bodies: &[bool]) -> Vec<bool> {
 }
 
 impl Start {
-    fn new(mesh: &TetMesh, edges: &Edges, faces: Vec<String>, bodies: Vec<bool>) -> Self {
+    fn new(mesh: &TetMesh, edges: &Edges, faces: Vec<String>) -> Self {
         let sizes = SizeField::new(mesh, edges, &vec![1.0; mesh.tets.len()]).sizes;
-        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &faces, &bodies)
+        let mut nodes: Vec<([f64; 3], f64)> = kept(mesh, &faces)
             .iter()
             .zip(mesh.nodes.iter().zip(sizes))
             .filter(|(kept, _)| **kept)
             .map(|(_, (x, size))| (*x, size))
             .collect();
         nodes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-        Self { nodes, faces, bodies }
+        Self { nodes, faces }
     }
 
     /// The size at the nearest of the nodes.
@@ -150,7 +148,7 @@ impl Start {
     }
 
     fn limits(&self, mesh: &TetMesh) -> SizeLimits {
-        let most = kept(mesh, &self.faces, &self.bodies)
+        let most = kept(mesh, &self.faces)
             .iter()
             .zip(&mesh.nodes)
             .map(|(kept, x)| if *kept { self.size_at(*x) } else { f64::INFINITY })
@@ -160,18 +158,10 @@ impl Start {
 }
 
 impl<'a> ByMetric<'a> {
-    /// Starts from the first mesh, whose bodies share nodes. `bolt` tells the bodies that no later
-    /// mesh makes coarser.
-    pub fn new(
-        tools: Tools<'a>,
-        file: &ModelFile,
-        place: Places<'a>,
-        mesh: TetMesh,
-        bolt: impl Fn(&str) -> bool,
-    ) -> Self {
+    /// Starts from the first mesh, whose bodies share nodes.
+    pub fn new(tools: Tools<'a>, file: &ModelFile, place: Places<'a>, mesh: TetMesh) -> Self {
         let edges = Edges::new(&mesh);
-        let bodies = mesh.bodies.iter().map(|b| bolt(b)).collect();
-        let start = Start::new(&mesh, &edges, acting(file), bodies);
+        let start = Start::new(&mesh, &edges, acting(file));
         let limits = start.limits(&mesh);
         let file = ModelFile { nodes: Nodes::Shared, ..file.clone() };
         let (filling, other) = (FILLING, None);
@@ -282,7 +272,7 @@ impl<'a> Remesh<'a> for ByMetric<'a> {
             Ok(mesh) => mesh,
             Err(faults) => {
                 let why = &faults.first().message;
-                log.line(format!("isotropic sizes from here on: {why}"));
+                log.line(format!("bisection from here on: {why}"));
                 let mut other = (self.tools.fallback)(self.mesh.clone());
                 let left = seconds - start.elapsed().as_secs_f64();
                 let made = other.remesh(design, left, log);

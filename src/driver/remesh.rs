@@ -50,7 +50,7 @@ pub fn remesher(log: &Log) -> Option<Remesher> {
     match Remesher::find() {
         Ok(remesher) => Some(remesher),
         Err(error) => {
-            log.line(format!("later meshes have isotropic elements: {error}"));
+            log.line(format!("the mesh is refined by bisection: {error}"));
             None
         }
     }
@@ -58,6 +58,9 @@ pub fn remesher(log: &Log) -> Option<Remesher> {
 
 /// Relative deviation of the count of tets below which the mesher does not run again.
 const NEAR: f64 = 0.07;
+
+/// Runs of the mesher for one mesh.
+const RUNS: usize = 3;
 
 /// Exponent with which the mesher's count of tets depends on the size.
 const COUNT_EXPONENT: f64 = 2.5;
@@ -127,8 +130,8 @@ impl<'a> Remesh<'a> for ByMap<'a> {
         let field = SizeField::new(&self.mesh, &self.edges, &design.wanted);
         let mut scale = self.filling.cbrt();
         let mut made = None;
-        // a second run if the count is off: sizes set by the geometry do not follow the map
-        for _ in 0..2 {
+        // another run if the count is off: sizes set by the geometry do not follow the map
+        for _ in 0..RUNS {
             let left = (seconds - start.elapsed().as_secs_f64()).clamp(0.0, MESHER_SECONDS);
             let mut options = self.options.clone();
             options.size_view = Some(field.view(&self.mesh, scale));

@@ -85,7 +85,7 @@ pub fn run_spec(run: &SpecRun, mut limits: Limits) -> Result<Finished, Diagnosti
     let mut cases = cases(&input, &meshed, &kinds, polygon, mesh_seconds)?;
     let max_passes = run.max_passes.unwrap_or(asked.max_passes);
     if max_passes > 1 {
-        give_remesh(&mut cases, &input, &options, &meshed, &place, &log);
+        give_remesh(&mut cases, &input, &options, &meshed, &place);
     }
     limits.interrupt.check("meshing")?;
     let mut context = spec_context(&run.spec, &input, checks)?;

@@ -98,7 +98,13 @@ impl Passes<'_> {
                 Bounds::Static => row.static_.as_ref(),
                 Bounds::Kinematic => row.kinematic.as_ref(),
             };
-            row.mesh_seconds.unwrap_or(0.0) + own.map_or(0.0, |r| r.seconds)
+            // programs that ran side by side took longer than each alone would
+            let meshing = row.mesh_seconds.unwrap_or(0.0);
+            let runs = [&row.kinematic, &row.static_, &row.static_frictionless];
+            let sum: f64 = runs.into_iter().flatten().map(|r| r.seconds).sum();
+            let wall = row.seconds.filter(|_| sum > 0.0);
+            let alone = wall.map_or(1.0, |wall| ((wall - meshing) / sum).clamp(0.5, 1.0));
+            meshing + own.map_or(0.0, |r| alone * r.seconds)
         });
         let counts = |program: Program| match bounds {
             Bounds::Both => true,

@@ -1,19 +1,15 @@
 //! The cases of a spec on the mesh of its joint.
 
-use crate::assembly::assembly::PartRole;
 use crate::diag::Diagnostics;
-use crate::driver::by_metric::{ByMetric, Tools};
 use crate::driver::case::Case;
-use crate::driver::remesh::{ByMap, Places, Remesh, remesher};
+use crate::driver::remesh::{ByMap, Places};
 use crate::driver::spec_file::SpecFile;
 use crate::mesh::joint::{JointMesh, MeshOptions};
 use crate::model::from_joint;
 use crate::model::resolve::resolve;
-use crate::report::console::log::Log;
 use crate::result::file_names::stem_of;
 use crate::spec::analysis::AnalysisKind;
 use crate::spec::polygon::PolygonSpec;
-use std::rc::Rc;
 
 /// A case for each load case and kind of analysis, and one for each direction of `polygon`.
 pub fn cases<'a>(
@@ -67,40 +63,20 @@ pub fn cases<'a>(
     Ok(cases)
 }
 
-/// Lets the cases make further meshes: the geometry is meshed again with a map of sizes. The
-/// directions of a polygon share the first mesh and get no further one.
+/// Lets the cases make further meshes: the geometry is meshed again with a map of sizes. Mmg does
+/// not suit the thin walls of joints (docs/theory.md, section 12). The directions of a polygon share
+/// the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,
     options: &MeshOptions,
     meshed: &JointMesh,
     place: Places<'a>,
-    log: &Log,
 ) {
     let assembly = &input.joint.assembly;
-    let remesher = remesher(log);
     for case in cases.iter_mut().filter(|c| c.direction.is_none()) {
         let kind = (case.name.clone(), case.model.analysis);
-        let (estimate, map_options) = (case.model.coulomb_estimate, options.clone());
-        let by_map = move |mesh| {
-            let by_map = ByMap::new(assembly, map_options.clone(), kind.clone(), place, mesh);
-            Box::new(by_map.estimating(estimate)) as Box<dyn Remesh<'a> + 'a>
-        };
-        case.remesh = Some(match &remesher {
-            None => by_map(meshed.mesh.clone()),
-            Some(remesher) => {
-                let tools = Tools {
-                    remesher: remesher.clone(),
-                    dir: options.work_dir.clone(),
-                    interrupt: options.interrupt.clone().unwrap_or_default(),
-                    fallback: Rc::new(by_map),
-                };
-                let bolt = |name: &str| {
-                    assembly.parts.iter().any(|p| p.name == name && p.role == PartRole::Bolt)
-                };
-                let mesh = meshed.mesh.clone();
-                Box::new(ByMetric::new(tools, &case.model_file.1, place, mesh, bolt))
-            }
-        });
+        let by_map = ByMap::new(assembly, options.clone(), kind, place, meshed.mesh.clone());
+        case.remesh = Some(Box::new(by_map.estimating(case.model.coulomb_estimate)));
     }
 }

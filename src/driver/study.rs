@@ -92,7 +92,7 @@ impl Source for Spec<'_> {
         let seconds = start.elapsed().as_secs_f64();
         let mut cases = cases(self.input, &meshed, &self.kinds, None, seconds)?;
         if adaptive {
-            give_remesh(&mut cases, self.input, &options, &meshed, self.place, self.log);
+            give_remesh(&mut cases, self.input, &options, &meshed, self.place);
         }
         Ok(cases)
     }
