@@ -9,7 +9,7 @@
 //! and webs, `--stretch FROM,TO,S` (elements in the spans FROM ≤ |x| ≤ TO are S times as long as
 //! they are wide), `--span-growth G`, `--foot N` elements across a footprint, `--hinges S` (size
 //! between pulled bolts and toes over the thickness of the plate),
-//! `--margins` (mesh lines beside the edges of footprints), `--bins MM`, `--static`,
+//! `--bins MM`, `--static`,
 //! `--kinematic`, `--threads N`.
 //!
 //! `--weak` solves the static program alone and prints which yield conditions limit its load
@@ -69,7 +69,6 @@ struct Options {
     growth: Option<f64>,
     foot: Option<f64>,
     hinges: Option<f64>,
-    margins: bool,
     bins: f64,
     bounds: Option<Bounds>,
     weak: bool,
@@ -88,7 +87,6 @@ fn main() {
             "--layers" => o.layers = Some(number(args.next()) as usize),
             "--span-growth" => o.growth = Some(number(args.next())),
             "--hinges" => o.hinges = Some(number(args.next())),
-            "--margins" => o.margins = true,
             "--foot" => o.foot = Some(number(args.next())),
             "--bins" => o.bins = number(args.next()),
             "--threads" => threads = number(args.next()) as usize,
@@ -316,7 +314,6 @@ fn meshed(assembly: &Assembly, o: &Options) -> bracket::mesh::joint::JointMesh {
     options.sizes.factor = o.factor.unwrap_or(1.0);
     options.sizes.span_growth = o.growth.unwrap_or(options.sizes.span_growth);
     options.sizes.across_footprint = o.foot.unwrap_or(options.sizes.across_footprint);
-    options.margins = o.margins;
     options.sizes.at_hinges = o.hinges;
     let mut m = mesh_joint(&changed(assembly, o), &options, &mut |_| {})
         .unwrap_or_else(|e| panic!("{e:#?}"));

@@ -5,7 +5,7 @@
 //! with success after many kinds of error.
 
 use super::flat::{FlatPrism, FlatSolid};
-use super::footprint::{Rectangle, footprints, margins, weld_lines};
+use super::footprint::{Rectangle, footprints, weld_lines};
 use super::scene::{Body, Scene};
 use super::size::{self, SizeRule};
 use crate::assembly::assembly::{MidPlane, OutlineEdge, Solid};
@@ -31,8 +31,6 @@ pub enum Purpose {
     Mesh {
         /// Cut plates, flanges, webs and stiffeners at mid-thickness.
         layers: bool,
-        /// Draw lines just inside and outside the edges of footprints.
-        margins: bool,
         /// Element sizes.
         sizes: Sizing,
     },
@@ -56,8 +54,8 @@ pub fn script(scene: &Scene, purpose: Purpose) -> String {
             layered.into_iter().flatten().copied().chain(cuts.into_iter().flatten()).collect();
         w.body(i, body, &planes);
     }
-    if let Purpose::Mesh { sizes, margins, .. } = purpose {
-        w.footprints(scene, margins);
+    if let Purpose::Mesh { sizes, .. } = purpose {
+        w.footprints(scene);
         w.fragments(scene.bodies.len());
         w.groups(scene);
         match sizes {
@@ -291,10 +289,9 @@ impl Writer {
         ));
     }
 
-    fn footprints(&mut self, scene: &Scene, beside: bool) {
+    fn footprints(&mut self, scene: &Scene) {
         self.line("f() = {};");
-        let lines = if beside { margins(scene) } else { Vec::new() };
-        for drawn in footprints(scene).into_iter().chain(lines).chain(weld_lines(scene)) {
+        for drawn in footprints(scene).into_iter().chain(weld_lines(scene)) {
             self.polygon(&drawn.corners());
             self.line("f() += {s};");
         }
@@ -337,7 +334,6 @@ mod tests {
 
     const MESH: Purpose = Purpose::Mesh {
         layers: true,
-        margins: false,
         sizes: Sizing::Rule(SizeRule {
             factor: 1.0,
             growth: 0.5,
@@ -363,11 +359,7 @@ mod tests {
         for p in &mut joint.parts {
             p.label = "evil; System(\"rm\")".into();
         }
-        for purpose in [
-            MESH,
-            Purpose::Mesh { layers: true, margins: false, sizes: Sizing::View },
-            Purpose::Cad,
-        ] {
+        for purpose in [MESH, Purpose::Mesh { layers: true, sizes: Sizing::View }, Purpose::Cad] {
             let text = script(&Scene::new(&joint, false), purpose);
             assert!(!text.contains("System") && !text.contains("evil"));
         }
@@ -390,7 +382,7 @@ mod tests {
         let joint = paper_joint();
         let cuts = |full: bool, layers: bool| {
             let sizes = Sizing::Rule(SizeRule::default());
-            let purpose = Purpose::Mesh { layers, margins: false, sizes };
+            let purpose = Purpose::Mesh { layers, sizes };
             script(&Scene::new(&joint, full), purpose)
                 .matches("BooleanIntersection{ Surface")
                 .count()

@@ -23,8 +23,6 @@ pub struct MeshOptions {
     pub full: bool,
     /// Cut plates, flanges, webs and stiffeners at mid-thickness.
     pub layers: bool,
-    /// Draw mesh lines just inside and outside the edges of footprints.
-    pub margins: bool,
     /// Element sizes; `sizes.factor` scales all of them.
     pub sizes: SizeRule,
     /// Target sizes as a gmsh view; they replace `sizes`.
@@ -40,13 +38,12 @@ pub struct MeshOptions {
 }
 
 impl MeshOptions {
-    /// Default options: a quarter or half if the joint is symmetric, layers on, no margins, the
-    /// sizes of the parts, a time limit of ten minutes.
+    /// Default options: a quarter or half if the joint is symmetric, layers on, the sizes of
+    /// the parts, a time limit of ten minutes.
     pub fn new(work_dir: impl Into<PathBuf>) -> Self {
         MeshOptions {
             full: false,
             layers: true,
-            margins: false,
             sizes: SizeRule::default(),
             size_view: None,
             time_limit: Duration::from_secs(600),
@@ -93,8 +90,7 @@ pub fn mesh_joint(
     let scene = Scene::new(assembly, options.full);
     let sizes =
         if options.size_view.is_some() { Sizing::View } else { Sizing::Rule(options.sizes) };
-    let MeshOptions { layers, margins, .. } = *options;
-    let geo = geo_script::script(&scene, Purpose::Mesh { layers, margins, sizes });
+    let geo = geo_script::script(&scene, Purpose::Mesh { layers: options.layers, sizes });
     let dir = &options.work_dir;
     std::fs::create_dir_all(dir).map_err(|e| MesherError::write(dir, e))?;
     if let Some(view) = &options.size_view {
