@@ -64,8 +64,8 @@ pub fn cases<'a>(
 }
 
 /// Lets the cases make further meshes: the geometry is meshed again with a map of sizes. Mmg does
-/// not suit the thin walls of joints (docs/theory.md, section 12). The directions of a polygon share
-/// the first mesh and get no further one.
+/// not suit the thin walls of joints (docs/theory.md, section 12). The directions of a polygon
+/// share the first mesh and get no further one.
 pub fn give_remesh<'a>(
     cases: &mut [Case<'a>],
     input: &'a SpecFile,

@@ -97,10 +97,11 @@ pub enum Solver {
 /// solver.
 pub const LIMIT_GAP: f64 = 1e-4;
 
-/// Residual at which solves of limit analysis end, relative to the gap. Unbalanced stresses reduce
-/// the lower bound. Measured on three bolted joints at a gap of 1e-4: by 3e-5 to 5e-4 of the bound.
-/// 1e-2 reduces it by at most 4e-5 and takes 20 to 42 % longer; 1 reduces it by up to 4e-3. The upper
-/// bound is 0 to 4e-4 higher than with 1e-2.
+/// Residual at which solves of limit analysis end, relative to the gap.
+///
+/// Unbalanced stresses reduce the lower bound. Measured on three bolted joints at a gap of 1e-4: by
+/// 3e-5 to 5e-4 of the bound. 1e-2 reduces it by at most 4e-5 and takes 20 to 42 % longer; 1
+/// reduces it by up to 4e-3. The upper bound is 0 to 4e-4 higher than with 1e-2.
 const LIMIT_RESIDUAL: f64 = 1e-1;
 /// The same for the balance of forces in a solve for velocities. The upper bound is computed from
 /// the velocities alone, whose cones hold long before the stresses balance. Measured on the joint:
