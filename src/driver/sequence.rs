@@ -12,6 +12,7 @@ use crate::refine::rates;
 use crate::refine::track::{self, Track};
 use crate::report::console::pace::about;
 use crate::report::figures::{Rounding, fixed, percent_up};
+use crate::result::history::HistoryRow;
 use crate::result::result_file::{FrictionModel, Upper};
 
 /// Meshes made one after the other by one remesher.
@@ -98,13 +99,7 @@ impl Passes<'_> {
                 Bounds::Static => row.static_.as_ref(),
                 Bounds::Kinematic => row.kinematic.as_ref(),
             };
-            // programs that ran side by side took longer than each alone would
-            let meshing = row.mesh_seconds.unwrap_or(0.0);
-            let runs = [&row.kinematic, &row.static_, &row.static_frictionless];
-            let sum: f64 = runs.into_iter().flatten().map(|r| r.seconds).sum();
-            let wall = row.seconds.filter(|_| sum > 0.0);
-            let alone = wall.map_or(1.0, |wall| ((wall - meshing) / sum).clamp(0.5, 1.0));
-            meshing + own.map_or(0.0, |r| alone * r.seconds)
+            row.mesh_seconds.unwrap_or(0.0) + own.map_or(0.0, |r| alone(row) * r.seconds)
         });
         let counts = |program: Program| match bounds {
             Bounds::Both => true,
@@ -231,6 +226,15 @@ enum Refined {
     Stop(Stop),
     /// It could not be made, or gave no bound.
     Failed,
+}
+
+/// Time that a program of a pass takes alone, over its time in the pass: programs that run side by
+/// side slow each other down.
+fn alone(row: &HistoryRow) -> f64 {
+    let runs = [&row.kinematic, &row.static_, &row.static_frictionless];
+    let sum: f64 = runs.into_iter().flatten().map(|r| r.seconds).sum();
+    let wall = row.seconds.filter(|_| sum > 0.0);
+    wall.map_or(1.0, |s| ((s - row.mesh_seconds.unwrap_or(0.0)) / sum).clamp(0.5, 1.0))
 }
 
 /// The bound that a mesh is made for, as text.

@@ -157,10 +157,12 @@ impl Kinematic {
             }
         };
         let limit = matches!(kind, Kind::Limit(_));
-        let rule = match limit {
-            false => Rule::Hencky,
-            true if model.mesh.tets.len() <= FINE_RULE => Rule::TenPoints,
-            true => Rule::Gauss,
+        let rule = if !limit {
+            Rule::Hencky
+        } else if model.mesh.tets.len() <= FINE_RULE {
+            Rule::TenPoints
+        } else {
+            Rule::Gauss
         };
         let yields = (0..model.mesh.tets.len()).any(|e| flow_of(e).is_some());
         let forces = model.body_forces(Loads::ALL);

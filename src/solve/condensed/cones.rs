@@ -72,8 +72,12 @@ impl Cones {
 
     /// The value of each cone.
     fn values<T: Send>(&self, of: impl Fn(usize, usize) -> T + Sync) -> Vec<T> {
-        let blocks = self.blocks.par_iter().with_min_len(PIECE / 8);
-        blocks.map(|&(s, d)| of(s, d)).collect()
+        self.walk().map(|&(s, d)| of(s, d)).collect()
+    }
+
+    /// First row and dimension of each cone, in parallel; most cones have six rows.
+    fn walk(&self) -> impl IndexedParallelIterator<Item = &(usize, usize)> {
+        self.blocks.par_iter().with_min_len(PIECE / 8)
     }
 
     /// Degree of the barrier: one per cone (the second-order cone's barrier is counted by its
@@ -144,8 +148,8 @@ impl Cones {
 
     /// Largest step in `[0, most]` that keeps `x + a dx` in the cone.
     pub fn largest_step(&self, x: &[f64], dx: &[f64], most: f64) -> f64 {
-        let blocks = self.blocks.par_iter().with_min_len(PIECE / 8);
-        blocks.map(|&(s, d)| step_in(&x[s..s + d], &dx[s..s + d])).reduce(|| most, f64::min)
+        let step = |&(s, d): &(usize, usize)| step_in(&x[s..s + d], &dx[s..s + d]);
+        self.walk().map(step).reduce(|| most, f64::min)
     }
 
     /// Largest step of each cone alone.
@@ -212,26 +216,25 @@ pub struct Scaling {
 impl Scaling {
     /// The scaling of a pair strictly inside the cones; `None` when one of them is on the surface.
     pub fn new(cones: &Cones, s: &[f64], z: &[f64]) -> Option<Self> {
-        let eta = cones.values(|at, d| {
-            let (s, z) = (&s[at..at + d], &z[at..at + d]);
-            match d {
-                1 => (s[0] > 0.0 && z[0] > 0.0).then(|| (s[0] / z[0]).sqrt()),
-                _ => {
-                    let (ds, dz) = (det(s), det(z));
-                    let inside = ds > 0.0 && dz > 0.0 && s[0] > 0.0 && z[0] > 0.0;
-                    inside.then(|| (ds.sqrt() / dz.sqrt()).sqrt())
-                }
+        // the size of a vector inside its cone
+        let size = |a: &[f64]| match a {
+            [a] => (*a > 0.0).then_some(*a),
+            _ => {
+                let det = det(a);
+                (det > 0.0 && a[0] > 0.0).then(|| det.sqrt())
             }
-        });
-        let eta: Vec<f64> = eta.into_iter().collect::<Option<_>>()?;
+        };
+        let sizes = cones.values(|at, d| Some([size(&s[at..at + d])?, size(&z[at..at + d])?]));
+        let sizes: Vec<[f64; 2]> = sizes.into_iter().collect::<Option<_>>()?;
+        let eta = sizes.iter().map(|[rs, rz]| (rs / rz).sqrt()).collect();
         let mut w = vec![0.0; cones.rows];
-        cones.each(&mut w, |_, at, d, w| {
+        cones.each(&mut w, |k, at, d, w| {
             if d == 1 {
                 w[0] = 1.0;
                 return;
             }
             let (s, z) = (&s[at..at + d], &z[at..at + d]);
-            let (rs, rz) = (det(s).sqrt(), det(z).sqrt());
+            let [rs, rz] = sizes[k];
             let gamma = (0.5 * (1.0 + dot(s, z) / (rs * rz))).sqrt();
             for i in 1..d {
                 w[i] = (s[i] / rs - z[i] / rz) / (2.0 * gamma);
