@@ -140,6 +140,10 @@ impl Passes<'_> {
         best_gap: f64,
         part: f64,
     ) -> Result<Refined, Diagnostics> {
+        // the gap of a bound's own track may exceed the target when that of the bracket does not
+        if best_gap <= adapt.target_gap {
+            return Ok(Refined::Stop(Stop::Target));
+        }
         let Sequence { track, remesher, last, .. } = sequence;
         let (name, log) = (self.name, self.log);
         let budget = Budget {

@@ -50,6 +50,8 @@ fn a_target_is_reached_and_verified() {
         let so_far: Vec<f64> = history.iter().map(|h| number(&h["so_far"]["gap"])).collect();
         assert!(so_far.windows(2).all(|g| g[1] <= g[0]), "{name}: {so_far:?}");
         assert_eq!(so_far.last().copied(), c["gap"].as_f64());
+        let before = &so_far[..so_far.len() - 1];
+        assert!(before.iter().all(|g| *g > target), "{name}: a mesh after the target: {so_far:?}");
         for h in &history[1..] {
             let [found, want] = [&h["macro_tets"], &h["predicted"]["macro_tets"]].map(number);
             assert!((found / want - 1.0).abs() < 0.15, "{name}: {found} tets, {want} expected");
