@@ -17,12 +17,23 @@ fi
 for folder in "$@"; do
     name=$(basename -- "$folder")
     folder=examples/$name
+    if [ -f "$folder/sweep.yaml" ]; then
+        input=$folder/sweep.yaml
+        # the quick tier runs the checks alone
+        if [ "$tier" = quick ] && [ -f "$folder/checks.yaml" ]; then input=$folder/checks.yaml; fi
+        echo "== bracket batch $input" >&2
+        code=0
+        rm -rf "results/$name"
+        "$bracket" batch "$input" -o "results/$name" || code=$?
+        .venv/bin/python scripts/check_sweep.py "$folder" "results/$name" "$code" "$tier"
+        continue
+    fi
     if [ -f "$folder/joint.yaml" ]; then
         command=run input=$folder/joint.yaml
     elif [ -f "$folder/model.yaml" ]; then
         command=analyse input=$folder/model.yaml
     else
-        echo "examples: $folder has neither joint.yaml nor model.yaml" >&2
+        echo "examples: $folder has neither joint.yaml nor model.yaml nor sweep.yaml" >&2
         exit 1
     fi
     # an example may bring a step that makes its mesh

@@ -48,6 +48,12 @@ else
     not_run="$not_run cargo-deny"
 fi
 step "${PWD}/scripts/examples.sh"
+# a real Slurm on this machine, where Debian's packages are there or can be installed
+if command -v slurmctld >/dev/null 2>&1 || { [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null 2>&1; }; then
+    step "${PWD}/scripts/slurm_test.sh"
+else
+    not_run="$not_run slurm"
+fi
 step .venv/bin/python scripts/readme.py --check
 
 if [ -n "$not_run" ]; then

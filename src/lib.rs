@@ -10,6 +10,7 @@
 
 pub mod analysis;
 pub mod assembly;
+pub mod batch;
 pub mod catalog;
 pub mod certify;
 pub mod checks;

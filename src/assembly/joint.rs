@@ -9,7 +9,8 @@ use super::evaluate::{entry_fault, rules, within};
 use super::inputs::Inputs;
 use super::origin::Origin;
 use super::part::Hole;
-use super::scope::Resolved;
+use super::scope::{Resolved, Scope};
+use super::template::Template;
 use super::{symmetry, template_file};
 use crate::catalog::Catalog;
 use crate::diag::{AtLeastOne, Diagnostic, Diagnostics};
@@ -35,6 +36,38 @@ pub struct Joint {
     pub notes: Vec<String>,
     /// Lines of action of the bolts whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
+    /// The names of the template with their values: `beam.h`, `bolt.d`, `plate.thickness`.
+    #[serde(skip)]
+    pub names: Scope,
+}
+
+/// A template with its origin, read once for all the specs that use it.
+pub struct LoadedTemplate {
+    template: Template,
+    origin: Origin,
+}
+
+impl LoadedTemplate {
+    /// Reads the template of a spec. `base` is the folder of the spec, from which template paths
+    /// are resolved.
+    pub fn of(spec: &Parsed<ConnectionSpec>, base: &Path) -> Result<Self, Diagnostics> {
+        let (template, origin) =
+            template_file::load(&spec.value.template, base).map_err(|faults| {
+                let at_spec = |d: Diagnostic| match &d.place {
+                    p if p.file.is_none() => {
+                        Diagnostic { place: spec.index.place("template"), ..d }
+                    }
+                    _ => d,
+                };
+                faults.map(at_spec)
+            })?;
+        Ok(Self { template, origin })
+    }
+
+    /// The content of the template as text, for hashes: that of the file and of those it extends.
+    pub fn content(&self) -> String {
+        format!("{:?}", self.template)
+    }
 }
 
 /// Builds the joint that a spec describes. `base` is the folder of the spec, from which template
@@ -44,35 +77,36 @@ pub fn build(
     base: &Path,
     catalog: &Catalog,
 ) -> Result<Joint, Diagnostics> {
-    let (template, origin) = template_file::load(&spec.value.template, base).map_err(|faults| {
-        let at_spec = |d: Diagnostic| match &d.place {
-            p if p.file.is_none() => Diagnostic { place: spec.index.place("template"), ..d },
-            _ => d,
-        };
-        faults.map(at_spec)
-    })?;
+    build_from(spec, &LoadedTemplate::of(spec, base)?, catalog)
+}
+
+/// Builds the joint that a spec describes from its template.
+pub fn build_from(
+    spec: &Parsed<ConnectionSpec>,
+    LoadedTemplate { template, origin }: &LoadedTemplate,
+    catalog: &Catalog,
+) -> Result<Joint, Diagnostics> {
     // an error in a user's template is reported at its place in the template file
-    let one = |f: AssemblyError| match (&origin, &f) {
+    let one = |f: AssemblyError| match (origin, &f) {
         (
             Origin::File { .. },
             AssemblyError::Template { .. }
             | AssemblyError::TemplateEntry { .. }
             | AssemblyError::UnseenBolts { .. },
-        ) => origin.placed(&template, f),
+        ) => origin.placed(template, f),
         _ => f.placed(&spec.index),
     };
     let placed = |faults: AtLeastOne<AssemblyError>| faults.map(&one);
     let alone = |fault: AssemblyError| Diagnostics::from(one(fault));
-    let inputs = Inputs::read(&spec.value, &template, catalog).map_err(&placed)?;
+    let inputs = Inputs::read(&spec.value, template, catalog).map_err(&placed)?;
     let mut scope = inputs.scope();
-    let resolved = scope.resolve(&template, &inputs.given).map_err(&placed)?;
-    rules(&template, &scope).map_err(&placed)?;
-    let context =
-        Context { spec: &spec.value, template: &template, inputs: &inputs, scope: &scope };
+    let resolved = scope.resolve(template, &inputs.given).map_err(&placed)?;
+    rules(template, &scope).map_err(&placed)?;
+    let context = Context { spec: &spec.value, template, inputs: &inputs, scope: &scope };
     let assembly = assembly(&context).map_err(alone)?;
     let bolts = context.bolt_lines().map_err(alone)?;
     let (actions, frames) = match &template.hand_checks {
-        Some(entry) => actions::ends(&template, &scope)
+        Some(entry) => actions::ends(template, &scope)
             .and_then(|ends| {
                 let actions = actions::on_planes(&spec.value.loads, &ends, &entry.ends)?;
                 Ok((actions, actions::frames(&ends, &entry.ends)?))
@@ -80,7 +114,7 @@ pub fn build(
             .map_err(alone)?,
         None => Default::default(),
     };
-    let end_plate = end_plate(&spec.value, &template, &inputs, &scope, actions).map_err(alone)?;
+    let end_plate = end_plate(&spec.value, template, &inputs, &scope, actions).map_err(alone)?;
     if let Some(seen) = &end_plate {
         context.all_seen(&assembly, &frames, seen).map_err(alone)?;
     }
@@ -89,6 +123,7 @@ pub fn build(
     resolved.push(inputs.friction_resolved(&spec.value));
     resolved.extend(inputs.factors_resolved().iter().cloned());
     Ok(Joint {
+        names: scope,
         assembly,
         resolved,
         catalogue: inputs.catalogue(),
@@ -96,6 +131,31 @@ pub fn build(
         notes: inputs.notes(),
         bolts,
     })
+}
+
+/// The names of a template with their values for a spec, without the parts of the joint.
+pub fn names(
+    spec: &ConnectionSpec,
+    LoadedTemplate { template, .. }: &LoadedTemplate,
+    catalog: &Catalog,
+) -> Result<Scope, AtLeastOne<AssemblyError>> {
+    let inputs = Inputs::read(spec, template, catalog)?;
+    let mut scope = inputs.scope();
+    scope.resolve(template, &inputs.given)?;
+    Ok(scope)
+}
+
+/// The names that need no parameter but those of the spec: of the catalogue's rows, and the
+/// parameters that the spec gives.
+pub fn given_names(
+    spec: &ConnectionSpec,
+    LoadedTemplate { template, .. }: &LoadedTemplate,
+    catalog: &Catalog,
+) -> Result<Scope, AtLeastOne<AssemblyError>> {
+    let inputs = Inputs::read(spec, template, catalog)?;
+    let mut scope = inputs.scope();
+    inputs.given.iter().for_each(|(name, value)| scope.take(name, value));
+    Ok(scope)
 }
 
 /// All parts, interfaces, supports, loads and symmetry planes of a joint.

@@ -26,7 +26,7 @@ pub use assembly::Assembly;
 pub use builder::BoltLine;
 pub use end_plate::{ColumnSide, EndPlate};
 pub use error::AssemblyError;
-pub use joint::{Joint, build};
+pub use joint::{Joint, LoadedTemplate, build, build_from, given_names, names};
 
 #[cfg(test)]
 mod bad_specs;

@@ -34,7 +34,7 @@ pub struct Resolved {
 type Limits = (Option<f64>, Option<f64>, Option<String>);
 
 /// A loop variable in one pass of its loop.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 struct Turn {
     name: String,
     value: Value,
@@ -43,7 +43,7 @@ struct Turn {
 }
 
 /// All names of one evaluation.
-#[derive(Clone, Debug, std::default::Default)]
+#[derive(Clone, Debug, PartialEq, std::default::Default)]
 pub struct Scope {
     values: BTreeMap<String, Value>,
     lists: BTreeMap<String, usize>,
@@ -303,7 +303,7 @@ impl Scope {
         Ok(out)
     }
 
-    fn take(&mut self, name: &str, given: &Given) {
+    pub(super) fn take(&mut self, name: &str, given: &Given) {
         match given {
             Given::One(v) => self.set(name, *v),
             Given::Many(list) => {

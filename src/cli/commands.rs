@@ -2,7 +2,7 @@
 
 use super::common::{CommandResult, Common};
 use super::{
-    analyse, catalog, check, doctor, mesh, new, run, schema, study, templates, verify, watch,
+    analyse, batch, catalog, check, doctor, mesh, new, run, schema, study, templates, verify, watch,
 };
 use clap::{Parser, Subcommand};
 
@@ -37,6 +37,8 @@ pub enum Command {
     Study(study::StudyArgs),
     /// Recompute the certificate of a finished result.
     Verify(verify::VerifyArgs),
+    /// Catalogues of joints: every row or combination checked and analysed.
+    Batch(batch::BatchArgs),
     /// List and show catalogue data.
     Catalog(catalog::CatalogArgs),
     /// List the connection templates.
@@ -58,6 +60,7 @@ pub fn dispatch(cli: &Cli) -> CommandResult {
         Command::Mesh(args) => mesh::run(args, &cli.common),
         Command::Study(args) => study::run(args, &cli.common),
         Command::Verify(args) => verify::run(args, &cli.common),
+        Command::Batch(args) => batch::run(args, &cli.common),
         Command::Catalog(args) => catalog::run(args, &cli.common),
         Command::Templates(args) => templates::run(args, &cli.common),
         Command::Schema(args) => schema::run(args, &cli.common),

@@ -2,6 +2,7 @@
 
 pub mod analyse;
 pub mod analysis_options;
+pub mod batch;
 pub mod catalog;
 pub mod catalog_options;
 pub mod check;

@@ -2,6 +2,7 @@
 
 use super::common::{CommandResult, Common};
 use crate::assembly::template::Template;
+use crate::batch::sweep::Sweep;
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::model::file::ModelFile;
 use crate::spec::ConnectionSpec;
@@ -18,6 +19,8 @@ pub enum Kind {
     Spec,
     /// MODEL.yaml, for `bracket analyse`.
     Model,
+    /// SWEEP.yaml, for `bracket batch`.
+    Batch,
     /// A connection template of your own, for `template: ./FILE.yaml` of a spec.
     Template,
 }
@@ -48,6 +51,7 @@ pub fn text(kind: Kind) -> Result<String, Diagnostics> {
     let mut schema = match kind {
         Kind::Spec => of::<ConnectionSpec>(),
         Kind::Model => of::<ModelFile>(),
+        Kind::Batch => of::<Sweep>(),
         Kind::Template => with_extending(of::<Template>()),
     };
     plain(&mut schema);
@@ -137,9 +141,12 @@ mod tests {
 
     #[test]
     fn committed_schemas_are_fresh() {
-        for (kind, name) in
-            [(Kind::Spec, "spec"), (Kind::Model, "model"), (Kind::Template, "template")]
-        {
+        for (kind, name) in [
+            (Kind::Spec, "spec"),
+            (Kind::Model, "model"),
+            (Kind::Batch, "batch"),
+            (Kind::Template, "template"),
+        ] {
             let path =
                 Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("schemas/{name}.schema.json"));
             let fresh = text(kind).expect("a schema is JSON");
@@ -274,7 +281,7 @@ mod tests {
 
     #[test]
     fn schemas_are_draft_07_and_strict() {
-        for kind in [Kind::Spec, Kind::Model, Kind::Template] {
+        for kind in [Kind::Spec, Kind::Model, Kind::Batch, Kind::Template] {
             let schema: Value = serde_json::from_str(&text(kind).expect("a schema")).expect("JSON");
             assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
             if kind != Kind::Template {

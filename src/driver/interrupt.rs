@@ -9,6 +9,10 @@ use crate::report::console::log::Log;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
+/// Environment variable that asks a process to end when the one that started it dies: a batch sets
+/// it for its cases.
+pub const END_WITH_PARENT: &str = "BRACKET_END_WITH_PARENT";
+
 /// Clean-up before the program exits at once, so that it leaves no half-written result.
 type LastWords = Box<dyn Fn() + Send>;
 
@@ -92,6 +96,11 @@ impl Interrupt {
             )
             .help("run the command from a shell of its own")
         };
+        #[cfg(target_os = "linux")]
+        if std::env::var_os(END_WITH_PARENT).is_some() {
+            let signal = nix::sys::prctl::set_pdeathsig(Signal::SIGTERM);
+            signal.map_err(|e| failed(e.to_string()))?;
+        }
         wanted.thread_block().map_err(|e| failed(e.to_string()))?;
         let watcher = self.clone();
         let watch = move || {

@@ -1,0 +1,172 @@
+//! Capacity tables: what the joints of a family carry, with a proof.
+//!
+//! A capacity is the load of the case times the load factor. The lower bound is proved by a stress
+//! field, the upper one by a mechanism; the component method stands beside them.
+
+use super::dimension::words;
+use super::plan::Plan;
+use super::row::{LoadRow, Outcome, Record};
+use super::sweep::CapacityTable;
+use crate::checks::verdict::Verdict;
+use crate::report::figures::{Rounding, fixed};
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::loads::Action;
+use serde::Deserialize;
+
+/// A cell: capacities in kN or kN m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cell {
+    /// At least this much is carried: strict lower bound.
+    pub lower: Option<f64>,
+    /// At most this much is carried: strict upper bound.
+    pub upper: Option<f64>,
+    /// By the component method.
+    pub component: Option<f64>,
+    /// What became of the case; the worst if several cases share the cell.
+    pub outcome: Option<Outcome>,
+    /// Whether a check of the code fails under the given load: the bounds do not overrule it.
+    pub code_fails: bool,
+    /// Number of cases in the cell.
+    pub cases: usize,
+}
+
+/// A capacity table with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Filled {
+    /// Heading.
+    pub title: String,
+    /// Path over the rows.
+    pub row_path: String,
+    /// Path over the columns.
+    pub column_path: String,
+    /// Action and unit: `My in kN m`.
+    pub what: String,
+    /// Heads of the rows.
+    pub rows: Vec<String>,
+    /// Heads of the columns.
+    pub columns: Vec<String>,
+    /// The cells by row and column.
+    pub cells: Vec<Vec<Cell>>,
+}
+
+/// The different values of a path, in the order of the plan.
+fn heads(plan: &Plan, path: &str) -> Vec<String> {
+    let expansion = &plan.header.expansion;
+    let mut out: Vec<String> = Vec::new();
+    for case in &plan.cases {
+        let values = expansion.values(case.index);
+        if let Some((_, v)) = values.into_iter().find(|(p, _)| *p == path)
+            && !out.contains(&v)
+        {
+            out.push(v);
+        }
+    }
+    out
+}
+
+/// Fills a table. A cell that several cases share shows the least capacity of them.
+pub fn fill(table: &CapacityTable, plan: &Plan, records: &[Option<Record>]) -> Filled {
+    let (rows, columns) = (heads(plan, &table.rows), heads(plan, &table.columns));
+    let mut cells = vec![vec![Cell::default(); columns.len()]; rows.len()];
+    let expansion = &plan.header.expansion;
+    for (case, record) in plan.cases.iter().zip(records) {
+        let values = expansion.values(case.index);
+        let at = |path: &str, heads: &[String]| {
+            let value = values.iter().find(|(p, _)| *p == path)?;
+            heads.iter().position(|h| *h == value.1)
+        };
+        let (Some(r), Some(c)) = (at(&table.rows, &rows), at(&table.columns, &columns)) else {
+            continue;
+        };
+        let is = |(path, wanted): (&String, &serde_json::Value)| {
+            values.iter().any(|(p, v)| p == path && *v == words(wanted))
+        };
+        let (Some(record), true) = (record, table.only.iter().all(is)) else { continue };
+        let spec = expansion.varied(case.index).ok();
+        let spec = spec.and_then(|s| ConnectionSpec::deserialize(&s).ok());
+        let of_case = |l: &&LoadRow| table.case.as_ref().is_none_or(|name| *name == l.case);
+        let load = record.loads.iter().find(of_case);
+        let size = spec.zip(load).and_then(|(s, l)| size(&s, &l.case, table.action));
+        let cell = &mut cells[r][c];
+        cell.cases += 1;
+        cell.outcome = cell.outcome.max(Some(record.outcome));
+        cell.code_fails |= load.is_some_and(|l| l.by_code == Verdict::NotOk);
+        let least = |old: Option<f64>, new: Option<f64>| match (old, new) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        };
+        let of = |factor: Option<f64>| Some(factor? * size?);
+        cell.lower = least(cell.lower, of(load.and_then(|l| l.lower)));
+        cell.upper = least(cell.upper, of(load.and_then(|l| l.upper)));
+        cell.component = least(cell.component, of(load.and_then(|l| l.component_factor)));
+    }
+    let unit = if table.action.direction().1 { "kN m" } else { "kN" };
+    Filled {
+        title: table.title.clone(),
+        row_path: table.rows.clone(),
+        column_path: table.columns.clone(),
+        what: format!("{} in {unit}", table.action.word()),
+        rows,
+        columns,
+        cells,
+    }
+}
+
+/// Size of an action in a load case \[kN, kN m\]; `None` if the load factor does not multiply it.
+fn size(spec: &ConnectionSpec, case: &str, action: Action) -> Option<f64> {
+    let loads = spec.loads.iter().filter(|l| l.name == case && l.multiplies(action));
+    let mut sizes = loads.flat_map(|l| l.actions()).filter(|(a, _)| *a == action);
+    let (_, value) = sizes.next()?;
+    let scale = if action.direction().1 { 1e-6 } else { 1e-3 };
+    Some(scale * value.abs())
+}
+
+/// A capacity with one decimal, rounded down where it is a lower bound, up where it is an upper.
+pub fn shown(value: Option<f64>, rounding: Rounding) -> String {
+    value.map_or_else(String::new, |v| fixed(v, 1, rounding))
+}
+
+impl Filled {
+    /// The table as Markdown: lower bound bold, upper bound beside it, component method in italics.
+    pub fn markdown(&self) -> String {
+        let mut out = format!(
+            "## {}\n\n{}: **at least** to at most, \
+             *component method*.\n\n",
+            self.title, self.what
+        );
+        out.push_str(&format!("| {} \\ {} |", self.row_path, self.column_path));
+        self.columns.iter().for_each(|c| out.push_str(&format!(" {c} |")));
+        out.push_str("\n| --- |");
+        self.columns.iter().for_each(|_| out.push_str(" ---: |"));
+        for (head, cells) in self.rows.iter().zip(&self.cells) {
+            out.push_str(&format!("\n| {head} |"));
+            for cell in cells {
+                out.push_str(&format!(" {} |", cell.markdown()));
+            }
+        }
+        out.push('\n');
+        out
+    }
+}
+
+impl Cell {
+    fn markdown(&self) -> String {
+        let mut parts = Vec::new();
+        if let Some(v) = self.lower {
+            parts.push(format!("**{}**", shown(Some(v), Rounding::Down)));
+        }
+        if let Some(v) = self.upper {
+            parts.push(format!("to {}", shown(Some(v), Rounding::Up)));
+        }
+        if let Some(v) = self.component {
+            parts.push(format!("*{}*", shown(Some(v), Rounding::Down)));
+        }
+        if let Some(o @ (Outcome::Failed | Outcome::BadInput | Outcome::TimedOut)) = self.outcome {
+            parts.push(o.word().replace('_', " "));
+        }
+        if self.code_fails {
+            parts.push("(a check fails)".into());
+        }
+        if parts.is_empty() { "–".into() } else { parts.join(" ") }
+    }
+}

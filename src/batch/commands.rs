@@ -1,0 +1,185 @@
+//! The steps of `bracket batch`: plan, run, status, merge.
+
+use super::analysing::{analyse_all, jobs};
+use super::capacity::fill;
+use super::checking::check_all;
+use super::counts::Counts;
+use super::forecast::seconds;
+use super::merged::records;
+use super::plan::{Plan, kit};
+use super::results_table::{csv, jsonl, rows};
+use super::row::Record;
+use super::shard::Shard;
+use super::slurm::Array;
+use super::summary;
+use super::sweep_file::{SweepFile, open_catalog};
+use super::sweep_folder::{SweepFolder, write_whole};
+use crate::analysis::memory::room;
+use crate::diag::{Diagnostics, ExitStatus};
+use crate::driver::interrupt::Interrupt;
+use crate::driver::memory_limit;
+use crate::mesh::gmsh::Mesher;
+use crate::report::console::log::Log;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+
+/// Effect of the first Ctrl-C, as the log announces it.
+const WHEN_INTERRUPTED: &str =
+    "the cases in work end now; what is finished stays, and the same command continues";
+
+/// Memory of a case where neither the user nor the system gives a number \[bytes\].
+const USUAL_MEMORY: u64 = 4 << 30;
+
+/// How a sweep is run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunOptions {
+    /// The part to run.
+    pub shard: Shard,
+    /// Processes side by side; `None`: as many as the processors allow.
+    pub jobs: Option<usize>,
+}
+
+/// Plans a sweep into a folder.
+pub fn plan(
+    sweep: &Path,
+    catalog: Option<&Path>,
+    folder: &SweepFolder,
+    log: &Log,
+) -> Result<Plan, Diagnostics> {
+    let start = Instant::now();
+    let file = SweepFile::read(sweep, catalog)?;
+    let meshes = !file.checks_first() || file.sweep.value.then.is_some();
+    let mesher = if meshes { Mesher::find()?.version } else { String::new() };
+    file.catalog
+        .warnings()
+        .iter()
+        .for_each(|w| log.line(crate::driver::spec_file::catalog_warning(w)));
+    // conditions on the outcome are checked before hours of work
+    let expect: Vec<String> =
+        file.sweep.value.expect.iter().map(|e| e.text().to_string()).collect();
+    Counts::default().broken(&expect)?;
+    let plan = Plan::new(sweep, file, &mesher)?;
+    folder.write_plan(&plan)?;
+    let dropped = match plan.header.dropped {
+        0 => String::new(),
+        n => format!(", {n} combinations dropped by `where`"),
+    };
+    log.line(format!(
+        "plan: {} cases{dropped}, {:.1} s",
+        plan.cases.len(),
+        start.elapsed().as_secs_f64()
+    ));
+    plan.remarks.iter().for_each(|r| log.line(format!("remark: {r}")));
+    Ok(plan)
+}
+
+/// Runs the open cases of a shard; an interrupt leaves them open.
+pub fn run(
+    plan: &Plan,
+    folder: &SweepFolder,
+    options: RunOptions,
+    interrupt: &Interrupt,
+    log: &Arc<Log>,
+) -> Result<(), Diagnostics> {
+    interrupt.begin(log, WHEN_INTERRUPTED, || {});
+    let header = &plan.header;
+    let catalog = open_catalog(header.catalog.as_deref())?;
+    let kit = kit(&header.expansion, &header.folder, catalog)?;
+    if header.first.is_some() {
+        let start = Instant::now();
+        let mut done = 0;
+        let mut progress = |records: &[Record]| {
+            done += records.len();
+            log.stage(format!("checks: {done} of {} cases", plan.cases.len()));
+        };
+        check_all(folder, plan, &kit, options.shard, &interrupt.flag(), &mut progress)?;
+        log.line(format!("checks: {done} cases, {:.1} s", start.elapsed().as_secs_f64()));
+    }
+    if interrupt.asked() {
+        return Ok(());
+    }
+    let threads = header.limits.threads.unwrap_or(1) as usize;
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let workers = options.jobs.unwrap_or((processors / threads.max(1)).max(1));
+    let memory = room(None).map_or(USUAL_MEMORY, |r| r.bytes / workers as u64);
+    let jobs = jobs(folder, plan, &kit, options.shard, memory)?;
+    if jobs.is_empty() {
+        return Ok(());
+    }
+    let total = jobs.len();
+    log.line(format!("finite elements: {total} of {} cases, {workers} at once", plan.cases.len()));
+    let done: Mutex<Vec<Record>> = Mutex::default();
+    let progress = |record: &Record| {
+        let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+        done.push(record.clone());
+        let name = plan.cases.iter().find(|c| c.key == record.key).map_or("", |c| c.name.as_str());
+        let seconds = record.seconds.map_or_else(String::new, |s| format!(", {s:.0} s"));
+        let bracket = record.loads.iter().filter_map(|l| Some((l.lower?, l.upper?)));
+        let least = bracket.min_by(|a, b| a.0.total_cmp(&b.0));
+        let bracket =
+            least.map_or_else(String::new, |(l, u)| format!(", load factor {l:.3} to {u:.3}"));
+        let word = record.outcome.word().replace('_', " ");
+        log.line(format!("{} of {total}: {name}: {word}{bracket}{seconds}", done.len()));
+    };
+    analyse_all(jobs, header, folder, workers, &interrupt.flag(), &progress)?;
+    Ok(())
+}
+
+/// Counts what is finished.
+pub fn status(plan: &Plan, folder: &SweepFolder) -> Result<Counts, Diagnostics> {
+    let records = records(folder, plan)?;
+    Ok(Counts::new(records.iter().map(Option::as_ref)))
+}
+
+/// The job array for the cases of a plan.
+pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnostics> {
+    let header = &plan.header;
+    let catalog = open_catalog(header.catalog.as_deref())?;
+    let kit = kit(&header.expansion, &header.folder, catalog)?;
+    let seconds = seconds(plan, &kit);
+    let longest = header
+        .limits
+        .time
+        .map_or_else(|| 2.0 * seconds.iter().copied().fold(0.0, f64::max), |t| t.0);
+    let memory = match &header.limits.memory {
+        Some(text) => memory_limit::parse(text)?,
+        None => USUAL_MEMORY,
+    };
+    Ok(Array::new(&seconds, longest, tasks, memory, header.limits.threads.unwrap_or(1)))
+}
+
+/// Merges the records into the tables; reports the counts, and returns the exit status of the
+/// sweep.
+pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus, Diagnostics> {
+    let records = records(folder, plan)?;
+    let counts = Counts::new(records.iter().map(Option::as_ref));
+    let broken = counts.broken(&plan.header.expect)?;
+    let rows = rows(plan, &records);
+    let path = folder.path();
+    write_whole(&path.join("results.csv"), &csv(&rows)?)?;
+    write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
+    let tables: Vec<_> = plan.header.tables.iter().map(|t| fill(t, plan, &records)).collect();
+    if !tables.is_empty() {
+        let text: Vec<String> = tables.iter().map(|t| t.markdown()).collect();
+        write_whole(&path.join("tables.md"), text.join("\n").as_bytes())?;
+    }
+    let of_base = plan.header.expansion.base["project"]["title"].as_str();
+    let sweep = &plan.header.sweep;
+    let of_file = || sweep.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let title = of_base.map_or_else(of_file, str::to_owned);
+    let page = summary::page(&title, &counts, &broken, &tables, &rows);
+    write_whole(&path.join("summary.html"), page.as_bytes())?;
+    log.line(format!("{} cases: {}", counts.all(), counts.words()));
+    for condition in &broken {
+        log.line(format!("expected, and not so: {condition}"));
+    }
+    log.line(format!("result: {}", path.join("summary.html").display()));
+    let status = counts.status();
+    Ok(match (plan.header.expect.is_empty(), broken.is_empty()) {
+        // conditions of the user replace the rule of the worst case
+        (false, true) if counts.open == 0 => ExitStatus::Ok,
+        (false, false) => ExitStatus::NotOk,
+        _ => status,
+    })
+}

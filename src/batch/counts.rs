@@ -1,0 +1,124 @@
+//! How many cases have each outcome.
+
+use super::row::{Outcome, Record};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
+use crate::spec::expr::{Expr, Value};
+
+/// Numbers of cases by outcome, and of those that are not finished.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    of: [usize; Outcome::ALL.len()],
+    /// Cases without a record.
+    pub open: usize,
+}
+
+impl Counts {
+    /// Counts records; `None` is a case that is not finished.
+    pub fn new<'a>(records: impl Iterator<Item = Option<&'a Record>>) -> Self {
+        let mut counts = Self::default();
+        for record in records {
+            match record {
+                Some(r) => counts.of[r.outcome as usize] += 1,
+                None => counts.open += 1,
+            }
+        }
+        counts
+    }
+
+    /// Number of cases with an outcome.
+    pub fn with(&self, outcome: Outcome) -> usize {
+        self.of[outcome as usize]
+    }
+
+    /// Number of all cases.
+    pub fn all(&self) -> usize {
+        self.of.iter().sum::<usize>() + self.open
+    }
+
+    /// `12 ok, 3 undecided, 1 failed`: what occurs.
+    pub fn words(&self) -> String {
+        let mut parts: Vec<String> = Outcome::ALL
+            .iter()
+            .filter(|o| self.with(**o) > 0)
+            .map(|o| format!("{} {}", self.with(*o), o.word().replace('_', " ")))
+            .collect();
+        if self.open > 0 {
+            parts.push(format!("{} not finished", self.open));
+        }
+        parts.join(", ")
+    }
+
+    /// The exit status: that of the worst case; undecided while cases are open.
+    pub fn status(&self) -> ExitStatus {
+        let worst = Outcome::ALL.into_iter().rev().find(|o| self.with(*o) > 0);
+        match worst.map(Outcome::status) {
+            Some(ExitStatus::Ok) | None if self.open > 0 => ExitStatus::Undecided,
+            Some(status) => status,
+            None => ExitStatus::Ok,
+        }
+    }
+
+    /// The conditions of `expect` that do not hold.
+    pub fn broken<'a>(&self, expect: &'a [String]) -> Result<Vec<&'a str>, Diagnostics> {
+        let mut lookup = |name: &str| {
+            let count = match name {
+                "cases" => Some(self.all()),
+                _ => Outcome::ALL.into_iter().find(|o| o.word() == name).map(|o| self.with(o)),
+            };
+            count.map(|n| Value::number(n as f64)).ok_or_else(|| {
+                let known = Outcome::ALL.into_iter().map(Outcome::word).chain(["cases"]);
+                format!("unknown name `{name}`{}", crate::diag::did_you_mean(name, known))
+            })
+        };
+        let mut broken = Vec::new();
+        for text in expect {
+            let truth = Expr::parse(text).and_then(|e| e.eval_truth(&mut lookup)).map_err(|e| {
+                Diagnostic::input("sweep/expect", e.to_string())
+                    .path("expect")
+                    .help("conditions use the numbers of cases: `failed == 0`, `ok >= 10`")
+            })?;
+            if !truth {
+                broken.push(text.as_str());
+            }
+        }
+        Ok(broken)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counts(outcomes: &[Option<Outcome>]) -> Counts {
+        let records: Vec<Option<Record>> =
+            outcomes.iter().map(|o| o.map(|o| Record::without_result("k", o, "x"))).collect();
+        Counts::new(records.iter().map(Option::as_ref))
+    }
+
+    #[test]
+    fn the_worst_case_gives_the_exit_status() {
+        use Outcome::{BadInput, Failed, NotOk, Ok, TimedOut, Undecided};
+        for (outcomes, code) in [
+            (vec![], 0),
+            (vec![Some(Ok)], 0),
+            (vec![Some(Ok), None], 3),
+            (vec![Some(Ok), Some(Undecided)], 3),
+            (vec![Some(TimedOut), Some(Ok)], 3),
+            (vec![Some(NotOk), Some(Undecided), None], 1),
+            (vec![Some(BadInput), Some(NotOk)], 2),
+            (vec![Some(Failed), Some(BadInput)], 4),
+        ] {
+            assert_eq!(counts(&outcomes).status().code(), code, "{outcomes:?}");
+        }
+    }
+
+    #[test]
+    fn conditions_on_the_outcome() {
+        let c = counts(&[Some(Outcome::Ok), Some(Outcome::Ok), Some(Outcome::NotOk), None]);
+        assert_eq!(c.words(), "2 ok, 1 not ok, 1 not finished");
+        let expect = ["ok == 2", "cases == 4", "not_ok == 0"].map(str::to_owned);
+        assert_eq!(c.broken(&expect), Result::Ok(vec!["not_ok == 0"]));
+        let fault = c.broken(&["okay > 1".to_owned()]).expect_err("an unknown name");
+        assert!(fault.first().message.contains("unknown name `okay`"), "{fault:?}");
+    }
+}

@@ -1,0 +1,54 @@
+//! Values of a sweep that change together: an axis, linked axes, or the rows of a table.
+
+use super::spec_path::SpecPath;
+use crate::checks::verdict::Verdict;
+use crate::diag::Place;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// The values of one step of a dimension.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// Name of the joint, if the table gives one.
+    pub name: Option<String>,
+    /// Values in the order of the paths; `None`: the value of the base stays.
+    pub values: Vec<Option<Value>>,
+    /// The verdict that the table expects.
+    pub expect: Option<Verdict>,
+    /// Where the step is written; for messages while the sweep is planned.
+    #[serde(skip)]
+    pub place: Place,
+}
+
+/// Values that change together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Dimension {
+    /// The axis or the file in words, for messages.
+    pub what: String,
+    /// The paths that change.
+    pub paths: Vec<SpecPath>,
+    /// Their values.
+    pub steps: Vec<Step>,
+}
+
+impl Dimension {
+    /// Writes the values of a step into a spec.
+    pub fn set(&self, step: &Step, spec: &mut Value) -> Result<(), String> {
+        for (path, value) in self.paths.iter().zip(&step.values) {
+            if let Some(value) = value {
+                path.set(spec, value.clone())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A value as text, as a table shows it.
+pub fn words(value: &Value) -> String {
+    match value {
+        Value::String(s) => s.clone(),
+        Value::Number(n) => n.as_f64().map_or_else(|| n.to_string(), |x| x.to_string()),
+        Value::Array(list) => list.iter().map(words).collect::<Vec<_>>().join(" "),
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,235 @@
+//! The cases of a sweep: every combination of the steps of its dimensions, written into the base
+//! spec. The last dimension changes fastest.
+
+use super::derived::Derived;
+use super::dimension::{Dimension, Step, words};
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::yaml::{self, PlaceIndex};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// A base spec and the dimensions over which it varies.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Expansion {
+    /// The base spec.
+    pub base: Value,
+    /// Its file, for messages.
+    pub file: PathBuf,
+    /// The dimensions.
+    pub dimensions: Vec<Dimension>,
+    /// Values that follow from others.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub derived: Vec<Derived>,
+}
+
+/// Reads a spec from its value. A value of a wrong type is reported with its path in the spec.
+pub fn typed(spec: &Value, file: &Path) -> Result<ConnectionSpec, Box<Diagnostic>> {
+    ConnectionSpec::deserialize(spec).or_else(|plain| {
+        // only the reader of text reports the path of a fault
+        let text = yaml::to_string(spec).map_err(|f| Box::new(f.into_first()))?;
+        match yaml::parse::<ConnectionSpec>(&text, file) {
+            Ok(parsed) => Ok(parsed.value),
+            Err(faults) => {
+                let mut d = faults.into_first();
+                (d.place.line, d.place.column) = (None, None);
+                if d.place.path.is_none() && d.message.is_empty() {
+                    d.message = plain.to_string();
+                }
+                Err(d.into())
+            }
+        }
+    })
+}
+
+impl Expansion {
+    /// Number of combinations; `None` beyond the range of the type.
+    pub fn count(&self) -> Option<u64> {
+        self.dimensions.iter().try_fold(1u64, |n, d| n.checked_mul(d.steps.len() as u64))
+    }
+
+    /// The step of each dimension in a combination.
+    pub fn steps(&self, mut index: u64) -> Vec<&Step> {
+        let mut steps: Vec<&Step> = Vec::with_capacity(self.dimensions.len());
+        for d in self.dimensions.iter().rev() {
+            let n = d.steps.len() as u64;
+            steps.push(&d.steps[(index % n) as usize]);
+            index /= n;
+        }
+        steps.reverse();
+        steps
+    }
+
+    /// The spec of a combination, without the values that follow from others.
+    pub fn varied(&self, index: u64) -> Result<Value, String> {
+        self.with(&self.steps(index))
+    }
+
+    fn with(&self, steps: &[&Step]) -> Result<Value, String> {
+        let mut spec = self.base.clone();
+        for (d, step) in self.dimensions.iter().zip(steps) {
+            d.set(step, &mut spec)?;
+        }
+        Ok(spec)
+    }
+
+    /// The values of a combination: each path with its value in the base or of the step.
+    pub fn values(&self, index: u64) -> Vec<(&str, String)> {
+        let of = |(d, step): (&'_ Dimension, &'_ Step)| -> Vec<(usize, String)> {
+            let text = |(i, v): (usize, &Option<Value>)| {
+                let base = || d.paths[i].get(&self.base);
+                (i, v.as_ref().or_else(base).map(words).unwrap_or_default())
+            };
+            step.values.iter().enumerate().map(text).collect()
+        };
+        let mut out = Vec::new();
+        for (d, step) in self.dimensions.iter().zip(self.steps(index)) {
+            out.extend(of((d, step)).into_iter().map(|(i, v)| (d.paths[i].text(), v)));
+        }
+        out
+    }
+
+    /// Name of a combination: that of the table, followed by the values of the axes.
+    pub fn name(&self, index: u64) -> String {
+        let parts: Vec<String> = self
+            .steps(index)
+            .into_iter()
+            .map(|step| match &step.name {
+                Some(name) => name.clone(),
+                None => {
+                    let values = step.values.iter().flatten();
+                    values.map(words).collect::<Vec<_>>().join(" ")
+                }
+            })
+            .filter(|part| !part.is_empty())
+            .collect();
+        if parts.is_empty() { "base".into() } else { parts.join(" ") }
+    }
+
+    /// Checks every value of every dimension on its own, beside the first values of the others.
+    /// A number at a path that holds a text becomes a text: `8.8` of a bolt grade.
+    pub fn settle(&mut self, place: &PlaceIndex) -> Result<(), Diagnostics> {
+        let mut faults = Vec::new();
+        self.words_for_numbers();
+        for (i, d) in self.dimensions.iter().enumerate() {
+            for step in &d.steps {
+                let mut steps: Vec<&Step> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
+                steps[i] = step;
+                let fault = match self.with(&steps) {
+                    Err(message) => {
+                        let help = "name entries as in the base spec, or give them there first";
+                        Some(Diagnostic::input("sweep/path", message).help(help))
+                    }
+                    Ok(spec) => typed(&spec, &self.file).err().map(|d| *d),
+                };
+                let Some(fault) = fault else { continue };
+                let (fault, own) = self.placed(fault, i, step, place);
+                faults.push(fault);
+                if !own {
+                    // a fault of the base is in every case
+                    return Err(Diagnostics::from(faults.swap_remove(faults.len() - 1)));
+                }
+                break;
+            }
+        }
+        if self.dimensions.is_empty()
+            && let Err(d) = typed(&self.base, &self.file)
+        {
+            faults.push(*d);
+        }
+        Diagnostics::refuse(faults)
+    }
+
+    /// A fault of a step at the step's place, and whether it is the step's own. The fault of
+    /// another part of the spec stays in the base.
+    fn placed(
+        &self,
+        fault: Diagnostic,
+        dimension: usize,
+        step: &Step,
+        base: &PlaceIndex,
+    ) -> (Diagnostic, bool) {
+        let d = &self.dimensions[dimension];
+        let at = fault.place.path.clone().unwrap_or_default();
+        let own = d.paths.iter().find(|p| at.is_empty() || covers(&self.canonical(p.text()), &at));
+        match own {
+            Some(path) => {
+                let mut place = step.place.clone();
+                if place.path.is_none() {
+                    place.path = Some(path.text().into());
+                }
+                let message = format!("{}: {}", d.what, fault.message);
+                (Diagnostic { place, message, ..fault }, true)
+            }
+            None => {
+                let other = self.dimensions.iter().enumerate().any(|(k, o)| {
+                    k != dimension && o.paths.iter().any(|p| covers(&self.canonical(p.text()), &at))
+                });
+                let place = if other { step.place.clone() } else { base.place(&at) };
+                (Diagnostic { place, ..fault }, other)
+            }
+        }
+    }
+
+    /// A path with the positions of named entries: `loads.ULS1.My` is `loads[0].My`.
+    fn canonical(&self, text: &str) -> String {
+        let mut out = String::new();
+        let mut at = Some(&self.base);
+        for part in text.split('.') {
+            let list = at.and_then(Value::as_array);
+            let named = list.and_then(|l| {
+                l.iter().position(|v| v.get("name").and_then(Value::as_str) == Some(part))
+            });
+            at = match (named, at) {
+                (Some(i), Some(v)) => {
+                    out.push_str(&format!("[{i}]"));
+                    v.get(i)
+                }
+                (_, v) => {
+                    if !out.is_empty() {
+                        out.push('.');
+                    }
+                    out.push_str(part);
+                    v.and_then(|v| v.get(part))
+                }
+            };
+        }
+        out
+    }
+
+    /// Makes texts of the numbers of a path where the spec takes only a text.
+    fn words_for_numbers(&mut self) {
+        for i in 0..self.dimensions.len() {
+            for k in 0..self.dimensions[i].paths.len() {
+                let is_number = |s: &Step| matches!(s.values[k], Some(Value::Number(_)));
+                let Some(step) = self.dimensions[i].steps.iter().find(|s| is_number(s)).cloned()
+                else {
+                    continue;
+                };
+                let at_fault = |step: &Step| {
+                    let mut steps: Vec<&Step> =
+                        self.dimensions.iter().map(|d| &d.steps[0]).collect();
+                    steps[i] = step;
+                    let fault = self.with(&steps).ok().and_then(|s| typed(&s, &self.file).err());
+                    let path = self.canonical(self.dimensions[i].paths[k].text());
+                    fault.and_then(|f| f.place.path).is_some_and(|at| covers(&path, &at))
+                };
+                let mut as_text = step.clone();
+                as_text.values[k] = as_text.values[k].as_ref().map(|v| Value::String(words(v)));
+                if at_fault(&step) && !at_fault(&as_text) {
+                    for s in &mut self.dimensions[i].steps {
+                        if let Some(v @ Value::Number(_)) = &mut s.values[k] {
+                            *v = Value::String(words(v));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// True if a fault at `at` lies at or below `path`.
+fn covers(path: &str, at: &str) -> bool {
+    at.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+}

@@ -1,0 +1,33 @@
+//! The records of all cases of a sweep, in the order of the plan.
+
+use super::plan::Plan;
+use super::row::Record;
+use super::sweep_folder::SweepFolder;
+use crate::diag::Diagnostic;
+use std::collections::BTreeMap;
+
+/// The record of each case of a plan; `None` where it is not finished.
+///
+/// A case with finite elements has the record of its process; before that, and where none is asked
+/// for, that of its checks.
+pub fn records(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>, Box<Diagnostic>> {
+    let mut out: Vec<Option<Record>> = Vec::with_capacity(plan.cases.len());
+    let checks = plan.header.first.is_some();
+    let mut analysed: BTreeMap<&str, Option<Record>> = BTreeMap::new();
+    let elements = !checks || plan.header.then.is_some();
+    for run in folder.runs(&plan.cases) {
+        let checked = if checks { folder.checked(run)? } else { None };
+        for (i, case) in run.iter().enumerate() {
+            let found = if elements {
+                if !analysed.contains_key(case.key.as_str()) {
+                    analysed.insert(&case.key, folder.analysed(&case.key)?);
+                }
+                analysed[case.key.as_str()].clone()
+            } else {
+                None
+            };
+            out.push(found.or_else(|| checked.as_ref().map(|c| c[i].clone())));
+        }
+    }
+    Ok(out)
+}

@@ -1,0 +1,153 @@
+//! `results.csv` and `results.jsonl`: a row for each case and load case.
+
+use super::case::Case;
+use super::plan::Plan;
+use super::row::{LoadRow, Record};
+use crate::diag::Diagnostic;
+use serde_json::{Map, Value, json};
+
+/// The columns behind the varied paths.
+const COLUMNS: [&str; 20] = [
+    "load_case",
+    "outcome",
+    "verdict",
+    "by_code",
+    "by_analysis",
+    "lambda_low",
+    "lambda_up",
+    "utilisation_low",
+    "utilisation_up",
+    "M_j_Rd_kNm",
+    "component_factor",
+    "S_j_ini_kNm_per_rad",
+    "governing",
+    "clause",
+    "governing_utilisation",
+    "mass_kg",
+    "bolts",
+    "seconds",
+    "result",
+    "cause",
+];
+
+/// A row of the tables: names of columns with their values; null where there is none.
+fn row(
+    plan: &Plan,
+    case: &Case,
+    record: Option<&Record>,
+    load: Option<&LoadRow>,
+) -> Map<String, Value> {
+    let mut row = Map::new();
+    row.insert("case".into(), json!(case.name));
+    for (path, value) in plan.header.expansion.values(case.index) {
+        row.insert(path.into(), json!(value));
+    }
+    let utilisation = load.and_then(|l| crate::checks::verdict::utilisation(l.lower, l.upper));
+    let governing = load.and_then(|l| l.governing.as_ref());
+    let with_elements = record.filter(|r| r.result);
+    let values = [
+        json!(load.map(|l| &l.case)),
+        json!(record.map_or("open", |r| r.outcome.word())),
+        json!(load.map(|l| l.verdict)),
+        json!(load.map(|l| l.by_code)),
+        json!(load.map(|l| l.by_analysis)),
+        json!(load.and_then(|l| l.lower)),
+        json!(load.and_then(|l| l.upper)),
+        json!(utilisation.map(|u| u[0])),
+        json!(utilisation.map(|u| u[1])),
+        json!(load.and_then(|l| l.moment_resistance).map(|m| 1e-6 * m)),
+        json!(load.and_then(|l| l.component_factor)),
+        json!(load.and_then(|l| l.component_stiffness).map(|s| 1e-6 * s)),
+        json!(governing.map(|g| &g.what)),
+        json!(governing.map(|g| &g.clause)),
+        json!(governing.and_then(|g| g.utilisation).map(|u| u[1])),
+        json!(record.and_then(|r| r.mass)),
+        json!(record.and_then(|r| r.bolts)),
+        json!(record.and_then(|r| r.seconds)),
+        json!(with_elements.map(|r| format!("cases/{}", r.key))),
+        json!(record.and_then(|r| r.cause.as_ref())),
+    ];
+    row.extend(COLUMNS.iter().map(|c| (*c).to_string()).zip(values));
+    row
+}
+
+/// The rows of all cases; a case without load cases has one row.
+pub fn rows(plan: &Plan, records: &[Option<Record>]) -> Vec<Map<String, Value>> {
+    let mut rows = Vec::new();
+    for (case, record) in plan.cases.iter().zip(records) {
+        let loads = record.as_ref().map_or(&[][..], |r| &r.loads);
+        if loads.is_empty() {
+            rows.push(row(plan, case, record.as_ref(), None));
+        }
+        rows.extend(loads.iter().map(|l| row(plan, case, record.as_ref(), Some(l))));
+    }
+    rows
+}
+
+/// The rows as CSV. A text that a spreadsheet would take for a formula gets an apostrophe.
+pub fn csv(rows: &[Map<String, Value>]) -> Result<Vec<u8>, Box<Diagnostic>> {
+    let fault = |e: String| {
+        Box::new(Diagnostic::environment(
+            "sweep/write",
+            format!("the table cannot be written: {e}"),
+        ))
+    };
+    let mut out = csv::Writer::from_writer(Vec::new());
+    if let Some(first) = rows.first() {
+        out.write_record(first.keys()).map_err(|e| fault(e.to_string()))?;
+    }
+    for row in rows {
+        let cells = row.values().map(|v| match v {
+            Value::Null => String::new(),
+            Value::String(s) if s.starts_with(['=', '+', '@', '\t', '\r']) => format!("'{s}"),
+            Value::String(s) if s.starts_with('-') && s.parse::<f64>().is_err() && formula(s) => {
+                format!("'{s}")
+            }
+            Value::String(s) => s.clone(),
+            other => other.to_string(),
+        });
+        out.write_record(cells).map_err(|e| fault(e.to_string()))?;
+    }
+    out.into_inner().map_err(|e| fault(e.to_string()))
+}
+
+/// True if a text behind a minus sign is no quantity such as `-43.2 kN m`.
+fn formula(text: &str) -> bool {
+    !text[1..].trim_start().starts_with(|c: char| c.is_ascii_digit() || c == '.')
+}
+
+/// The rows as JSON, one a line; values that are absent have no key.
+pub fn jsonl(rows: &[Map<String, Value>]) -> String {
+    let mut out = String::new();
+    for row in rows {
+        let present: Map<String, Value> =
+            row.iter().filter(|(_, v)| !v.is_null()).map(|(k, v)| (k.clone(), v.clone())).collect();
+        out.push_str(&Value::Object(present).to_string());
+        out.push('\n');
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_are_texts() {
+        let row = |text: &str| {
+            let mut m = Map::new();
+            m.insert("a".into(), json!(text));
+            m
+        };
+        for (text, cell) in [
+            ("=1+1", "'=1+1"),
+            ("@x", "'@x"),
+            ("-43.2 kN m", "-43.2 kN m"),
+            ("-cmd|x", "'-cmd|x"),
+            ("IPE200", "IPE200"),
+        ] {
+            let out = csv(&[row(text)]).expect("a table");
+            assert_eq!(String::from_utf8_lossy(&out), format!("a\n{cell}\n"));
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! The checks of the code for one case, in the process: no mesh, no files.
+
+use super::case::Case;
+use super::expansion::{Expansion, typed};
+use super::row::{LoadRow, Outcome, Record};
+use crate::assembly::assembly::PartRole;
+use crate::assembly::{Joint, LoadedTemplate, build_from, given_names};
+use crate::catalog::Catalog;
+use crate::checks::verdict::Verdict;
+use crate::checks::{Analysed, HandChecks, hand_checks, judge};
+use crate::diag::Diagnostic;
+use crate::driver::demands::demands;
+use crate::spec::connection::ConnectionSpec;
+use crate::spec::yaml::{Parsed, PlaceIndex};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::path::{Path, PathBuf};
+
+/// Density of steel \[kg/mm³\]. Source: EN 1991-1-1, Table A.4.
+const DENSITY: f64 = 7.85e-6;
+
+/// What the cases of a sweep share: catalogue and templates, each read once.
+pub struct Kit {
+    /// Folder from which the paths of the spec are resolved.
+    pub folder: PathBuf,
+    /// File of the base spec, for messages.
+    pub file: PathBuf,
+    /// The catalogue.
+    pub catalog: Catalog,
+    /// The templates by the name in the spec.
+    pub templates: BTreeMap<String, Result<LoadedTemplate, Box<Diagnostic>>>,
+}
+
+impl Kit {
+    /// A kit that knows the templates of `names`.
+    pub fn new(folder: &Path, file: &Path, catalog: Catalog, names: Vec<ConnectionSpec>) -> Self {
+        let templates = names
+            .into_iter()
+            .map(|value| {
+                let name = value.template.clone();
+                let parsed = Parsed { value, index: PlaceIndex::new(file) };
+                (name, LoadedTemplate::of(&parsed, folder).map_err(|f| f.into_first().into()))
+            })
+            .collect();
+        Self { folder: folder.into(), file: file.into(), catalog, templates }
+    }
+
+    /// The template of a spec.
+    pub fn template(&self, spec: &ConnectionSpec) -> Result<&LoadedTemplate, Box<Diagnostic>> {
+        match self.templates.get(&spec.template) {
+            Some(Ok(template)) => Ok(template),
+            Some(Err(d)) => Err(d.clone()),
+            None => Err(Box::new(Diagnostic::input(
+                "sweep/template",
+                format!("the template `{}` was not read", spec.template),
+            ))),
+        }
+    }
+
+    /// The spec of a combination.
+    pub fn spec(&self, expansion: &Expansion, index: u64) -> Result<Value, Box<Diagnostic>> {
+        let path_fault = |e| Diagnostic::input("sweep/path", e);
+        let mut spec = expansion.varied(index).map_err(path_fault)?;
+        if expansion.derived.is_empty() {
+            return Ok(spec);
+        }
+        let typed = typed(&spec, &self.file)?;
+        let scope = given_names(&typed, self.template(&typed)?, &self.catalog)
+            .map_err(|faults| Diagnostic::from(faults.into_first()))?;
+        for derived in &expansion.derived {
+            derived.set(&mut spec, &scope).map_err(|e| {
+                let help = "`set` knows `role.h` and other dimensions of the members, `bolt.d` and \
+                            other sizes of the bolt, and the values that the spec gives";
+                Diagnostic::input("sweep/set", e).help(help)
+            })?;
+        }
+        Ok(spec)
+    }
+
+    /// The joint of a case.
+    pub fn joint(&self, spec: ConnectionSpec) -> Result<(Joint, ConnectionSpec), Box<Diagnostic>> {
+        let template = self.template(&spec)?;
+        let parsed = Parsed { value: spec, index: PlaceIndex::new(&self.file) };
+        let joint = build_from(&parsed, template, &self.catalog).map_err(|f| f.into_first())?;
+        Ok((joint, parsed.value))
+    }
+}
+
+/// Checks a case.
+pub fn screen(case: &Case, expansion: &Expansion, kit: &Kit) -> Record {
+    let spec = kit.spec(expansion, case.index);
+    let joint = spec.and_then(|s| typed(&s, &kit.file)).and_then(|spec| kit.joint(spec));
+    match joint {
+        Ok((joint, spec)) => record(&case.key, &joint, &spec),
+        Err(d) => Record::without_result(&case.key, Outcome::BadInput, sentence(&d)),
+    }
+}
+
+/// A fault of a case in one line: the path and the message.
+fn sentence(d: &Diagnostic) -> String {
+    match d.place.path.as_deref().filter(|p| !d.message.contains(*p)) {
+        Some(path) => format!("{path}: {}", d.message),
+        None => d.message.clone(),
+    }
+}
+
+fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
+    let mut checks = joint.end_plate.as_ref().map(hand_checks).unwrap_or_default();
+    let demands = demands(&spec.loads);
+    let alone: Vec<Analysed> = demands.iter().map(|d| Analysed::not(d.case.clone())).collect();
+    // beside a limit analysis that carries the load, the strength part of the component method is
+    // information: what fails even then is final
+    let carried: Vec<Analysed> =
+        alone.iter().map(|a| Analysed { verdict: Verdict::Ok, ..a.clone() }).collect();
+    let (best, _) = judge(&mut checks.clone(), &carried);
+    let (all, each) = judge(&mut checks, &alone);
+    let rows = demands.iter().zip(each).map(|(demand, j)| {
+        let method = method(&checks, &demand.case);
+        LoadRow {
+            case: demand.case.clone(),
+            verdict: j.verdict,
+            by_code: j.by_code,
+            by_analysis: Verdict::None,
+            lower: None,
+            upper: None,
+            governing: j.governing,
+            moment_resistance: method.0,
+            component_factor: method.1,
+            component_stiffness: method.2,
+        }
+    });
+    let rows = rows.collect();
+    let failed = checks.failed() && demands.is_empty();
+    let outcome = if failed { Outcome::NotOk } else { Outcome::of(all.verdict) };
+    let cause = demands.is_empty().then(|| "no load is a demand".to_string());
+    let bolts = joint.assembly.parts.iter().filter(|p| p.role == PartRole::Bolt).count() as u32;
+    Record {
+        key: key.into(),
+        outcome,
+        cause,
+        mass: mass(joint),
+        bolts: Some(bolts),
+        seconds: None,
+        rejected: best.verdict == Verdict::NotOk,
+        result: false,
+        loads: rows,
+    }
+}
+
+/// M_j,Rd, load factor and S_j,ini of the component method in a load case: of the member end that
+/// reaches its resistance first.
+pub fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<f64>) {
+    let ends = checks.comparisons.iter().filter(|c| c.case == case);
+    let factor = |c: &crate::checks::Comparison| c.factor.unwrap_or(f64::INFINITY);
+    let first = ends.min_by(|a, b| factor(a).total_cmp(&factor(b)));
+    let stiffness = checks.moments.iter().find(|m| m.case == case).map(|m| m.component_method);
+    (first.map(|c| c.resistance), first.and_then(|c| c.factor), stiffness)
+}
+
+/// Mass of the end plates and bolts \[kg\]: plates without their holes, bolts as shank, head and
+/// nut. `None` for a template without an end plate.
+fn mass(joint: &Joint) -> Option<f64> {
+    let e = joint.end_plate.as_ref()?;
+    let parts = &joint.assembly.parts;
+    let count = |role: PartRole| parts.iter().filter(|p| p.role == role).count() as f64;
+    let per_row = if e.outer_gauge > 0.0 { 4.0 } else { 2.0 };
+    let holes = per_row * e.rows.len() as f64 * 0.25 * PI * e.hole * e.hole;
+    let plate = (e.width * (e.top - e.bottom) - holes) * e.thickness;
+    let b = &e.bolt;
+    let hexagon = |width: f64, height: f64| 0.5 * 3f64.sqrt() * width * width * height;
+    let attached = e.column.as_ref().map_or(e.thickness, |c| c.section.tf);
+    let grip = e.thickness + attached;
+    let bolt = hexagon(b.head_width, b.head_height)
+        + hexagon(b.nut_width, b.nut_height)
+        + 0.25 * PI * b.d * b.d * grip;
+    Some(DENSITY * (count(PartRole::Plate) * plate + count(PartRole::Bolt) * bolt))
+}

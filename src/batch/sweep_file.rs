@@ -1,0 +1,153 @@
+//! Reads a sweep file with everything it names: base spec, catalogue, table.
+
+use super::axis;
+use super::derived::Derived;
+use super::dimension::Dimension;
+use super::expansion::Expansion;
+use super::sweep::{First, Sweep, Then};
+use super::table;
+use crate::catalog::Catalog;
+use crate::diag::{Diagnostic, Diagnostics};
+use crate::spec::yaml::{self, Parsed, PlaceIndex};
+use crate::text_file;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// A sweep that was read and whose values are sound one by one.
+pub struct SweepFile {
+    /// The sweep with its places.
+    pub sweep: Parsed<Sweep>,
+    /// Its cases.
+    pub expansion: Expansion,
+    /// Folder from which the paths of the base spec are resolved.
+    pub folder: PathBuf,
+    /// The catalogue folder of the option or of the spec.
+    pub catalog_folder: Option<PathBuf>,
+    /// The catalogue.
+    pub catalog: Catalog,
+}
+
+/// The catalogue of a folder, or the built-in one.
+pub fn open_catalog(folder: Option<&Path>) -> Result<Catalog, Diagnostics> {
+    let read = match folder {
+        Some(dir) => Catalog::with_dir(dir),
+        None => Catalog::builtin(),
+    };
+    read.map_err(|e| Diagnostic::from(e).into())
+}
+
+impl SweepFile {
+    /// Reads a sweep. `catalog` is the folder of `--catalog`, which takes precedence over that of
+    /// the base spec.
+    pub fn read(path: &Path, catalog: Option<&Path>) -> Result<Self, Diagnostics> {
+        let text = text_file::read(path, |e| {
+            Diagnostic::input(
+                "sweep/read",
+                format!("the sweep `{}` cannot be read: {e}", path.display()),
+            )
+            .file(path)
+            .help("check the path; docs/guide.md shows a sweep")
+        })?;
+        let sweep = yaml::parse::<Sweep>(&text, path)?;
+        let here = path.parent().unwrap_or(Path::new(""));
+        let (base, base_index, file, folder) = base(&sweep, here)?;
+        let of_spec = base.get("catalog").and_then(Value::as_str).map(|dir| folder.join(dir));
+        let catalog_folder = catalog.map(Path::to_path_buf).or(of_spec);
+        let catalog = open_catalog(catalog_folder.as_deref())?;
+        let mut dimensions: Vec<Dimension> = Vec::new();
+        if let Some(table) = &sweep.value.table {
+            dimensions.push(table::read(&here.join(table))?);
+        }
+        let mut faults = Vec::new();
+        for (key, value) in &sweep.value.axes {
+            match axis::dimension(key, value, &catalog, &sweep.index) {
+                Ok(d) => dimensions.push(d),
+                Err(d) => faults.push(*d),
+            }
+        }
+        Diagnostics::refuse(faults)?;
+        let at = |message: String, path: &str, help: &str| {
+            let d = Diagnostic::input("sweep/value", message).help(help);
+            Diagnostics::from(Diagnostic { place: sweep.index.place(path), ..d })
+        };
+        if dimensions.is_empty() {
+            let help = "give `axes` (paths of the spec with lists of values), a `table`, or both";
+            return Err(at("the sweep varies nothing".into(), "", help));
+        }
+        for (i, d) in dimensions.iter().enumerate() {
+            for p in &d.paths {
+                let twice = dimensions[..i].iter().find(|o| o.paths.contains(p));
+                if let Some(other) = twice {
+                    let message = format!("`{p}` is varied by {} and by {}", other.what, d.what);
+                    let path = format!("axes.{p}");
+                    return Err(at(message, &path, "vary a path in one place only"));
+                }
+            }
+        }
+        if let (Some(Then { .. }), None) = (sweep.value.then, sweep.value.first) {
+            let help = "add `first: checks`: they decide which cases are analysed";
+            return Err(at("`then` needs the checks".into(), "then", help));
+        }
+        for t in &sweep.value.tables {
+            for p in [&t.rows, &t.columns].into_iter().chain(t.only.keys()) {
+                if !dimensions.iter().any(|d| d.paths.iter().any(|q| q.text() == p)) {
+                    let all = dimensions.iter().flat_map(|d| d.paths.iter().map(|p| p.text()));
+                    let hint = crate::diag::did_you_mean(p, all);
+                    let message = format!(
+                        "the table `{}` is over `{p}`, which nothing varies{hint}",
+                        t.title
+                    );
+                    return Err(at(message, "tables", "write a path of `axes` or of the table"));
+                }
+            }
+        }
+        let mut derived = Vec::new();
+        for (key, value) in &sweep.value.set {
+            derived.push(Derived::read(key, value, &sweep.index)?);
+        }
+        let mut expansion = Expansion { base, file, dimensions, derived };
+        expansion.settle(&base_index)?;
+        Ok(Self { sweep, expansion, folder, catalog_folder, catalog })
+    }
+
+    /// True if every case is checked before any mesh.
+    pub fn checks_first(&self) -> bool {
+        self.sweep.value.first == Some(First::Checks)
+    }
+}
+
+/// The base spec: its value, its places, its file and its folder.
+fn base(
+    sweep: &Parsed<Sweep>,
+    here: &Path,
+) -> Result<(Value, PlaceIndex, PathBuf, PathBuf), Diagnostics> {
+    let fault = |message: String, help: &str| {
+        let d = Diagnostic::input("sweep/base", message).help(help);
+        Diagnostics::from(Diagnostic { place: sweep.index.place("base"), ..d })
+    };
+    match &sweep.value.base {
+        Value::String(name) => {
+            let file = here.join(name);
+            let text = text_file::read(&file, |e| {
+                let message = format!("the base spec `{}` cannot be read: {e}", file.display());
+                let d = Diagnostic::input("sweep/base", message)
+                    .help("`base` is a path relative to the sweep file");
+                Diagnostic { place: sweep.index.place("base"), ..d }
+            })?;
+            let parsed = yaml::parse::<Value>(&text, &file)?;
+            if !parsed.value.is_object() {
+                return Err(fault(format!("`{name}` is no spec"), "name a connection spec"));
+            }
+            let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
+            Ok((parsed.value, parsed.index, file, folder))
+        }
+        spec @ Value::Object(_) => {
+            let file = sweep.index.place("base").file.unwrap_or_default();
+            Ok((spec.clone(), PlaceIndex::new(&file), file, here.to_path_buf()))
+        }
+        _ => Err(fault(
+            "`base` is neither the path of a spec nor a spec".into(),
+            "write `base: joint.yaml`, or the keys of a spec below `base:`",
+        )),
+    }
+}

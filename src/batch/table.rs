@@ -1,0 +1,199 @@
+//! Reads the table of a sweep: CSV, one joint a row.
+//!
+//! The separator is the comma, the semicolon or the tab, whichever the header has; spreadsheets of
+//! many countries write semicolons. A line that starts with `#` is a comment.
+
+use super::column::{self, Column};
+use super::dimension::{Dimension, Step};
+use crate::diag::{Diagnostic, Diagnostics, Place};
+use crate::text_file;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Faults that are reported at once; a wrong column has one in every row.
+const SHOWN: usize = 5;
+
+/// Reads a table.
+pub fn read(file: &Path) -> Result<Dimension, Diagnostics> {
+    let text = text_file::read(file, |e| {
+        Diagnostic::input(
+            "sweep/table",
+            format!("the table `{}` cannot be read: {e}", file.display()),
+        )
+        .file(file)
+        .help("`table` is a path relative to the sweep file")
+    })?;
+    parse(&text, file)
+}
+
+/// The place of a cell.
+fn place(file: &Path, line: usize, header: Option<&str>) -> Place {
+    let path = header.map(str::to_owned);
+    Place { file: Some(file.into()), line: Some(line), column: None, path }
+}
+
+/// The line of a record. The reader reports where it began to read, which may be a comment or an
+/// empty line before the record.
+fn line_of(text: &str, start: &csv::Position) -> usize {
+    let rest = text.get(start.byte() as usize..).unwrap_or("");
+    let skipped = rest.lines().take_while(|l| l.trim().is_empty() || l.starts_with('#'));
+    start.line() as usize + skipped.count()
+}
+
+fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
+    let fault = |line: usize, header: Option<&str>, message: String, help: &str| Diagnostic {
+        place: place(file, line, header),
+        ..Diagnostic::input("sweep/table", message).help(help)
+    };
+    let first = text.lines().find(|l| !l.trim().is_empty() && !l.starts_with('#'));
+    let Some(first) = first else {
+        let help = "the first row holds paths of the spec, each further row a joint";
+        return Err(fault(1, None, "the table is empty".into(), help).into());
+    };
+    let separator = [b'\t', b';', b','].into_iter().find(|s| first.as_bytes().contains(s));
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .delimiter(separator.unwrap_or(b','))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let broken = |error: csv::Error| {
+        let line = error.position().map_or(1, |p| p.line() as usize);
+        let (message, help) = match error.kind() {
+            csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (
+                format!("the row has {len} cells, the header {expected_len}"),
+                "a decimal comma or a comma in a name splits a cell: write points, and put names \
+                 into quotes",
+            ),
+            _ => (error.to_string(), "save the table as CSV again"),
+        };
+        fault(line, None, message, help)
+    };
+    let headers = reader.headers().map_err(|e| Diagnostics::from(broken(e)))?.clone();
+    let columns = columns(&headers).map_err(|faults| {
+        let help = "a header is `name`, `expect`, or a path of the spec, with the unit of its \
+                    numbers behind it: `loads.ULS1.My [kN m]`";
+        faults.map(|(header, message)| fault(1, Some(&header), message, help))
+    })?;
+    let mut steps = Vec::new();
+    let mut faults = Vec::new();
+    let mut named: BTreeMap<String, usize> = BTreeMap::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| Diagnostics::from(broken(e)))?;
+        let line = record.position().map_or(0, |p| line_of(text, p));
+        let mut step =
+            Step { name: None, values: Vec::new(), expect: None, place: place(file, line, None) };
+        for ((header, column), cell) in headers.iter().zip(&columns).zip(&record) {
+            let read = match column {
+                Column::Name => {
+                    step.name = Some(cell.to_string()).filter(|n| !n.is_empty());
+                    Ok(())
+                }
+                Column::Expect => column::verdict(cell).map(|v| step.expect = v),
+                Column::Path(_, unit) => {
+                    column::value(cell, unit.as_deref()).map(|v| step.values.push(v))
+                }
+            };
+            if let Err(message) = read {
+                let message = format!("column `{header}`: {message}");
+                faults.push(fault(line, Some(header), message, "correct the cell"));
+            }
+        }
+        if let Some(earlier) = step.name.as_ref().and_then(|n| named.insert(n.clone(), line)) {
+            let name = step.name.as_deref().unwrap_or_default();
+            let message = format!("the name `{name}` stands in line {earlier} too");
+            faults.push(fault(line, Some("name"), message, "give every joint a name of its own"));
+        }
+        steps.push(step);
+    }
+    if faults.len() > SHOWN {
+        let more = format!("{} more faults in the table", faults.len() - SHOWN);
+        faults.truncate(SHOWN);
+        faults.push(fault(1, None, more, "correct these first"));
+    }
+    Diagnostics::refuse(faults)?;
+    if steps.is_empty() {
+        let help = "each row below the header is a joint";
+        return Err(fault(1, None, "the table has a header but no rows".into(), help).into());
+    }
+    let paths = columns.into_iter().filter_map(|c| match c {
+        Column::Path(path, _) => Some(path),
+        _ => None,
+    });
+    let what = format!("the table `{}`", file.display());
+    Ok(Dimension { what, paths: paths.collect(), steps })
+}
+
+/// The columns of a header, or the faulty headers with the reason.
+fn columns(
+    headers: &csv::StringRecord,
+) -> Result<Vec<Column>, crate::diag::AtLeastOne<(String, String)>> {
+    let mut columns: Vec<Column> = Vec::new();
+    let mut faults = Vec::new();
+    for header in headers {
+        match Column::parse(header) {
+            Err(e) => faults.push((header.to_string(), e)),
+            Ok(c) => {
+                let same = |o: &Column| match (o, &c) {
+                    (Column::Path(a, _), Column::Path(b, _)) => a == b,
+                    (a, b) => a == b,
+                };
+                if columns.iter().any(same) {
+                    faults.push((
+                        header.to_string(),
+                        format!("the column `{header}` is there twice"),
+                    ));
+                }
+                columns.push(c);
+            }
+        }
+    }
+    crate::diag::AtLeastOne::refuse(faults)?;
+    Ok(columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn read(text: &str) -> Result<Dimension, Diagnostics> {
+        parse(text, Path::new("joints.csv"))
+    }
+
+    #[test]
+    fn commas_semicolons_and_tabs() {
+        for s in [",", ";", "\t"] {
+            let text = ["name,plate.thickness,expect", "# a remark", "A,12,ok", "B,,"].join("\n");
+            let d = read(&text.replace(',', s)).unwrap_or_else(|e| panic!("{e:?}"));
+            assert_eq!(d.paths.len(), 1);
+            let values: Vec<_> = d.steps.iter().map(|s| s.values.clone()).collect();
+            assert_eq!(values, [vec![Some(json!(12.0))], vec![None]]);
+            assert_eq!(d.steps[0].name.as_deref(), Some("A"));
+            assert_eq!((d.steps[0].place.line, d.steps[1].place.line), (Some(3), Some(4)));
+            assert!(d.steps[0].expect.is_some() && d.steps[1].expect.is_none());
+        }
+    }
+
+    #[test]
+    fn faults_name_line_and_column() {
+        for (text, line, header, why) in [
+            ("", 1, None, "is empty"),
+            ("name\n", 1, None, "no rows"),
+            ("a..b\n1\n", 1, Some("a..b"), "not a path"),
+            ("t,t\n1,2\n", 1, Some("t"), "there twice"),
+            ("t;name\n12,5;A\n", 2, Some("t"), "`12.5`"),
+            ("t,name\n12,5,A\n", 2, None, "has 3 cells"),
+            ("name,t\nA,1\nA,2\n", 3, Some("name"), "in line 2 too"),
+            ("expect,t\nmaybe,1\n", 2, Some("expect"), "not a verdict"),
+        ] {
+            let faults = read(text).expect_err(text);
+            let d = faults.first();
+            assert!(d.message.contains(why), "{text}: {d:?}");
+            assert_eq!((d.place.line, d.place.path.as_deref()), (Some(line), header), "{text}");
+        }
+        let many: String = (0..20).map(|_| "x,1,2\n").collect();
+        let faults =
+            read(&format!("t,u,v [mm]\n{}", many.replace("2\n", "[1\n"))).expect_err("many");
+        assert_eq!(faults.iter().count(), SHOWN + 1);
+    }
+}

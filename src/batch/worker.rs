@@ -1,0 +1,315 @@
+//! One case with finite elements in a process of its own. A crash, a hanging mesher or an exhausted
+//! memory limit ends that case and no other.
+
+use super::plan::Header;
+use super::row::{LoadRow, Outcome, Record};
+use super::sweep_folder::{SweepFolder, write_whole};
+use crate::diag::Diagnostic;
+use crate::driver::interrupt::END_WITH_PARENT;
+use crate::result::result_file::{Quantity, RESULT_FILE, ResultFile, Upper};
+use crate::spec::yaml;
+use serde_json::Value;
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Time after the request to stop at which a process is killed.
+const GRACE: Duration = Duration::from_secs(20);
+
+/// Interval at which a process is looked at.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Limits of a process.
+#[derive(Clone, Copy, Debug)]
+pub struct ProcessLimits {
+    /// Wall time.
+    pub time: Duration,
+    /// Memory \[bytes\].
+    pub memory: u64,
+    /// Threads.
+    pub threads: u32,
+}
+
+/// A case to be analysed.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Key of the case.
+    pub key: String,
+    /// Its spec.
+    pub spec: Value,
+    /// The record of its checks; absent where the sweep has no checks.
+    pub checked: Option<Record>,
+    /// Only limit analysis, in place of `analysis.kind`.
+    pub limit: bool,
+    /// Limits of its process.
+    pub limits: ProcessLimits,
+}
+
+/// How a process ended.
+enum End {
+    Exit(ExitStatus),
+    TimeLimit,
+    Memory,
+    Interrupted,
+}
+
+/// Analyses a case; `None` if the user interrupted.
+pub fn analyse(
+    job: &Job,
+    header: &Header,
+    folder: &SweepFolder,
+    interrupt: &AtomicBool,
+) -> Result<Option<Record>, Box<Diagnostic>> {
+    let work = folder.path().join("work").join(format!("{}.{}", job.key, std::process::id()));
+    let start = Instant::now();
+    let found = run(job, header, &work, interrupt).and_then(|end| match end {
+        End::Interrupted => Ok(None),
+        end => {
+            let mut record = outcome(job, &end, &work);
+            record.seconds = Some(start.elapsed().as_secs_f64());
+            keep(&work.join("result"), &folder.case_folder(&job.key))?;
+            Ok(Some(record))
+        }
+    });
+    let _ = fs::remove_dir_all(&work);
+    found
+}
+
+/// The record of a case whose result is in its place already.
+pub fn found(job: &Job, folder: &SweepFolder) -> Option<Record> {
+    Some(finished(job, &read_result(&folder.case_folder(&job.key))?))
+}
+
+/// Moves a result into its place. Where another process was faster, its result stays.
+fn keep(made: &Path, place: &Path) -> Result<(), Box<Diagnostic>> {
+    if !made.join(RESULT_FILE).is_file() {
+        return Ok(());
+    }
+    let fault = |e: std::io::Error| {
+        let message = format!("cannot make `{}`: {e}", place.display());
+        let help = "free the disk or the folder and run the same command again";
+        Box::new(Diagnostic::environment("sweep/io", message).file(place).help(help))
+    };
+    if let Some(parent) = place.parent() {
+        fs::create_dir_all(parent).map_err(fault)?;
+    }
+    match fs::rename(made, place) {
+        Err(e) if !place.join(RESULT_FILE).is_file() => Err(fault(e)),
+        _ => Ok(()),
+    }
+}
+
+/// Starts the process and waits for its end.
+fn run(
+    job: &Job,
+    header: &Header,
+    work: &Path,
+    interrupt: &AtomicBool,
+) -> Result<End, Box<Diagnostic>> {
+    let spec = work.join("joint.yaml");
+    let text =
+        yaml::to_string(&absolute(job.spec.clone(), &header.folder)).map_err(|f| f.into_first())?;
+    write_whole(&spec, text.as_bytes())?;
+    let program = std::env::current_exe().map_err(|e| {
+        Diagnostic::environment("sweep/program", format!("the program does not find itself: {e}"))
+    })?;
+    let start_fault = |e: std::io::Error| {
+        let message = format!("a case cannot be started: {e}");
+        let help = "run again: finished cases stay";
+        Box::new(Diagnostic::environment("sweep/start", message).help(help))
+    };
+    let log = fs::File::create(work.join("stderr")).map_err(start_fault)?;
+    let mut arguments: Vec<OsString> = vec!["run".into(), spec.into()];
+    let mut option = |name: &str, value: OsString| arguments.extend([name.into(), value]);
+    option("--out", work.join("result").into());
+    option("--threads", job.limits.threads.to_string().into());
+    option("--memory-limit", format!("{}MiB", job.limits.memory >> 20).into());
+    option("--format", "json".into());
+    if job.limit {
+        option("--kind", "limit".into());
+    }
+    if let Some(catalog) = &header.catalog {
+        option("--catalog", catalog.into());
+    }
+    arguments.push("--quiet".into());
+    let mut command = Command::new(program);
+    command.args(arguments).env(END_WITH_PARENT, "1");
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(log);
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    let mut child = command.spawn().map_err(start_fault)?;
+    wait(&mut child, job.limits, interrupt).map_err(start_fault)
+}
+
+/// The spec with absolute paths of its template and catalogue, so that it may stand anywhere.
+fn absolute(mut spec: Value, folder: &Path) -> Value {
+    let is_path = crate::assembly::template_file::is_path;
+    for (key, always) in [("template", false), ("catalog", true)] {
+        if let Some(Value::String(path)) = spec.get_mut(key)
+            && (always || is_path(path))
+        {
+            *path = folder.join(&*path).to_string_lossy().into_owned();
+        }
+    }
+    spec
+}
+
+fn wait(child: &mut Child, limits: ProcessLimits, interrupt: &AtomicBool) -> std::io::Result<End> {
+    let start = Instant::now();
+    let mut asked: Option<(Instant, bool)> = None;
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(match asked {
+                Some((_, true)) => End::Interrupted,
+                Some((_, false)) => End::TimeLimit,
+                None => End::Exit(status),
+            });
+        }
+        if resident(child.id()) > limits.memory {
+            kill(child)?;
+            return Ok(End::Memory);
+        }
+        let stop = interrupt.load(Ordering::Relaxed);
+        match asked {
+            None if stop || start.elapsed() >= limits.time => {
+                ask(child);
+                asked = Some((Instant::now(), stop));
+            }
+            Some((at, _)) if at.elapsed() >= GRACE => kill(child)?,
+            _ => {}
+        }
+        std::thread::sleep(LOOK);
+    }
+}
+
+/// Memory that a process holds \[bytes\]; 0 if the system does not tell.
+fn resident(pid: u32) -> u64 {
+    let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
+    let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"));
+    let kib = line.and_then(|l| l.trim().trim_end_matches("kB").trim().parse::<u64>().ok());
+    kib.unwrap_or(0) << 10
+}
+
+/// Asks a process to end; it then writes what is certified.
+fn ask(child: &mut Child) {
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{Signal, kill};
+        let _ = kill(nix::unistd::Pid::from_raw(child.id().cast_signed()), Signal::SIGTERM);
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = child.kill();
+    }
+}
+
+/// Kills a process and its group.
+fn kill(child: &mut Child) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{Signal, killpg};
+        let _ = killpg(nix::unistd::Pid::from_raw(child.id().cast_signed()), Signal::SIGKILL);
+    }
+    child.kill()?;
+    child.wait().map(|_| ())
+}
+
+/// The record of an ended case.
+fn outcome(job: &Job, end: &End, work: &Path) -> Record {
+    let result = read_result(&work.join("result"));
+    let message = message(&work.join("stderr"));
+    let without = |outcome, cause: String| Record {
+        loads: job.checked.as_ref().map_or_else(Vec::new, |c| c.loads.clone()),
+        mass: job.checked.as_ref().and_then(|c| c.mass),
+        bolts: job.checked.as_ref().and_then(|c| c.bolts),
+        ..Record::without_result(&job.key, outcome, cause)
+    };
+    match (end, result) {
+        (End::Memory, _) => {
+            let limit = job.limits.memory >> 20;
+            without(Outcome::Failed, format!("it needed more than its {limit} MiB of memory"))
+        }
+        (End::TimeLimit, None) => {
+            let limit = job.limits.time.as_secs();
+            without(Outcome::TimedOut, format!("no result within its {limit} s"))
+        }
+        (End::TimeLimit, Some(result)) => {
+            let mut record = finished(job, &result);
+            if record.outcome == Outcome::Undecided {
+                record.outcome = Outcome::TimedOut;
+            }
+            record
+        }
+        (_, Some(result)) => finished(job, &result),
+        (End::Exit(status), None) => match status.code() {
+            Some(2) => without(Outcome::BadInput, message.unwrap_or_else(|| "bad input".into())),
+            Some(3) => without(
+                Outcome::Undecided,
+                message.unwrap_or_else(|| "no certificate within the limits".into()),
+            ),
+            Some(code) => without(
+                Outcome::Failed,
+                message.unwrap_or_else(|| format!("the process ended with exit code {code}")),
+            ),
+            None => without(Outcome::Failed, format!("the process was ended: {status}")),
+        },
+        (End::Interrupted, None) => without(Outcome::Undecided, "interrupted".into()),
+    }
+}
+
+fn read_result(folder: &Path) -> Option<ResultFile> {
+    let text = fs::read_to_string(folder.join(RESULT_FILE)).ok()?;
+    ResultFile::from_json(&text).ok()
+}
+
+/// The first fault that the process reported.
+fn message(stderr: &PathBuf) -> Option<String> {
+    let text = fs::read_to_string(stderr).ok()?;
+    let fault = text.lines().find_map(|l| serde_json::from_str::<Value>(l).ok())?;
+    let path = fault["place"]["path"].as_str().map(|p| format!("{p}: ")).unwrap_or_default();
+    Some(format!("{path}{}", fault["message"].as_str()?))
+}
+
+/// The record of a case with a result.
+fn finished(job: &Job, result: &ResultFile) -> Record {
+    let mut record = job.checked.clone().unwrap_or_else(|| {
+        let mut r = Record::without_result(&job.key, Outcome::Undecided, "");
+        r.cause = None;
+        r
+    });
+    record.result = true;
+    record.outcome = Outcome::of(result.verdict);
+    record.cause = result.judgement.as_ref().map(|j| j.reason.clone());
+    let factors = result.cases.iter().filter(|c| c.quantity == Quantity::LoadFactor);
+    for c in factors {
+        let Some(demand) = &c.demand else { continue };
+        // a bound is never shown without its certificate
+        let strict = c.certificate.as_ref().is_some_and(|c| c.strict);
+        let method = demand.component_method.iter();
+        let first = method.min_by(|a, b| {
+            let of = |c: &crate::checks::Comparison| c.factor.unwrap_or(f64::INFINITY);
+            of(a).total_cmp(&of(b))
+        });
+        let at = record.loads.iter().position(|l| l.case == c.name);
+        let row = LoadRow {
+            case: c.name.clone(),
+            verdict: demand.verdict,
+            by_code: demand.by_code,
+            by_analysis: demand.by_analysis,
+            lower: c.lower.filter(|_| strict),
+            upper: c.upper.and_then(Upper::finite).filter(|_| strict),
+            governing: result.judgement.as_ref().and_then(|j| j.governing.clone()),
+            moment_resistance: first.map(|m| m.resistance),
+            component_factor: first.and_then(|m| m.factor),
+            component_stiffness: at.and_then(|i| record.loads[i].component_stiffness),
+        };
+        match at {
+            Some(i) => record.loads[i] = row,
+            None => record.loads.push(row),
+        }
+    }
+    record
+}

@@ -1,0 +1,172 @@
+//! `bracket batch`: catalogues of joints.
+
+use super::catalog_options::CatalogOptions;
+use super::common::{CommandResult, Common, Format};
+use crate::batch::commands::{RunOptions, merge, plan, run as run_sweep, slurm_array, status};
+use crate::batch::row::Outcome;
+use crate::batch::shard::Shard;
+use crate::batch::slurm;
+use crate::batch::sweep_folder::SweepFolder;
+use crate::diag::{Diagnostic, ExitStatus};
+use crate::driver::interrupt::Interrupt;
+use crate::driver::limits::use_threads;
+use crate::report::console::log::Log;
+use crate::report::console::out;
+use clap::Subcommand;
+use serde_json::{Map, json};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Catalogues of joints: every row or combination checked and analysed.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct BatchArgs {
+    /// One step; without it the sweep is planned, run and merged on this machine.
+    #[command(subcommand)]
+    pub step: Option<Step>,
+    /// Sweep file.
+    #[arg(value_name = "SWEEP")]
+    pub sweep: Option<PathBuf>,
+    /// Folder of the sweep (default: named after the sweep file).
+    #[arg(long, short, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Processes with finite elements side by side (default: one a processor).
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Catalogue.
+    #[command(flatten)]
+    pub catalog: CatalogOptions,
+}
+
+/// The steps of a sweep.
+#[derive(Debug, Subcommand)]
+pub enum Step {
+    /// Expand a sweep file into cases.
+    Plan {
+        /// Sweep file.
+        #[arg(value_name = "SWEEP")]
+        sweep: PathBuf,
+        /// Folder of the sweep (default: named after the sweep file).
+        #[arg(long, short, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Catalogue.
+        #[command(flatten)]
+        catalog: CatalogOptions,
+    },
+    /// Run the cases that are not finished, or a part of them.
+    Run {
+        /// Folder of a planned sweep.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+        /// Part of the sweep: `2/5`, or `auto/5` in a job array (Slurm, Kubernetes, AWS Batch).
+        #[arg(long, value_name = "I/N")]
+        shard: Option<String>,
+        /// Processes with finite elements side by side (default: one a processor).
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+        jobs: Option<u16>,
+    },
+    /// Report what is finished.
+    Status {
+        /// Folder of a planned sweep.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
+    /// Print a script for Slurm: a job array with a shard in each task.
+    Slurm {
+        /// Folder of a planned sweep, on a disk that all nodes see.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+        /// Tasks of the array (default: about an hour of forecast work in each).
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10000))]
+        tasks: Option<u16>,
+        /// Hand the array to `sbatch`, and a job that merges after it.
+        #[arg(long)]
+        submit: bool,
+    },
+    /// Merge the finished cases into tables and a page.
+    Merge {
+        /// Folder of a planned sweep.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
+}
+
+/// Folder named after a sweep file.
+fn folder_of(sweep: &Path, out: Option<&PathBuf>) -> SweepFolder {
+    let named = sweep.with_extension("");
+    let fallback = if named == sweep { sweep.with_extension("batch") } else { named };
+    SweepFolder::at(out.unwrap_or(&fallback))
+}
+
+/// Runs `bracket batch`.
+pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
+    // before any thread starts, so that every thread inherits the blocked signals
+    let interrupt = Interrupt::watch()?;
+    use_threads(common.threads)?;
+    let log = Arc::new(Log::new(common.quiet));
+    let jobs = |n: Option<u16>| n.map(usize::from);
+    match (&args.step, &args.sweep) {
+        (None, None) => Err(Diagnostic::input("cli/value", "no sweep file is given")
+            .help("`bracket batch SWEEP.yaml`, or a step: plan, run, status, merge")
+            .into()),
+        (None, Some(sweep)) => {
+            let folder = folder_of(sweep, args.out.as_ref());
+            let plan = plan(sweep, args.catalog.folder(), &folder, &log)?;
+            let options = RunOptions { shard: Shard::WHOLE, jobs: jobs(args.jobs) };
+            run_sweep(&plan, &folder, options, &interrupt, &log)?;
+            merge(&plan, &folder, &log)
+        }
+        (Some(Step::Plan { sweep, out, catalog }), _) => {
+            let folder = folder_of(sweep, out.as_ref());
+            plan(sweep, catalog.folder(), &folder, &log)?;
+            log.line(format!("next: bracket batch run {}", folder.path().display()));
+            Ok(ExitStatus::Ok)
+        }
+        (Some(Step::Run { folder, shard, jobs: n }), _) => {
+            let folder = SweepFolder::at(folder);
+            let plan = folder.plan()?;
+            let shard = match shard {
+                Some(text) => Shard::parse(text, |name| std::env::var(name).ok())?,
+                None => Shard::WHOLE,
+            };
+            run_sweep(&plan, &folder, RunOptions { shard, jobs: jobs(*n) }, &interrupt, &log)?;
+            Ok(if interrupt.asked() { ExitStatus::Undecided } else { ExitStatus::Ok })
+        }
+        (Some(Step::Status { folder }), _) => {
+            let folder = SweepFolder::at(folder);
+            let counts = status(&folder.plan()?, &folder)?;
+            match common.format {
+                Format::Text => {
+                    out::text(&format!("{} cases: {}\n", counts.all(), counts.words()))?
+                }
+                Format::Json => {
+                    let mut all: Map<_, _> = Outcome::ALL
+                        .iter()
+                        .map(|o| (o.word().to_string(), json!(counts.with(*o))))
+                        .collect();
+                    all.insert("open".into(), json!(counts.open));
+                    out::json(&all)?;
+                }
+            }
+            Ok(if counts.open == 0 { ExitStatus::Ok } else { ExitStatus::Undecided })
+        }
+        (Some(Step::Slurm { folder, tasks, submit }), _) => {
+            let folder = SweepFolder::at(folder);
+            let array = slurm_array(&folder.plan()?, tasks.map(usize::from))?;
+            let program = std::env::current_exe().unwrap_or_else(|_| "bracket".into());
+            if *submit {
+                let [array, merge] = slurm::submit(&array, &program, &folder)?;
+                log.line(format!("submitted: array {array}, merge {merge}"));
+            } else {
+                let dir = std::path::absolute(folder.path())
+                    .unwrap_or_else(|_| folder.path().to_path_buf());
+                out::text(&array.script(&program, &dir))?;
+            }
+            Ok(ExitStatus::Ok)
+        }
+        (Some(Step::Merge { folder }), _) => {
+            let folder = SweepFolder::at(folder);
+            merge(&folder.plan()?, &folder, &log)
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! Sweeps from the command line: the tables, shards, interruptions, processes that fail.
+
+use crate::bench::Bench;
+use crate::{SPLICE, expect};
+use serde_json::Value;
+use std::process::Stdio;
+use std::time::Duration;
+
+/// A sweep over profiles and plates, checks alone.
+const CHECKS: &str = "base: joint.yaml\nfirst: checks\naxes:\n  members.beam.profile: \
+                      IPE300..IPE400\n  plate.thickness: {from: 10, to: 25, step: 5}\nset:\n  \
+                      bolts.rows: [60 mm - beam.h / 2, beam.h / 2 - 60 mm]\n";
+
+fn bench(sweep: &str) -> Bench {
+    Bench::new().file("joint.yaml", SPLICE).file("sweep.yaml", sweep)
+}
+
+fn rows(bench: &Bench, folder: &str) -> Vec<Value> {
+    let text = bench.read(&format!("{folder}/results.jsonl"));
+    text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect()
+}
+
+/// Files that a merge writes.
+const MERGED: [&str; 3] = ["results.csv", "results.jsonl", "summary.html"];
+
+fn merged(bench: &Bench, folder: &str) -> Vec<String> {
+    MERGED.iter().map(|f| bench.read(&format!("{folder}/{f}"))).collect()
+}
+
+/// Every row has the verdict, M_j,Rd and governing check that `bracket check` gives for its spec.
+#[test]
+fn rows_agree_with_the_check_of_each_spec() {
+    let bench = bench(CHECKS);
+    let run = bench.run(&["batch", "sweep.yaml"]);
+    let err = String::from_utf8_lossy(&run.stderr).into_owned();
+    let rows = rows(&bench, "sweep");
+    assert_eq!(rows.len(), 16, "{err}");
+    let worst = if rows.iter().any(|r| r["outcome"] == "not_ok") { 1 } else { 0 };
+    assert_eq!(run.status.code(), Some(worst), "{err}");
+    let verdicts: Vec<&Value> = rows.iter().map(|r| &r["verdict"]).collect();
+    assert!(
+        verdicts.contains(&&"ok".into()) && verdicts.contains(&&"not_ok".into()),
+        "{verdicts:?}"
+    );
+    for row in rows.iter().step_by(3) {
+        let profile = row["members.beam.profile"].as_str().expect("a profile");
+        let thickness = row["plate.thickness"].as_str().expect("a thickness");
+        let z = profile[3..].parse::<f64>().expect("a depth") / 2.0 - 60.0;
+        let spec = SPLICE
+            .replace("IPE330", profile)
+            .replace("thickness: 15", &format!("thickness: {thickness}"))
+            .replace("[-105, 105]", &format!("[-{z}, {z}]"));
+        std::fs::write(bench.path().join("one.yaml"), spec).expect("written");
+        bench.run(&["check", "one.yaml", "--quiet"]);
+        let one: Value = serde_json::from_str(&bench.read("one_check/result.json")).expect("JSON");
+        assert_eq!(row["verdict"], one["verdict"], "{row}");
+        let governing = &one["judgement"]["governing"];
+        assert_eq!(row["governing"], governing["what"], "{row}");
+        assert_eq!(row["governing_utilisation"], governing["utilisation"][1], "{row}");
+        let resistance = one["checks"]
+            .as_array()
+            .expect("checks")
+            .iter()
+            .find(|c| {
+                c["title"] == "moment resistance of the joint"
+                    && c["subject"].as_str().is_some_and(|s| s.contains("bottom"))
+            })
+            .and_then(|c| c["resistance"].as_f64())
+            .expect("M_j,Rd");
+        let found = row["M_j_Rd_kNm"].as_f64().expect("M_j,Rd");
+        assert!((found / (1e-6 * resistance) - 1.0).abs() < 1e-9, "{row}");
+    }
+}
+
+/// The merged files have the same bytes for 1, 2 and 5 shards in any order, and for two runs of
+/// the same shard at once.
+#[test]
+fn the_same_bytes_for_any_shards() {
+    let bench = bench(CHECKS);
+    let merge = |folder: &str| {
+        bench.run(&["batch", "merge", folder, "--quiet"]);
+        merged(&bench, folder)
+    };
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "one"], 0);
+    let (_, err) = expect(&bench, &["batch", "status", "one"], 3);
+    assert!(err.is_empty(), "{err}");
+    expect(&bench, &["batch", "run", "one"], 0);
+    let (out, _) = expect(&bench, &["batch", "status", "one"], 0);
+    assert!(out.starts_with("16 cases: ") && !out.contains("not finished"), "{out}");
+    let whole = merge("one");
+    for (folder, shards) in
+        [("two", vec!["2/2", "1/2"]), ("five", vec!["3/5", "1/5", "5/5", "2/5", "4/5"])]
+    {
+        expect(&bench, &["batch", "plan", "sweep.yaml", "-o", folder], 0);
+        for shard in shards {
+            expect(&bench, &["batch", "run", folder, "--shard", shard], 0);
+        }
+        assert!(merge(folder) == whole, "{folder}");
+    }
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "twice"], 0);
+    let mut both: Vec<_> = (0..2)
+        .map(|_| {
+            bench.command(&["batch", "run", "twice"]).stderr(Stdio::null()).spawn().expect("starts")
+        })
+        .collect();
+    for child in &mut both {
+        assert_eq!(child.wait().expect("ends").code(), Some(0));
+    }
+    assert!(merge("twice") == whole);
+    // an array index of Slurm
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "array"], 0);
+    for task in ["1", "2"] {
+        let mut command = bench.command(&["batch", "run", "array", "--shard", "auto/2"]);
+        let run = command.env("SLURM_ARRAY_TASK_ID", task).output().expect("starts");
+        assert_eq!(run.status.code(), Some(0));
+    }
+    assert!(merge("array") == whole);
+}
+
+/// A run that is killed at twenty moments loses nothing and computes nothing twice: the folder
+/// holds whole files only, and the last run completes it.
+#[test]
+fn a_killed_run_continues() {
+    let sweep = CHECKS.replace("step: 5", "step: 0.01");
+    let bench = bench(&sweep);
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "whole"], 0);
+    expect(&bench, &["batch", "run", "whole", "--quiet"], 0);
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "killed"], 0);
+    let done = |folder: &str| -> Vec<(String, std::time::SystemTime)> {
+        let Ok(dir) = std::fs::read_dir(bench.path().join(folder).join("checks")) else {
+            return Vec::new();
+        };
+        let files = dir.map(|e| e.expect("an entry"));
+        let mut files: Vec<_> = files
+            .filter(|e| e.file_name().to_string_lossy().ends_with(".jsonl"))
+            .map(|e| {
+                let time = e.metadata().and_then(|m| m.modified()).expect("a time");
+                (e.file_name().to_string_lossy().into_owned(), time)
+            })
+            .collect();
+        files.sort();
+        files
+    };
+    let mut grown = 0;
+    for moment in 0..20u64 {
+        let before = done("killed");
+        let mut child =
+            bench.command(&["batch", "run", "killed", "--quiet"]).spawn().expect("starts");
+        std::thread::sleep(Duration::from_millis(20 + 13 * (moment * 7 % 11)));
+        child.kill().expect("killed");
+        child.wait().expect("ended");
+        let after = done("killed");
+        // what was finished stays as it was
+        assert!(before.iter().all(|f| after.contains(f)), "a finished file changed");
+        grown += usize::from(after.len() > before.len());
+    }
+    assert!(grown > 1, "the moments lie before or after all work: {grown}");
+    expect(&bench, &["batch", "run", "killed", "--quiet"], 0);
+    for folder in ["whole", "killed"] {
+        bench.run(&["batch", "merge", folder, "--quiet"]);
+    }
+    assert!(merged(&bench, "whole") == merged(&bench, "killed"));
+}
+
+/// A sweep of T-stubs with finite elements; `limits` are added to it.
+fn t_stubs(limits: &str) -> Bench {
+    let base = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
+                M16, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
+                true, flange_width: 160, flange_thickness: 12, web_thickness: 10, web_height: \
+                30}\nfriction: {mu: 0}\nloads: [{name: PULL, end: top, at: bolt_plane, N: 60 \
+                kN}]\nanalysis: {kind: limit, max_passes: 1, mesh: {size: 20 mm}}\n";
+    let sweep =
+        format!("base: joint.yaml\naxes: {{\"loads.PULL.N\": [60 kN, 150 kN, 60 kN]}}\n{limits}");
+    Bench::new().file("joint.yaml", base).file("sweep.yaml", sweep)
+}
+
+/// Limit analysis of each load: strict bounds, verdicts and exit code; the case that stands twice
+/// is computed once, and a second run computes nothing.
+#[test]
+fn finite_elements_of_every_case() {
+    let bench = t_stubs("");
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml"], 1);
+    assert!(err.contains("the same joint, computed once"), "{err}");
+    let rows = rows(&bench, "sweep");
+    let outcomes: Vec<&str> = rows.iter().map(|r| r["outcome"].as_str().expect("a word")).collect();
+    assert_eq!(outcomes, ["ok", "not_ok", "ok"], "{err}");
+    for row in &rows {
+        let [low, up] = ["lambda_low", "lambda_up"].map(|k| row[k].as_f64().expect("a bound"));
+        let load = row["loads.PULL.N"].as_str().expect("a load");
+        let load: f64 = load.trim_end_matches(" kN").parse().expect("a number");
+        // the beam model gives 75.2 kN; solids carry up to 1.35 times as much
+        assert!(low < up && low * load > 60.0 && up * load < 130.0, "{row}");
+        let folder = row["result"].as_str().expect("a folder");
+        expect(&bench, &["verify", &format!("sweep/{folder}")], 0);
+    }
+    assert_eq!(rows[0]["result"], rows[2]["result"]);
+    let before = bench.everything();
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml"], 1);
+    assert!(!err.contains("finite elements"), "{err}");
+    assert!(bench.everything() == before, "the second run changed a file");
+}
+
+/// A mesher that hangs, crashes or fills the memory ends its case with a name and no other.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_failing_process_ends_its_case() {
+    for (limits, script, outcome, cause, code) in [
+        ("limits: {time: 1 s}", "sleep 60", "timed_out", "within its 1 s", 3),
+        ("", "exit 7", "failed", "mesher", 4),
+        ("", "kill -9 $PPID", "failed", "signal: 9", 4),
+    ] {
+        let bench = t_stubs(limits);
+        let mesher = bench.mesher(script);
+        let run = bench
+            .command(&["batch", "sweep.yaml", "--jobs", "1"])
+            .env("BRACKET_GMSH", &mesher)
+            .output()
+            .expect("starts");
+        let err = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(code), "{script}: {err}");
+        for row in rows(&bench, "sweep") {
+            assert_eq!(row["outcome"], outcome, "{script}: {row} {err}");
+            assert!(row["cause"].as_str().is_some_and(|c| c.contains(cause)), "{script}: {row}");
+        }
+        assert!(!bench.path().join("sweep/work").join("x").exists());
+        let work = std::fs::read_dir(bench.path().join("sweep/work"));
+        assert_eq!(work.map(|d| d.count()).unwrap_or(0), 0, "{script}: work is left");
+    }
+}
+
+/// Conditions on the outcome replace the rule of the worst case.
+#[test]
+fn expected_outcomes_decide_the_exit_code() {
+    for (expected, code) in [("[\"failed == 0\"]", 0), ("[\"ok == cases\"]", 1)] {
+        let bench = bench(&format!("{CHECKS}expect: {expected}\n"));
+        let (_, err) = expect(&bench, &["batch", "sweep.yaml"], code);
+        assert_eq!(err.contains("expected, and not so: ok == cases"), code == 1, "{err}");
+    }
+}
