@@ -107,6 +107,9 @@ while squeue -h -j "$merge" 2>/dev/null | grep -q .; do
             requeued=$task
             echo "requeued: task $task" >&2
         fi
+    else
+        # Slurm lets a requeued task wait for two minutes
+        scontrol update JobId="${array}_$requeued" StartTime=now 2>/dev/null || true
     fi
     if [ $(($(date +%s) - start)) -gt 900 ]; then
         echo "slurm_test: the jobs do not end" >&2

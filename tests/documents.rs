@@ -274,10 +274,23 @@ fn the_specs_of_the_documents_are_valid() {
     assert!(base.contains_key("template"), "the guide begins with a whole spec");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("documents");
     fs::create_dir_all(&folder).expect("folder");
-    let mut tried = 0;
+    let (mut tried, mut sweeps) = (0, 0);
     for block in yaml_blocks(&guide).into_iter().chain(yaml_blocks(&read("README.md"))) {
         let mut spec = entries(&block);
         if spec.contains_key("mesh") {
+            continue;
+        }
+        if spec.contains_key("axes") {
+            let text: String = base.clone().into_values().collect();
+            fs::write(folder.join("joint.yaml"), text).expect("written");
+            fs::write(folder.join("joints.csv"), "name,plate.width [mm]\nA,200\n")
+                .expect("written");
+            fs::write(folder.join("sweep.yaml"), &block).expect("written");
+            let mut command = Command::new(env!("CARGO_BIN_EXE_bracket"));
+            command.args(["batch", "plan", "sweep.yaml"]).current_dir(&folder);
+            let run = command.output().expect("runs");
+            assert!(run.status.success(), "{block}\n{}", String::from_utf8_lossy(&run.stderr));
+            sweeps += 1;
             continue;
         }
         if !spec.contains_key("template") {
@@ -293,6 +306,7 @@ fn the_specs_of_the_documents_are_valid() {
         tried += 1;
     }
     assert!(tried >= 10, "only {tried} specs were found");
+    assert!(sweeps >= 1, "no sweep was found");
 }
 
 /// Only one table lists the exit codes, so that no second table can contradict it.

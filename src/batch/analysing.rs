@@ -23,7 +23,7 @@ const LONGEST: f64 = 7200.0;
 const SLACK: f64 = 300.0;
 
 /// Whether the checks of a case ask for finite elements.
-fn wanted(who: Who, record: &Record) -> bool {
+pub fn wanted(who: Who, record: &Record) -> bool {
     match (who, record.outcome) {
         (_, Outcome::BadInput | Outcome::Failed | Outcome::TimedOut) => false,
         (Who::All, _) => true,
@@ -57,7 +57,11 @@ pub fn jobs(
                 (None, _) => header.first.is_none(),
                 (Some(_), None) => false,
             };
-            if !asked || !seen.insert(&case.key) || folder.analysed(&case.key)?.is_some() {
+            if !asked || !seen.insert(&case.key) {
+                continue;
+            }
+            // what gave no result is tried again: the machine or the limits may be others now
+            if folder.analysed(&case.key)?.is_some_and(|r| r.is_final()) {
                 continue;
             }
             let mut spec = kit.spec(&header.expansion, case.index)?;
@@ -90,13 +94,14 @@ fn process_limits(
 ) -> Result<ProcessLimits, Diagnostics> {
     let own = ConnectionSpec::deserialize(spec).ok().and_then(|s| s.analysis.time_limit);
     let of_analysis = own.map_or(LONGEST, |t| 2.0 * t.0 + SLACK);
-    let time = header.limits.time.map_or(of_analysis, |t| t.0);
+    let time = Duration::try_from_secs_f64(header.limits.time.map_or(of_analysis, |t| t.0))
+        .unwrap_or(Duration::MAX);
     let memory = match &header.limits.memory {
         Some(text) => memory_limit::parse(text)?,
         None => memory,
     };
     let threads = header.limits.threads.unwrap_or(1);
-    Ok(ProcessLimits { time: Duration::from_secs_f64(time), memory, threads })
+    Ok(ProcessLimits { time, memory, threads })
 }
 
 /// Analyses the jobs, `workers` at once. `progress` gets every record.

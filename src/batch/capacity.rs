@@ -6,6 +6,7 @@
 use super::dimension::words;
 use super::plan::Plan;
 use super::row::{LoadRow, Outcome, Record};
+use super::screen::Kit;
 use super::sweep::CapacityTable;
 use crate::checks::verdict::Verdict;
 use crate::report::figures::{Rounding, fixed};
@@ -26,8 +27,8 @@ pub struct Cell {
     pub outcome: Option<Outcome>,
     /// Whether a check of the code fails under the given load: the bounds do not overrule it.
     pub code_fails: bool,
-    /// Number of cases in the cell.
-    pub cases: usize,
+    /// Whether a case of the cell has no lower bound: then the cell has none.
+    pub open: bool,
 }
 
 /// A capacity table with its values.
@@ -65,7 +66,7 @@ fn heads(plan: &Plan, path: &str) -> Vec<String> {
 }
 
 /// Fills a table. A cell that several cases share shows the least capacity of them.
-pub fn fill(table: &CapacityTable, plan: &Plan, records: &[Option<Record>]) -> Filled {
+pub fn fill(table: &CapacityTable, plan: &Plan, kit: &Kit, records: &[Option<Record>]) -> Filled {
     let (rows, columns) = (heads(plan, &table.rows), heads(plan, &table.columns));
     let mut cells = vec![vec![Cell::default(); columns.len()]; rows.len()];
     let expansion = &plan.header.expansion;
@@ -81,14 +82,19 @@ pub fn fill(table: &CapacityTable, plan: &Plan, records: &[Option<Record>]) -> F
         let is = |(path, wanted): (&String, &serde_json::Value)| {
             values.iter().any(|(p, v)| p == path && *v == words(wanted))
         };
-        let (Some(record), true) = (record, table.only.iter().all(is)) else { continue };
-        let spec = expansion.varied(case.index).ok();
+        if !table.only.iter().all(is) {
+            continue;
+        }
+        let cell = &mut cells[r][c];
+        let Some(record) = record else {
+            cell.unproved();
+            continue;
+        };
+        let spec = kit.spec(expansion, case.index).ok();
         let spec = spec.and_then(|s| ConnectionSpec::deserialize(&s).ok());
         let of_case = |l: &&LoadRow| table.case.as_ref().is_none_or(|name| *name == l.case);
         let load = record.loads.iter().find(of_case);
         let size = spec.zip(load).and_then(|(s, l)| size(&s, &l.case, table.action));
-        let cell = &mut cells[r][c];
-        cell.cases += 1;
         cell.outcome = cell.outcome.max(Some(record.outcome));
         cell.code_fails |= load.is_some_and(|l| l.by_code == Verdict::NotOk);
         let least = |old: Option<f64>, new: Option<f64>| match (old, new) {
@@ -96,9 +102,17 @@ pub fn fill(table: &CapacityTable, plan: &Plan, records: &[Option<Record>]) -> F
             (a, b) => a.or(b),
         };
         let of = |factor: Option<f64>| Some(factor? * size?);
-        cell.lower = least(cell.lower, of(load.and_then(|l| l.lower)));
+        // a joint without rotation capacity does not reach the load of limit analysis
+        let lower = load.filter(|l| !l.brittle).and_then(|l| l.lower);
+        match of(lower) {
+            Some(lower) if !cell.open => cell.lower = least(cell.lower, Some(lower)),
+            Some(_) => {}
+            None => cell.unproved(),
+        }
         cell.upper = least(cell.upper, of(load.and_then(|l| l.upper)));
-        cell.component = least(cell.component, of(load.and_then(|l| l.component_factor)));
+        // the component method gives a moment
+        let method = load.filter(|_| table.action == Action::My).and_then(|l| l.component_factor);
+        cell.component = least(cell.component, of(method));
     }
     let unit = if table.action.direction().1 { "kN m" } else { "kN" };
     Filled {
@@ -116,7 +130,8 @@ pub fn fill(table: &CapacityTable, plan: &Plan, records: &[Option<Record>]) -> F
 fn size(spec: &ConnectionSpec, case: &str, action: Action) -> Option<f64> {
     let loads = spec.loads.iter().filter(|l| l.name == case && l.multiplies(action));
     let mut sizes = loads.flat_map(|l| l.actions()).filter(|(a, _)| *a == action);
-    let (_, value) = sizes.next()?;
+    // of several member ends none is the capacity
+    let (value, None) = (sizes.next()?.1, sizes.next()) else { return None };
     let scale = if action.direction().1 { 1e-6 } else { 1e-3 };
     Some(scale * value.abs())
 }
@@ -150,6 +165,11 @@ impl Filled {
 }
 
 impl Cell {
+    /// Removes the lower bound: it would not hold for every case of the cell.
+    fn unproved(&mut self) {
+        (self.open, self.lower) = (true, None);
+    }
+
     fn markdown(&self) -> String {
         let mut parts = Vec::new();
         if let Some(v) = self.lower {

@@ -1,10 +1,9 @@
 //! A case of a sweep: its place in the expansion, its name and its key.
 
 use crate::assembly::LoadedTemplate;
-use crate::catalog::Catalog;
 use crate::spec::connection::{ConnectionSpec, Project};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
 /// A case of a plan.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -17,59 +16,38 @@ pub struct Case {
     pub key: String,
 }
 
-/// The key of a case: a hash of the resolved spec without its title block, of the rows of the
-/// user's catalogue that it names, of its template, and of the versions of the program and of the
-/// mesher. The same case has the same key in every sweep, whatever its name.
-pub fn key(spec: &ConnectionSpec, common: &str, catalog: &Catalog) -> String {
+/// The key of a case: a hash of the resolved spec without its title block, and of what all cases
+/// with its template share ([`common`]). The same case has the same key in every sweep, whatever
+/// its name.
+pub fn key(spec: &ConnectionSpec, common: &str) -> String {
     let plain = ConnectionSpec { project: Project::default(), ..spec.clone() };
-    let mut text = String::from(common);
     // a spec that was read from JSON can be written as JSON
-    text.push_str(&serde_json::to_string(&plain).unwrap_or_default());
-    own_rows(spec, catalog, &mut text);
-    blake3::hash(text.as_bytes()).to_hex()[..32].to_string()
+    let text = serde_json::to_string(&plain).unwrap_or_default();
+    blake3::hash(format!("{common}{text}").as_bytes()).to_hex()[..32].to_string()
 }
 
-/// The part of a key that all cases with one template share.
-pub fn common(template: &LoadedTemplate, mesher: &str) -> String {
-    format!(
-        "{} {} {mesher}\n{}\n",
-        env!("CARGO_PKG_NAME"),
-        env!("CARGO_PKG_VERSION"),
-        template.content()
-    )
+/// The part of a key that all cases with one template share: the versions of program and mesher,
+/// what is computed, the template, and the user's own tables as text.
+pub fn common(template: &LoadedTemplate, shared: &str) -> String {
+    format!("{shared}\n{}\n", template.content())
 }
 
-/// The rows that the spec names in tables of the user's own. The built-in tables belong to the
-/// version of the program.
-fn own_rows(spec: &ConnectionSpec, catalog: &Catalog, out: &mut String) {
-    let own = |file: &str| catalog.provenance(file).is_none_or(|p| p.standard.is_none());
-    let mut put = |file: &str, row: &dyn std::fmt::Debug| {
-        if own(file) {
-            // writing to a String cannot fail
-            let _ = writeln!(out, "{row:?}");
-        }
+/// The part of a key that all cases of a sweep share.
+pub fn shared(mesher: &str, limit: bool, tables: &str) -> String {
+    let kind = if limit { "limit" } else { "as the spec says" };
+    let (name, version) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"));
+    format!("{name} {version} {mesher} {kind}\n{tables}\n")
+}
+
+/// The tables of the user's catalogue folder as text; empty without one. The built-in tables belong
+/// to the version of the program.
+pub fn own_tables(folder: Option<&Path>) -> String {
+    let Some(entries) = folder.and_then(|dir| std::fs::read_dir(dir).ok()) else {
+        return String::new();
     };
-    for member in spec.members.values() {
-        if let Ok(p) = catalog.profile(&member.profile) {
-            put(&p.source.file, p);
-        }
-    }
-    let steels = spec.members.values().map(|m| &m.steel);
-    let of_plate = spec.plate.iter().filter_map(|p| p.steel.as_ref());
-    for name in steels.chain(of_plate) {
-        if let Ok(s) = catalog.steel(name) {
-            put(&s.source.file, s);
-        }
-    }
-    if let Some(bolts) = &spec.bolts {
-        if let Ok(b) = catalog.bolt(&bolts.size) {
-            put(&b.source.file, b);
-        }
-        if let Ok(g) = catalog.bolt_grade(&bolts.grade) {
-            put(&g.source.file, g);
-        }
-    }
-    if let Some(Ok(f)) = spec.friction.class.as_ref().map(|c| catalog.friction_class(c)) {
-        put(&f.source.file, f);
-    }
+    let mut files: Vec<PathBuf> = entries.flatten().map(|e| e.path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv")));
+    files.sort();
+    let texts = files.iter().filter_map(|f| std::fs::read(f).ok());
+    texts.map(|bytes| blake3::hash(&bytes).to_hex().to_string()).collect()
 }

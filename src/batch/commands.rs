@@ -6,13 +6,13 @@ use super::checking::check_all;
 use super::counts::Counts;
 use super::forecast::seconds;
 use super::merged::records;
-use super::plan::{Plan, kit};
+use super::plan::Plan;
 use super::results_table::{csv, jsonl, rows};
-use super::row::Record;
+use super::row::{Outcome, Record};
 use super::shard::Shard;
 use super::slurm::Array;
 use super::summary;
-use super::sweep_file::{SweepFile, open_catalog};
+use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostics, ExitStatus};
@@ -20,6 +20,7 @@ use crate::driver::interrupt::Interrupt;
 use crate::driver::memory_limit;
 use crate::mesh::gmsh::Mesher;
 use crate::report::console::log::Log;
+use crate::report::figures::bracket as bracket_of;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -27,6 +28,9 @@ use std::time::Instant;
 /// Effect of the first Ctrl-C, as the log announces it.
 const WHEN_INTERRUPTED: &str =
     "the cases in work end now; what is finished stays, and the same command continues";
+
+/// Cases with an unexpected verdict that are listed.
+const SHOWN: usize = 20;
 
 /// Memory of a case where neither the user nor the system gives a number \[bytes\].
 const USUAL_MEMORY: u64 = 4 << 30;
@@ -84,8 +88,8 @@ pub fn run(
 ) -> Result<(), Diagnostics> {
     interrupt.begin(log, WHEN_INTERRUPTED, || {});
     let header = &plan.header;
-    let catalog = open_catalog(header.catalog.as_deref())?;
-    let kit = kit(&header.expansion, &header.folder, catalog)?;
+    let mesher = if header.meshes() { Mesher::find()?.version } else { String::new() };
+    let kit = header.kit(&mesher)?;
     if header.first.is_some() {
         let start = Instant::now();
         let mut done = 0;
@@ -117,8 +121,10 @@ pub fn run(
         let seconds = record.seconds.map_or_else(String::new, |s| format!(", {s:.0} s"));
         let bracket = record.loads.iter().filter_map(|l| Some((l.lower?, l.upper?)));
         let least = bracket.min_by(|a, b| a.0.total_cmp(&b.0));
-        let bracket =
-            least.map_or_else(String::new, |(l, u)| format!(", load factor {l:.3} to {u:.3}"));
+        let bracket = least.map_or_else(String::new, |(l, u)| {
+            let (low, up) = bracket_of(l, u, 3);
+            format!(", load factor {low} to {up}")
+        });
         let word = record.outcome.word().replace('_', " ");
         log.line(format!("{} of {total}: {name}: {word}{bracket}{seconds}", done.len()));
     };
@@ -135,8 +141,7 @@ pub fn status(plan: &Plan, folder: &SweepFolder) -> Result<Counts, Diagnostics> 
 /// The job array for the cases of a plan.
 pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnostics> {
     let header = &plan.header;
-    let catalog = open_catalog(header.catalog.as_deref())?;
-    let kit = kit(&header.expansion, &header.folder, catalog)?;
+    let kit = header.kit(&header.mesher)?;
     let seconds = seconds(plan, &kit);
     let longest = header
         .limits
@@ -154,13 +159,23 @@ pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnosti
 pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus, Diagnostics> {
     let records = records(folder, plan)?;
     let counts = Counts::new(records.iter().map(Option::as_ref));
-    let broken = counts.broken(&plan.header.expect)?;
+    let conditions = counts.broken(&plan.header.expect)?.into_iter().map(str::to_owned);
+    let broken: Vec<String> = conditions.chain(unexpected(plan, &records)).collect();
     let rows = rows(plan, &records);
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
     write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
-    let tables: Vec<_> = plan.header.tables.iter().map(|t| fill(t, plan, &records)).collect();
-    if !tables.is_empty() {
+    let tables: Vec<_> = match plan.header.tables.is_empty() {
+        true => Vec::new(),
+        false => {
+            let kit = plan.header.kit(&plan.header.mesher)?;
+            plan.header.tables.iter().map(|t| fill(t, plan, &kit, &records)).collect()
+        }
+    };
+    if tables.is_empty() {
+        // those of an earlier plan
+        let _ = std::fs::remove_file(path.join("tables.md"));
+    } else {
         let text: Vec<String> = tables.iter().map(|t| t.markdown()).collect();
         write_whole(&path.join("tables.md"), text.join("\n").as_bytes())?;
     }
@@ -175,11 +190,37 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
         log.line(format!("expected, and not so: {condition}"));
     }
     log.line(format!("result: {}", path.join("summary.html").display()));
-    let status = counts.status();
-    Ok(match (plan.header.expect.is_empty(), broken.is_empty()) {
-        // conditions of the user replace the rule of the worst case
-        (false, true) if counts.open == 0 => ExitStatus::Ok,
-        (false, false) => ExitStatus::NotOk,
-        _ => status,
+    let expects = !plan.header.expect.is_empty() || expected(plan).next().is_some();
+    Ok(match broken.is_empty() {
+        false => ExitStatus::NotOk,
+        // what the user expects replaces the verdicts, but no case may be without one
+        true if expects => counts.without_verdict(),
+        true => counts.status(),
     })
+}
+
+/// The cases with an expected verdict, by their position in the plan.
+fn expected(plan: &Plan) -> impl Iterator<Item = (usize, Outcome)> {
+    plan.cases.iter().enumerate().filter_map(|(i, case)| {
+        let steps = plan.header.expansion.steps(case.index);
+        Some((i, Outcome::of(steps.iter().find_map(|s| s.expect)?)))
+    })
+}
+
+/// The cases whose verdict is not the expected one, as sentences; the first ones and their number.
+fn unexpected(plan: &Plan, records: &[Option<Record>]) -> Vec<String> {
+    let found = |i: usize| records[i].as_ref().map(|r| r.outcome);
+    let wrong = expected(plan).filter(|(i, want)| found(*i).is_some_and(|f| f != *want));
+    let mut out: Vec<String> = wrong
+        .map(|(i, want)| {
+            let found = found(i).map_or("open", Outcome::word);
+            format!("{}: {}, found {found}", plan.cases[i].name, want.word())
+        })
+        .collect();
+    let more = out.len().saturating_sub(SHOWN);
+    if more > 0 {
+        out.truncate(SHOWN);
+        out.push(format!("{more} more cases"));
+    }
+    out
 }

@@ -58,6 +58,15 @@ impl Counts {
         }
     }
 
+    /// The exit status of the cases without a verdict alone.
+    pub fn without_verdict(&self) -> ExitStatus {
+        let mut rest = *self;
+        for o in [Outcome::Ok, Outcome::Undecided, Outcome::NotOk] {
+            rest.of[o as usize] = 0;
+        }
+        rest.status()
+    }
+
     /// The conditions of `expect` that do not hold.
     pub fn broken<'a>(&self, expect: &'a [String]) -> Result<Vec<&'a str>, Diagnostics> {
         let mut lookup = |name: &str| {
@@ -109,6 +118,20 @@ mod tests {
             (vec![Some(Failed), Some(BadInput)], 4),
         ] {
             assert_eq!(counts(&outcomes).status().code(), code, "{outcomes:?}");
+        }
+    }
+
+    /// What the user expects may replace verdicts, not missing ones.
+    #[test]
+    fn cases_without_a_verdict_count_on() {
+        use Outcome::{BadInput, NotOk, Ok, TimedOut, Undecided};
+        for (outcomes, code) in [
+            (vec![Some(Ok), Some(NotOk), Some(Undecided)], 0),
+            (vec![Some(NotOk), Some(TimedOut)], 3),
+            (vec![Some(NotOk), None], 3),
+            (vec![Some(NotOk), Some(BadInput)], 2),
+        ] {
+            assert_eq!(counts(&outcomes).without_verdict().code(), code, "{outcomes:?}");
         }
     }
 

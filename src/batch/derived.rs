@@ -46,6 +46,12 @@ impl Derived {
         Ok(Self { path, list: value.is_array(), texts })
     }
 
+    /// The names that the expressions use.
+    pub fn names(&self) -> Vec<String> {
+        let parsed = self.texts.iter().filter_map(|t| Expr::parse(t).ok());
+        parsed.flat_map(|e| e.names().into_iter().map(str::to_owned).collect::<Vec<_>>()).collect()
+    }
+
     /// Writes the value into a spec whose names are `scope`.
     pub fn set(&self, spec: &mut Value, scope: &Scope) -> Result<(), String> {
         let mut values = Vec::with_capacity(self.texts.len());

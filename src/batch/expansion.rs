@@ -152,7 +152,8 @@ impl Expansion {
     ) -> (Diagnostic, bool) {
         let d = &self.dimensions[dimension];
         let at = fault.place.path.clone().unwrap_or_default();
-        let own = d.paths.iter().find(|p| at.is_empty() || covers(&self.canonical(p.text()), &at));
+        let own =
+            d.paths.iter().find(|p| at.is_empty() || covers(&canonical(p.text(), &self.base), &at));
         match own {
             Some(path) => {
                 let mut place = step.place.clone();
@@ -164,38 +165,13 @@ impl Expansion {
             }
             None => {
                 let other = self.dimensions.iter().enumerate().any(|(k, o)| {
-                    k != dimension && o.paths.iter().any(|p| covers(&self.canonical(p.text()), &at))
+                    k != dimension
+                        && o.paths.iter().any(|p| covers(&canonical(p.text(), &self.base), &at))
                 });
                 let place = if other { step.place.clone() } else { base.place(&at) };
                 (Diagnostic { place, ..fault }, other)
             }
         }
-    }
-
-    /// A path with the positions of named entries: `loads.ULS1.My` is `loads[0].My`.
-    fn canonical(&self, text: &str) -> String {
-        let mut out = String::new();
-        let mut at = Some(&self.base);
-        for part in text.split('.') {
-            let list = at.and_then(Value::as_array);
-            let named = list.and_then(|l| {
-                l.iter().position(|v| v.get("name").and_then(Value::as_str) == Some(part))
-            });
-            at = match (named, at) {
-                (Some(i), Some(v)) => {
-                    out.push_str(&format!("[{i}]"));
-                    v.get(i)
-                }
-                (_, v) => {
-                    if !out.is_empty() {
-                        out.push('.');
-                    }
-                    out.push_str(part);
-                    v.and_then(|v| v.get(part))
-                }
-            };
-        }
-        out
     }
 
     /// Makes texts of the numbers of a path where the spec takes only a text.
@@ -212,7 +188,7 @@ impl Expansion {
                         self.dimensions.iter().map(|d| &d.steps[0]).collect();
                     steps[i] = step;
                     let fault = self.with(&steps).ok().and_then(|s| typed(&s, &self.file).err());
-                    let path = self.canonical(self.dimensions[i].paths[k].text());
+                    let path = canonical(self.dimensions[i].paths[k].text(), &self.base);
                     fault.and_then(|f| f.place.path).is_some_and(|at| covers(&path, &at))
                 };
                 let mut as_text = step.clone();
@@ -229,7 +205,33 @@ impl Expansion {
     }
 }
 
-/// True if a fault at `at` lies at or below `path`.
-fn covers(path: &str, at: &str) -> bool {
+/// A path with the positions of named entries: `loads.ULS1.My` is `loads[0].My`.
+pub fn canonical(text: &str, base: &Value) -> String {
+    let mut out = String::new();
+    let mut at = Some(base);
+    for part in text.split('.') {
+        let list = at.and_then(Value::as_array);
+        let named = list.and_then(|l| {
+            l.iter().position(|v| v.get("name").and_then(Value::as_str) == Some(part))
+        });
+        at = match (named, at) {
+            (Some(i), Some(v)) => {
+                out.push_str(&format!("[{i}]"));
+                v.get(i)
+            }
+            (_, v) => {
+                if !out.is_empty() {
+                    out.push('.');
+                }
+                out.push_str(part);
+                v.and_then(|v| v.get(part))
+            }
+        };
+    }
+    out
+}
+
+/// True if the path `at` lies at or below `path`.
+pub fn covers(path: &str, at: &str) -> bool {
     at.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

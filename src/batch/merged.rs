@@ -1,5 +1,6 @@
 //! The records of all cases of a sweep, in the order of the plan.
 
+use super::analysing::wanted;
 use super::plan::Plan;
 use super::row::Record;
 use super::sweep_folder::SweepFolder;
@@ -8,8 +9,8 @@ use std::collections::BTreeMap;
 
 /// The record of each case of a plan; `None` where it is not finished.
 ///
-/// A case with finite elements has the record of its process; before that, and where none is asked
-/// for, that of its checks.
+/// A case with finite elements has the record of its process; where none are asked for, that of
+/// its checks.
 pub fn records(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>, Box<Diagnostic>> {
     let mut out: Vec<Option<Record>> = Vec::with_capacity(plan.cases.len());
     let checks = plan.header.first.is_some();
@@ -26,7 +27,10 @@ pub fn records(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>,
             } else {
                 None
             };
-            out.push(found.or_else(|| checked.as_ref().map(|c| c[i].clone())));
+            // the checks of a case that waits for finite elements are no answer yet
+            let waits = |r: &Record| plan.header.then.is_some_and(|then| wanted(then.limit, r));
+            let alone = checked.as_ref().map(|c| &c[i]).filter(|r| !waits(r));
+            out.push(found.or_else(|| alone.cloned()));
         }
     }
     Ok(out)

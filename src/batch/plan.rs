@@ -1,10 +1,10 @@
 //! The plan of a sweep: its cases with their keys, in a folder that holds all a run needs.
 
-use super::case::{Case, common, key};
+use super::case::{Case, common, key, own_tables, shared};
 use super::expansion::{Expansion, typed};
 use super::screen::Kit;
 use super::sweep::{CapacityTable, CaseLimits, First, Then};
-use super::sweep_file::SweepFile;
+use super::sweep_file::{SweepFile, open_catalog};
 use crate::assembly::names;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::result::result_file::Tool;
@@ -29,6 +29,10 @@ pub struct Header {
     pub schema: u32,
     /// The program that made the plan.
     pub tool: Tool,
+    /// Hash of the file with the cases.
+    pub cases: String,
+    /// Hash of what all keys contain: templates, tables of the user, versions.
+    pub inputs: String,
     /// Version of the mesher that the keys contain; empty if no case is meshed.
     pub mesher: String,
     /// The sweep file, to recognise the folder of another sweep.
@@ -77,11 +81,10 @@ impl Plan {
     pub fn new(path: &Path, file: SweepFile, mesher: &str) -> Result<Self, Diagnostics> {
         let count = file.expansion.count().filter(|n| *n <= MOST).ok_or_else(|| too_many(&file))?;
         let kit = kit(&file.expansion, &file.folder, file.catalog)?;
-        let commons: BTreeMap<&str, String> = kit
-            .templates
-            .iter()
-            .filter_map(|(name, t)| Some((name.as_str(), common(t.as_ref().ok()?, mesher))))
-            .collect();
+        let value = &file.sweep.value;
+        let limit = value.then.is_some();
+        let shared = shared(mesher, limit, &own_tables(file.catalog_folder.as_deref()));
+        let commons = commons(&kit, &shared);
         let sweep = &file.sweep;
         let conditions = &sweep.value.conditions;
         let planned: Vec<Planned> = (0..count)
@@ -102,9 +105,14 @@ impl Plan {
         }
         let dropped = count - cases.len() as u64;
         let remarks = unique(&mut cases);
-        let absolute = |p: &Path| std::path::absolute(p).unwrap_or_else(|_| p.to_path_buf());
-        let value = &file.sweep.value;
+        // the folder of a file in the current folder is empty
+        let absolute = |p: &Path| {
+            let p = if p.as_os_str().is_empty() { Path::new(".") } else { p };
+            std::path::absolute(p).unwrap_or_else(|_| p.to_path_buf())
+        };
         let header = Header {
+            cases: String::new(),
+            inputs: digest(&commons),
             schema: SCHEMA,
             tool: Tool::this(),
             mesher: mesher.into(),
@@ -123,8 +131,43 @@ impl Plan {
     }
 }
 
+/// The part of a key that all cases with a template share, for each template.
+fn commons<'a>(kit: &'a Kit, shared: &str) -> BTreeMap<&'a str, String> {
+    let known =
+        kit.templates.iter().filter_map(|(name, t)| Some((name.as_str(), t.as_ref().ok()?)));
+    known.map(|(name, template)| (name, common(template, shared))).collect()
+}
+
+/// Hash of what all keys of a plan contain.
+fn digest(commons: &BTreeMap<&str, String>) -> String {
+    blake3::hash(format!("{commons:?}").as_bytes()).to_hex().to_string()
+}
+
+impl Header {
+    /// Catalogue and templates of the plan. Refuses those that changed since: the keys would not
+    /// name what is computed. `mesher` is the version of the mesher of this machine.
+    pub fn kit(&self, mesher: &str) -> Result<Kit, Diagnostics> {
+        let catalog = open_catalog(self.catalog.as_deref())?;
+        let kit = kit(&self.expansion, &self.folder, catalog)?;
+        let own = own_tables(self.catalog.as_deref());
+        let commons = commons(&kit, &shared(mesher, self.then.is_some(), &own));
+        if digest(&commons) != self.inputs {
+            let message = "a template, a table of the catalogue, the program or the mesher is not \
+                           the one of the plan";
+            let help = "plan the sweep again; cases that are still the same stay finished";
+            return Err(Diagnostic::input("sweep/changed", message).help(help).into());
+        }
+        Ok(kit)
+    }
+
+    /// Whether cases are meshed.
+    pub fn meshes(&self) -> bool {
+        self.first.is_none() || self.then.is_some()
+    }
+}
+
 /// Catalogue and templates of an expansion.
-pub fn kit(
+fn kit(
     expansion: &Expansion,
     folder: &Path,
     catalog: crate::catalog::Catalog,
@@ -185,14 +228,15 @@ fn plan_case(
     };
     let Ok(spec) = typed(&spec, &expansion.file) else {
         // a combination of sound values that is unsound together: it becomes bad input
-        let key = blake3::hash(spec.to_string().as_bytes()).to_hex()[..32].to_string();
+        let text = format!("{} {spec}", env!("CARGO_PKG_VERSION"));
+        let key = blake3::hash(text.as_bytes()).to_hex()[..32].to_string();
         return Ok(Some(Case { index, name, key }));
     };
     if !conditions.is_empty() && !holds(&spec, conditions, kit, places)? {
         return Ok(None);
     }
     let common = commons.get(spec.template.as_str()).map_or("", String::as_str);
-    let key = key(&spec, common, &kit.catalog);
+    let key = key(&spec, common);
     Ok(Some(Case { index, name, key }))
 }
 

@@ -113,7 +113,9 @@ pub fn csv(rows: &[Map<String, Value>]) -> Result<Vec<u8>, Box<Diagnostic>> {
 
 /// True if a text behind a minus sign is no quantity such as `-43.2 kN m`.
 fn formula(text: &str) -> bool {
-    !text[1..].trim_start().starts_with(|c: char| c.is_ascii_digit() || c == '.')
+    let plain = |c: char| c.is_ascii_alphanumeric() || " ./^".contains(c);
+    !(text[1..].trim_start().starts_with(|c: char| c.is_ascii_digit())
+        && text[1..].chars().all(plain))
 }
 
 /// The rows as JSON, one a line; values that are absent have no key.
@@ -144,6 +146,7 @@ mod tests {
             ("@x", "'@x"),
             ("-43.2 kN m", "-43.2 kN m"),
             ("-cmd|x", "'-cmd|x"),
+            ("-2+cmd|x", "'-2+cmd|x"),
             ("IPE200", "IPE200"),
         ] {
             let out = csv(&[row(text)]).expect("a table");

@@ -78,6 +78,9 @@ pub struct LoadRow {
     /// Strict upper bound of the load factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<f64>,
+    /// Whether the bounds prove no capacity: no rule of rotation capacity holds.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub brittle: bool,
     /// The check or bound that governs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub governing: Option<Governing>,
@@ -124,6 +127,11 @@ pub struct Record {
 }
 
 impl Record {
+    /// Whether the case has its answer: a result, or a fault of its input.
+    pub fn is_final(&self) -> bool {
+        self.result || !matches!(self.outcome, Outcome::Failed | Outcome::TimedOut)
+    }
+
     /// A case without a result.
     pub fn without_result(key: &str, outcome: Outcome, cause: impl Into<String>) -> Self {
         Self {

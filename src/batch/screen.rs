@@ -10,6 +10,7 @@ use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, HandChecks, hand_checks, judge};
 use crate::diag::Diagnostic;
 use crate::driver::demands::demands;
+use crate::driver::spec_checks::check_loads;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::yaml::{Parsed, PlaceIndex};
 use serde_json::Value;
@@ -82,6 +83,14 @@ impl Kit {
     pub fn joint(&self, spec: ConnectionSpec) -> Result<(Joint, ConnectionSpec), Box<Diagnostic>> {
         let template = self.template(&spec)?;
         let parsed = Parsed { value: spec, index: PlaceIndex::new(&self.file) };
+        if let Some(polygon) = &parsed.value.polygon
+            && let Err(faults) = polygon.loads(&parsed.value.loads)
+        {
+            let fault = faults.into_first();
+            let d = Diagnostic::input("spec/value", fault.problem).help(fault.help);
+            return Err(d.path(fault.path).into());
+        }
+        check_loads(&parsed, &[]).map_err(|f| f.into_first())?;
         let joint = build_from(&parsed, template, &self.catalog).map_err(|f| f.into_first())?;
         Ok((joint, parsed.value))
     }
@@ -124,6 +133,7 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
             by_analysis: Verdict::None,
             lower: None,
             upper: None,
+            brittle: checks.brittle.is_some(),
             governing: j.governing,
             moment_resistance: method.0,
             component_factor: method.1,

@@ -147,8 +147,8 @@ mod tests {
     #[test]
     fn paths_with_blanks_and_quotes() {
         let array = Array::new(&[600.0; 12], 600.0, Some(4), 4 << 30, 2);
-        let script = array.script(Path::new("/opt/bracket"), Path::new("/home/a b/it's"));
-        assert!(script.contains("batch run '/home/a b/it'\\''s' --shard auto/4"), "{script}");
+        let script = array.script(Path::new("/opt/bracket"), Path::new("/data/a b/it's"));
+        assert!(script.contains("batch run '/data/a b/it'\\''s' --shard auto/4"), "{script}");
         assert!(script.contains("--array=1-4") && script.contains("--mem=4096M"), "{script}");
     }
 }

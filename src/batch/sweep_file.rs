@@ -2,12 +2,13 @@
 
 use super::axis;
 use super::derived::Derived;
-use super::dimension::Dimension;
-use super::expansion::Expansion;
-use super::sweep::{First, Sweep, Then};
+use super::dimension::{Dimension, words};
+use super::expansion::{Expansion, canonical, covers};
+use super::sweep::{CapacityTable, First, Sweep, Then};
 use super::table;
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
+use crate::driver::memory_limit;
 use crate::spec::yaml::{self, Parsed, PlaceIndex};
 use crate::text_file;
 use serde_json::Value;
@@ -74,16 +75,6 @@ impl SweepFile {
             let help = "give `axes` (paths of the spec with lists of values), a `table`, or both";
             return Err(at("the sweep varies nothing".into(), "", help));
         }
-        for (i, d) in dimensions.iter().enumerate() {
-            for p in &d.paths {
-                let twice = dimensions[..i].iter().find(|o| o.paths.contains(p));
-                if let Some(other) = twice {
-                    let message = format!("`{p}` is varied by {} and by {}", other.what, d.what);
-                    let path = format!("axes.{p}");
-                    return Err(at(message, &path, "vary a path in one place only"));
-                }
-            }
-        }
         if let (Some(Then { .. }), None) = (sweep.value.then, sweep.value.first) {
             let help = "add `first: checks`: they decide which cases are analysed";
             return Err(at("`then` needs the checks".into(), "then", help));
@@ -105,6 +96,18 @@ impl SweepFile {
         for (key, value) in &sweep.value.set {
             derived.push(Derived::read(key, value, &sweep.index)?);
         }
+        one_place_each(&dimensions, &derived, &base)
+            .and_then(|()| tables_have_cases(&sweep.value.tables, &dimensions))
+            .map_err(|(message, path, help)| at(message, &path, help))?;
+        if let Some(text) = &sweep.value.limits.memory {
+            memory_limit::parse(text).map_err(|f| {
+                let message = f.into_first().message.replace("--memory-limit", "`limits.memory`");
+                at(message, "limits.memory", "write a number with its unit: `8GiB`")
+            })?;
+        }
+        if sweep.value.limits.threads == Some(0) {
+            return Err(at("`limits.threads` is 0".into(), "limits.threads", "write 1 or more"));
+        }
         let mut expansion = Expansion { base, file, dimensions, derived };
         expansion.settle(&base_index)?;
         Ok(Self { sweep, expansion, folder, catalog_folder, catalog })
@@ -114,6 +117,67 @@ impl SweepFile {
     pub fn checks_first(&self) -> bool {
         self.sweep.value.first == Some(First::Checks)
     }
+}
+
+/// A fault of a sweep: message, path in the sweep file, help.
+type Fault = (String, String, &'static str);
+
+/// Refuses a path that two places write, in whatever spelling: one value would be lost.
+fn one_place_each(
+    dimensions: &[Dimension],
+    derived: &[Derived],
+    base: &Value,
+) -> Result<(), Fault> {
+    let of_dimensions =
+        dimensions.iter().flat_map(|d| d.paths.iter().map(|p| (p, d.what.as_str(), "axes")));
+    let of_set = derived.iter().map(|d| (&d.path, "`set`", "set"));
+    let all: Vec<_> = of_dimensions.chain(of_set).collect();
+    let plain: Vec<String> = all.iter().map(|(p, ..)| canonical(p.text(), base)).collect();
+    for (i, (path, what, key)) in all.iter().enumerate() {
+        if plain[i] == "catalog" {
+            let message = "`catalog` is one folder for the whole sweep".to_string();
+            let help = "give `--catalog DIR`, or `catalog` in the base spec";
+            return Err((message, format!("{key}.{path}"), help));
+        }
+        let other = (0..i).find(|k| covers(&plain[*k], &plain[i]) || covers(&plain[i], &plain[*k]));
+        if let Some(k) = other {
+            let message = format!("`{path}` is varied by {} and by {what}", all[k].1);
+            return Err((message, format!("{key}.{path}"), "vary a path in one place only"));
+        }
+    }
+    for d in derived {
+        let used = d.names();
+        let names = |o: &&Derived| used.iter().any(|n| covers(o.path.text(), n));
+        if let Some(other) = derived.iter().find(names) {
+            let message = format!("`set.{}` uses `{}`, which `set` changes", d.path, other.path);
+            let help = "write the expression of the other value in its place";
+            return Err((message, format!("set.{}", d.path), help));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a capacity table that no case can be in.
+fn tables_have_cases(tables: &[CapacityTable], dimensions: &[Dimension]) -> Result<(), Fault> {
+    for t in tables {
+        for (path, value) in &t.only {
+            let has = dimensions.iter().any(|d| {
+                let k = d.paths.iter().position(|p| p.text() == path);
+                k.is_some_and(|k| {
+                    d.steps.iter().any(|s| s.values[k].as_ref().map(words) == Some(words(value)))
+                })
+            });
+            if !has {
+                let message = format!(
+                    "the table `{}` is of `{path}: {}`, which no case has",
+                    t.title,
+                    words(value)
+                );
+                return Err((message, "tables".into(), "write the value as the axis writes it"));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The base spec: its value, its places, its file and its folder.

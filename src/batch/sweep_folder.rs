@@ -21,12 +21,16 @@ use serde::de::DeserializeOwned;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// File that makes a folder the folder of a sweep.
 const PLAN: &str = "plan.json";
 
 /// The cases of the plan.
 const CASES: &str = "cases.jsonl";
+
+/// What a folder may hold before its plan is complete.
+const OURS: [&str; 6] = [PLAN, CASES, "checks", "records", "cases", "work"];
 
 /// Most cases whose records share a file.
 const RUN_OF_CASES: usize = 512;
@@ -53,6 +57,14 @@ fn io(action: &str, path: &Path, e: std::io::Error) -> Box<Diagnostic> {
         .into()
 }
 
+/// A word that no other process has, on whatever machine.
+pub fn unique() -> String {
+    let time = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    let pid = std::process::id();
+    let seed = format!("{pid} {} {:?}", time.as_nanos(), std::thread::current().id());
+    blake3::hash(seed.as_bytes()).to_hex()[..12].to_string()
+}
+
 /// Writes a file aside and renames it.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     if let Some(parent) = path.parent() {
@@ -60,7 +72,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     }
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     // the name is of this process, so that two at once do not write into one file
-    name.push(format!(".{}.part", std::process::id()));
+    name.push(format!(".{}.part", unique()));
     let part = path.with_file_name(name);
     let written = fs::File::create(&part)
         .and_then(|mut f| f.write_all(bytes))
@@ -69,6 +81,11 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
         let _ = fs::remove_file(&part);
         io("write", path, e)
     })
+}
+
+/// Hash of a text.
+fn hash(text: &str) -> String {
+    blake3::hash(text.as_bytes()).to_hex().to_string()
 }
 
 /// Values as JSON, one a line.
@@ -113,8 +130,14 @@ impl SweepFolder {
 
     /// Writes a plan. A folder with other content is refused, as is the folder of another sweep.
     pub fn write_plan(&self, plan: &Plan) -> Result<(), Diagnostics> {
-        let holds = fs::read_dir(&self.path).map(|mut d| d.next().is_some()).unwrap_or(false);
-        if self.path.is_file() || (holds && !self.path.join(PLAN).is_file()) {
+        let ours = |name: &str| {
+            OURS.contains(&name) || name.ends_with(".part") || name.starts_with("slurm-")
+        };
+        let holds = fs::read_dir(&self.path).is_ok_and(|entries| {
+            entries.flatten().any(|e| !ours(&e.file_name().to_string_lossy()))
+        });
+        let planned = self.path.join(PLAN).is_file();
+        if self.path.is_file() || (holds && !planned) {
             let message = format!(
                 "`{}` exists and is not the folder of a sweep; it was left as it is",
                 self.path.display()
@@ -122,20 +145,22 @@ impl SweepFolder {
             let d = Diagnostic::input("sweep/folder", message).file(&self.path);
             return Err(d.help("choose another folder with -o, or move this one away").into());
         }
-        if holds {
-            let header = self.header()?;
-            if header.sweep != plan.header.sweep {
-                let message = format!(
-                    "`{}` is the folder of another sweep, `{}`",
-                    self.path.display(),
-                    header.sweep.display()
-                );
-                let d = Diagnostic::input("sweep/other-sweep", message).file(&self.path);
-                return Err(d.help("choose another folder with -o").into());
-            }
+        // a plan that cannot be read is replaced; what is finished is known by its content
+        if let (true, Ok(header)) = (planned, self.header())
+            && header.sweep != plan.header.sweep
+        {
+            let message = format!(
+                "`{}` is the folder of another sweep, `{}`",
+                self.path.display(),
+                header.sweep.display()
+            );
+            let d = Diagnostic::input("sweep/other-sweep", message).file(&self.path);
+            return Err(d.help("choose another folder with -o").into());
         }
-        write_whole(&self.path.join(CASES), lines(&plan.cases)?.as_bytes())?;
-        let text = serde_json::to_string_pretty(&plan.header).map_err(|e| {
+        let cases = lines(&plan.cases)?;
+        write_whole(&self.path.join(CASES), cases.as_bytes())?;
+        let header = Header { cases: hash(&cases), ..plan.header.clone() };
+        let text = serde_json::to_string_pretty(&header).map_err(|e| {
             Diagnostic::environment("sweep/write", format!("the plan cannot be written: {e}"))
         })?;
         write_whole(&self.path.join(PLAN), text.as_bytes())?;
@@ -170,6 +195,12 @@ impl SweepFolder {
         let header = self.header()?;
         let file = self.path.join(CASES);
         let text = fs::read_to_string(&file).map_err(|e| io("read", &file, e))?;
+        if hash(&text) != header.cases {
+            let message =
+                "the cases are not those of the plan: planning was cut off, or is under way";
+            let d = Diagnostic::input("sweep/torn", message).file(&file);
+            return Err(d.help("plan the sweep again; finished cases stay").into());
+        }
         let cases: Vec<Case> = parse_lines(&text, &file)?;
         Ok(Plan { header, cases, remarks: Vec::new() })
     }
@@ -215,6 +246,10 @@ impl SweepFolder {
     /// Writes the record of a case with finite elements.
     pub fn write_analysed(&self, record: &Record) -> Result<(), Box<Diagnostic>> {
         let file = self.path.join("records").join(format!("{}.json", record.key));
+        // equal joints in two shards: a result stays, whatever the other process met
+        if !record.result && self.analysed(&record.key)?.is_some_and(|r| r.result) {
+            return Ok(());
+        }
         write_whole(&file, lines(std::slice::from_ref(record))?.as_bytes())
     }
 

@@ -79,6 +79,10 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
     let mut named: BTreeMap<String, usize> = BTreeMap::new();
     for record in reader.records() {
         let record = record.map_err(|e| Diagnostics::from(broken(e)))?;
+        // spreadsheets leave empty rows behind
+        if record.iter().all(str::is_empty) {
+            continue;
+        }
         let line = record.position().map_or(0, |p| line_of(text, p));
         let mut step =
             Step { name: None, values: Vec::new(), expect: None, place: place(file, line, None) };

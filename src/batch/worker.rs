@@ -3,10 +3,11 @@
 
 use super::plan::Header;
 use super::row::{LoadRow, Outcome, Record};
-use super::sweep_folder::{SweepFolder, write_whole};
+use super::sweep_folder::{SweepFolder, unique, write_whole};
+use crate::checks::judgement::Governing;
 use crate::diag::Diagnostic;
 use crate::driver::interrupt::END_WITH_PARENT;
-use crate::result::result_file::{Quantity, RESULT_FILE, ResultFile, Upper};
+use crate::result::result_file::{Quantity, RESULT_FILE, ResultFile};
 use crate::spec::yaml;
 use serde_json::Value;
 use std::ffi::OsString;
@@ -18,6 +19,9 @@ use std::time::{Duration, Instant};
 
 /// Time after the request to stop at which a process is killed.
 const GRACE: Duration = Duration::from_secs(20);
+
+/// Time within which a signal to a whole group has reached every process of it.
+const ECHO: Duration = Duration::from_millis(200);
 
 /// Interval at which a process is looked at.
 const LOOK: Duration = Duration::from_millis(100);
@@ -63,14 +67,28 @@ pub fn analyse(
     folder: &SweepFolder,
     interrupt: &AtomicBool,
 ) -> Result<Option<Record>, Box<Diagnostic>> {
-    let work = folder.path().join("work").join(format!("{}.{}", job.key, std::process::id()));
+    let work = folder.path().join("work").join(format!("{}.{}", job.key, unique()));
     let start = Instant::now();
     let found = run(job, header, &work, interrupt).and_then(|end| match end {
         End::Interrupted => Ok(None),
+        // schedulers signal this process and its cases together
+        End::Exit(_)
+            if {
+                std::thread::sleep(ECHO);
+                interrupt.load(Ordering::Relaxed)
+            } =>
+        {
+            Ok(None)
+        }
         end => {
             let mut record = outcome(job, &end, &work);
             record.seconds = Some(start.elapsed().as_secs_f64());
-            keep(&work.join("result"), &folder.case_folder(&job.key))?;
+            let place = folder.case_folder(&job.key);
+            keep(&work.join("result"), &place)?;
+            // another process may have been faster: the record is that of the result that stays
+            if let (true, Some(kept)) = (record.result, found(job, folder)) {
+                record = Record { seconds: record.seconds, ..kept };
+            }
             Ok(Some(record))
         }
     });
@@ -160,16 +178,21 @@ fn absolute(mut spec: Value, folder: &Path) -> Value {
 fn wait(child: &mut Child, limits: ProcessLimits, interrupt: &AtomicBool) -> std::io::Result<End> {
     let start = Instant::now();
     let mut asked: Option<(Instant, bool)> = None;
+    let mut family = Vec::new();
     loop {
         if let Some(status) = child.try_wait()? {
+            // the mesher of a process that crashed would work on
+            kill_all(&family);
             return Ok(match asked {
                 Some((_, true)) => End::Interrupted,
                 Some((_, false)) => End::TimeLimit,
                 None => End::Exit(status),
             });
         }
-        if resident(child.id()) > limits.memory {
-            kill(child)?;
+        family = descendants(child.id());
+        let memory = family.iter().map(|pid| resident(*pid)).sum::<u64>() + resident(child.id());
+        if memory > limits.memory {
+            kill(child, &family)?;
             return Ok(End::Memory);
         }
         let stop = interrupt.load(Ordering::Relaxed);
@@ -178,11 +201,28 @@ fn wait(child: &mut Child, limits: ProcessLimits, interrupt: &AtomicBool) -> std
                 ask(child);
                 asked = Some((Instant::now(), stop));
             }
-            Some((at, _)) if at.elapsed() >= GRACE => kill(child)?,
+            Some((at, _)) if at.elapsed() >= GRACE => kill(child, &family)?,
             _ => {}
         }
         std::thread::sleep(LOOK);
     }
+}
+
+/// The processes that a process has started, and those that they have started.
+fn descendants(pid: u32) -> Vec<u32> {
+    let mut out = Vec::new();
+    let mut open = vec![pid];
+    while let Some(pid) = open.pop() {
+        let Ok(tasks) = fs::read_dir(format!("/proc/{pid}/task")) else { continue };
+        for task in tasks.flatten() {
+            let text = fs::read_to_string(task.path().join("children")).unwrap_or_default();
+            let children: Vec<u32> =
+                text.split_whitespace().filter_map(|w| w.parse().ok()).collect();
+            open.extend(&children);
+            out.extend(children);
+        }
+    }
+    out
 }
 
 /// Memory that a process holds \[bytes\]; 0 if the system does not tell.
@@ -206,15 +246,22 @@ fn ask(child: &mut Child) {
     }
 }
 
-/// Kills a process and its group.
-fn kill(child: &mut Child) -> std::io::Result<()> {
-    #[cfg(unix)]
-    {
-        use nix::sys::signal::{Signal, killpg};
-        let _ = killpg(nix::unistd::Pid::from_raw(child.id().cast_signed()), Signal::SIGKILL);
-    }
+/// Kills a process and those that it has started.
+fn kill(child: &mut Child, family: &[u32]) -> std::io::Result<()> {
+    kill_all(family);
     child.kill()?;
-    child.wait().map(|_| ())
+    child.wait()?;
+    kill_all(family);
+    Ok(())
+}
+
+/// Kills processes that may have ended already.
+fn kill_all(family: &[u32]) {
+    #[cfg(unix)]
+    for pid in family {
+        use nix::sys::signal::{Signal, kill};
+        let _ = kill(nix::unistd::Pid::from_raw(pid.cast_signed()), Signal::SIGKILL);
+    }
 }
 
 /// The record of an ended case.
@@ -286,8 +333,8 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
     let factors = result.cases.iter().filter(|c| c.quantity == Quantity::LoadFactor);
     for c in factors {
         let Some(demand) = &c.demand else { continue };
-        // a bound is never shown without its certificate
-        let strict = c.certificate.as_ref().is_some_and(|c| c.strict);
+        // those that the verdict is based on: strict, with friction the lower one without it
+        let (lower, upper) = c.factor_bounds();
         let method = demand.component_method.iter();
         let first = method.min_by(|a, b| {
             let of = |c: &crate::checks::Comparison| c.factor.unwrap_or(f64::INFINITY);
@@ -299,9 +346,10 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
             verdict: demand.verdict,
             by_code: demand.by_code,
             by_analysis: demand.by_analysis,
-            lower: c.lower.filter(|_| strict),
-            upper: c.upper.and_then(Upper::finite).filter(|_| strict),
-            governing: result.judgement.as_ref().and_then(|j| j.governing.clone()),
+            lower,
+            upper,
+            brittle: demand.brittle.is_some(),
+            governing: governing(result, &c.name),
             moment_resistance: first.map(|m| m.resistance),
             component_factor: first.and_then(|m| m.factor),
             component_stiffness: at.and_then(|i| record.loads[i].component_stiffness),
@@ -312,4 +360,10 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
         }
     }
     record
+}
+
+/// What governs a result, if it is of this load case.
+fn governing(result: &ResultFile, case: &str) -> Option<Governing> {
+    let governing = result.judgement.as_ref()?.governing.clone()?;
+    governing.case.as_ref().is_none_or(|c| c == case).then_some(governing)
 }

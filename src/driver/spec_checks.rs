@@ -4,13 +4,23 @@ use crate::diag::{Diagnostic, Diagnostics};
 use crate::driver::spec_file::SpecFile;
 use crate::result::file_names::{file_stem, stem_of};
 use crate::spec::analysis::AnalysisKind;
+use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::LoadSpec;
+use crate::spec::yaml::Parsed;
 
 /// All checks of a spec for these kinds of analysis; `kinds` is empty for the hand checks alone.
 pub fn check_input(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
-    check_names(input, kinds)?;
-    check_preload(input, kinds)?;
-    check_sizes(input)
+    check_loads(&input.spec, kinds)?;
+    check_preload(input, kinds)
+}
+
+/// The checks of names and sizes of loads.
+pub fn check_loads(
+    spec: &Parsed<ConnectionSpec>,
+    kinds: &[AnalysisKind],
+) -> Result<(), Diagnostics> {
+    check_names(spec, kinds)?;
+    check_sizes(spec)
 }
 
 /// The kinds of analysis that the spec requests, each once.
@@ -47,8 +57,8 @@ fn check_preload(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnos
 
 /// Checks the names of load cases. They become file names: each case needs a name, and no two may
 /// give the same file.
-fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
-    let loads = &input.spec.value.loads;
+fn check_names(spec: &Parsed<ConnectionSpec>, kinds: &[AnalysisKind]) -> Result<(), Diagnostics> {
+    let loads = &spec.value.loads;
     let stems = |name: &str| -> Vec<String> {
         kinds.iter().enumerate().map(|(k, kind)| stem_of(name, *kind, k > 0)).collect()
     };
@@ -67,20 +77,20 @@ fn check_names(input: &SpecFile, kinds: &[AnalysisKind]) -> Result<(), Diagnosti
         };
         let mut d = Diagnostic::input("spec/value", message)
             .help("give each load case a name of letters and digits");
-        d.place = input.spec.index.place(&format!("loads[{i}].name"));
+        d.place = spec.index.place(&format!("loads[{i}].name"));
         return Err(d.into());
     }
     Ok(())
 }
 
 /// Refuses a case without load, and loads whose energy is beyond the range of numbers (1e300 MPa).
-fn check_sizes(input: &SpecFile) -> Result<(), Diagnostics> {
+fn check_sizes(spec: &Parsed<ConnectionSpec>) -> Result<(), Diagnostics> {
     let refuse = |path: String, code, message: String, help: &str| {
         let mut d = Diagnostic::input(code, message).help(help);
-        d.place = input.spec.index.place(&path);
+        d.place = spec.index.place(&path);
         Err(d.into())
     };
-    let loads = &input.spec.value.loads;
+    let loads = &spec.value.loads;
     for (i, load) in loads.iter().enumerate() {
         for Quantity { key, value, unit, sizes } in quantities(load) {
             let size = value.abs();

@@ -200,6 +200,24 @@ fn finite_elements_of_every_case() {
     assert!(bench.everything() == before, "the second run changed a file");
 }
 
+/// A case that waits for limit analysis is open, whatever its checks say.
+#[test]
+fn checks_are_no_answer_where_limit_analysis_follows() {
+    let bench = bench(&format!("{CHECKS}then: {{limit: passing}}\n"));
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "x"], 0);
+    // a mesher that ends at once: the checks are done, no case has limit analysis
+    let mesher = bench.mesher("exit 7");
+    let run = |args: &[&str]| {
+        let run = bench.command(args).env("BRACKET_GMSH", &mesher).output().expect("starts");
+        String::from_utf8_lossy(&run.stdout).into_owned()
+    };
+    run(&["batch", "run", "x"]);
+    std::fs::remove_dir_all(bench.path().join("x/records")).expect("removed");
+    let out = run(&["batch", "status", "x"]);
+    let open = out.split(", ").last().unwrap_or_default();
+    assert!(open.contains("not finished") && !out.contains(" ok"), "{out}");
+}
+
 /// A mesher that hangs, crashes or fills the memory ends its case with a name and no other.
 #[cfg(target_os = "linux")]
 #[test]
@@ -226,6 +244,77 @@ fn a_failing_process_ends_its_case() {
         let work = std::fs::read_dir(bench.path().join("sweep/work"));
         assert_eq!(work.map(|d| d.count()).unwrap_or(0), 0, "{script}: work is left");
     }
+}
+
+/// A capacity is the load factor times the load of the case, also where `set` gives the load.
+#[test]
+fn capacities_do_not_depend_on_how_the_load_is_written() {
+    let capacity = |load: &str| {
+        let tables = "tables: [{title: T, rows: members.beam.profile, columns: plate.thickness, \
+                      action: My}]\n";
+        let sweep = CHECKS.replace("set:\n", &format!("set:\n{load}"));
+        let bench = bench(&format!("{sweep}{tables}expect: [bad_input == 0]\n"));
+        expect(&bench, &["batch", "sweep.yaml"], 0);
+        let rows = rows(&bench, "sweep");
+        let table = bench.read("sweep/tables.md");
+        for row in &rows {
+            let moment = row["M_j_Rd_kNm"].as_f64().expect("M_j,Rd");
+            let shown = format!("*{:.1}*", (10.0 * moment).floor() / 10.0);
+            assert!(table.contains(&shown), "{shown} in {table}");
+        }
+        table
+    };
+    // without axial force the capacity is M_j,Rd, whatever the load
+    let [given, set] = ["", "  loads.ULS1.My: -20 kN m\n"].map(capacity);
+    assert_eq!(given.replace(" (a check fails)", ""), set.replace(" (a check fails)", ""));
+}
+
+/// What changed since the plan, and a plan that was cut off, are refused: results would stand under
+/// the wrong keys.
+#[test]
+fn a_plan_of_other_inputs_is_refused() {
+    let template = include_str!("../../templates/beam_splice.yaml");
+    let base = SPLICE.replace("template: beam_splice", "template: ./mine.yaml");
+    let bench = Bench::new()
+        .file("joint.yaml", base)
+        .file("mine.yaml", template)
+        .file("sweep.yaml", CHECKS);
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "x"], 0);
+    std::fs::write(bench.path().join("mine.yaml"), format!("{template}# a remark\n")).expect("ok");
+    // the plan knows where the template is, from any folder
+    let mut elsewhere = bench.command(&["batch", "run", &bench.path().join("x").to_string_lossy()]);
+    assert!(elsewhere.current_dir("/").status().expect("starts").success());
+    let changed = template.replace("plate.thickness, about", "plate.thickness, about: x, about");
+    let changed = if changed == template {
+        template.replacen("title:", "title: Other; was", 1)
+    } else {
+        changed
+    };
+    std::fs::write(bench.path().join("mine.yaml"), changed).expect("written");
+    let (_, err) = expect(&bench, &["batch", "run", "x"], 2);
+    assert!(err.contains("sweep/changed"), "{err}");
+    std::fs::write(bench.path().join("mine.yaml"), template).expect("written");
+    let cases = bench.read("x/cases.jsonl");
+    let fewer: String = cases.lines().take(3).map(|l| format!("{l}\n")).collect();
+    std::fs::write(bench.path().join("x/cases.jsonl"), fewer).expect("written");
+    let (_, err) = expect(&bench, &["batch", "run", "x"], 2);
+    assert!(err.contains("sweep/torn"), "{err}");
+    // the help holds: planning again mends it, also where the plan itself is damaged
+    std::fs::write(bench.path().join("x/plan.json"), "{").expect("written");
+    expect(&bench, &["batch", "plan", "sweep.yaml", "-o", "x"], 0);
+    expect(&bench, &["batch", "run", "x"], 0);
+}
+
+/// A table may say which verdict each joint has; a joint with another one is named.
+#[test]
+fn expected_verdicts_of_a_table() {
+    let table = "name,loads.ULS1.My [kN m],expect\nA,-20,ok\nB,-200,not ok\nC,-20,\n";
+    let sweep = "base: joint.yaml\nfirst: checks\ntable: t.csv\n";
+    let right = bench(sweep).file("t.csv", table);
+    expect(&right, &["batch", "sweep.yaml"], 0);
+    let wrong = bench(sweep).file("t.csv", table.replace("not ok", "ok"));
+    let (_, err) = expect(&wrong, &["batch", "sweep.yaml"], 1);
+    assert!(err.contains("expected, and not so: B: ok, found not_ok"), "{err}");
 }
 
 /// Conditions on the outcome replace the rule of the worst case.

@@ -8,7 +8,7 @@ type Wrong = (&'static str, &'static str, [&'static str; 4]);
 
 const AXES: &str = "base: joint.yaml\nfirst: checks\n";
 
-const WRONG: [Wrong; 24] = [
+const WRONG: [Wrong; 31] = [
     ("", "", ["yaml/empty", "sweep.yaml", "empty", "`bracket new`"]),
     ("AXES", "", ["sweep/value", "sweep.yaml:1", "varies nothing", "give `axes`"]),
     (
@@ -118,6 +118,43 @@ const WRONG: [Wrong; 24] = [
         "AXEStable: t.csv\naxes: {plate.thickness: [12]}",
         "plate.thickness\n10\n",
         ["sweep/value", "sweep.yaml:4", "varied by the table", "one place only"],
+    ),
+    (
+        "AXESaxes: {plate.width: [180, 200]}\nset: {plate.width: 2 * beam.b}",
+        "",
+        ["sweep/value", "sweep.yaml:4", "is varied by the axis", "one place only"],
+    ),
+    (
+        "AXESaxes: {loads.ULS1.My: [-20 kN m], \"loads[0].My\": [-30 kN m]}",
+        "",
+        ["sweep/value", "sweep.yaml:3", "is varied by the axis", "one place only"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nset: {plate.width: 2 * beam.b, bolts.gauge: \
+         plate.width / 2}",
+        "",
+        ["sweep/value", "sweep.yaml:4", "which `set` changes", "expression of the other value"],
+    ),
+    (
+        "AXESaxes: {catalog: [a, b]}",
+        "",
+        ["sweep/value", "sweep.yaml:3", "one folder for the whole sweep", "--catalog DIR"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10], plate.width: [180]}\ntables: [{title: T, rows: \
+         plate.width, columns: plate.thickness, only: {plate.thickness: 12}, action: My}]",
+        "",
+        ["sweep/value", "sweep.yaml:4", "which no case has", "as the axis writes it"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nlimits: {memory: 8 bananas}",
+        "",
+        ["sweep/value", "sweep.yaml:4", "`limits.memory`", "8GiB"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nlimits: {threads: 0}",
+        "",
+        ["sweep/value", "sweep.yaml:4", "`limits.threads` is 0", "1 or more"],
     ),
 ];
 

@@ -11,7 +11,12 @@ let sorted = { key: "outcome", up: true };
 
 function shown(key, value) {
   if (value === null) return "";
-  if (typeof value === "number" && !Number.isInteger(value)) return String(Number(value.toPrecision(4)));
+  if (typeof value === "number" && !Number.isInteger(value)) {
+    // bounds are rounded outwards
+    const ends = { lambda_low: Math.floor, utilisation_low: Math.floor, lambda_up: Math.ceil, utilisation_up: Math.ceil };
+    const unit = 10 ** (Math.floor(Math.log10(Math.abs(value))) - 3);
+    return String(Number(((ends[key] ?? Math.round)(value / unit) * unit).toPrecision(12)));
+  }
   return String(value).replaceAll("_", key === "case" || key === "result" ? "_" : " ");
 }
 
@@ -80,9 +85,10 @@ function chart() {
   };
   const [w, h, left, bottom] = [760, 380, 60, 45];
   const factors = points.flatMap(r => [r.lambda_low, r.lambda_up, r.component_factor]).filter(x => typeof x === "number");
-  const most = Math.max(1.2, ...factors.map(f => Math.min(f, 1e6)));
+  const most = factors.reduce((a, f) => Math.max(a, Math.min(f, 1e6)), 1.2);
   const masses = points.map(r => r.mass_kg);
-  const [m0, m1] = [0.95 * Math.min(...masses), 1.05 * Math.max(...masses)];
+  const m0 = 0.95 * masses.reduce((a, b) => Math.min(a, b));
+  const m1 = 1.05 * masses.reduce((a, b) => Math.max(a, b));
   const x = m => left + (w - left - 15) * (m - m0) / (m1 - m0 || 1);
   const y = f => h - bottom - (h - bottom - 15) * Math.min(f, most) / most;
   const svg = make("svg", { viewBox: `0 0 ${w} ${h}`, width: w, role: "img", "aria-label": "mass against load factor" });
