@@ -76,9 +76,14 @@ pub fn plan(needs: &[u64], room: u64) -> Plan {
     Plan { starts, together: sum <= room }
 }
 
-/// An entry of `/proc/self/status` \[bytes\]; `None` where the system has no such file.
+/// An entry of the status of this process \[bytes\]; `None` where the system does not report it.
 fn own(key: &str) -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    status_of("self", key)
+}
+
+/// An entry of `/proc/PROCESS/status` \[bytes\]; `None` where the system has no such file.
+fn status_of(process: &str, key: &str) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let kib: u64 =
         status.lines().find(|l| l.starts_with(key))?.split_whitespace().nth(1)?.parse().ok()?;
     Some(kib * 1024)
@@ -87,6 +92,11 @@ fn own(key: &str) -> Option<u64> {
 /// Resident memory of this process \[bytes\]; 0 where the system does not report it.
 fn resident() -> u64 {
     own("VmRSS:").unwrap_or(0)
+}
+
+/// Resident memory of another process \[bytes\]; 0 where the system does not report it.
+pub fn resident_of(pid: u32) -> u64 {
+    status_of(&pid.to_string(), "VmRSS:").unwrap_or(0)
 }
 
 /// Restarts the measurement of [`peak_memory_mib`], where the system can (Linux).

@@ -36,9 +36,6 @@ pub struct Joint {
     pub notes: Vec<String>,
     /// Lines of action of the bolts whose nuts are in contact.
     pub bolts: Vec<BoltLine>,
-    /// The names of the template with their values: `beam.h`, `bolt.d`, `plate.thickness`.
-    #[serde(skip)]
-    pub names: Scope,
 }
 
 /// A template with its origin, read once for all the specs that use it.
@@ -123,7 +120,6 @@ pub fn build_from(
     resolved.push(inputs.friction_resolved(&spec.value));
     resolved.extend(inputs.factors_resolved().iter().cloned());
     Ok(Joint {
-        names: scope,
         assembly,
         resolved,
         catalogue: inputs.catalogue(),

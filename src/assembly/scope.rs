@@ -34,7 +34,7 @@ pub struct Resolved {
 type Limits = (Option<f64>, Option<f64>, Option<String>);
 
 /// A loop variable in one pass of its loop.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct Turn {
     name: String,
     value: Value,
@@ -43,7 +43,7 @@ struct Turn {
 }
 
 /// All names of one evaluation.
-#[derive(Clone, Debug, PartialEq, std::default::Default)]
+#[derive(Clone, Debug, std::default::Default)]
 pub struct Scope {
     values: BTreeMap<String, Value>,
     lists: BTreeMap<String, usize>,

@@ -1,5 +1,6 @@
 //! The finite elements of the cases of a shard, several processes side by side.
 
+use super::forecast::time_limit;
 use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
 use super::screen::Kit;
@@ -8,9 +9,6 @@ use super::sweep::Who;
 use super::sweep_folder::SweepFolder;
 use super::worker::{Job, ProcessLimits, analyse, found};
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::memory_limit;
-use crate::spec::connection::ConnectionSpec;
-use serde::Deserialize;
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -33,6 +31,7 @@ pub fn wanted(who: Who, record: &Record) -> bool {
 }
 
 /// The cases of a shard that need finite elements and have no record yet, the longest first.
+/// `memory`: the memory of each \[bytes\].
 pub fn jobs(
     folder: &SweepFolder,
     plan: &Plan,
@@ -43,7 +42,6 @@ pub fn jobs(
     let header = &plan.header;
     let mut seen = BTreeSet::new();
     let mut jobs: Vec<(f64, Job)> = Vec::new();
-    let limits = |spec: &serde_json::Value| process_limits(header, spec, memory);
     let runs = folder.runs(&plan.cases);
     for run in shard.of(&runs) {
         let records = match header.first {
@@ -66,7 +64,7 @@ pub fn jobs(
             }
             let mut spec = kit.spec(&header.expansion, case.index)?;
             title(&mut spec, &case.name);
-            let limits = limits(&spec)?;
+            let limits = process_limits(header, &spec, memory);
             let limit = header.then.is_some();
             let job = Job { key: case.key.clone(), spec, checked, limit, limits };
             jobs.push((limits.time.as_secs_f64(), job));
@@ -87,21 +85,11 @@ fn title(spec: &mut serde_json::Value, name: &str) {
     spec["project"]["title"] = title.into();
 }
 
-fn process_limits(
-    header: &Header,
-    spec: &serde_json::Value,
-    memory: u64,
-) -> Result<ProcessLimits, Diagnostics> {
-    let own = ConnectionSpec::deserialize(spec).ok().and_then(|s| s.analysis.time_limit);
-    let of_analysis = own.map_or(LONGEST, |t| 2.0 * t.0 + SLACK);
+fn process_limits(header: &Header, spec: &serde_json::Value, memory: u64) -> ProcessLimits {
+    let of_analysis = time_limit(spec).map_or(LONGEST, |t| 2.0 * t + SLACK);
     let time = Duration::try_from_secs_f64(header.limits.time.map_or(of_analysis, |t| t.0))
         .unwrap_or(Duration::MAX);
-    let memory = match &header.limits.memory {
-        Some(text) => memory_limit::parse(text)?,
-        None => memory,
-    };
-    let threads = header.limits.threads.unwrap_or(1);
-    Ok(ProcessLimits { time, memory, threads })
+    ProcessLimits { time, memory, threads: header.limits.threads() }
 }
 
 /// Analyses the jobs, `workers` at once. `progress` gets every record.

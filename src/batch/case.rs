@@ -26,10 +26,11 @@ pub fn key(spec: &ConnectionSpec, common: &str) -> String {
     blake3::hash(format!("{common}{text}").as_bytes()).to_hex()[..32].to_string()
 }
 
-/// The part of a key that all cases with one template share: the versions of program and mesher,
-/// what is computed, the template, and the user's own tables as text.
+/// The part of a key that all cases with one template share: a hash of the versions of program and
+/// mesher, what is computed, the template, and the user's own tables.
 pub fn common(template: &LoadedTemplate, shared: &str) -> String {
-    format!("{shared}\n{}\n", template.content())
+    let text = format!("{shared}\n{}\n", template.content());
+    blake3::hash(text.as_bytes()).to_hex().to_string()
 }
 
 /// The part of a key that all cases of a sweep share.

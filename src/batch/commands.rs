@@ -17,7 +17,6 @@ use super::sweep_folder::{SweepFolder, write_whole};
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
-use crate::driver::memory_limit;
 use crate::mesh::gmsh::Mesher;
 use crate::report::console::log::Log;
 use crate::report::figures::bracket as bracket_of;
@@ -44,6 +43,11 @@ pub struct RunOptions {
     pub jobs: Option<usize>,
 }
 
+/// Version of the mesher; empty if no case is meshed.
+fn mesher_version(meshes: bool) -> Result<String, Diagnostics> {
+    Ok(if meshes { Mesher::find()?.version } else { String::new() })
+}
+
 /// Plans a sweep into a folder.
 pub fn plan(
     sweep: &Path,
@@ -53,8 +57,7 @@ pub fn plan(
 ) -> Result<Plan, Diagnostics> {
     let start = Instant::now();
     let file = SweepFile::read(sweep, catalog)?;
-    let meshes = !file.checks_first() || file.sweep.value.then.is_some();
-    let mesher = if meshes { Mesher::find()?.version } else { String::new() };
+    let mesher = mesher_version(file.meshes())?;
     file.catalog
         .warnings()
         .iter()
@@ -88,8 +91,7 @@ pub fn run(
 ) -> Result<(), Diagnostics> {
     interrupt.begin(log, WHEN_INTERRUPTED, || {});
     let header = &plan.header;
-    let mesher = if header.meshes() { Mesher::find()?.version } else { String::new() };
-    let kit = header.kit(&mesher)?;
+    let kit = header.kit(&mesher_version(header.meshes())?)?;
     if header.first.is_some() {
         let start = Instant::now();
         let mut done = 0;
@@ -103,20 +105,21 @@ pub fn run(
     if interrupt.asked() {
         return Ok(());
     }
-    let threads = header.limits.threads.unwrap_or(1) as usize;
+    let threads = header.limits.threads() as usize;
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let workers = options.jobs.unwrap_or((processors / threads.max(1)).max(1));
-    let memory = room(None).map_or(USUAL_MEMORY, |r| r.bytes / workers as u64);
+    let share = room(None).map_or(USUAL_MEMORY, |r| r.bytes / workers as u64);
+    let memory = header.limits.memory(share)?;
     let jobs = jobs(folder, plan, &kit, options.shard, memory)?;
     if jobs.is_empty() {
         return Ok(());
     }
     let total = jobs.len();
     log.line(format!("finite elements: {total} of {} cases, {workers} at once", plan.cases.len()));
-    let done: Mutex<Vec<Record>> = Mutex::default();
+    let done: Mutex<usize> = Mutex::default();
     let progress = |record: &Record| {
         let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
-        done.push(record.clone());
+        *done += 1;
         let name = plan.cases.iter().find(|c| c.key == record.key).map_or("", |c| c.name.as_str());
         let seconds = record.seconds.map_or_else(String::new, |s| format!(", {s:.0} s"));
         let bracket = record.loads.iter().filter_map(|l| Some((l.lower?, l.upper?)));
@@ -126,7 +129,7 @@ pub fn run(
             format!(", load factor {low} to {up}")
         });
         let word = record.outcome.word().replace('_', " ");
-        log.line(format!("{} of {total}: {name}: {word}{bracket}{seconds}", done.len()));
+        log.line(format!("{} of {total}: {name}: {word}{bracket}{seconds}", *done));
     };
     analyse_all(jobs, header, folder, workers, &interrupt.flag(), &progress)?;
     Ok(())
@@ -147,11 +150,8 @@ pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnosti
         .limits
         .time
         .map_or_else(|| 2.0 * seconds.iter().copied().fold(0.0, f64::max), |t| t.0);
-    let memory = match &header.limits.memory {
-        Some(text) => memory_limit::parse(text)?,
-        None => USUAL_MEMORY,
-    };
-    Ok(Array::new(&seconds, longest, tasks, memory, header.limits.threads.unwrap_or(1)))
+    let memory = header.limits.memory(USUAL_MEMORY)?;
+    Ok(Array::new(&seconds, longest, tasks, memory, header.limits.threads()))
 }
 
 /// Merges the records into the tables; reports the counts, and returns the exit status of the
@@ -165,17 +165,13 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
     write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
-    let tables: Vec<_> = match plan.header.tables.is_empty() {
-        true => Vec::new(),
-        false => {
-            let kit = plan.header.kit(&plan.header.mesher)?;
-            plan.header.tables.iter().map(|t| fill(t, plan, &kit, &records)).collect()
-        }
-    };
-    if tables.is_empty() {
+    let mut tables = Vec::new();
+    if plan.header.tables.is_empty() {
         // those of an earlier plan
         let _ = std::fs::remove_file(path.join("tables.md"));
     } else {
+        let kit = plan.header.kit(&plan.header.mesher)?;
+        tables.extend(plan.header.tables.iter().map(|t| fill(t, plan, &kit, &records)));
         let text: Vec<String> = tables.iter().map(|t| t.markdown()).collect();
         write_whole(&path.join("tables.md"), text.join("\n").as_bytes())?;
     }

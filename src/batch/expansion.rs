@@ -107,6 +107,13 @@ impl Expansion {
         if parts.is_empty() { "base".into() } else { parts.join(" ") }
     }
 
+    /// The spec with a step of the dimension `i` beside the first steps of the others.
+    fn beside_first(&self, i: usize, step: &Step) -> Result<Value, String> {
+        let mut steps: Vec<&Step> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
+        steps[i] = step;
+        self.with(&steps)
+    }
+
     /// Checks every value of every dimension on its own, beside the first values of the others.
     /// A number at a path that holds a text becomes a text: `8.8` of a bolt grade.
     pub fn settle(&mut self, place: &PlaceIndex) -> Result<(), Diagnostics> {
@@ -114,9 +121,7 @@ impl Expansion {
         self.words_for_numbers();
         for (i, d) in self.dimensions.iter().enumerate() {
             for step in &d.steps {
-                let mut steps: Vec<&Step> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
-                steps[i] = step;
-                let fault = match self.with(&steps) {
+                let fault = match self.beside_first(i, step) {
                     Err(message) => {
                         let help = "name entries as in the base spec, or give them there first";
                         Some(Diagnostic::input("sweep/path", message).help(help))
@@ -184,10 +189,8 @@ impl Expansion {
                     continue;
                 };
                 let at_fault = |step: &Step| {
-                    let mut steps: Vec<&Step> =
-                        self.dimensions.iter().map(|d| &d.steps[0]).collect();
-                    steps[i] = step;
-                    let fault = self.with(&steps).ok().and_then(|s| typed(&s, &self.file).err());
+                    let spec = self.beside_first(i, step).ok();
+                    let fault = spec.and_then(|s| typed(&s, &self.file).err());
                     let path = canonical(self.dimensions[i].paths[k].text(), &self.base);
                     fault.and_then(|f| f.place.path).is_some_and(|at| covers(&path, &at))
                 };

@@ -4,6 +4,7 @@ use super::plan::Plan;
 use super::screen::Kit;
 use crate::spec::connection::ConnectionSpec;
 use serde::Deserialize;
+use serde_json::Value;
 
 /// Time of the checks of a case on one core \[s\].
 const CHECKS: f64 = 5e-4;
@@ -17,20 +18,24 @@ const USED: f64 = 0.9;
 /// Meshing, pictures and report of a case \[s\].
 const AROUND: f64 = 15.0;
 
+/// The time limit of a spec's analysis \[s\].
+pub fn time_limit(spec: &Value) -> Option<f64> {
+    let spec = ConnectionSpec::deserialize(spec).ok()?;
+    spec.analysis.time_limit.map(|t| t.0)
+}
+
 /// Seconds of each case, if every case that may be analysed is analysed.
 pub fn seconds(plan: &Plan, kit: &Kit) -> Vec<f64> {
     let header = &plan.header;
     let checks = if header.first.is_some() { CHECKS } else { 0.0 };
-    let elements = header.first.is_none() || header.then.is_some();
+    let elements = header.meshes();
     let one = |index: u64| {
         if !elements {
             return checks;
         }
         let spec = kit.spec(&header.expansion, index).ok();
-        let limit = spec
-            .and_then(|s| ConnectionSpec::deserialize(&s).ok())
-            .and_then(|s| s.analysis.time_limit);
-        checks + AROUND + limit.map_or(USUAL, |t| USED * t.0)
+        let limit = spec.and_then(|s| time_limit(&s));
+        checks + AROUND + limit.map_or(USUAL, |t| USED * t)
     };
     plan.cases.iter().map(|c| one(c.index)).collect()
 }

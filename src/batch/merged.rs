@@ -15,7 +15,7 @@ pub fn records(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>,
     let mut out: Vec<Option<Record>> = Vec::with_capacity(plan.cases.len());
     let checks = plan.header.first.is_some();
     let mut analysed: BTreeMap<&str, Option<Record>> = BTreeMap::new();
-    let elements = !checks || plan.header.then.is_some();
+    let elements = plan.header.meshes();
     for run in folder.runs(&plan.cases) {
         let checked = if checks { folder.checked(run)? } else { None };
         for (i, case) in run.iter().enumerate() {

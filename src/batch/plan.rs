@@ -3,7 +3,7 @@
 use super::case::{Case, common, key, own_tables, shared};
 use super::expansion::{Expansion, typed};
 use super::screen::Kit;
-use super::sweep::{CapacityTable, CaseLimits, First, Then};
+use super::sweep::{CapacityTable, CaseLimits, First, Then, meshes};
 use super::sweep_file::{SweepFile, open_catalog};
 use crate::assembly::names;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -162,7 +162,7 @@ impl Header {
 
     /// Whether cases are meshed.
     pub fn meshes(&self) -> bool {
-        self.first.is_none() || self.then.is_some()
+        meshes(self.first, self.then)
     }
 }
 

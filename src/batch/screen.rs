@@ -7,7 +7,7 @@ use crate::assembly::assembly::PartRole;
 use crate::assembly::{Joint, LoadedTemplate, build_from, given_names};
 use crate::catalog::Catalog;
 use crate::checks::verdict::Verdict;
-use crate::checks::{Analysed, HandChecks, hand_checks, judge};
+use crate::checks::{Analysed, Comparison, HandChecks, hand_checks, judge};
 use crate::diag::Diagnostic;
 use crate::driver::demands::demands;
 use crate::driver::spec_checks::check_loads;
@@ -160,12 +160,16 @@ fn record(key: &str, joint: &Joint, spec: &ConnectionSpec) -> Record {
 
 /// M_j,Rd, load factor and S_j,ini of the component method in a load case: of the member end that
 /// reaches its resistance first.
-pub fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<f64>) {
-    let ends = checks.comparisons.iter().filter(|c| c.case == case);
-    let factor = |c: &crate::checks::Comparison| c.factor.unwrap_or(f64::INFINITY);
-    let first = ends.min_by(|a, b| factor(a).total_cmp(&factor(b)));
+fn method(checks: &HandChecks, case: &str) -> (Option<f64>, Option<f64>, Option<f64>) {
+    let first = first_end(checks.comparisons.iter().filter(|c| c.case == case));
     let stiffness = checks.moments.iter().find(|m| m.case == case).map(|m| m.component_method);
     (first.map(|c| c.resistance), first.and_then(|c| c.factor), stiffness)
+}
+
+/// Of the member ends of a load case the one that reaches its resistance first.
+pub fn first_end<'a>(ends: impl Iterator<Item = &'a Comparison>) -> Option<&'a Comparison> {
+    let factor = |c: &Comparison| c.factor.unwrap_or(f64::INFINITY);
+    ends.min_by(|a, b| factor(a).total_cmp(&factor(b)))
 }
 
 /// Mass of the end plates and bolts \[kg\]: plates without their holes, bolts as shank, head and

@@ -1,6 +1,8 @@
 //! The types of `SWEEP.yaml` (docs/contract.md): which joints, what is asked of each, and what is
 //! printed.
 
+use crate::diag::Diagnostics;
+use crate::driver::memory_limit;
 use crate::spec::expr::Expr;
 use crate::spec::loads::Action;
 use crate::units::Seconds;
@@ -79,6 +81,11 @@ pub struct Then {
     pub limit: Who,
 }
 
+/// Whether cases are meshed: all where no checks come first, some where analyses follow them.
+pub fn meshes(first: Option<First>, then: Option<Then>) -> bool {
+    first.is_none() || then.is_some()
+}
+
 /// Which cases get finite elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -127,4 +134,16 @@ pub struct CaseLimits {
     /// Threads of a case. Left out: one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threads: Option<u32>,
+}
+
+impl CaseLimits {
+    /// Threads of a case.
+    pub fn threads(&self) -> u32 {
+        self.threads.unwrap_or(1)
+    }
+
+    /// Memory of a case \[bytes\]; `usual` where the user gives none.
+    pub fn memory(&self, usual: u64) -> Result<u64, Diagnostics> {
+        self.memory.as_deref().map_or(Ok(usual), memory_limit::parse)
+    }
 }

@@ -4,11 +4,10 @@ use super::axis;
 use super::derived::Derived;
 use super::dimension::{Dimension, words};
 use super::expansion::{Expansion, canonical, covers};
-use super::sweep::{CapacityTable, First, Sweep, Then};
+use super::sweep::{CapacityTable, Sweep, Then, meshes};
 use super::table;
 use crate::catalog::Catalog;
 use crate::diag::{Diagnostic, Diagnostics};
-use crate::driver::memory_limit;
 use crate::spec::yaml::{self, Parsed, PlaceIndex};
 use crate::text_file;
 use serde_json::Value;
@@ -99,12 +98,10 @@ impl SweepFile {
         one_place_each(&dimensions, &derived, &base)
             .and_then(|()| tables_have_cases(&sweep.value.tables, &dimensions))
             .map_err(|(message, path, help)| at(message, &path, help))?;
-        if let Some(text) = &sweep.value.limits.memory {
-            memory_limit::parse(text).map_err(|f| {
-                let message = f.into_first().message.replace("--memory-limit", "`limits.memory`");
-                at(message, "limits.memory", "write a number with its unit: `8GiB`")
-            })?;
-        }
+        sweep.value.limits.memory(0).map_err(|f| {
+            let message = f.into_first().message.replace("--memory-limit", "`limits.memory`");
+            at(message, "limits.memory", "write a number with its unit: `8GiB`")
+        })?;
         if sweep.value.limits.threads == Some(0) {
             return Err(at("`limits.threads` is 0".into(), "limits.threads", "write 1 or more"));
         }
@@ -113,9 +110,9 @@ impl SweepFile {
         Ok(Self { sweep, expansion, folder, catalog_folder, catalog })
     }
 
-    /// True if every case is checked before any mesh.
-    pub fn checks_first(&self) -> bool {
-        self.sweep.value.first == Some(First::Checks)
+    /// Whether cases are meshed.
+    pub fn meshes(&self) -> bool {
+        meshes(self.sweep.value.first, self.sweep.value.then)
     }
 }
 

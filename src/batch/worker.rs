@@ -3,7 +3,9 @@
 
 use super::plan::Header;
 use super::row::{LoadRow, Outcome, Record};
+use super::screen::first_end;
 use super::sweep_folder::{SweepFolder, unique, write_whole};
+use crate::analysis::memory::resident_of;
 use crate::checks::judgement::Governing;
 use crate::diag::Diagnostic;
 use crate::driver::interrupt::END_WITH_PARENT;
@@ -71,15 +73,6 @@ pub fn analyse(
     let start = Instant::now();
     let found = run(job, header, &work, interrupt).and_then(|end| match end {
         End::Interrupted => Ok(None),
-        // schedulers signal this process and its cases together
-        End::Exit(_)
-            if {
-                std::thread::sleep(ECHO);
-                interrupt.load(Ordering::Relaxed)
-            } =>
-        {
-            Ok(None)
-        }
         end => {
             let mut record = outcome(job, &end, &work);
             record.seconds = Some(start.elapsed().as_secs_f64());
@@ -183,14 +176,17 @@ fn wait(child: &mut Child, limits: ProcessLimits, interrupt: &AtomicBool) -> std
         if let Some(status) = child.try_wait()? {
             // the mesher of a process that crashed would work on
             kill_all(&family);
-            return Ok(match asked {
-                Some((_, true)) => End::Interrupted,
-                Some((_, false)) => End::TimeLimit,
-                None => End::Exit(status),
-            });
+            if let Some((_, stop)) = asked {
+                return Ok(if stop { End::Interrupted } else { End::TimeLimit });
+            }
+            // schedulers signal this process and its cases together
+            std::thread::sleep(ECHO);
+            let stop = interrupt.load(Ordering::Relaxed);
+            return Ok(if stop { End::Interrupted } else { End::Exit(status) });
         }
         family = descendants(child.id());
-        let memory = family.iter().map(|pid| resident(*pid)).sum::<u64>() + resident(child.id());
+        let memory =
+            family.iter().map(|pid| resident_of(*pid)).sum::<u64>() + resident_of(child.id());
         if memory > limits.memory {
             kill(child, &family)?;
             return Ok(End::Memory);
@@ -223,14 +219,6 @@ fn descendants(pid: u32) -> Vec<u32> {
         }
     }
     out
-}
-
-/// Memory that a process holds \[bytes\]; 0 if the system does not tell.
-fn resident(pid: u32) -> u64 {
-    let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
-    let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"));
-    let kib = line.and_then(|l| l.trim().trim_end_matches("kB").trim().parse::<u64>().ok());
-    kib.unwrap_or(0) << 10
 }
 
 /// Asks a process to end; it then writes what is certified.
@@ -335,11 +323,7 @@ fn finished(job: &Job, result: &ResultFile) -> Record {
         let Some(demand) = &c.demand else { continue };
         // those that the verdict is based on: strict, with friction the lower one without it
         let (lower, upper) = c.factor_bounds();
-        let method = demand.component_method.iter();
-        let first = method.min_by(|a, b| {
-            let of = |c: &crate::checks::Comparison| c.factor.unwrap_or(f64::INFINITY);
-            of(a).total_cmp(&of(b))
-        });
+        let first = first_end(demand.component_method.iter());
         let at = record.loads.iter().position(|l| l.case == c.name);
         let row = LoadRow {
             case: c.name.clone(),
