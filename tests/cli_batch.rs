@@ -2,6 +2,8 @@
 
 #[path = "cli/bench.rs"]
 mod bench;
+#[path = "cli/choices.rs"]
+mod choices;
 #[path = "cli/sweeps.rs"]
 mod sweeps;
 #[path = "cli/wrong_sweeps.rs"]

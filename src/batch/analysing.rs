@@ -1,11 +1,13 @@
 //! The finite elements of the cases of a shard, several processes side by side.
 
+use super::case::Case;
+use super::choice;
 use super::forecast::time_limit;
 use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
 use super::screen::Kit;
 use super::shard::Shard;
-use super::sweep::Who;
+use super::sweep::{Choose, Who};
 use super::sweep_folder::SweepFolder;
 use super::worker::{Job, ProcessLimits, analyse, found};
 use crate::diag::{Diagnostic, Diagnostics};
@@ -30,18 +32,51 @@ pub fn wanted(who: Who, record: &Record) -> bool {
     }
 }
 
-/// The cases of a shard that need finite elements and have no record yet, the longest first.
-/// `memory`: the memory of each \[bytes\].
-pub fn jobs(
+/// Jobs that are done one after another.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// The jobs.
+    pub jobs: Vec<Job>,
+    /// Whether the first joint that holds ends the chain: the dearer ones are not needed.
+    pub first_that_holds: bool,
+}
+
+impl Chain {
+    /// The longest time that the chain can take \[s\].
+    fn seconds(&self) -> f64 {
+        self.jobs.iter().map(|j| j.limits.time.as_secs_f64()).sum()
+    }
+}
+
+/// The work with finite elements of a shard that has no record yet, the longest chain first.
+/// `memory`: the memory of each job \[bytes\].
+pub fn chains(
     folder: &SweepFolder,
     plan: &Plan,
     kit: &Kit,
     shard: Shard,
     memory: u64,
-) -> Result<Vec<Job>, Diagnostics> {
+) -> Result<Vec<Chain>, Diagnostics> {
+    let mut chains = match &plan.header.choose {
+        Some(choose) => of_groups(folder, plan, kit, choose, shard, memory)?,
+        None => of_cases(folder, plan, kit, shard, memory)?,
+    };
+    // a stable sort: equal chains keep the order of the plan
+    chains.sort_by(|a, b| b.seconds().total_cmp(&a.seconds()));
+    Ok(chains)
+}
+
+/// A chain of its own for every case.
+fn of_cases(
+    folder: &SweepFolder,
+    plan: &Plan,
+    kit: &Kit,
+    shard: Shard,
+    memory: u64,
+) -> Result<Vec<Chain>, Diagnostics> {
     let header = &plan.header;
     let mut seen = BTreeSet::new();
-    let mut jobs: Vec<(f64, Job)> = Vec::new();
+    let mut chains = Vec::new();
     let runs = folder.runs(&plan.cases);
     for run in shard.of(&runs) {
         let records = match header.first {
@@ -49,30 +84,73 @@ pub fn jobs(
             None => None,
         };
         for (i, case) in run.iter().enumerate() {
-            let checked = records.as_ref().map(|r| r[i].clone());
-            let asked = match (&checked, header.then) {
+            let checked = records.as_ref().map(|r| &r[i]);
+            let asked = match (checked, header.then) {
                 (Some(record), Some(then)) => wanted(then.limit, record),
                 (None, _) => header.first.is_none(),
                 (Some(_), None) => false,
             };
-            if !asked || !seen.insert(&case.key) {
+            if !asked || !seen.insert(&case.key) || answered(folder, case)?.is_some() {
                 continue;
             }
-            // what gave no result is tried again: the machine or the limits may be others now
-            if folder.analysed(&case.key)?.is_some_and(|r| r.is_final()) {
-                continue;
-            }
-            let mut spec = kit.spec(&header.expansion, case.index)?;
-            title(&mut spec, &case.name);
-            let limits = process_limits(header, &spec, memory);
-            let limit = header.then.is_some();
-            let job = Job { key: case.key.clone(), spec, checked, limit, limits };
-            jobs.push((limits.time.as_secs_f64(), job));
+            let jobs = vec![job(plan, kit, case, checked, memory)?];
+            chains.push(Chain { jobs, first_that_holds: false });
         }
     }
-    // a stable sort: cases with equal limits keep the order of the plan
-    jobs.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Ok(jobs.into_iter().map(|(_, job)| job).collect())
+    Ok(chains)
+}
+
+/// A chain for every group of the choice: its candidates from the cheapest upward, up to the first
+/// that is known to hold.
+fn of_groups(
+    folder: &SweepFolder,
+    plan: &Plan,
+    kit: &Kit,
+    choose: &Choose,
+    shard: Shard,
+    memory: u64,
+) -> Result<Vec<Chain>, Diagnostics> {
+    let checked = folder.all_checked(&plan.cases)?;
+    let mut chains = Vec::new();
+    for group in shard.of(&choice::groups(plan, choose)) {
+        let mut jobs = Vec::new();
+        for c in choice::candidates(group, plan, kit, choose, &checked) {
+            if !c.analyse {
+                break;
+            }
+            let case = &plan.cases[c.case];
+            match answered(folder, case)? {
+                Some(record) if record.outcome == Outcome::Ok => break,
+                Some(_) => {}
+                None => jobs.push(job(plan, kit, case, checked[c.case].as_ref(), memory)?),
+            }
+        }
+        if !jobs.is_empty() {
+            chains.push(Chain { jobs, first_that_holds: true });
+        }
+    }
+    Ok(chains)
+}
+
+/// The answer of finite elements to a case. What gave no result is tried again: the machine or the
+/// limits may be others now.
+fn answered(folder: &SweepFolder, case: &Case) -> Result<Option<Record>, Box<Diagnostic>> {
+    Ok(folder.analysed(&case.key)?.filter(Record::is_final))
+}
+
+fn job(
+    plan: &Plan,
+    kit: &Kit,
+    case: &Case,
+    checked: Option<&Record>,
+    memory: u64,
+) -> Result<Job, Box<Diagnostic>> {
+    let header = &plan.header;
+    let mut spec = kit.spec(&header.expansion, case.index)?;
+    title(&mut spec, &case.name);
+    let limits = process_limits(header, &spec, memory);
+    let limit = header.then.is_some();
+    Ok(Job { key: case.key.clone(), spec, checked: checked.cloned(), limit, limits })
 }
 
 /// Adds the name of the case to the title of its report.
@@ -92,34 +170,45 @@ fn process_limits(header: &Header, spec: &serde_json::Value, memory: u64) -> Pro
     ProcessLimits { time, memory, threads: header.limits.threads() }
 }
 
-/// Analyses the jobs, `workers` at once. `progress` gets every record.
+/// Does the chains, `workers` at once. `progress` gets every record.
 pub fn analyse_all(
-    jobs: Vec<Job>,
+    chains: Vec<Chain>,
     header: &Header,
     folder: &SweepFolder,
     workers: usize,
     interrupt: &AtomicBool,
     progress: &(dyn Fn(&Record) + Sync),
 ) -> Result<(), Box<Diagnostic>> {
-    let queue = Mutex::new(VecDeque::from(jobs));
+    let queue = Mutex::new(VecDeque::from(chains));
     let fault: Mutex<Option<Box<Diagnostic>>> = Mutex::new(None);
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
+    let stopped = || {
+        let failed = || fault.lock().unwrap_or_else(PoisonError::into_inner).is_some();
+        interrupt.load(Ordering::Relaxed) || failed()
+    };
+    let one = |job: &Job| -> Result<Option<Outcome>, Box<Diagnostic>> {
+        let record = match found(job, folder) {
+            Some(record) => Some(record),
+            None => analyse(job, header, folder, interrupt)?,
+        };
+        let Some(record) = record else { return Ok(None) };
+        folder.write_analysed(&record)?;
+        progress(&record);
+        Ok(Some(record.outcome))
+    };
     let work = || {
-        while let Some(job) = next() {
-            let stopped = || fault.lock().unwrap_or_else(PoisonError::into_inner).is_some();
-            if interrupt.load(Ordering::Relaxed) || stopped() {
-                return;
-            }
-            let record = match found(&job, folder) {
-                Some(record) => Ok(Some(record)),
-                None => analyse(&job, header, folder, interrupt),
-            };
-            let written = record.and_then(|r| match r {
-                Some(record) => folder.write_analysed(&record).map(|()| progress(&record)),
-                None => Ok(()),
-            });
-            if let Err(d) = written {
-                *fault.lock().unwrap_or_else(PoisonError::into_inner) = Some(d);
+        while let Some(chain) = next() {
+            for job in &chain.jobs {
+                if stopped() {
+                    return;
+                }
+                match one(job) {
+                    Ok(Some(Outcome::Ok)) if chain.first_that_holds => break,
+                    Ok(_) => {}
+                    Err(d) => {
+                        *fault.lock().unwrap_or_else(PoisonError::into_inner) = Some(d);
+                    }
+                }
             }
         }
     };

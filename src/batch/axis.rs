@@ -77,7 +77,7 @@ pub fn dimension(
         Ok(Step { name: None, values, expect: None, place })
     });
     let steps = steps.collect::<Result<Vec<_>, Box<Diagnostic>>>()?;
-    Ok(Dimension { what: format!("the axis `{key}`"), paths, steps })
+    Ok(Dimension { what: format!("the axis `{key}`"), table: false, paths, steps })
 }
 
 /// The profiles of a range `IPE200..IPE400`, in the order of the catalogue.

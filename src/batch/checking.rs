@@ -1,6 +1,7 @@
-//! The checks of the cases of a shard.
+//! The checks of cases.
 
 use super::case::Case;
+use super::choice;
 use super::plan::Plan;
 use super::row::Record;
 use super::screen::{Kit, screen};
@@ -8,20 +9,20 @@ use super::shard::Shard;
 use super::sweep_folder::SweepFolder;
 use crate::diag::Diagnostic;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Checks the cases of a shard that are not checked yet. `progress` gets the records of every
-/// finished run of cases. Ends early, without an error, when `interrupt` is set.
+/// Checks the cases of runs that are not checked yet. `progress` gets the records of every finished
+/// run. Ends early, without an error, when `interrupt` is set.
 pub fn check_all(
     folder: &SweepFolder,
     plan: &Plan,
     kit: &Kit,
-    shard: Shard,
+    runs: &[&[Case]],
     interrupt: &AtomicBool,
     progress: &mut dyn FnMut(&[Record]),
 ) -> Result<(), Box<Diagnostic>> {
-    let runs = folder.runs(&plan.cases);
-    for run in shard.of(&runs) {
+    for run in runs {
         if interrupt.load(Ordering::Relaxed) {
             return Ok(());
         }
@@ -35,4 +36,16 @@ pub fn check_all(
         progress(&records);
     }
     Ok(())
+}
+
+/// The runs of cases that a shard checks: its own, or those of the groups that it chooses from.
+pub fn runs_of<'a>(folder: &SweepFolder, plan: &'a Plan, shard: Shard) -> Vec<&'a [Case]> {
+    let runs = folder.runs(&plan.cases);
+    let Some(choose) = plan.header.choose.as_ref().filter(|_| plan.header.then.is_some()) else {
+        return shard.of(&runs).copied().collect();
+    };
+    let length = runs.first().map_or(1, |r| r.len());
+    let groups = choice::groups(plan, choose);
+    let wanted = shard.of(&groups).flat_map(|g| g.cases.iter().map(|i| i / length));
+    wanted.collect::<BTreeSet<_>>().into_iter().map(|k| runs[k]).collect()
 }

@@ -1,11 +1,13 @@
 //! The steps of `bracket batch`: plan, run, status, merge.
 
-use super::analysing::{analyse_all, jobs};
+use super::analysing::{analyse_all, chains};
 use super::capacity::fill;
-use super::checking::check_all;
+use super::checking::{check_all, runs_of};
+use super::choice::Decision;
+use super::choice_table;
 use super::counts::Counts;
 use super::forecast::seconds;
-use super::merged::records;
+use super::merged::merged;
 use super::plan::Plan;
 use super::results_table::{csv, jsonl, rows};
 use super::row::{Outcome, Record};
@@ -33,6 +35,15 @@ const SHOWN: usize = 20;
 
 /// Memory of a case where neither the user nor the system gives a number \[bytes\].
 const USUAL_MEMORY: u64 = 4 << 30;
+
+/// Groups of a choice that are listed on the console.
+const MOST_GROUPS: usize = 20;
+
+/// The capacity tables and the chosen joints as Markdown.
+const TABLES: &str = "tables.md";
+
+/// The chosen joints.
+const CHOSEN: &str = "chosen.csv";
 
 /// How a sweep is run.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +110,8 @@ pub fn run(
             done += records.len();
             log.stage(format!("checks: {done} of {} cases", plan.cases.len()));
         };
-        check_all(folder, plan, &kit, options.shard, &interrupt.flag(), &mut progress)?;
+        let runs = runs_of(folder, plan, options.shard);
+        check_all(folder, plan, &kit, &runs, &interrupt.flag(), &mut progress)?;
         log.line(format!("checks: {done} cases, {:.1} s", start.elapsed().as_secs_f64()));
     }
     if interrupt.asked() {
@@ -110,12 +122,15 @@ pub fn run(
     let workers = options.jobs.unwrap_or((processors / threads.max(1)).max(1));
     let share = room(None).map_or(USUAL_MEMORY, |r| r.bytes / workers as u64);
     let memory = header.limits.memory(share)?;
-    let jobs = jobs(folder, plan, &kit, options.shard, memory)?;
-    if jobs.is_empty() {
+    let chains = chains(folder, plan, &kit, options.shard, memory)?;
+    if chains.is_empty() {
         return Ok(());
     }
-    let total = jobs.len();
-    log.line(format!("finite elements: {total} of {} cases, {workers} at once", plan.cases.len()));
+    let total: usize = chains.iter().map(|c| c.jobs.len()).sum();
+    // a chain may end before its last job
+    let most = if header.choose.is_some() { "at most " } else { "" };
+    let all = plan.cases.len();
+    log.line(format!("finite elements: {most}{total} of {all} cases, {workers} at once"));
     let done: Mutex<usize> = Mutex::default();
     let progress = |record: &Record| {
         let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
@@ -129,16 +144,15 @@ pub fn run(
             format!(", load factor {low} to {up}")
         });
         let word = record.outcome.word().replace('_', " ");
-        log.line(format!("{} of {total}: {name}: {word}{bracket}{seconds}", *done));
+        log.line(format!("{} of {most}{total}: {name}: {word}{bracket}{seconds}", *done));
     };
-    analyse_all(jobs, header, folder, workers, &interrupt.flag(), &progress)?;
+    analyse_all(chains, header, folder, workers, &interrupt.flag(), &progress)?;
     Ok(())
 }
 
 /// Counts what is finished.
 pub fn status(plan: &Plan, folder: &SweepFolder) -> Result<Counts, Diagnostics> {
-    let records = records(folder, plan)?;
-    Ok(Counts::new(records.iter().map(Option::as_ref)))
+    Ok(Counts::of(&merged(folder, plan)?))
 }
 
 /// The job array for the cases of a plan.
@@ -157,31 +171,48 @@ pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnosti
 /// Merges the records into the tables; reports the counts, and returns the exit status of the
 /// sweep.
 pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus, Diagnostics> {
-    let records = records(folder, plan)?;
-    let counts = Counts::new(records.iter().map(Option::as_ref));
+    let merged = merged(folder, plan)?;
+    let records = &merged.records;
+    let counts = Counts::of(&merged);
     let conditions = counts.broken(&plan.header.expect)?.into_iter().map(str::to_owned);
-    let broken: Vec<String> = conditions.chain(unexpected(plan, &records)).collect();
-    let rows = rows(plan, &records);
+    let broken: Vec<String> = conditions.chain(unexpected(plan, records)).collect();
+    let rows = rows(plan, &merged);
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
     write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
     let mut tables = Vec::new();
-    if plan.header.tables.is_empty() {
-        // those of an earlier plan
-        let _ = std::fs::remove_file(path.join("tables.md"));
-    } else {
+    let mut markdown = Vec::new();
+    if !plan.header.tables.is_empty() {
         let kit = plan.header.kit(&plan.header.mesher)?;
-        tables.extend(plan.header.tables.iter().map(|t| fill(t, plan, &kit, &records)));
-        let text: Vec<String> = tables.iter().map(|t| t.markdown()).collect();
-        write_whole(&path.join("tables.md"), text.join("\n").as_bytes())?;
+        tables.extend(plan.header.tables.iter().map(|t| fill(t, plan, &kit, records)));
+        markdown.extend(tables.iter().map(|t| t.markdown()));
+    }
+    let mut choice = None;
+    if let Some(choose) = &plan.header.choose {
+        let rows = choice_table::rows(plan, &merged);
+        write_whole(&path.join(CHOSEN), &csv(&rows)?)?;
+        let shown = choice_table::shown(&rows, choose.least.text());
+        markdown.insert(0, shown.markdown());
+        choice = Some(shown);
+    }
+    // those of an earlier plan
+    let stale = [(TABLES, markdown.is_empty()), (CHOSEN, choice.is_none())];
+    for (name, _) in stale.into_iter().filter(|(_, stale)| *stale) {
+        let _ = std::fs::remove_file(path.join(name));
+    }
+    if !markdown.is_empty() {
+        write_whole(&path.join(TABLES), markdown.join("\n").as_bytes())?;
     }
     let of_base = plan.header.expansion.base["project"]["title"].as_str();
     let sweep = &plan.header.sweep;
     let of_file = || sweep.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let title = of_base.map_or_else(of_file, str::to_owned);
-    let page = summary::page(&title, &counts, &broken, &tables, &rows);
+    let page = summary::page(&title, &counts, &broken, choice.as_ref(), &tables, &rows);
     write_whole(&path.join("summary.html"), page.as_bytes())?;
     log.line(format!("{} cases: {}", counts.all(), counts.words()));
+    if let Some(shown) = &choice {
+        shown.lines(MOST_GROUPS).iter().for_each(|l| log.line(l.clone()));
+    }
     for condition in &broken {
         log.line(format!("expected, and not so: {condition}"));
     }
@@ -191,6 +222,10 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
         false => ExitStatus::NotOk,
         // what the user expects replaces the verdicts, but no case may be without one
         true if expects => counts.without_verdict(),
+        // of a group only the chosen joint must hold
+        true if plan.header.choose.is_some() => {
+            counts.with_verdicts(merged.decisions.iter().map(Decision::outcome))
+        }
         true => counts.status(),
     })
 }

@@ -1,5 +1,6 @@
 //! How many cases have each outcome.
 
+use super::merged::Merged;
 use super::row::{Outcome, Record};
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::spec::expr::{Expr, Value};
@@ -10,6 +11,10 @@ pub struct Counts {
     of: [usize; Outcome::ALL.len()],
     /// Cases without a record.
     pub open: usize,
+    /// Groups of the choice.
+    pub groups: usize,
+    /// Groups with a chosen joint.
+    pub chosen: usize,
 }
 
 impl Counts {
@@ -22,6 +27,14 @@ impl Counts {
                 None => counts.open += 1,
             }
         }
+        counts
+    }
+
+    /// Counts what a sweep has found.
+    pub fn of(merged: &Merged) -> Self {
+        let mut counts = Self::new(merged.records.iter().map(Option::as_ref));
+        counts.groups = merged.decisions.len();
+        counts.chosen = merged.decisions.iter().filter(|d| d.chosen.is_some()).count();
         counts
     }
 
@@ -60,10 +73,16 @@ impl Counts {
 
     /// The exit status of the cases without a verdict alone.
     pub fn without_verdict(&self) -> ExitStatus {
+        self.with_verdicts(std::iter::empty())
+    }
+
+    /// The exit status with other verdicts in place of those of the cases.
+    pub fn with_verdicts(&self, verdicts: impl Iterator<Item = Outcome>) -> ExitStatus {
         let mut rest = *self;
         for o in [Outcome::Ok, Outcome::Undecided, Outcome::NotOk] {
             rest.of[o as usize] = 0;
         }
+        verdicts.for_each(|o| rest.of[o as usize] += 1);
         rest.status()
     }
 
@@ -72,10 +91,13 @@ impl Counts {
         let mut lookup = |name: &str| {
             let count = match name {
                 "cases" => Some(self.all()),
+                "groups" => Some(self.groups),
+                "chosen" => Some(self.chosen),
                 _ => Outcome::ALL.into_iter().find(|o| o.word() == name).map(|o| self.with(o)),
             };
             count.map(|n| Value::number(n as f64)).ok_or_else(|| {
-                let known = Outcome::ALL.into_iter().map(Outcome::word).chain(["cases"]);
+                let known = Outcome::ALL.into_iter().map(Outcome::word);
+                let known = known.chain(["cases", "groups", "chosen"]);
                 format!("unknown name `{name}`{}", crate::diag::did_you_mean(name, known))
             })
         };

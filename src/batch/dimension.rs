@@ -20,11 +20,23 @@ pub struct Step {
     pub place: Place,
 }
 
+impl Step {
+    /// The name of the joint, or the values where the table gives none.
+    pub fn name(&self) -> String {
+        self.name.clone().unwrap_or_else(|| {
+            self.values.iter().flatten().map(words).collect::<Vec<_>>().join(" ")
+        })
+    }
+}
+
 /// Values that change together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Dimension {
     /// The axis or the file in words, for messages.
     pub what: String,
+    /// Whether the steps are the rows of the table.
+    #[serde(default)]
+    pub table: bool,
     /// The paths that change.
     pub paths: Vec<SpecPath>,
     /// Their values.

@@ -92,19 +92,16 @@ impl Expansion {
 
     /// Name of a combination: that of the table, followed by the values of the axes.
     pub fn name(&self, index: u64) -> String {
-        let parts: Vec<String> = self
-            .steps(index)
-            .into_iter()
-            .map(|step| match &step.name {
-                Some(name) => name.clone(),
-                None => {
-                    let values = step.values.iter().flatten();
-                    values.map(words).collect::<Vec<_>>().join(" ")
-                }
-            })
-            .filter(|part| !part.is_empty())
-            .collect();
+        let steps = self.steps(index);
+        let parts: Vec<String> =
+            steps.into_iter().map(Step::name).filter(|part| !part.is_empty()).collect();
         if parts.is_empty() { "base".into() } else { parts.join(" ") }
+    }
+
+    /// Name of the row of the table that a combination has; `None` without a table.
+    pub fn row_name(&self, index: u64) -> Option<String> {
+        let at = self.dimensions.iter().position(|d| d.table)?;
+        Some(self.steps(index)[at].name())
     }
 
     /// The spec with a step of the dimension `i` beside the first steps of the others.

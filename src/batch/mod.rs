@@ -6,6 +6,8 @@ pub mod axis;
 pub mod capacity;
 pub mod case;
 pub mod checking;
+pub mod choice;
+pub mod choice_table;
 pub mod column;
 pub mod commands;
 pub mod counts;

@@ -1,9 +1,10 @@
 //! The plan of a sweep: its cases with their keys, in a folder that holds all a run needs.
 
 use super::case::{Case, common, key, own_tables, shared};
+use super::choice;
 use super::expansion::{Expansion, typed};
 use super::screen::Kit;
-use super::sweep::{CapacityTable, CaseLimits, First, Then, meshes};
+use super::sweep::{CapacityTable, CaseLimits, Choose, First, Then, meshes};
 use super::sweep_file::{SweepFile, open_catalog};
 use crate::assembly::names;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -50,6 +51,9 @@ pub struct Header {
     /// Which cases get finite elements after the checks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<Then>,
+    /// Which joint of each group is chosen.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub choose: Option<Choose>,
     /// Conditions on the outcome.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub expect: Vec<String>,
@@ -121,13 +125,19 @@ impl Plan {
             catalog: file.catalog_folder.as_deref().map(absolute),
             first: value.first,
             then: value.then,
+            choose: value.choose.clone(),
             expect: value.expect.iter().map(|e| e.text().to_string()).collect(),
             tables: value.tables.clone(),
             limits: value.limits.clone(),
             expansion: file.expansion,
             dropped,
         };
-        Ok(Self { header, cases, remarks })
+        let plan = Self { header, cases, remarks };
+        if let Some(choose) = &plan.header.choose {
+            choice::check(&plan, &kit, choose)
+                .map_err(|d| Diagnostic { place: sweep.index.place("choose.least"), ..*d })?;
+        }
+        Ok(plan)
     }
 }
 

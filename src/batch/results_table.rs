@@ -1,6 +1,7 @@
 //! `results.csv` and `results.jsonl`: a row for each case and load case.
 
 use super::case::Case;
+use super::merged::Merged;
 use super::plan::Plan;
 use super::row::{LoadRow, Record};
 use crate::diag::Diagnostic;
@@ -30,12 +31,14 @@ const COLUMNS: [&str; 20] = [
     "cause",
 ];
 
-/// A row of the tables: names of columns with their values; null where there is none.
+/// A row of the tables: names of columns with their values; null where there is none. `choice`: the
+/// columns of the choice.
 fn row(
     plan: &Plan,
     case: &Case,
     record: Option<&Record>,
     load: Option<&LoadRow>,
+    choice: Option<&[(&str, Value); 2]>,
 ) -> Map<String, Value> {
     let mut row = Map::new();
     row.insert("case".into(), json!(case.name));
@@ -64,22 +67,49 @@ fn row(
         json!(record.and_then(|r| r.mass)),
         json!(record.and_then(|r| r.bolts)),
         json!(record.and_then(|r| r.seconds)),
-        json!(with_elements.map(|r| format!("cases/{}", r.key))),
+        json!(with_elements.map(Record::folder)),
         json!(record.and_then(|r| r.cause.as_ref())),
     ];
     row.extend(COLUMNS.iter().map(|c| (*c).to_string()).zip(values));
+    row.extend(choice.into_iter().flatten().map(|(k, v)| ((*k).to_string(), v.clone())));
     row
 }
 
+/// The columns of the choice for each case: `choice` is `chosen`, or `not needed` where a cheaper
+/// joint holds; `cost` is known of those that can be chosen.
+fn of_choice(merged: &Merged) -> Vec<[(&'static str, Value); 2]> {
+    let mut out = vec![[("choice", Value::Null), ("cost", Value::Null)]; merged.records.len()];
+    for d in &merged.decisions {
+        for (i, c) in d.candidates.iter().enumerate() {
+            let word = match d.chosen {
+                Some(k) if k == i => json!("chosen"),
+                Some(k) if k < i => json!("not needed"),
+                _ => Value::Null,
+            };
+            out[c.case] = [("choice", word), ("cost", finite(c.cost))];
+        }
+    }
+    out
+}
+
+/// A number; null if it is not finite.
+pub fn finite(value: f64) -> Value {
+    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
+}
+
 /// The rows of all cases; a case without load cases has one row.
-pub fn rows(plan: &Plan, records: &[Option<Record>]) -> Vec<Map<String, Value>> {
+pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
+    let choice = plan.header.choose.as_ref().map(|_| of_choice(merged));
     let mut rows = Vec::new();
-    for (case, record) in plan.cases.iter().zip(records) {
+    for (i, (case, record)) in plan.cases.iter().zip(&merged.records).enumerate() {
+        let one = |load: Option<&LoadRow>| {
+            row(plan, case, record.as_ref(), load, choice.as_ref().map(|c| &c[i]))
+        };
         let loads = record.as_ref().map_or(&[][..], |r| &r.loads);
         if loads.is_empty() {
-            rows.push(row(plan, case, record.as_ref(), None));
+            rows.push(one(None));
         }
-        rows.extend(loads.iter().map(|l| row(plan, case, record.as_ref(), Some(l))));
+        rows.extend(loads.iter().map(|l| one(Some(l))));
     }
     rows
 }

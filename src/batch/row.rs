@@ -105,7 +105,7 @@ pub struct Record {
     /// Why it is bad input, or failed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cause: Option<String>,
-    /// Mass of the plates and bolts \[kg\].
+    /// Mass of plates, stiffeners and bolts \[kg\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,
     /// Number of bolts.
@@ -130,6 +130,11 @@ impl Record {
     /// Whether the case has its answer: a result, or a fault of its input.
     pub fn is_final(&self) -> bool {
         self.result || !matches!(self.outcome, Outcome::Failed | Outcome::TimedOut)
+    }
+
+    /// The folder of its result, relative to the sweep.
+    pub fn folder(&self) -> String {
+        format!("cases/{}", self.key)
     }
 
     /// A case without a result.

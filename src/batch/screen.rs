@@ -6,6 +6,7 @@ use super::row::{LoadRow, Outcome, Record};
 use crate::assembly::assembly::PartRole;
 use crate::assembly::{Joint, LoadedTemplate, build_from, given_names};
 use crate::catalog::Catalog;
+use crate::checks::end_plate::{parts_list, total_mass};
 use crate::checks::verdict::Verdict;
 use crate::checks::{Analysed, Comparison, HandChecks, hand_checks, judge};
 use crate::diag::Diagnostic;
@@ -15,11 +16,7 @@ use crate::spec::connection::ConnectionSpec;
 use crate::spec::yaml::{Parsed, PlaceIndex};
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
-
-/// Density of steel \[kg/mm³\]. Source: EN 1991-1-1, Table A.4.
-const DENSITY: f64 = 7.85e-6;
 
 /// What the cases of a sweep share: catalogue and templates, each read once.
 pub struct Kit {
@@ -172,21 +169,9 @@ pub fn first_end<'a>(ends: impl Iterator<Item = &'a Comparison>) -> Option<&'a C
     ends.min_by(|a, b| factor(a).total_cmp(&factor(b)))
 }
 
-/// Mass of the end plates and bolts \[kg\]: plates without their holes, bolts as shank, head and
-/// nut. `None` for a template without an end plate.
+/// Mass of the end plates, stiffeners and bolts \[kg\], as the report lists them. `None` for a
+/// template without an end plate.
 fn mass(joint: &Joint) -> Option<f64> {
-    let e = joint.end_plate.as_ref()?;
-    let parts = &joint.assembly.parts;
-    let count = |role: PartRole| parts.iter().filter(|p| p.role == role).count() as f64;
-    let per_row = if e.outer_gauge > 0.0 { 4.0 } else { 2.0 };
-    let holes = per_row * e.rows.len() as f64 * 0.25 * PI * e.hole * e.hole;
-    let plate = (e.width * (e.top - e.bottom) - holes) * e.thickness;
-    let b = &e.bolt;
-    let hexagon = |width: f64, height: f64| 0.5 * 3f64.sqrt() * width * width * height;
-    let attached = e.column.as_ref().map_or(e.thickness, |c| c.section.tf);
-    let grip = e.thickness + attached;
-    let bolt = hexagon(b.head_width, b.head_height)
-        + hexagon(b.nut_width, b.nut_height)
-        + 0.25 * PI * b.d * b.d * grip;
-    Some(DENSITY * (count(PartRole::Plate) * plate + count(PartRole::Bolt) * bolt))
+    let plates = joint.assembly.parts.iter().filter(|p| p.role == PartRole::Plate).count();
+    total_mass(&parts_list(joint.end_plate.as_ref()?, plates))
 }

@@ -1,6 +1,7 @@
 //! `summary.html`: the sweep as one page that opens from disk, without network.
 
 use super::capacity::{Filled, shown};
+use super::choice_table::Shown;
 use super::counts::Counts;
 use super::row::Outcome;
 use crate::math::figures::Rounding;
@@ -42,6 +43,7 @@ pub fn page(
     title: &str,
     counts: &Counts,
     broken: &[String],
+    choice: Option<&Shown>,
     tables: &[Filled],
     rows: &[Map<String, Value>],
 ) -> String {
@@ -69,6 +71,9 @@ pub fn page(
             "<p class=\"failed\">Expected, and not so: <code>{text}</code></p>\n"
         ));
     }
+    if let Some(shown) = choice {
+        out.push_str(&chosen(shown));
+    }
     tables.iter().for_each(|t| out.push_str(&capacity(t)));
     out.push_str("<h2>Cases</h2>\n<p><label>Filter: <input id=\"filter\" type=\"search\" ");
     out.push_str(
@@ -82,6 +87,24 @@ pub fn page(
     out.push_str("<script type=\"application/json\" id=\"data\">");
     out.push_str(&inside_script(&data));
     out.push_str(&format!("</script>\n<script>\n{SCRIPT}</script>\n</body></html>\n"));
+    out
+}
+
+/// The table of the chosen joints.
+fn chosen(table: &Shown) -> String {
+    let cells = |tag: &str, texts: &mut dyn Iterator<Item = &str>| {
+        texts.map(|t| format!("<{tag}>{}</{tag}>", escaped(t))).collect::<String>()
+    };
+    let head = cells("th", &mut table.heads.iter().copied());
+    let mut out = format!(
+        "<h2>Chosen joints</h2>\n<p>{}</p>\n<table><thead><tr>{head}</tr></thead>\n<tbody>\n",
+        escaped(&table.sentence)
+    );
+    for row in &table.cells {
+        let row = cells("td", &mut row.iter().map(String::as_str));
+        out.push_str(&format!("<tr>{row}</tr>\n"));
+    }
+    out.push_str("</tbody></table>\n");
     out
 }
 
@@ -132,7 +155,7 @@ mod tests {
         let name = "</script><img src=x onerror=alert(1)>";
         let mut row = Map::new();
         row.insert("case".into(), json!(name));
-        let page = page(name, &Counts::default(), &[name.to_string()], &[], &[row]);
+        let page = page(name, &Counts::default(), &[name.to_string()], None, &[], &[row]);
         assert_eq!(page.matches("<img").count(), 0, "{page}");
         assert_eq!(page.matches("</script>").count(), 2, "{page}");
     }

@@ -42,8 +42,13 @@ pub struct Sweep {
     /// Which cases get finite elements after the checks.
     #[serde(default)]
     pub then: Option<Then>,
+    /// Which joint of each group is chosen. Finite elements then begin with the joint of least cost
+    /// and end with the first that holds.
+    #[serde(default)]
+    pub choose: Option<Choose>,
     /// Conditions on the outcome of the sweep: `ok`, `not_ok`, `undecided`, `bad_input`, `failed`,
-    /// `timed_out` and `cases` are the numbers of cases. The exit code is 1 if one does not hold.
+    /// `timed_out` and `cases` are the numbers of cases, `groups` and `chosen` those of the groups
+    /// of `choose`. The exit code is 1 if one does not hold.
     #[serde(default)]
     pub expect: Vec<Expr>,
     /// Capacity tables.
@@ -97,6 +102,31 @@ pub enum Who {
     Passing,
     /// All whose input is sound.
     All,
+}
+
+/// Which joint of each group is chosen: of those that hold, the one of least cost.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Choose {
+    /// The cost: `mass` \[kg\] of plates, stiffeners and bolts, `bolts` (their number), or an
+    /// expression of the two and of the names of the template: `3 * mass + 5 * bolts`.
+    pub least: Expr,
+    /// Which joints can be chosen.
+    #[serde(default)]
+    pub among: Among,
+    /// Paths of `axes` or of the table: joints with equal values there are a group. Left out: each
+    /// row of the table is a group; without a table the whole sweep is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub per: Option<Vec<String>>,
+}
+
+/// Which joints can be chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Among {
+    /// Those with the verdict OK.
+    #[default]
+    Ok,
 }
 
 /// A table of capacities: a family of joints over two paths of the spec.

@@ -80,14 +80,25 @@ impl SweepFile {
         }
         for t in &sweep.value.tables {
             for p in [&t.rows, &t.columns].into_iter().chain(t.only.keys()) {
-                if !dimensions.iter().any(|d| d.paths.iter().any(|q| q.text() == p)) {
-                    let all = dimensions.iter().flat_map(|d| d.paths.iter().map(|p| p.text()));
-                    let hint = crate::diag::did_you_mean(p, all);
+                if let Some(hint) = not_varied(p, &dimensions) {
                     let message = format!(
                         "the table `{}` is over `{p}`, which nothing varies{hint}",
                         t.title
                     );
                     return Err(at(message, "tables", "write a path of `axes` or of the table"));
+                }
+            }
+        }
+        if let Some(choose) = &sweep.value.choose {
+            if sweep.value.first.is_none() {
+                let help = "add `first: checks`: they say which joints can be chosen";
+                return Err(at("`choose` needs the checks".into(), "choose", help));
+            }
+            for p in choose.per.iter().flatten() {
+                if let Some(hint) = not_varied(p, &dimensions) {
+                    let message = format!("`choose.per` has `{p}`, which nothing varies{hint}");
+                    let help = "write paths of `axes` or of the table";
+                    return Err(at(message, "choose.per", help));
                 }
             }
         }
@@ -114,6 +125,12 @@ impl SweepFile {
     pub fn meshes(&self) -> bool {
         meshes(self.sweep.value.first, self.sweep.value.then)
     }
+}
+
+/// A hint at a path that is meant, if nothing varies `path`.
+fn not_varied(path: &str, dimensions: &[Dimension]) -> Option<String> {
+    let all = || dimensions.iter().flat_map(|d| d.paths.iter().map(|p| p.text()));
+    all().all(|p| p != path).then(|| crate::diag::did_you_mean(path, all()))
 }
 
 /// A fault of a sweep: message, path in the sweep file, help.

@@ -231,6 +231,18 @@ impl SweepFolder {
         Ok(whole.then_some(records))
     }
 
+    /// The records of the checks of all cases; `None` where a run is not finished.
+    pub fn all_checked(&self, cases: &[Case]) -> Result<Vec<Option<Record>>, Box<Diagnostic>> {
+        let mut out = Vec::with_capacity(cases.len());
+        for run in self.runs(cases) {
+            match self.checked(run)? {
+                Some(records) => out.extend(records.into_iter().map(Some)),
+                None => out.extend(run.iter().map(|_| None)),
+            }
+        }
+        Ok(out)
+    }
+
     /// Writes the records of the checks of a run of cases.
     pub fn write_checked(&self, run: &[Case], records: &[Record]) -> Result<(), Box<Diagnostic>> {
         write_whole(&self.checks_file(run), lines(records)?.as_bytes())

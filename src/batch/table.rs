@@ -124,7 +124,7 @@ fn parse(text: &str, file: &Path) -> Result<Dimension, Diagnostics> {
         _ => None,
     });
     let what = format!("the table `{}`", file.display());
-    Ok(Dimension { what, paths: paths.collect(), steps })
+    Ok(Dimension { what, table: true, paths: paths.collect(), steps })
 }
 
 /// The columns of a header, or the faulty headers with the reason.

@@ -24,6 +24,7 @@ mod joint_checks;
 mod joint_stiffness;
 mod load_cases;
 mod member_end;
+mod parts_list;
 mod rotation_rules;
 mod sense;
 mod slip_checks;
@@ -33,11 +34,12 @@ mod tying;
 mod weld_checks;
 mod welded_steel;
 
-pub use clamped_plates::{grip, stocked_length};
+pub use clamped_plates::stocked_length;
 pub use comparison::Comparison;
 pub use diagram::{MomentAxial, moment_axial};
 pub use hand_checks::HandChecks;
 pub use joint_stiffness::{FrameClass, JointStiffness, PureMoment};
+pub use parts_list::{PartItem, PartSize, parts_list, total_mass};
 
 use crate::assembly::EndPlate;
 use rotation_rules::RotationRules;

@@ -2,7 +2,7 @@
 
 use crate::assembly::assembly::PartRole;
 use crate::checks::check::number;
-use crate::checks::end_plate::{grip, moment_axial, stocked_length};
+use crate::checks::end_plate::{moment_axial, parts_list, stocked_length};
 use crate::checks::{HandChecks, hand_checks};
 use crate::diag::Diagnostics;
 use crate::driver::context::RunContext;
@@ -58,9 +58,8 @@ pub fn spec_context(
         checks,
         demands: demands(&input.spec.value.loads),
         drawings: drawings(input),
-        schedule: end_plate.map_or_else(Default::default, |e| {
-            schedule::schedule(e, plates(input), stocked_length(e), grip(e))
-        }),
+        schedule: end_plate
+            .map_or_else(Default::default, |e| schedule::schedule(&parts_list(e, plates(input)))),
         bolts: input.joint.bolts.clone(),
         ..RunContext::default()
     })

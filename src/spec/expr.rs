@@ -16,7 +16,7 @@ use evaluate::Eval;
 use lex::lex;
 use node::{Kind, Node};
 use parse::Parser;
-use serde::{Deserialize, Deserializer, de};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use value::fault;
 pub use value::{ExprError, Value};
@@ -152,6 +152,12 @@ impl<'de> Deserialize<'de> for Expr {
             }
         }
         d.deserialize_any(V)
+    }
+}
+
+impl Serialize for Expr {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.serialize_str(&self.text)
     }
 }
 

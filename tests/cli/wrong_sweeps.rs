@@ -8,7 +8,7 @@ type Wrong = (&'static str, &'static str, [&'static str; 4]);
 
 const AXES: &str = "base: joint.yaml\nfirst: checks\n";
 
-const WRONG: [Wrong; 31] = [
+const WRONG: [Wrong; 36] = [
     ("", "", ["yaml/empty", "sweep.yaml", "empty", "`bracket new`"]),
     ("AXES", "", ["sweep/value", "sweep.yaml:1", "varies nothing", "give `axes`"]),
     (
@@ -155,6 +155,31 @@ const WRONG: [Wrong; 31] = [
         "AXESaxes: {plate.thickness: [10]}\nlimits: {threads: 0}",
         "",
         ["sweep/value", "sweep.yaml:4", "`limits.threads` is 0", "1 or more"],
+    ),
+    (
+        "base: joint.yaml\naxes: {plate.thickness: [10]}\nchoose: {least: mass}",
+        "",
+        ["sweep/value", "sweep.yaml:3", "`choose` needs the checks", "first: checks"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nchoose: {least: mas}",
+        "",
+        ["sweep/choose", "sweep.yaml:4", "unknown name `mas`", "`mass` (kg)"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nchoose: {least: plate.thickness}",
+        "",
+        ["sweep/choose", "sweep.yaml:4", "a number is wanted", "`plate.thickness / 1 mm`"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nchoose: {least: bolts, per: [plate.thicknes]}",
+        "",
+        ["sweep/value", "sweep.yaml:4", "did you mean `plate.thickness`", "paths of `axes`"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nchoose: {least: bolts, among: undecided}",
+        "",
+        ["yaml/value", "sweep.yaml:4", "undecided", "ok"],
     ),
 ];
 

@@ -127,9 +127,11 @@ impl Parser<'_> {
         let rest = &self.tokens[self.next.min(self.tokens.len())..];
         for n in (1..=3.min(rest.len())).rev() {
             let end = rest[n - 1].span.end;
-            let starts_with_word = matches!(rest[0].token, Token::Word(_));
+            // `*` behind a unit multiplies what follows: `10 mm * x`
+            let words = [&rest[0], &rest[n - 1]];
+            let is_unit = words.iter().all(|t| matches!(t.token, Token::Word(_)));
             if let Some((factor, dim)) =
-                units::unit(&self.text[rest[0].span.start..end]).filter(|_| starts_with_word)
+                units::unit(&self.text[rest[0].span.start..end]).filter(|_| is_unit)
             {
                 self.next += n;
                 let quantity = Quantity { value: value * factor, dim };

@@ -27,6 +27,8 @@ fn values() {
         ("sqrt(plate.thickness ^ 2)", "15 mm"),
         ("F / plate.thickness ^ 2 - 5 N/mm2", "30.555555556 MPa"),
         ("120 kN m", "120000000 N mm"),
+        ("5 mm * 10", "50 mm"),
+        ("2 kN * n / 3 kN", "2"),
         ("min(3, 1, 2) + max(1, 2)", "3"),
         ("round_up(101 mm, 5 mm)", "105 mm"),
         ("round_up(0.1 mm + 0.2 mm, 0.1 mm)", "0.3 mm"),

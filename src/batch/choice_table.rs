@@ -1,0 +1,128 @@
+//! The chosen joints: a row for each group.
+
+use super::merged::Merged;
+use super::plan::Plan;
+use super::results_table::finite;
+use super::row::{LoadRow, Record};
+use crate::math::figures::{Rounding, fixed};
+use serde_json::{Map, Value, json};
+
+/// The rows of the chosen joints: names of columns with their values; null where there is none.
+pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
+    let mut out = Vec::new();
+    for d in &merged.decisions {
+        let choice = d.choice();
+        let record = choice.and_then(|c| merged.records[c.case].as_ref());
+        let loads = record.map_or(&[][..], |r| &r.loads);
+        let least =
+            |of: fn(&LoadRow) -> Option<f64>| loads.iter().filter_map(of).min_by(f64::total_cmp);
+        let used = |l: &&LoadRow| l.governing.as_ref().and_then(|g| g.utilisation).map(|u| u[1]);
+        let worst = loads
+            .iter()
+            .filter(|l| l.governing.is_some())
+            .max_by(|a, b| used(a).unwrap_or(0.0).total_cmp(&used(b).unwrap_or(0.0)));
+        let by = record.map(|r| if r.result { "limit analysis" } else { "checks" });
+        let values = [
+            ("group", json!(d.group)),
+            ("outcome", json!(if d.open { "open" } else { d.outcome().word() })),
+            ("chosen", json!(choice.map(|c| &plan.cases[c.case].name))),
+            ("cost", choice.map_or(Value::Null, |c| finite(c.cost))),
+            ("mass_kg", json!(record.and_then(|r| r.mass))),
+            ("bolts", json!(record.and_then(|r| r.bolts))),
+            ("proved_by", json!(by)),
+            ("lambda_low", json!(least(|l| l.lower))),
+            ("lambda_up", json!(least(|l| l.upper))),
+            ("governing", json!(worst.and_then(|l| l.governing.as_ref()).map(|g| &g.what))),
+            ("governing_utilisation", json!(worst.as_ref().and_then(used))),
+            ("cheaper_undecided", json!(d.undecided)),
+            ("analysed", json!(d.analysed)),
+            ("joints", json!(d.joints)),
+            ("result", json!(record.filter(|r| r.result).map(Record::folder))),
+        ];
+        out.push(values.into_iter().map(|(k, v)| (k.to_string(), v)).collect());
+    }
+    out
+}
+
+/// Heads of the table for people, with the columns that they show.
+const SHOWN: [(&str, &str); 8] = [
+    ("group", "group"),
+    ("chosen", "chosen"),
+    ("cost", "cost"),
+    ("mass_kg", "mass [kg]"),
+    ("bolts", "bolts"),
+    ("governing", "governing"),
+    ("governing_utilisation", "utilisation"),
+    ("proved_by", "proved by"),
+];
+
+/// The table for people: heads and cells as text, and the sentence below it.
+pub struct Shown {
+    /// Heads of the columns.
+    pub heads: Vec<&'static str>,
+    /// The cells by rows.
+    pub cells: Vec<Vec<String>>,
+    /// How many joints were analysed, and what was left undecided.
+    pub sentence: String,
+}
+
+/// The table for people.
+pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
+    let cell = |row: &Map<String, Value>, key: &str| match &row[key] {
+        Value::Null if key == "chosen" => match row["outcome"].as_str() {
+            Some("not_ok") => "none holds".into(),
+            Some("open") => "not finished".into(),
+            _ => "none is certain to hold".into(),
+        },
+        Value::Null => String::new(),
+        Value::String(s) => s.clone(),
+        // rounded so that nothing looks cheaper or less used than it is
+        v => match v.as_f64() {
+            Some(x) if v.is_f64() => fixed(x, 2, Rounding::Up),
+            _ => v.to_string(),
+        },
+    };
+    let cells = rows.iter().map(|r| SHOWN.iter().map(|(key, _)| cell(r, key)).collect()).collect();
+    let sum = |key: &str| rows.iter().filter_map(|r| r[key].as_u64()).sum::<u64>();
+    let mut sentence =
+        format!("Least `{least}`. {} of {} joints were meshed.", sum("analysed"), sum("joints"));
+    match sum("cheaper_undecided") {
+        0 => {}
+        1 => sentence.push_str(" One cheaper joint is undecided: it may hold."),
+        n => sentence.push_str(&format!(" {n} cheaper joints are undecided: they may hold.")),
+    }
+    Shown { heads: SHOWN.map(|(_, head)| head).to_vec(), cells, sentence }
+}
+
+impl Shown {
+    /// The chosen joints as lines of text, of the first groups, and the sentence.
+    pub fn lines(&self, most: usize) -> Vec<String> {
+        let one = |row: &Vec<String>| {
+            let [group, chosen, cost, ..] = &row[..] else { return String::new() };
+            let group = if group.is_empty() { String::new() } else { format!("{group}: ") };
+            let cost = if cost.is_empty() { String::new() } else { format!(", cost {cost}") };
+            format!("{group}{chosen}{cost}")
+        };
+        let mut out: Vec<String> = self.cells.iter().take(most).map(one).collect();
+        if self.cells.len() > most {
+            out.push(format!("and {} more groups", self.cells.len() - most));
+        }
+        out.push(self.sentence.clone());
+        out
+    }
+
+    /// The table as Markdown.
+    pub fn markdown(&self) -> String {
+        let cell = |text: &str| text.replace('|', "\\|");
+        let mut out = format!("## Chosen joints\n\n{}\n\n|", self.sentence);
+        self.heads.iter().for_each(|h| out.push_str(&format!(" {h} |")));
+        out.push_str("\n|");
+        self.heads.iter().for_each(|_| out.push_str(" --- |"));
+        for row in &self.cells {
+            out.push_str("\n|");
+            row.iter().for_each(|c| out.push_str(&format!(" {} |", cell(c))));
+        }
+        out.push('\n');
+        out
+    }
+}
