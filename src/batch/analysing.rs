@@ -1,19 +1,20 @@
 //! The finite elements of the cases of a shard, several processes side by side.
 
+use super::cache::Cache;
 use super::case::Case;
 use super::choice;
-use super::forecast::time_limit;
+use super::forecast::{TimeLeft, elements, time_limit};
+use super::part::Part;
 use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
 use super::screen::Kit;
-use super::shard::Shard;
 use super::sweep::{Choose, Who};
 use super::sweep_folder::SweepFolder;
 use super::worker::{Job, ProcessLimits, analyse, found};
 use crate::diag::{Diagnostic, Diagnostics};
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// Time limit of a case whose analysis has none \[s\].
@@ -42,24 +43,24 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// The longest time that the chain can take \[s\].
+    /// Forecast of the time that the chain takes at most \[s\].
     fn seconds(&self) -> f64 {
-        self.jobs.iter().map(|j| j.limits.time.as_secs_f64()).sum()
+        self.jobs.iter().map(|j| j.forecast).sum()
     }
 }
 
-/// The work with finite elements of a shard that has no record yet, the longest chain first.
+/// The work with finite elements of a part that has no record yet, the longest chain first.
 /// `memory`: the memory of each job \[bytes\].
 pub fn chains(
     folder: &SweepFolder,
     plan: &Plan,
     kit: &Kit,
-    shard: Shard,
+    part: &Part,
     memory: u64,
 ) -> Result<Vec<Chain>, Diagnostics> {
     let mut chains = match &plan.header.choose {
-        Some(choose) => of_groups(folder, plan, kit, choose, shard, memory)?,
-        None => of_cases(folder, plan, kit, shard, memory)?,
+        Some(choose) => of_groups(folder, plan, kit, choose, part, memory)?,
+        None => of_cases(folder, plan, kit, part, memory)?,
     };
     // a stable sort: equal chains keep the order of the plan
     chains.sort_by(|a, b| b.seconds().total_cmp(&a.seconds()));
@@ -71,14 +72,14 @@ fn of_cases(
     folder: &SweepFolder,
     plan: &Plan,
     kit: &Kit,
-    shard: Shard,
+    part: &Part,
     memory: u64,
 ) -> Result<Vec<Chain>, Diagnostics> {
     let header = &plan.header;
     let mut seen = BTreeSet::new();
     let mut chains = Vec::new();
     let runs = folder.runs(&plan.cases);
-    for run in shard.of(&runs) {
+    for run in part.runs(&runs).into_iter().map(|k| runs[k]) {
         let records = match header.first {
             Some(_) => folder.checked(run)?,
             None => None,
@@ -107,14 +108,14 @@ fn of_groups(
     plan: &Plan,
     kit: &Kit,
     choose: &Choose,
-    shard: Shard,
+    part: &Part,
     memory: u64,
 ) -> Result<Vec<Chain>, Diagnostics> {
     let checked = folder.all_checked(&plan.cases)?;
     let mut chains = Vec::new();
-    for group in shard.of(&choice::groups(plan, choose)) {
+    for group in part.groups(choice::groups(plan, choose)) {
         let mut jobs = Vec::new();
-        for c in choice::candidates(group, plan, kit, choose, &checked) {
+        for c in choice::candidates(&group, plan, kit, choose, &checked) {
             if !c.analyse {
                 break;
             }
@@ -148,9 +149,16 @@ fn job(
     let header = &plan.header;
     let mut spec = kit.spec(&header.expansion, case.index)?;
     title(&mut spec, &case.name);
-    let limits = process_limits(header, &spec, memory);
-    let limit = header.then.is_some();
-    Ok(Job { key: case.key.clone(), spec, checked: checked.cloned(), limit, limits })
+    let of_analysis = time_limit(&spec);
+    let limits = process_limits(header, of_analysis, memory);
+    Ok(Job {
+        key: case.key.clone(),
+        spec,
+        checked: checked.cloned(),
+        limit: header.then.is_some(),
+        limits,
+        forecast: elements(of_analysis).min(limits.time.as_secs_f64()),
+    })
 }
 
 /// Adds the name of the case to the title of its report.
@@ -163,59 +171,87 @@ fn title(spec: &mut serde_json::Value, name: &str) {
     spec["project"]["title"] = title.into();
 }
 
-fn process_limits(header: &Header, spec: &serde_json::Value, memory: u64) -> ProcessLimits {
-    let of_analysis = time_limit(spec).map_or(LONGEST, |t| 2.0 * t + SLACK);
+fn process_limits(header: &Header, of_analysis: Option<f64>, memory: u64) -> ProcessLimits {
+    let of_analysis = of_analysis.map_or(LONGEST, |t| 2.0 * t + SLACK);
     let time = Duration::try_from_secs_f64(header.limits.time.map_or(of_analysis, |t| t.0))
         .unwrap_or(Duration::MAX);
     ProcessLimits { time, memory, threads: header.limits.threads() }
 }
 
-/// Does the chains, `workers` at once. `progress` gets every record.
-pub fn analyse_all(
-    chains: Vec<Chain>,
-    header: &Header,
-    folder: &SweepFolder,
-    workers: usize,
-    interrupt: &AtomicBool,
-    progress: &(dyn Fn(&Record) + Sync),
-) -> Result<(), Box<Diagnostic>> {
-    let queue = Mutex::new(VecDeque::from(chains));
-    let fault: Mutex<Option<Box<Diagnostic>>> = Mutex::new(None);
-    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
-    let stopped = || {
-        let failed = || fault.lock().unwrap_or_else(PoisonError::into_inner).is_some();
-        interrupt.load(Ordering::Relaxed) || failed()
-    };
-    let one = |job: &Job| -> Result<Option<Outcome>, Box<Diagnostic>> {
-        let record = match found(job, folder) {
-            Some(record) => Some(record),
-            None => analyse(job, header, folder, interrupt)?,
-        };
-        let Some(record) = record else { return Ok(None) };
-        folder.write_analysed(&record)?;
-        progress(&record);
-        Ok(Some(record.outcome))
-    };
-    let work = || {
-        while let Some(chain) = next() {
-            for job in &chain.jobs {
-                if stopped() {
-                    return;
-                }
-                match one(job) {
-                    Ok(Some(Outcome::Ok)) if chain.first_that_holds => break,
-                    Ok(_) => {}
-                    Err(d) => {
-                        *fault.lock().unwrap_or_else(PoisonError::into_inner) = Some(d);
+/// How chains are done.
+pub struct Work<'a> {
+    /// The sweep.
+    pub header: &'a Header,
+    /// Its folder.
+    pub folder: &'a SweepFolder,
+    /// Results that other sweeps have made.
+    pub cache: Option<&'a Cache>,
+    /// Cases side by side.
+    pub workers: usize,
+    /// Set when the user wants to stop.
+    pub interrupt: &'a AtomicBool,
+    /// Gets every record with the time left \[s\].
+    pub progress: &'a (dyn Fn(&Record, f64) + Sync),
+}
+
+impl Work<'_> {
+    /// Does the chains.
+    pub fn all(&self, chains: Vec<Chain>) -> Result<(), Box<Diagnostic>> {
+        let forecasts = chains.iter().flat_map(|c| &c.jobs).map(|j| j.forecast);
+        let left = Mutex::new(TimeLeft::new(forecasts));
+        let queue = Mutex::new(VecDeque::from(chains));
+        let fault: Mutex<Option<Box<Diagnostic>>> = Mutex::new(None);
+        let work = || {
+            while let Some(chain) = locked(&queue).pop_front() {
+                let mut jobs = chain.jobs.iter();
+                while let Some(job) = jobs.next() {
+                    if self.interrupt.load(Ordering::Relaxed) || locked(&fault).is_some() {
+                        return;
+                    }
+                    match self.one(job, &left) {
+                        Ok(Some(Outcome::Ok)) if chain.first_that_holds => break,
+                        Ok(_) => {}
+                        Err(d) => *locked(&fault) = Some(d),
                     }
                 }
+                // the dearer joints of a group are not needed
+                jobs.for_each(|j| locked(&left).ended(j.forecast, None));
             }
+        };
+        std::thread::scope(|scope| {
+            for _ in 0..self.workers.max(1) {
+                scope.spawn(work);
+            }
+        });
+        fault.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// Does a job; `None` if the user interrupted.
+    fn one(&self, job: &Job, left: &Mutex<TimeLeft>) -> Result<Option<Outcome>, Box<Diagnostic>> {
+        let there = match (found(job, self.folder), self.cache) {
+            (None, Some(cache)) => cache.fetch(job, self.folder)?,
+            (there, _) => there,
+        };
+        let record = match there {
+            Some(record) => Some(record),
+            None => analyse(job, self.header, self.folder, self.interrupt)?,
+        };
+        let Some(record) = record else { return Ok(None) };
+        if let Some(cache) = self.cache {
+            cache.store(job, self.folder)?;
         }
-    };
-    std::thread::scope(|scope| {
-        for _ in 0..workers.max(1) {
-            scope.spawn(work);
-        }
-    });
-    fault.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+        self.folder.write_analysed(&record)?;
+        let seconds = {
+            let mut left = locked(left);
+            left.ended(job.forecast, record.seconds);
+            left.seconds(self.workers)
+        };
+        (self.progress)(&record, seconds);
+        Ok(Some(record.outcome))
+    }
+}
+
+/// What a mutex guards; a thread that panicked leaves nothing half done.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -10,6 +10,7 @@ use super::screen::Kit;
 use super::sweep::CapacityTable;
 use crate::checks::verdict::Verdict;
 use crate::report::figures::{Rounding, fixed};
+use crate::report::markdown::markup::inline;
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::loads::Action;
 use serde::Deserialize;
@@ -142,19 +143,26 @@ pub fn shown(value: Option<f64>, rounding: Rounding) -> String {
 }
 
 impl Filled {
+    /// True if no cell has a capacity.
+    pub fn is_empty(&self) -> bool {
+        let has = |c: &Cell| c.lower.or(c.upper).or(c.component).is_some();
+        !self.cells.iter().flatten().any(has)
+    }
+
     /// The table as Markdown: lower bound bold, upper bound beside it, component method in italics.
     pub fn markdown(&self) -> String {
         let mut out = format!(
             "## {}\n\n{}: **at least** to at most, \
              *component method*.\n\n",
-            self.title, self.what
+            inline(&self.title),
+            self.what
         );
         out.push_str(&format!("| {} \\ {} |", self.row_path, self.column_path));
-        self.columns.iter().for_each(|c| out.push_str(&format!(" {c} |")));
+        self.columns.iter().for_each(|c| out.push_str(&format!(" {} |", inline(c))));
         out.push_str("\n| --- |");
         self.columns.iter().for_each(|_| out.push_str(" ---: |"));
         for (head, cells) in self.rows.iter().zip(&self.cells) {
-            out.push_str(&format!("\n| {head} |"));
+            out.push_str(&format!("\n| {} |", inline(head)));
             for cell in cells {
                 out.push_str(&format!(" {} |", cell.markdown()));
             }

@@ -2,10 +2,10 @@
 
 use super::case::Case;
 use super::choice;
+use super::part::Part;
 use super::plan::Plan;
 use super::row::Record;
 use super::screen::{Kit, screen};
-use super::shard::Shard;
 use super::sweep_folder::SweepFolder;
 use crate::diag::Diagnostic;
 use rayon::prelude::*;
@@ -38,14 +38,15 @@ pub fn check_all(
     Ok(())
 }
 
-/// The runs of cases that a shard checks: its own, or those of the groups that it chooses from.
-pub fn runs_of<'a>(folder: &SweepFolder, plan: &'a Plan, shard: Shard) -> Vec<&'a [Case]> {
+/// The runs of cases that a part of a sweep checks: its own, or those of the groups that it chooses
+/// from.
+pub fn runs_of<'a>(folder: &SweepFolder, plan: &'a Plan, part: &Part) -> Vec<&'a [Case]> {
     let runs = folder.runs(&plan.cases);
     let Some(choose) = plan.header.choose.as_ref().filter(|_| plan.header.then.is_some()) else {
-        return shard.of(&runs).copied().collect();
+        return part.runs(&runs).into_iter().map(|k| runs[k]).collect();
     };
     let length = runs.first().map_or(1, |r| r.len());
-    let groups = choice::groups(plan, choose);
-    let wanted = shard.of(&groups).flat_map(|g| g.cases.iter().map(|i| i / length));
+    let groups = part.groups(choice::groups(plan, choose));
+    let wanted = groups.iter().flat_map(|g| g.cases.iter().map(|i| i / length));
     wanted.collect::<BTreeSet<_>>().into_iter().map(|k| runs[k]).collect()
 }

@@ -25,7 +25,7 @@ const BOLTS: &str = "bolts";
 const SOUND: usize = 100;
 
 /// Joints of which one is chosen.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Group {
     /// The values that its joints share, or the name of the row of the table.
     pub name: String,

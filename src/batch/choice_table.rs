@@ -5,6 +5,7 @@ use super::plan::Plan;
 use super::results_table::finite;
 use super::row::{LoadRow, Record};
 use crate::math::figures::{Rounding, fixed};
+use crate::report::markdown::markup::inline;
 use serde_json::{Map, Value, json};
 
 /// The rows of the chosen joints: names of columns with their values; null where there is none.
@@ -113,14 +114,13 @@ impl Shown {
 
     /// The table as Markdown.
     pub fn markdown(&self) -> String {
-        let cell = |text: &str| text.replace('|', "\\|");
         let mut out = format!("## Chosen joints\n\n{}\n\n|", self.sentence);
         self.heads.iter().for_each(|h| out.push_str(&format!(" {h} |")));
         out.push_str("\n|");
         self.heads.iter().for_each(|_| out.push_str(" --- |"));
         for row in &self.cells {
             out.push_str("\n|");
-            row.iter().for_each(|c| out.push_str(&format!(" {} |", cell(c))));
+            row.iter().for_each(|c| out.push_str(&format!(" {} |", inline(c))));
         }
         out.push('\n');
         out

@@ -1,19 +1,22 @@
 //! The steps of `bracket batch`: plan, run, status, merge.
 
-use super::analysing::{analyse_all, chains};
+use super::analysing::{Work, chains};
+use super::cache::Cache;
 use super::capacity::fill;
 use super::checking::{check_all, runs_of};
 use super::choice::Decision;
 use super::choice_table;
 use super::counts::Counts;
-use super::forecast::seconds;
+use super::forecast::{TimeLeft, seconds};
 use super::merged::merged;
+use super::part::Part;
 use super::plan::Plan;
 use super::results_table::{csv, jsonl, rows};
 use super::row::{Outcome, Record};
 use super::shard::Shard;
 use super::slurm::Array;
 use super::summary;
+use super::sweep::CaseLimits;
 use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
 use crate::analysis::memory::room;
@@ -21,8 +24,9 @@ use crate::diag::{Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
 use crate::mesh::gmsh::Mesher;
 use crate::report::console::log::Log;
+use crate::report::console::pace::about;
 use crate::report::figures::bracket as bracket_of;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -32,6 +36,9 @@ const WHEN_INTERRUPTED: &str =
 
 /// Cases with an unexpected verdict that are listed.
 const SHOWN: usize = 20;
+
+/// Cases of each outcome without a result that are listed with their reasons.
+const SHOWN_WITHOUT_RESULT: usize = 3;
 
 /// Memory of a case where neither the user nor the system gives a number \[bytes\].
 const USUAL_MEMORY: u64 = 4 << 30;
@@ -46,12 +53,14 @@ const TABLES: &str = "tables.md";
 const CHOSEN: &str = "chosen.csv";
 
 /// How a sweep is run.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct RunOptions {
     /// The part to run.
     pub shard: Shard,
     /// Processes side by side; `None`: as many as the processors allow.
     pub jobs: Option<usize>,
+    /// Folder of results that several sweeps share.
+    pub cache: Option<PathBuf>,
 }
 
 /// Version of the mesher; empty if no case is meshed.
@@ -84,8 +93,8 @@ pub fn plan(
         n => format!(", {n} combinations dropped by `where`"),
     };
     log.line(format!(
-        "plan: {} cases{dropped}, {:.1} s",
-        plan.cases.len(),
+        "plan: {}{dropped}, {:.1} s",
+        Counts::cases(plan.cases.len()),
         start.elapsed().as_secs_f64()
     ));
     plan.remarks.iter().for_each(|r| log.line(format!("remark: {r}")));
@@ -103,26 +112,24 @@ pub fn run(
     interrupt.begin(log, WHEN_INTERRUPTED, || {});
     let header = &plan.header;
     let kit = header.kit(&mesher_version(header.meshes())?)?;
+    let part = Part::new(plan, &kit, options.shard);
     if header.first.is_some() {
         let start = Instant::now();
         let mut done = 0;
         let mut progress = |records: &[Record]| {
             done += records.len();
-            log.stage(format!("checks: {done} of {} cases", plan.cases.len()));
+            log.stage(format!("checks: {done} of {}", Counts::cases(plan.cases.len())));
         };
-        let runs = runs_of(folder, plan, options.shard);
+        let runs = runs_of(folder, plan, &part);
         check_all(folder, plan, &kit, &runs, &interrupt.flag(), &mut progress)?;
-        log.line(format!("checks: {done} cases, {:.1} s", start.elapsed().as_secs_f64()));
+        let seconds = start.elapsed().as_secs_f64();
+        log.line(format!("checks: {}, {seconds:.1} s", Counts::cases(done)));
     }
     if interrupt.asked() {
         return Ok(());
     }
-    let threads = header.limits.threads() as usize;
-    let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let workers = options.jobs.unwrap_or((processors / threads.max(1)).max(1));
-    let share = room(None).map_or(USUAL_MEMORY, |r| r.bytes / workers as u64);
-    let memory = header.limits.memory(share)?;
-    let chains = chains(folder, plan, &kit, options.shard, memory)?;
+    let (workers, memory) = side_by_side(&header.limits, options.jobs, log)?;
+    let chains = chains(folder, plan, &kit, &part, memory)?;
     if chains.is_empty() {
         return Ok(());
     }
@@ -130,9 +137,14 @@ pub fn run(
     // a chain may end before its last job
     let most = if header.choose.is_some() { "at most " } else { "" };
     let all = plan.cases.len();
-    log.line(format!("finite elements: {most}{total} of {all} cases, {workers} at once"));
+    let forecasts = chains.iter().flat_map(|c| &c.jobs).map(|j| j.forecast);
+    let time = about(TimeLeft::new(forecasts).seconds(workers));
+    log.line(format!(
+        "finite elements: {most}{total} of {}, {workers} at once, {time}",
+        Counts::cases(all)
+    ));
     let done: Mutex<usize> = Mutex::default();
-    let progress = |record: &Record| {
+    let progress = |record: &Record, left: f64| {
         let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
         *done += 1;
         let name = plan.cases.iter().find(|c| c.key == record.key).map_or("", |c| c.name.as_str());
@@ -144,10 +156,43 @@ pub fn run(
             format!(", load factor {low} to {up}")
         });
         let word = record.outcome.word().replace('_', " ");
-        log.line(format!("{} of {most}{total}: {name}: {word}{bracket}{seconds}", *done));
+        let left = if left > 0.0 { format!("; {most}{} left", about(left)) } else { String::new() };
+        log.line(format!("{} of {most}{total}: {name}: {word}{bracket}{seconds}{left}", *done));
     };
-    analyse_all(chains, header, folder, workers, &interrupt.flag(), &progress)?;
+    let cache = options.cache.as_deref().map(Cache::at);
+    let work = Work {
+        header,
+        folder,
+        cache: cache.as_ref(),
+        workers,
+        interrupt: &interrupt.flag(),
+        progress: &progress,
+    };
+    work.all(chains)?;
     Ok(())
+}
+
+/// How many cases with finite elements are done side by side, and the memory of each \[bytes\].
+/// What the user gives each of them is added up: their sum must fit into the machine.
+fn side_by_side(
+    limits: &CaseLimits,
+    asked: Option<usize>,
+    log: &Log,
+) -> Result<(usize, u64), Diagnostics> {
+    let threads = limits.threads() as usize;
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let workers = asked.unwrap_or((processors / threads.max(1)).max(1));
+    let machine = room(None).map(|r| r.bytes);
+    let share = machine.map_or(USUAL_MEMORY, |m| m / workers as u64);
+    let memory = limits.memory(share)?;
+    let fit = machine.map_or(workers, |m| (m / memory.max(1)) as usize).clamp(1, workers);
+    if fit < workers {
+        let [each, all] = [memory, machine.unwrap_or(0)].map(|b| b >> 20);
+        log.line(format!(
+            "{fit} at once in place of {workers}: each may take {each} MiB, {all} MiB are free"
+        ));
+    }
+    Ok((fit, memory))
 }
 
 /// Counts what is finished.
@@ -168,23 +213,35 @@ pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnosti
     Ok(Array::new(&seconds, longest, tasks, memory, header.limits.threads()))
 }
 
-/// Merges the records into the tables; reports the counts, and returns the exit status of the
-/// sweep.
-pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus, Diagnostics> {
+/// A merged sweep.
+#[derive(Clone, Debug)]
+pub struct Merge {
+    /// Numbers of cases.
+    pub counts: Counts,
+    /// What the user expected and did not come true.
+    pub broken: Vec<String>,
+    /// The exit status of the sweep.
+    pub status: ExitStatus,
+}
+
+/// Merges the records into the tables, and reports what became of the sweep.
+pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diagnostics> {
     let merged = merged(folder, plan)?;
     let records = &merged.records;
     let counts = Counts::of(&merged);
     let conditions = counts.broken(&plan.header.expect)?.into_iter().map(str::to_owned);
     let broken: Vec<String> = conditions.chain(unexpected(plan, records)).collect();
-    let rows = rows(plan, &merged);
+    let header = &plan.header;
+    let named = !header.tables.is_empty() || !header.expansion.derived.is_empty();
+    let kit = if named { Some(header.kit(&header.mesher)?) } else { None };
+    let rows = rows(plan, &merged, kit.as_ref());
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
     write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
     let mut tables = Vec::new();
     let mut markdown = Vec::new();
-    if !plan.header.tables.is_empty() {
-        let kit = plan.header.kit(&plan.header.mesher)?;
-        tables.extend(plan.header.tables.iter().map(|t| fill(t, plan, &kit, records)));
+    if let Some(kit) = &kit {
+        tables.extend(header.tables.iter().map(|t| fill(t, plan, kit, records)));
         markdown.extend(tables.iter().map(|t| t.markdown()));
     }
     let mut choice = None;
@@ -209,7 +266,12 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
     let title = of_base.map_or_else(of_file, str::to_owned);
     let page = summary::page(&title, &counts, &broken, choice.as_ref(), &tables, &rows);
     write_whole(&path.join("summary.html"), page.as_bytes())?;
-    log.line(format!("{} cases: {}", counts.all(), counts.words()));
+    tables.iter().filter(|t| t.is_empty()).for_each(|t| {
+        let (title, what) = (&t.title, &t.what);
+        log.line(format!("the table `{title}` is empty: no load case has a capacity of {what}"));
+    });
+    without_result(plan, records).iter().for_each(|l| log.line(l.clone()));
+    log.line(format!("{}: {}", Counts::cases(counts.all()), counts.words()));
     if let Some(shown) = &choice {
         shown.lines(MOST_GROUPS).iter().for_each(|l| log.line(l.clone()));
     }
@@ -218,7 +280,7 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
     }
     log.line(format!("result: {}", path.join("summary.html").display()));
     let expects = !plan.header.expect.is_empty() || expected(plan).next().is_some();
-    Ok(match broken.is_empty() {
+    let status = match broken.is_empty() {
         false => ExitStatus::NotOk,
         // what the user expects replaces the verdicts, but no case may be without one
         true if expects => counts.without_verdict(),
@@ -227,7 +289,34 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<ExitStatus,
             counts.with_verdicts(merged.decisions.iter().map(Decision::outcome))
         }
         true => counts.status(),
-    })
+    };
+    Ok(Merge { counts, broken, status })
+}
+
+/// The first cases without a result, with the reason, and how many more there are.
+fn without_result(plan: &Plan, records: &[Option<Record>]) -> Vec<String> {
+    let mut left = Outcome::ALL.map(|_| 0usize);
+    let mut out = Vec::new();
+    for (case, record) in plan.cases.iter().zip(records) {
+        let Some(record) = record.as_ref().filter(|r| r.outcome >= Outcome::TimedOut) else {
+            continue;
+        };
+        let seen = &mut left[record.outcome as usize];
+        *seen += 1;
+        if *seen <= SHOWN_WITHOUT_RESULT {
+            let word = record.outcome.word().replace('_', " ");
+            let cause = record.cause.as_deref().unwrap_or("no reason is known");
+            out.push(format!("{word}: {}: {cause}", case.name));
+        }
+    }
+    for outcome in Outcome::ALL {
+        let more = left[outcome as usize].saturating_sub(SHOWN_WITHOUT_RESULT);
+        if more > 0 {
+            let word = outcome.word().replace('_', " ");
+            out.push(format!("{word}: {more} more, see results.csv"));
+        }
+    }
+    out
 }
 
 /// The cases with an expected verdict, by their position in the plan.

@@ -4,6 +4,7 @@ use super::merged::Merged;
 use super::row::{Outcome, Record};
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::spec::expr::{Expr, Value};
+use serde_json::{Map, Value as Json};
 
 /// Numbers of cases by outcome, and of those that are not finished.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +42,20 @@ impl Counts {
     /// Number of cases with an outcome.
     pub fn with(&self, outcome: Outcome) -> usize {
         self.of[outcome as usize]
+    }
+
+    /// `1 case`, `24 cases`.
+    pub fn cases(number: usize) -> String {
+        if number == 1 { "1 case".into() } else { format!("{number} cases") }
+    }
+
+    /// The numbers by their names in the conditions of `expect`, and `open`.
+    pub fn json(&self) -> Map<String, Json> {
+        let outcomes = Outcome::ALL.iter().map(|o| (o.word(), self.with(*o)));
+        let others = [("open", self.open), ("groups", self.groups), ("chosen", self.chosen)];
+        let others = others.into_iter().filter(|(name, n)| *name == "open" || *n > 0);
+        let all = outcomes.chain([("cases", self.all())]).chain(others);
+        all.map(|(name, n)| (name.to_string(), n.into())).collect()
     }
 
     /// Number of all cases.

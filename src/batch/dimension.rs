@@ -44,11 +44,11 @@ pub struct Dimension {
 }
 
 impl Dimension {
-    /// Writes the values of a step into a spec.
-    pub fn set(&self, step: &Step, spec: &mut Value) -> Result<(), String> {
+    /// Writes the values of a step into a spec; the error names the path that cannot be written.
+    pub fn set(&self, step: &Step, spec: &mut Value) -> Result<(), (&SpecPath, String)> {
         for (path, value) in self.paths.iter().zip(&step.values) {
             if let Some(value) = value {
-                path.set(spec, value.clone())?;
+                path.set(spec, value.clone()).map_err(|e| (path, e))?;
             }
         }
         Ok(())

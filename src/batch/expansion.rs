@@ -3,6 +3,7 @@
 
 use super::derived::Derived;
 use super::dimension::{Dimension, Step, words};
+use super::spec_path::SpecPath;
 use crate::diag::{Diagnostic, Diagnostics};
 use crate::spec::connection::ConnectionSpec;
 use crate::spec::yaml::{self, PlaceIndex};
@@ -63,10 +64,10 @@ impl Expansion {
 
     /// The spec of a combination, without the values that follow from others.
     pub fn varied(&self, index: u64) -> Result<Value, String> {
-        self.with(&self.steps(index))
+        self.with(&self.steps(index)).map_err(|(_, message)| message)
     }
 
-    fn with(&self, steps: &[&Step]) -> Result<Value, String> {
+    fn with(&self, steps: &[&Step]) -> Result<Value, (&SpecPath, String)> {
         let mut spec = self.base.clone();
         for (d, step) in self.dimensions.iter().zip(steps) {
             d.set(step, &mut spec)?;
@@ -98,6 +99,13 @@ impl Expansion {
         if parts.is_empty() { "base".into() } else { parts.join(" ") }
     }
 
+    /// The paths that the dimensions and the values of `set` write.
+    pub fn paths(&self) -> Vec<&str> {
+        let of_dimensions = self.dimensions.iter().flat_map(|d| &d.paths);
+        let of_set = self.derived.iter().map(|d| &d.path);
+        of_dimensions.chain(of_set).map(SpecPath::text).collect()
+    }
+
     /// Name of the row of the table that a combination has; `None` without a table.
     pub fn row_name(&self, index: u64) -> Option<String> {
         let at = self.dimensions.iter().position(|d| d.table)?;
@@ -105,7 +113,7 @@ impl Expansion {
     }
 
     /// The spec with a step of the dimension `i` beside the first steps of the others.
-    fn beside_first(&self, i: usize, step: &Step) -> Result<Value, String> {
+    fn beside_first(&self, i: usize, step: &Step) -> Result<Value, (&SpecPath, String)> {
         let mut steps: Vec<&Step> = self.dimensions.iter().map(|d| &d.steps[0]).collect();
         steps[i] = step;
         self.with(&steps)
@@ -119,9 +127,10 @@ impl Expansion {
         for (i, d) in self.dimensions.iter().enumerate() {
             for step in &d.steps {
                 let fault = match self.beside_first(i, step) {
-                    Err(message) => {
+                    Err((path, message)) => {
                         let help = "name entries as in the base spec, or give them there first";
-                        Some(Diagnostic::input("sweep/path", message).help(help))
+                        let d = Diagnostic::input("sweep/path", message).help(help);
+                        Some(d.path(canonical(path.text(), &self.base)))
                     }
                     Ok(spec) => typed(&spec, &self.file).err().map(|d| *d),
                 };
@@ -154,8 +163,12 @@ impl Expansion {
     ) -> (Diagnostic, bool) {
         let d = &self.dimensions[dimension];
         let at = fault.place.path.clone().unwrap_or_default();
-        let own =
-            d.paths.iter().find(|p| at.is_empty() || covers(&canonical(p.text(), &self.base), &at));
+        // a key or entry on the way to a value that the base does not have comes with the value
+        let new = SpecPath::parse(&at).is_ok_and(|p| p.get(&self.base).is_none());
+        let own = d.paths.iter().find(|p| {
+            let path = canonical(p.text(), &self.base);
+            at.is_empty() || covers(&path, &at) || (new && covers(&at, &path))
+        });
         match own {
             Some(path) => {
                 let mut place = step.place.clone();

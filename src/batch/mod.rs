@@ -3,6 +3,7 @@
 
 pub mod analysing;
 pub mod axis;
+pub mod cache;
 pub mod capacity;
 pub mod case;
 pub mod checking;
@@ -16,6 +17,7 @@ pub mod dimension;
 pub mod expansion;
 pub mod forecast;
 pub mod merged;
+pub mod part;
 pub mod plan;
 pub mod results_table;
 pub mod row;

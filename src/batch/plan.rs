@@ -2,7 +2,7 @@
 
 use super::case::{Case, common, key, own_tables, shared};
 use super::choice;
-use super::expansion::{Expansion, typed};
+use super::expansion::{Expansion, canonical, covers, typed};
 use super::screen::Kit;
 use super::sweep::{CapacityTable, CaseLimits, Choose, First, Then, meshes};
 use super::sweep_file::{SweepFile, open_catalog};
@@ -85,6 +85,7 @@ impl Plan {
     pub fn new(path: &Path, file: SweepFile, mesher: &str) -> Result<Self, Diagnostics> {
         let count = file.expansion.count().filter(|n| *n <= MOST).ok_or_else(|| too_many(&file))?;
         let kit = kit(&file.expansion, &file.folder, file.catalog)?;
+        derived_fit(&file.expansion, &kit, &file.sweep.index)?;
         let value = &file.sweep.value;
         let limit = value.then.is_some();
         let shared = shared(mesher, limit, &own_tables(file.catalog_folder.as_deref()));
@@ -138,6 +139,30 @@ impl Plan {
                 .map_err(|d| Diagnostic { place: sweep.index.place("choose.least"), ..*d })?;
         }
         Ok(plan)
+    }
+}
+
+/// Refuses values of `set` that the spec cannot take, such as those of a key that does not exist.
+fn derived_fit(
+    expansion: &Expansion,
+    kit: &Kit,
+    places: &PlaceIndex,
+) -> Result<(), Box<Diagnostic>> {
+    // another fault of the first combination is reported with its case
+    let Ok(spec) = kit.spec(expansion, 0) else { return Ok(()) };
+    let Err(fault) = typed(&spec, &kit.file) else { return Ok(()) };
+    let at = fault.place.path.clone().unwrap_or_default();
+    let own = expansion.derived.iter().find(|d| {
+        let path = canonical(d.path.text(), &expansion.base);
+        covers(&path, &at) || (!at.is_empty() && covers(&at, &path))
+    });
+    match own {
+        Some(d) => {
+            let place = places.place(&format!("set.{}", d.path));
+            let message = format!("`set.{}`: {}", d.path, fault.message);
+            Err(Box::new(Diagnostic { place, message, ..*fault }))
+        }
+        None => Ok(()),
     }
 }
 

@@ -1,10 +1,15 @@
 //! `results.csv` and `results.jsonl`: a row for each case and load case.
 
 use super::case::Case;
+use super::derived::Derived;
+use super::dimension::words;
 use super::merged::Merged;
 use super::plan::Plan;
 use super::row::{LoadRow, Record};
+use super::screen::Kit;
+use super::spec_path::SpecPath;
 use crate::diag::Diagnostic;
+use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
 /// The columns behind the varied paths.
@@ -32,19 +37,21 @@ const COLUMNS: [&str; 20] = [
 ];
 
 /// A row of the tables: names of columns with their values; null where there is none. `choice`: the
-/// columns of the choice.
+/// columns of the choice; `derived`: those of the values of `set`.
 fn row(
     plan: &Plan,
     case: &Case,
     record: Option<&Record>,
     load: Option<&LoadRow>,
     choice: Option<&[(&str, Value); 2]>,
+    derived: &[(String, Value)],
 ) -> Map<String, Value> {
     let mut row = Map::new();
     row.insert("case".into(), json!(case.name));
     for (path, value) in plan.header.expansion.values(case.index) {
         row.insert(path.into(), json!(value));
     }
+    row.extend(derived.iter().cloned());
     let utilisation = load.and_then(|l| crate::checks::verdict::utilisation(l.lower, l.upper));
     let governing = load.and_then(|l| l.governing.as_ref());
     let with_elements = record.filter(|r| r.result);
@@ -97,21 +104,31 @@ pub fn finite(value: f64) -> Value {
     serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
 }
 
-/// The rows of all cases; a case without load cases has one row.
-pub fn rows(plan: &Plan, merged: &Merged) -> Vec<Map<String, Value>> {
+/// The values of `set` in a case, as text; null where they have none.
+fn of_set(plan: &Plan, kit: &Kit, case: &Case) -> Vec<(String, Value)> {
+    let expansion = &plan.header.expansion;
+    let spec = kit.spec(expansion, case.index).ok();
+    let value = |p: &SpecPath| spec.as_ref().and_then(|s| p.get(s)).map(words);
+    let one = |d: &Derived| (d.path.text().to_string(), json!(value(&d.path)));
+    expansion.derived.iter().map(one).collect()
+}
+
+/// The rows of all cases; a case without load cases has one row. `kit` is needed for the values of
+/// `set`.
+pub fn rows(plan: &Plan, merged: &Merged, kit: Option<&Kit>) -> Vec<Map<String, Value>> {
     let choice = plan.header.choose.as_ref().map(|_| of_choice(merged));
-    let mut rows = Vec::new();
-    for (i, (case, record)) in plan.cases.iter().zip(&merged.records).enumerate() {
+    let of_case = |i: usize| -> Vec<Map<String, Value>> {
+        let (case, record) = (&plan.cases[i], merged.records[i].as_ref());
+        let derived = kit.map_or_else(Vec::new, |kit| of_set(plan, kit, case));
         let one = |load: Option<&LoadRow>| {
-            row(plan, case, record.as_ref(), load, choice.as_ref().map(|c| &c[i]))
+            row(plan, case, record, load, choice.as_ref().map(|c| &c[i]), &derived)
         };
-        let loads = record.as_ref().map_or(&[][..], |r| &r.loads);
-        if loads.is_empty() {
-            rows.push(one(None));
+        match record.map_or(&[][..], |r| &r.loads) {
+            [] => vec![one(None)],
+            loads => loads.iter().map(|l| one(Some(l))).collect(),
         }
-        rows.extend(loads.iter().map(|l| one(Some(l))));
-    }
-    rows
+    };
+    (0..plan.cases.len()).into_par_iter().flat_map_iter(of_case).collect()
 }
 
 /// The rows as CSV. A text that a spreadsheet would take for a formula gets an apostrophe.

@@ -58,9 +58,23 @@ impl Shard {
         Ok(Self { index: index - 1, count })
     }
 
-    /// The items of this shard: item k of every n.
-    pub fn of<'a, T>(&self, items: &'a [T]) -> impl Iterator<Item = &'a T> + use<'a, T> {
-        items.iter().skip(self.index as usize).step_by(self.count as usize)
+    /// Positions of the items of this shard, ascending. The items are divided by their forecast
+    /// seconds: the longest first, each to the shard with the least work.
+    pub fn of(&self, seconds: &[f64]) -> Vec<usize> {
+        let mut longest: Vec<usize> = (0..seconds.len()).collect();
+        // a stable sort: equal items go to the shards in turn
+        longest.sort_by(|a, b| seconds[*b].total_cmp(&seconds[*a]));
+        let mut work = vec![0.0f64; self.count as usize];
+        let mut own = Vec::new();
+        for item in longest {
+            let least = (0..work.len()).min_by(|a, b| work[*a].total_cmp(&work[*b])).unwrap_or(0);
+            work[least] += seconds[item];
+            if least == self.index as usize {
+                own.push(item);
+            }
+        }
+        own.sort_unstable();
+        own
     }
 }
 
@@ -68,18 +82,28 @@ impl Shard {
 mod tests {
     use super::*;
 
+    fn shards(n: usize, seconds: &[f64]) -> Vec<Vec<usize>> {
+        let shard = |i: usize| Shard::parse(&format!("{i}/{n}"), |_| None).expect("a shard");
+        (1..=n).map(|i| shard(i).of(seconds)).collect()
+    }
+
     #[test]
     fn every_item_is_in_one_shard() {
-        let items: Vec<u32> = (0..23).collect();
         for n in [1, 2, 5, 40] {
-            let mut all: Vec<u32> = (1..=n)
-                .flat_map(|i| {
-                    let shard = Shard::parse(&format!("{i}/{n}"), |_| None).expect("a shard");
-                    shard.of(&items).copied().collect::<Vec<_>>()
-                })
-                .collect();
-            all.sort_unstable();
-            assert_eq!(all, items, "{n}");
+            for seconds in [vec![1.0; 23], (0..23).map(|i| f64::from(i % 7)).collect()] {
+                let mut all = shards(n, &seconds).concat();
+                all.sort_unstable();
+                assert_eq!(all, (0..23).collect::<Vec<_>>(), "{n}");
+            }
+        }
+    }
+
+    /// Twelve joints of ten minutes and four of an hour: two shards of three hours.
+    #[test]
+    fn shards_have_equal_work() {
+        let seconds: Vec<f64> = (0..16).map(|i| if i < 12 { 600.0 } else { 3600.0 }).collect();
+        for shard in shards(2, &seconds) {
+            assert_eq!(shard.iter().map(|i| seconds[*i]).sum::<f64>(), 10_800.0);
         }
     }
 

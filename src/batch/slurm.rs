@@ -3,7 +3,7 @@
 use super::sweep_folder::SweepFolder;
 use crate::diag::{Diagnostic, Diagnostics};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Work of a task \[s\]: long against the start of a task, short against a day's queue.
@@ -26,7 +26,12 @@ pub struct Array {
     pub memory: u64,
     /// Wall time of a task \[min\].
     pub minutes: u64,
+    /// Folder of results that several sweeps share.
+    pub cache: Option<PathBuf>,
 }
+
+/// Memory of a task beside that of its case \[MiB\]: the process that starts the cases.
+const BESIDE: u64 = 512;
 
 impl Array {
     /// The array for cases of these times \[s\]; `longest`: wall time after which a case is ended
@@ -43,12 +48,15 @@ impl Array {
         let tasks = tasks.unwrap_or(fit).clamp(1, seconds.len().max(1));
         let each = total / tasks as f64;
         let minutes = ((MARGIN * each + longest) / 60.0).ceil().max(5.0) as u64;
-        Self { tasks, processors: threads, memory: memory >> 20, minutes }
+        let memory = (memory >> 20) + BESIDE;
+        Self { tasks, processors: threads, memory, minutes, cache: None }
     }
 
     /// The script for `sbatch`.
     pub fn script(&self, program: &Path, folder: &Path) -> String {
-        let Self { tasks, processors, memory, minutes } = self;
+        let Self { tasks, processors, memory, minutes, .. } = self;
+        let cache = self.cache.as_deref().map(|c| format!(" --cache {}", quoted(c)));
+        let cache = cache.unwrap_or_default();
         let (program, dir) = (quoted(program), quoted(folder));
         let name = folder.file_name().unwrap_or_default().to_string_lossy();
         let name: String =
@@ -64,7 +72,8 @@ impl Array {
              #SBATCH --open-mode=append\n\
              #SBATCH --signal=B:TERM@60\n\
              # a task that is requeued continues: finished cases stay\n\
-             {program} batch run {dir} --shard auto/{tasks} --jobs 1 --threads {processors} &\n\
+             {program} batch run {dir} --shard auto/{tasks} --jobs 1 --threads \
+             {processors}{cache} &\n\
              task=$!\n\
              trap 'kill -TERM $task' TERM\n\
              wait $task || wait $task\n"
@@ -149,6 +158,6 @@ mod tests {
         let array = Array::new(&[600.0; 12], 600.0, Some(4), 4 << 30, 2);
         let script = array.script(Path::new("/opt/bracket"), Path::new("/data/a b/it's"));
         assert!(script.contains("batch run '/data/a b/it'\\''s' --shard auto/4"), "{script}");
-        assert!(script.contains("--array=1-4") && script.contains("--mem=4096M"), "{script}");
+        assert!(script.contains("--array=1-4") && script.contains("--mem=4608M"), "{script}");
     }
 }

@@ -83,6 +83,21 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     })
 }
 
+/// Copies a folder with all that is in it.
+pub fn copy_folder(from: &Path, to: &Path) -> Result<(), Box<Diagnostic>> {
+    fs::create_dir_all(to).map_err(|e| io("make", to, e))?;
+    for entry in fs::read_dir(from).map_err(|e| io("read", from, e))? {
+        let entry = entry.map_err(|e| io("read", from, e))?;
+        let (source, target) = (entry.path(), to.join(entry.file_name()));
+        if source.is_dir() {
+            copy_folder(&source, &target)?;
+        } else {
+            fs::copy(&source, &target).map_err(|e| io("write", &target, e))?;
+        }
+    }
+    Ok(())
+}
+
 /// Hash of a text.
 fn hash(text: &str) -> String {
     blake3::hash(text.as_bytes()).to_hex().to_string()

@@ -52,6 +52,8 @@ pub struct Job {
     pub limit: bool,
     /// Limits of its process.
     pub limits: ProcessLimits,
+    /// Forecast of its time \[s\].
+    pub forecast: f64,
 }
 
 /// How a process ended.
@@ -95,7 +97,7 @@ pub fn found(job: &Job, folder: &SweepFolder) -> Option<Record> {
 }
 
 /// Moves a result into its place. Where another process was faster, its result stays.
-fn keep(made: &Path, place: &Path) -> Result<(), Box<Diagnostic>> {
+pub fn keep(made: &Path, place: &Path) -> Result<(), Box<Diagnostic>> {
     if !made.join(RESULT_FILE).is_file() {
         return Ok(());
     }

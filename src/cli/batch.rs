@@ -2,8 +2,10 @@
 
 use super::catalog_options::CatalogOptions;
 use super::common::{CommandResult, Common, Format};
-use crate::batch::commands::{RunOptions, merge, plan, run as run_sweep, slurm_array, status};
-use crate::batch::row::Outcome;
+use crate::batch::commands::{
+    Merge, RunOptions, merge, plan, run as run_sweep, slurm_array, status,
+};
+use crate::batch::counts::Counts;
 use crate::batch::shard::Shard;
 use crate::batch::slurm;
 use crate::batch::sweep_folder::SweepFolder;
@@ -13,7 +15,7 @@ use crate::driver::limits::use_threads;
 use crate::report::console::log::Log;
 use crate::report::console::out;
 use clap::Subcommand;
-use serde_json::{Map, json};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -33,6 +35,9 @@ pub struct BatchArgs {
     /// Processes with finite elements side by side (default: one a processor).
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+    /// Folder of results that several sweeps share: what it holds is not computed again.
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
     /// Catalogue.
     #[command(flatten)]
     pub catalog: CatalogOptions,
@@ -64,6 +69,9 @@ pub enum Step {
         /// Processes with finite elements side by side (default: one a processor).
         #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
         jobs: Option<u16>,
+        /// Folder of results that several sweeps share: what it holds is not computed again.
+        #[arg(long, value_name = "DIR")]
+        cache: Option<PathBuf>,
     },
     /// Report what is finished.
     Status {
@@ -79,6 +87,9 @@ pub enum Step {
         /// Tasks of the array (default: about an hour of forecast work in each).
         #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10000))]
         tasks: Option<u16>,
+        /// Folder of results that several sweeps share, on a disk that all nodes see.
+        #[arg(long, value_name = "DIR")]
+        cache: Option<PathBuf>,
         /// Hand the array to `sbatch`, and a job that merges after it.
         #[arg(long)]
         submit: bool,
@@ -98,6 +109,18 @@ fn folder_of(sweep: &Path, out: Option<&PathBuf>) -> SweepFolder {
     SweepFolder::at(out.unwrap_or(&fallback))
 }
 
+/// Prints what became of a sweep as JSON if the user asked for it; returns its exit status.
+fn ended(merge: &Merge, folder: &SweepFolder, common: &Common) -> CommandResult {
+    if common.format == Format::Json {
+        let mut all = merge.counts.json();
+        all.insert("expected_and_not_so".into(), json!(merge.broken));
+        all.insert("folder".into(), json!(folder.path()));
+        all.insert("exit_code".into(), json!(merge.status.code()));
+        out::json(&all)?;
+    }
+    Ok(merge.status)
+}
+
 /// Runs `bracket batch`.
 pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
     // before any thread starts, so that every thread inherits the blocked signals
@@ -112,9 +135,13 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
         (None, Some(sweep)) => {
             let folder = folder_of(sweep, args.out.as_ref());
             let plan = plan(sweep, args.catalog.folder(), &folder, &log)?;
-            let options = RunOptions { shard: Shard::WHOLE, jobs: jobs(args.jobs) };
+            let options = RunOptions {
+                shard: Shard::WHOLE,
+                jobs: jobs(args.jobs),
+                cache: args.cache.clone(),
+            };
             run_sweep(&plan, &folder, options, &interrupt, &log)?;
-            merge(&plan, &folder, &log)
+            ended(&merge(&plan, &folder, &log)?, &folder, common)
         }
         (Some(Step::Plan { sweep, out, catalog }), _) => {
             let folder = folder_of(sweep, out.as_ref());
@@ -122,14 +149,15 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
             log.line(format!("next: bracket batch run {}", folder.path().display()));
             Ok(ExitStatus::Ok)
         }
-        (Some(Step::Run { folder, shard, jobs: n }), _) => {
+        (Some(Step::Run { folder, shard, jobs: n, cache }), _) => {
             let folder = SweepFolder::at(folder);
             let plan = folder.plan()?;
             let shard = match shard {
                 Some(text) => Shard::parse(text, |name| std::env::var(name).ok())?,
                 None => Shard::WHOLE,
             };
-            run_sweep(&plan, &folder, RunOptions { shard, jobs: jobs(*n) }, &interrupt, &log)?;
+            let options = RunOptions { shard, jobs: jobs(*n), cache: cache.clone() };
+            run_sweep(&plan, &folder, options, &interrupt, &log)?;
             Ok(if interrupt.asked() { ExitStatus::Undecided } else { ExitStatus::Ok })
         }
         (Some(Step::Status { folder }), _) => {
@@ -137,22 +165,17 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
             let counts = status(&folder.plan()?, &folder)?;
             match common.format {
                 Format::Text => {
-                    out::text(&format!("{} cases: {}\n", counts.all(), counts.words()))?
+                    out::text(&format!("{}: {}\n", Counts::cases(counts.all()), counts.words()))?
                 }
-                Format::Json => {
-                    let mut all: Map<_, _> = Outcome::ALL
-                        .iter()
-                        .map(|o| (o.word().to_string(), json!(counts.with(*o))))
-                        .collect();
-                    all.insert("open".into(), json!(counts.open));
-                    out::json(&all)?;
-                }
+                Format::Json => out::json(&counts.json())?,
             }
             Ok(if counts.open == 0 { ExitStatus::Ok } else { ExitStatus::Undecided })
         }
-        (Some(Step::Slurm { folder, tasks, submit }), _) => {
+        (Some(Step::Slurm { folder, tasks, cache, submit }), _) => {
             let folder = SweepFolder::at(folder);
-            let array = slurm_array(&folder.plan()?, tasks.map(usize::from))?;
+            let mut array = slurm_array(&folder.plan()?, tasks.map(usize::from))?;
+            // the script runs in a folder of its own
+            array.cache = cache.as_ref().map(|c| std::path::absolute(c).unwrap_or(c.clone()));
             let program = std::env::current_exe().unwrap_or_else(|_| "bracket".into());
             if *submit {
                 let [array, merge] = slurm::submit(&array, &program, &folder)?;
@@ -166,7 +189,7 @@ pub fn run(args: &BatchArgs, common: &Common) -> CommandResult {
         }
         (Some(Step::Merge { folder }), _) => {
             let folder = SweepFolder::at(folder);
-            merge(&folder.plan()?, &folder, &log)
+            ended(&merge(&folder.plan()?, &folder, &log)?, &folder, common)
         }
     }
 }

@@ -45,10 +45,17 @@ impl Passes<'_> {
                 return Ok(None);
             }
         }
+        // whether a mesh may take all of the remaining time: no track found one within its part
+        let mut whole = false;
         loop {
             let mut stop = None;
             let mut refined = false;
-            for i in 0..tracks.len() {
+            let mut order: Vec<usize> = (0..tracks.len()).collect();
+            if whole {
+                let gap = |i: usize| tracks[i].track.steps.last().map_or(0.0, |s| s.gap);
+                order.sort_by(|a, b| gap(*b).total_cmp(&gap(*a)));
+            }
+            for i in order {
                 if self.limits.interrupt.asked() {
                     return Ok(None);
                 }
@@ -58,7 +65,8 @@ impl Passes<'_> {
                 }
                 let best = self.divide(tracks)?;
                 // the tracks that follow in this round need their part of the time
-                let part = 1.0 / tracks[i..].iter().filter(|t| !t.failed).count() as f64;
+                let waiting = tracks[i..].iter().filter(|t| !t.failed).count();
+                let part = if whole { 1.0 } else { 1.0 / waiting as f64 };
                 match self.refine(&mut tracks[i], adapt, best, part)? {
                     Refined::Mesh => refined = true,
                     // of both reasons the one that another mesh could remove
@@ -70,9 +78,10 @@ impl Passes<'_> {
                 let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
                 self.drop_unused(&last);
             }
-            if !refined {
+            if !refined && (whole || tracks.len() == 1) {
                 return Ok(stop);
             }
+            whole = !refined;
         }
     }
 

@@ -200,6 +200,40 @@ fn finite_elements_of_every_case() {
     assert!(bench.everything() == before, "the second run changed a file");
 }
 
+/// A result that another sweep left in the cache is not computed again, and the tables are the same.
+#[test]
+fn sweeps_share_a_cache() {
+    let bench = t_stubs("");
+    expect(&bench, &["batch", "sweep.yaml", "-o", "first", "--cache", "cache"], 1);
+    // a mesher that ends at once: whatever is computed fails
+    let mesher = bench.mesher("exit 7");
+    let mut second = bench.command(&["batch", "sweep.yaml", "-o", "second", "--cache", "cache"]);
+    let run = second.env("BRACKET_GMSH", &mesher).output().expect("starts");
+    assert_eq!(run.status.code(), Some(1), "{}", String::from_utf8_lossy(&run.stderr));
+    let plain = |folder: &str| -> Vec<Value> {
+        let mut rows = rows(&bench, folder);
+        for row in &mut rows {
+            row.as_object_mut().expect("a row").remove("seconds");
+        }
+        rows
+    };
+    assert_eq!(plain("first"), plain("second"));
+    let folder = plain("second")[0]["result"].as_str().expect("a folder").to_owned();
+    expect(&bench, &["verify", &format!("second/{folder}")], 0);
+    for folder in ["cache/work", "second/work"] {
+        let left = std::fs::read_dir(bench.path().join(folder)).map(|d| d.count()).unwrap_or(0);
+        assert_eq!(left, 0, "{folder}");
+    }
+}
+
+/// What each case may take is added up: fewer run side by side where it exceeds the machine.
+#[test]
+fn memory_limits_are_added_up() {
+    let bench = t_stubs("limits: {memory: 100000 GiB}\n");
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml", "--jobs", "2"], 1);
+    assert!(err.contains("1 at once in place of 2"), "{err}");
+}
+
 /// A case that waits for limit analysis is open, whatever its checks say.
 #[test]
 fn checks_are_no_answer_where_limit_analysis_follows() {

@@ -8,7 +8,7 @@ type Wrong = (&'static str, &'static str, [&'static str; 4]);
 
 const AXES: &str = "base: joint.yaml\nfirst: checks\n";
 
-const WRONG: [Wrong; 36] = [
+const WRONG: [Wrong; 41] = [
     ("", "", ["yaml/empty", "sweep.yaml", "empty", "`bracket new`"]),
     ("AXES", "", ["sweep/value", "sweep.yaml:1", "varies nothing", "give `axes`"]),
     (
@@ -157,6 +157,31 @@ const WRONG: [Wrong; 36] = [
         ["sweep/value", "sweep.yaml:4", "`limits.threads` is 0", "1 or more"],
     ),
     (
+        "AXEStable: t.csv",
+        "Plate.thickness\n10\n",
+        ["yaml/unknown-key", "t.csv:2", "did you mean `plate`", "the keys known here"],
+    ),
+    (
+        "AXEStable: t.csv",
+        "plate.thickness,loads[1].My\n10,-20 kN m\n",
+        ["yaml/missing-key", "t.csv:2", "`loads[1]` lacks the key `name`", "add `name"],
+    ),
+    (
+        "AXEStable: t.csv",
+        "plate.thickness,bolts.rows[3]\n10,100\n",
+        ["sweep/path", "bolts.rows[3]", "the list has 2 entries", "as in the base spec"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nset: {plate.widht: 2 * beam.b}",
+        "",
+        ["yaml/unknown-key", "sweep.yaml:4", "did you mean `width`", "the keys known here"],
+    ),
+    (
+        "AXESaxes: {plate.thickness: [10]}\nset: {plate.width: 20 kN}",
+        "",
+        ["yaml/quantity", "sweep.yaml:4", "is not a length", ""],
+    ),
+    (
         "base: joint.yaml\naxes: {plate.thickness: [10]}\nchoose: {least: mass}",
         "",
         ["sweep/value", "sweep.yaml:3", "`choose` needs the checks", "first: checks"],
@@ -179,7 +204,7 @@ const WRONG: [Wrong; 36] = [
     (
         "AXESaxes: {plate.thickness: [10]}\nchoose: {least: bolts, among: undecided}",
         "",
-        ["yaml/value", "sweep.yaml:4", "undecided", "ok"],
+        ["yaml/unknown-value", "sweep.yaml:4", "undecided", "one of: ok"],
     ),
 ];
 
