@@ -10,7 +10,7 @@ A block stands between `<!-- generated:NAME … -->` and `<!-- /generated:NAME -
   worked     the expected result of examples/one_sided_stiffened (expected.json, `heavy`)
   templates  what `bracket templates NAME` prints of every template
   annexes    what `bracket catalog list annexes` prints
-  study      table and plot of docs/study, written by scripts/study.sh (its times are of one machine: never checked)
+  study, limit_study   tables and plots of docs/study, written by scripts/study.sh (their times are of one machine: never checked)
   help       what `bracket --help` prints
 """
 
@@ -104,9 +104,9 @@ def bracket(_check: bool) -> str:
     return "\n".join(lines).rstrip("\n")
 
 
-def study(_check: bool) -> str:
-    """The rows of the stored study, and its plot."""
-    path = ROOT / "docs" / "study" / "study.csv"
+def study_table(name: str) -> list[str]:
+    """The rows of a stored study."""
+    path = ROOT / "docs" / "study" / f"{name}.csv"
     if not path.is_file():
         raise Fault(f"{path.relative_to(ROOT)} is missing: run scripts/study.sh")
     lines = ["| meshes | macro tets | certified gap | all meshes so far [s] | peak memory [MiB] |", "| --- | ---: | ---: | ---: | ---: |"]
@@ -115,7 +115,22 @@ def study(_check: bool) -> str:
             gap = f"{math.ceil(1e4 * float(row['gap'])) / 100:.2f} %" if row["gap"] else "–"
             seconds = f"{float(row['total_seconds']):.0f}"
             lines.append(f"| {row['meshes']} | {row['macro_tets']} | {gap} | {seconds} | {row['peak_memory_mib']} |")
-    return "\n".join([*lines, "", "![Certified gap against the number of tetrahedra](study/tets.png)"])
+    return lines
+
+
+def study(_check: bool) -> str:
+    """The stored study of the paper's joint in elastic analysis, and its plot."""
+    plot = "![Certified gap against the number of tetrahedra](study/paper_elastic_tets.png)"
+    return "\n".join([*study_table("paper_elastic"), "", plot])
+
+
+def limit_study(_check: bool) -> str:
+    """The stored studies in limit analysis, and their plots."""
+    lines = []
+    for name, title in (("paper_limit", "The joint of the README"), ("splice_limit", "`examples/splice_extended`")):
+        lines += [f"{title}:", "", *study_table(name), ""]
+        lines += [f"![Certified gap against wall time](study/{name}_time.png)", ""]
+    return "\n".join(lines).rstrip("\n")
 
 
 def worked(_check: bool) -> str:
@@ -181,7 +196,7 @@ def help_text(_check: bool) -> str:
 
 BLOCKS = {
     "README.md": {"picture": picture, "spec": spec, "result": bracket, "worked": worked},
-    "docs/guide.md": {"templates": templates, "annexes": annexes, "study": study},
+    "docs/guide.md": {"templates": templates, "annexes": annexes, "study": study, "limit_study": limit_study},
     "docs/contract.md": {"help": help_text},
 }
 

@@ -19,6 +19,7 @@ use super::summary;
 use super::sweep::CaseLimits;
 use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
+use super::worker::clear_work;
 use crate::analysis::memory::room;
 use crate::diag::{Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
@@ -159,6 +160,7 @@ pub fn run(
         let left = if left > 0.0 { format!("; {most}{} left", about(left)) } else { String::new() };
         log.line(format!("{} of {most}{total}: {name}: {word}{bracket}{seconds}{left}", *done));
     };
+    clear_work(folder);
     let cache = options.cache.as_deref().map(Cache::at);
     let work = Work {
         header,

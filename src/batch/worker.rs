@@ -28,6 +28,32 @@ const ECHO: Duration = Duration::from_millis(200);
 /// Interval at which a process is looked at.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// Folder of unfinished work in the folder of a sweep.
+const WORK: &str = "work";
+
+/// File in a folder of work with the process that does it.
+const OWNER: &str = "owner";
+
+/// A process of this machine since it was started, as one line.
+fn this_process(pid: u32) -> String {
+    let boot = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
+    let names = fs::read_link("/proc/self/ns/pid").unwrap_or_default();
+    format!("{} {} {pid}", boot.trim(), names.display())
+}
+
+/// Removes the work of processes of this machine that were killed.
+pub fn clear_work(folder: &SweepFolder) {
+    let Ok(entries) = fs::read_dir(folder.path().join(WORK)) else { return };
+    for work in entries.flatten().map(|e| e.path()) {
+        let owner = fs::read_to_string(work.join(OWNER)).unwrap_or_default();
+        let pid = owner.rsplit(' ').next().and_then(|p| p.parse::<u32>().ok());
+        let ours = pid.filter(|p| this_process(*p) == owner);
+        if ours.is_some_and(|p| !Path::new(&format!("/proc/{p}")).exists()) {
+            let _ = fs::remove_dir_all(&work);
+        }
+    }
+}
+
 /// Limits of a process.
 #[derive(Clone, Copy, Debug)]
 pub struct ProcessLimits {
@@ -71,7 +97,7 @@ pub fn analyse(
     folder: &SweepFolder,
     interrupt: &AtomicBool,
 ) -> Result<Option<Record>, Box<Diagnostic>> {
-    let work = folder.path().join("work").join(format!("{}.{}", job.key, unique()));
+    let work = folder.path().join(WORK).join(format!("{}.{}", job.key, unique()));
     let start = Instant::now();
     let found = run(job, header, &work, interrupt).and_then(|end| match end {
         End::Interrupted => Ok(None),
@@ -126,6 +152,7 @@ fn run(
     let text =
         yaml::to_string(&absolute(job.spec.clone(), &header.folder)).map_err(|f| f.into_first())?;
     write_whole(&spec, text.as_bytes())?;
+    write_whole(&work.join(OWNER), this_process(std::process::id()).as_bytes())?;
     let program = std::env::current_exe().map_err(|e| {
         Diagnostic::environment("sweep/program", format!("the program does not find itself: {e}"))
     })?;

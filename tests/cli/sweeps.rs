@@ -260,6 +260,14 @@ fn a_failing_process_ends_its_case() {
         ("limits: {time: 1 s}", "sleep 60", "timed_out", "within its 1 s", 3),
         ("", "exit 7", "failed", "mesher", 4),
         ("", "kill -9 $PPID", "failed", "signal: 9", 4),
+        // `tail` keeps the line without an end
+        (
+            "limits: {memory: 300 MiB}",
+            "head -c 900m /dev/zero | tail; sleep 60",
+            "failed",
+            "more than its 300 MiB",
+            4,
+        ),
     ] {
         let bench = t_stubs(limits);
         let mesher = bench.mesher(script);
@@ -278,6 +286,85 @@ fn a_failing_process_ends_its_case() {
         let work = std::fs::read_dir(bench.path().join("sweep/work"));
         assert_eq!(work.map(|d| d.count()).unwrap_or(0), 0, "{script}: work is left");
     }
+}
+
+/// A process that is killed leaves its unfinished work; the next run removes it, but not that of a
+/// process that lives.
+#[cfg(target_os = "linux")]
+#[test]
+fn work_of_killed_processes_is_removed() {
+    let bench = t_stubs("");
+    let mesher = bench.mesher("sleep 60");
+    let start = |jobs: &str| {
+        let mut command = bench.command(&["batch", "sweep.yaml", "--jobs", jobs, "--quiet"]);
+        command.env("BRACKET_GMSH", &mesher).spawn().expect("starts")
+    };
+    let work = || -> Vec<std::path::PathBuf> {
+        let entries = std::fs::read_dir(bench.path().join("sweep/work"));
+        entries.map(|d| d.flatten().map(|e| e.path()).collect()).unwrap_or_default()
+    };
+    let wait = |number: usize| {
+        for _ in 0..200 {
+            if work().iter().filter(|w| w.join("owner").exists()).count() == number {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        panic!("{:?}", work());
+    };
+    let mut killed = start("1");
+    wait(1);
+    killed.kill().expect("killed");
+    killed.wait().expect("ended");
+    let left = work();
+    // another process removes what is left, and makes its own
+    let mut other = start("1");
+    for _ in 0..200 {
+        if !left[0].exists() && work().len() == 1 {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert!(!left[0].exists(), "{left:?}");
+    // a third one leaves the work of the second alone
+    let mut third = start("1");
+    wait(2);
+    for child in [&mut other, &mut third] {
+        child.kill().expect("killed");
+        child.wait().expect("ended");
+    }
+}
+
+/// A disk that is full in the middle: a named error, no half-written file, and the same tables as
+/// without it once there is room. The limit of the size of a file stands for the disk.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_ends_a_run_in_order() {
+    let sweep = CHECKS.replace("step: 5", "step: 0.01");
+    let bench = bench(&sweep);
+    for folder in ["whole", "full"] {
+        expect(&bench, &["batch", "plan", "sweep.yaml", "-o", folder, "--quiet"], 0);
+    }
+    expect(&bench, &["batch", "run", "whole", "--quiet"], 0);
+    expect(&bench, &["batch", "run", "full", "--shard", "1/3", "--quiet"], 0);
+    let program = env!("CARGO_BIN_EXE_bracket");
+    for (blocks, args) in [(1, "run full"), (20, "merge whole")] {
+        let line = format!("trap '' XFSZ; ulimit -f {blocks}; exec {program} batch {args} --quiet");
+        let mut command = std::process::Command::new("sh");
+        let run = command.args(["-c", &line]).current_dir(bench.path()).output().expect("starts");
+        let err = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(4), "{args}: {err}");
+        assert!(err.contains("sweep/io") || err.contains("sweep/disk-full"), "{args}: {err}");
+        assert_eq!(err.matches("error[").count(), 1, "{err}");
+        for file in bench.everything().keys() {
+            assert!(!file.to_string_lossy().ends_with(".part"), "{file:?}");
+        }
+    }
+    expect(&bench, &["batch", "run", "full", "--quiet"], 0);
+    for folder in ["whole", "full"] {
+        bench.run(&["batch", "merge", folder, "--quiet"]);
+    }
+    assert!(merged(&bench, "whole") == merged(&bench, "full"));
 }
 
 /// A capacity is the load factor times the load of the case, also where `set` gives the load.
