@@ -1,6 +1,6 @@
 #!/bin/sh
 # Everything that must pass, from nothing: set up, format, lints, tests (unit, literature, doc), licences, examples.
-# --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm).
+# --heavy adds the tests that take long (fine meshes, convergence studies, a sweep on a real Slurm, the feature `parquet`).
 set -eu
 cd -- "$(dirname -- "$0")/.."
 heavy=no
@@ -51,6 +51,7 @@ step "${PWD}/scripts/examples.sh"
 # two minutes, most of them Slurm's pause before a requeued task: a real Slurm on this machine
 if [ "$heavy" = yes ]; then
     step "${PWD}/scripts/slurm_test.sh"
+    step "${PWD}/scripts/parquet_test.sh"
 fi
 step .venv/bin/python scripts/readme.py --check
 

@@ -86,7 +86,7 @@ pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
     let cells = rows.iter().map(|r| SHOWN.iter().map(|(key, _)| cell(r, key)).collect()).collect();
     let sum = |key: &str| rows.iter().filter_map(|r| r[key].as_u64()).sum::<u64>();
     let mut sentence =
-        format!("Least `{least}`. {} of {} joints were meshed.", sum("analysed"), sum("joints"));
+        format!("Cost: {least}. {} of {} joints were meshed.", sum("analysed"), sum("joints"));
     match sum("cheaper_undecided") {
         0 => {}
         1 => sentence.push_str(" One cheaper joint is undecided: it may hold."),

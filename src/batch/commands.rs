@@ -50,6 +50,9 @@ const MOST_GROUPS: usize = 20;
 /// The capacity tables and the chosen joints as Markdown.
 const TABLES: &str = "tables.md";
 
+/// The rows as a column file.
+const COLUMNS: &str = "results.parquet";
+
 /// The chosen joints.
 const CHOSEN: &str = "chosen.csv";
 
@@ -240,6 +243,11 @@ pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diag
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
     write_whole(&path.join("results.jsonl"), jsonl(&rows).as_bytes())?;
+    #[cfg(feature = "parquet")]
+    write_whole(&path.join(COLUMNS), &super::parquet_table::parquet(&rows)?)?;
+    // that of another build would be out of date
+    #[cfg(not(feature = "parquet"))]
+    let _ = std::fs::remove_file(path.join(COLUMNS));
     let mut tables = Vec::new();
     let mut markdown = Vec::new();
     if let Some(kit) = &kit {

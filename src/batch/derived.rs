@@ -73,7 +73,8 @@ fn as_json(value: expr::Value) -> Value {
     match value {
         expr::Value::Truth(t) => Value::Bool(t),
         expr::Value::Quantity(q) if q.dim == Dim::LENGTH || q.dim == Dim::NONE => {
-            Number::from_f64(q.value).map_or(Value::Null, Value::Number)
+            // nine decimals hide the rounding error of decimal input
+            Number::from_f64((1e9 * q.value).round() / 1e9).map_or(Value::Null, Value::Number)
         }
         other => Value::String(other.to_string()),
     }

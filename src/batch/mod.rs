@@ -17,6 +17,8 @@ pub mod dimension;
 pub mod expansion;
 pub mod forecast;
 pub mod merged;
+#[cfg(feature = "parquet")]
+pub mod parquet_table;
 pub mod part;
 pub mod plan;
 pub mod results_table;

@@ -36,6 +36,24 @@ const COLUMNS: [&str; 20] = [
     "cause",
 ];
 
+/// Columns that hold numbers; bounds, utilisations, resistances, masses and times.
+pub const NUMBERS: [&str; 11] = [
+    "lambda_low",
+    "lambda_up",
+    "utilisation_low",
+    "utilisation_up",
+    "M_j_Rd_kNm",
+    "component_factor",
+    "S_j_ini_kNm_per_rad",
+    "governing_utilisation",
+    "mass_kg",
+    "seconds",
+    "cost",
+];
+
+/// Columns that hold integers.
+pub const INTEGERS: [&str; 1] = ["bolts"];
+
 /// A row of the tables: names of columns with their values; null where there is none. `choice`: the
 /// columns of the choice; `derived`: those of the values of `set`.
 fn row(

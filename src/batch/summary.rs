@@ -83,6 +83,8 @@ pub fn page(
     out.push_str("<h2>Mass against load factor</h2>\n<p>Mass of plates and bolts; a bar from the ");
     out.push_str("lower to the upper bound of the load factor, a tick for the component method. ");
     out.push_str("The line is the given load.</p>\n<div id=\"chart\"></div>\n");
+    out.push_str("<h2>Gap against time</h2>\n<p>How far apart the bounds of a case are, over the ");
+    out.push_str("time that it took.</p>\n<div id=\"effort\"></div>\n");
     let data = Value::Array(rows.iter().cloned().map(Value::Object).collect());
     out.push_str("<script type=\"application/json\" id=\"data\">");
     out.push_str(&inside_script(&data));

@@ -68,6 +68,35 @@ function draw() {
   document.getElementById("shown").textContent = `${chosen.length} of ${rows.length} rows${cut}`;
 }
 
+const colour = { ok: "#0b6b2e", not_ok: "#b3261e", undecided: "#b07400" };
+
+function make(name, attributes, text) {
+  const e = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  if (text !== undefined) e.textContent = text;
+  return e;
+}
+
+// an empty chart with its axes: x and y are {label, from, to, digits}; returns the drawing and both scales
+function axes(label, x, y) {
+  const [w, h, left, bottom] = [760, 380, 60, 45];
+  const scale = (from, to, a, b) => v => a + (b - a) * (v - from) / (to - from || 1);
+  const [sx, sy] = [scale(x.from, x.to, left, w - 15), scale(y.from, y.to, h - bottom, 15)];
+  const svg = make("svg", { viewBox: `0 0 ${w} ${h}`, width: w, role: "img", "aria-label": label });
+  const text = { "font-size": 12, fill: "currentColor" };
+  for (let i = 0; i <= 4; i++) {
+    const [vx, vy] = [x, y].map(a => a.from + (a.to - a.from) * i / 4);
+    svg.append(make("text", { ...text, x: sx(vx), y: h - bottom + 18, "text-anchor": "middle" }, vx.toFixed(x.digits)));
+    svg.append(make("text", { ...text, x: left - 8, y: sy(vy) + 4, "text-anchor": "end" }, vy.toFixed(y.digits)));
+    svg.append(make("line", { x1: left, x2: w - 15, y1: sy(vy), y2: sy(vy), stroke: "currentColor", "stroke-opacity": 0.12 }));
+  }
+  svg.append(make("text", { ...text, x: (w + left) / 2, y: h - 6, "text-anchor": "middle" }, x.label));
+  svg.append(make("text", { ...text, x: 14, y: h / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${h / 2})` }, y.label));
+  return [svg, sx, sy];
+}
+
+const greatest = (values, least) => values.reduce((a, v) => Math.max(a, v), least);
+
 function chart() {
   const points = rows.filter(r => typeof r.mass_kg === "number"
     && [r.lambda_low, r.lambda_up, r.component_factor].some(x => typeof x === "number"));
@@ -76,40 +105,26 @@ function chart() {
     place.textContent = "No case has a mass and a load factor.";
     return;
   }
-  const ns = "http://www.w3.org/2000/svg";
-  const make = (name, attributes, text) => {
-    const e = document.createElementNS(ns, name);
-    for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
-    if (text !== undefined) e.textContent = text;
-    return e;
-  };
-  const [w, h, left, bottom] = [760, 380, 60, 45];
   const factors = points.flatMap(r => [r.lambda_low, r.lambda_up, r.component_factor]).filter(x => typeof x === "number");
-  const most = factors.reduce((a, f) => Math.max(a, Math.min(f, 1e6)), 1.2);
+  const most = greatest(factors.map(f => Math.min(f, 1e6)), 1.2);
   const masses = points.map(r => r.mass_kg);
-  const m0 = 0.95 * masses.reduce((a, b) => Math.min(a, b));
-  const m1 = 1.05 * masses.reduce((a, b) => Math.max(a, b));
-  const x = m => left + (w - left - 15) * (m - m0) / (m1 - m0 || 1);
-  const y = f => h - bottom - (h - bottom - 15) * Math.min(f, most) / most;
-  const svg = make("svg", { viewBox: `0 0 ${w} ${h}`, width: w, role: "img", "aria-label": "mass against load factor" });
-  const colour = { ok: "#0b6b2e", not_ok: "#b3261e", undecided: "#b07400" };
-  for (let i = 0; i <= 4; i++) {
-    const [m, f] = [m0 + (m1 - m0) * i / 4, most * i / 4];
-    svg.append(make("text", { x: x(m), y: h - bottom + 18, "font-size": 12, "text-anchor": "middle", fill: "currentColor" }, m.toFixed(1)));
-    svg.append(make("text", { x: left - 8, y: y(f) + 4, "font-size": 12, "text-anchor": "end", fill: "currentColor" }, f.toFixed(2)));
-    svg.append(make("line", { x1: left, x2: w - 15, y1: y(f), y2: y(f), stroke: "currentColor", "stroke-opacity": 0.12 }));
-  }
-  svg.append(make("text", { x: (w + left) / 2, y: h - 6, "font-size": 13, "text-anchor": "middle", fill: "currentColor" }, "mass of plates and bolts, kg"));
-  svg.append(make("text", { x: 14, y: h / 2, "font-size": 13, "text-anchor": "middle", fill: "currentColor", transform: `rotate(-90 14 ${h / 2})` }, "load factor"));
-  svg.append(make("line", { x1: left, x2: w - 15, y1: y(1), y2: y(1), stroke: "currentColor", "stroke-dasharray": "6 4" }));
+  const [svg, x, y] = axes(
+    "mass against load factor",
+    { label: "mass of plates and bolts, kg", from: 0.95 * masses.reduce((a, b) => Math.min(a, b)), to: 1.05 * greatest(masses, 0), digits: 1 },
+    { label: "load factor", from: 0, to: most, digits: 2 },
+  );
+  const bar = { x1: 60, x2: 745, y1: y(1), y2: y(1), stroke: "currentColor", "stroke-dasharray": "6 4" };
+  svg.append(make("line", bar));
   for (const r of points) {
     const group = make("g", { stroke: colour[r.outcome] ?? "#7a1fa2", fill: colour[r.outcome] ?? "#7a1fa2" });
+    const at = x(r.mass_kg);
     if (typeof r.lambda_low === "number") {
-      const top = typeof r.lambda_up === "number" ? r.lambda_up : most;
-      group.append(make("line", { x1: x(r.mass_kg), x2: x(r.mass_kg), y1: y(r.lambda_low), y2: y(top), "stroke-width": 3 }));
+      const top = typeof r.lambda_up === "number" ? Math.min(r.lambda_up, most) : most;
+      group.append(make("line", { x1: at, x2: at, y1: y(r.lambda_low), y2: y(top), "stroke-width": 3 }));
     }
     if (typeof r.component_factor === "number") {
-      group.append(make("line", { x1: x(r.mass_kg) - 5, x2: x(r.mass_kg) + 5, y1: y(r.component_factor), y2: y(r.component_factor), "stroke-width": 2, "stroke-opacity": 0.6 }));
+      const level = y(Math.min(r.component_factor, most));
+      group.append(make("line", { x1: at - 5, x2: at + 5, y1: level, y2: level, "stroke-width": 2, "stroke-opacity": 0.6 }));
     }
     group.append(make("title", {}, `${r.case}: ${r.outcome}`));
     svg.append(group);
@@ -117,6 +132,29 @@ function chart() {
   place.append(svg);
 }
 
+// speed against error: the gap of each bracket over the time of its case
+function effort() {
+  const place = document.getElementById("effort");
+  const points = rows.filter(r => [r.seconds, r.lambda_low, r.lambda_up].every(x => typeof x === "number") && r.lambda_low > 0)
+    .map(r => ({ ...r, gap: 100 * (r.lambda_up / r.lambda_low - 1) }));
+  if (!points.length) {
+    place.textContent = "No case has a bracket.";
+    return;
+  }
+  const [svg, x, y] = axes(
+    "gap of the bracket against wall time",
+    { label: "wall time of the case, s", from: 0, to: 1.05 * greatest(points.map(p => p.seconds), 1), digits: 0 },
+    { label: "gap, %", from: 0, to: 1.05 * greatest(points.map(p => p.gap), 1), digits: 1 },
+  );
+  for (const p of points) {
+    const dot = make("circle", { cx: x(p.seconds), cy: y(p.gap), r: 4, fill: colour[p.outcome] ?? "#7a1fa2" });
+    dot.append(make("title", {}, `${p.case}: ${p.gap.toFixed(1)} % in ${p.seconds.toFixed(0)} s`));
+    svg.append(dot);
+  }
+  place.append(svg);
+}
+
 document.getElementById("filter").addEventListener("input", draw);
 draw();
 chart();
+effort();
