@@ -4,6 +4,8 @@
 mod bench;
 #[path = "cli/choices.rs"]
 mod choices;
+#[path = "cli/processes.rs"]
+mod processes;
 #[path = "cli/sweeps.rs"]
 mod sweeps;
 #[path = "cli/wrong_sweeps.rs"]

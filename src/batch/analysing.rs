@@ -2,13 +2,13 @@
 
 use super::cache::Cache;
 use super::case::Case;
-use super::choice;
+use super::choice::{self, Decider};
 use super::forecast::{TimeLeft, elements, time_limit};
 use super::part::Part;
 use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
 use super::screen::Kit;
-use super::sweep::{Choose, Who};
+use super::sweep::Choose;
 use super::sweep_folder::SweepFolder;
 use super::worker::{Job, ProcessLimits, analyse, found};
 use crate::diag::{Diagnostic, Diagnostics};
@@ -23,16 +23,6 @@ const LONGEST: f64 = 7200.0;
 /// Time beyond twice the time limit of the analysis \[s\]: meshing, pictures, report.
 const SLACK: f64 = 300.0;
 
-/// Whether the checks of a case ask for finite elements.
-pub fn wanted(who: Who, record: &Record) -> bool {
-    match (who, record.outcome) {
-        (_, Outcome::BadInput | Outcome::Failed | Outcome::TimedOut) => false,
-        (Who::All, _) => true,
-        (Who::Passing, _) => !record.rejected,
-        (Who::Undecided, outcome) => outcome != Outcome::Ok && !record.rejected,
-    }
-}
-
 /// Jobs that are done one after another.
 #[derive(Clone, Debug)]
 pub struct Chain {
@@ -44,7 +34,7 @@ pub struct Chain {
 
 impl Chain {
     /// Forecast of the time that the chain takes at most \[s\].
-    fn seconds(&self) -> f64 {
+    pub fn seconds(&self) -> f64 {
         self.jobs.iter().map(|j| j.forecast).sum()
     }
 }
@@ -86,11 +76,7 @@ fn of_cases(
         };
         for (i, case) in run.iter().enumerate() {
             let checked = records.as_ref().map(|r| &r[i]);
-            let asked = match (checked, header.then) {
-                (Some(record), Some(then)) => wanted(then.limit, record),
-                (None, _) => header.first.is_none(),
-                (Some(_), None) => false,
-            };
+            let asked = checked.map_or(header.first.is_none(), |r| header.wants(r));
             if !asked || !seen.insert(&case.key) || answered(folder, case)?.is_some() {
                 continue;
             }
@@ -116,8 +102,10 @@ fn of_groups(
     for group in part.groups(choice::groups(plan, choose)) {
         let mut jobs = Vec::new();
         for c in choice::candidates(&group, plan, kit, choose, &checked) {
-            if !c.analyse {
-                break;
+            match c.decider {
+                Decider::Checks => break,
+                Decider::Nothing => continue,
+                Decider::Analysis => {}
             }
             let case = &plan.cases[c.case];
             match answered(folder, case)? {
@@ -185,7 +173,7 @@ pub struct Work<'a> {
     /// Its folder.
     pub folder: &'a SweepFolder,
     /// Results that other sweeps have made.
-    pub cache: Option<&'a Cache>,
+    pub cache: Option<&'a Cache<'a>>,
     /// Cases side by side.
     pub workers: usize,
     /// Set when the user wants to stop.
@@ -201,10 +189,12 @@ impl Work<'_> {
         let left = Mutex::new(TimeLeft::new(forecasts));
         let queue = Mutex::new(VecDeque::from(chains));
         let fault: Mutex<Option<Box<Diagnostic>>> = Mutex::new(None);
+        // the guard must not live as long as the chain
+        let next = || locked(&queue).pop_front();
         let work = || {
-            while let Some(chain) = locked(&queue).pop_front() {
+            while let Some(chain) = next() {
                 let mut jobs = chain.jobs.iter();
-                while let Some(job) = jobs.next() {
+                for job in jobs.by_ref() {
                     if self.interrupt.load(Ordering::Relaxed) || locked(&fault).is_some() {
                         return;
                     }
@@ -228,18 +218,19 @@ impl Work<'_> {
 
     /// Does a job; `None` if the user interrupted.
     fn one(&self, job: &Job, left: &Mutex<TimeLeft>) -> Result<Option<Outcome>, Box<Diagnostic>> {
-        let there = match (found(job, self.folder), self.cache) {
-            (None, Some(cache)) => cache.fetch(job, self.folder)?,
-            (there, _) => there,
-        };
+        let there = found(job, self.folder)
+            .or_else(|| self.cache.and_then(|cache| cache.fetch(job, self.folder)));
         let record = match there {
-            Some(record) => Some(record),
-            None => analyse(job, self.header, self.folder, self.interrupt)?,
+            Some(record) => record,
+            None => {
+                let made = analyse(job, self.header, self.folder, self.interrupt)?;
+                let Some(record) = made else { return Ok(None) };
+                if let Some(cache) = self.cache {
+                    cache.store(job, &record, self.folder);
+                }
+                record
+            }
         };
-        let Some(record) = record else { return Ok(None) };
-        if let Some(cache) = self.cache {
-            cache.store(job, self.folder)?;
-        }
         self.folder.write_analysed(&record)?;
         let seconds = {
             let mut left = locked(left);

@@ -1,49 +1,62 @@
 //! A folder of results by their keys, which several sweeps share.
 
-use super::row::Record;
-use super::sweep_folder::{SweepFolder, copy_folder, unique};
-use super::worker::{Job, found, keep};
+use super::row::{Outcome, Record};
+use super::sweep_folder::{SweepFolder, copy_folder};
+use super::worker::{Job, RESULT, clear_work, found, keep, own, work_folder};
 use crate::diag::Diagnostic;
+use crate::report::console::log::Log;
 use std::path::Path;
 
-/// A cache: the folder `cases` in it holds result folders by key. A key names all that a result
-/// depends on, so a result is never out of date.
+/// A cache: the folder `cases` in it holds result folders by key.
+///
+/// A key names spec, catalogue, template and versions. It does not name the memory and the
+/// processors of a machine: the bounds of a result from elsewhere hold, and may be wider.
 #[derive(Clone, Debug)]
-pub struct Cache {
+pub struct Cache<'a> {
     folder: SweepFolder,
+    log: &'a Log,
 }
 
-impl Cache {
-    /// The cache at a path, which may be absent.
-    pub fn at(path: &Path) -> Self {
-        Self { folder: SweepFolder::at(path) }
+impl<'a> Cache<'a> {
+    /// The cache at a path, which is made if it is absent.
+    pub fn at(path: &Path, log: &'a Log) -> Result<Self, Box<Diagnostic>> {
+        std::fs::create_dir_all(path).map_err(|e| {
+            let message = format!("the cache `{}` cannot be used: {e}", path.display());
+            Diagnostic::environment("sweep/cache", message)
+                .help("name a folder that can be written, or leave out --cache")
+        })?;
+        let folder = SweepFolder::at(path);
+        clear_work(&folder);
+        Ok(Self { folder, log })
     }
 
     /// Copies the result of a job into the folder of a sweep; returns its record, or `None` if the
     /// cache does not have it.
-    pub fn fetch(&self, job: &Job, into: &SweepFolder) -> Result<Option<Record>, Box<Diagnostic>> {
-        if found(job, &self.folder).is_none() {
-            return Ok(None);
-        }
-        copy(&job.key, &self.folder, into)?;
-        Ok(found(job, into))
+    pub fn fetch(&self, job: &Job, into: &SweepFolder) -> Option<Record> {
+        found(job, &self.folder)?;
+        self.copy(&job.key, &self.folder, into);
+        found(job, into)
     }
 
-    /// Copies the result of a job from the folder of a sweep, if there is one and the cache does
-    /// not have it.
-    pub fn store(&self, job: &Job, from: &SweepFolder) -> Result<(), Box<Diagnostic>> {
-        match (found(job, from), found(job, &self.folder)) {
-            (Some(_), None) => copy(&job.key, from, &self.folder),
-            _ => Ok(()),
+    /// Copies the result of a job, whose record is `record`, from the folder of a sweep. A result
+    /// that a limit of the sweep cut short is of this sweep only.
+    pub fn store(&self, job: &Job, record: &Record, from: &SweepFolder) {
+        let whole = record.result && record.outcome != Outcome::TimedOut;
+        if whole && found(job, &self.folder).is_none() {
+            self.copy(&job.key, from, &self.folder);
         }
     }
-}
 
-/// Copies a result folder aside and renames it into its place.
-fn copy(key: &str, from: &SweepFolder, into: &SweepFolder) -> Result<(), Box<Diagnostic>> {
-    let work = into.path().join("work").join(format!("{key}.{}", unique()));
-    let copied = copy_folder(&from.case_folder(key), &work)
-        .and_then(|()| keep(&work, &into.case_folder(key)));
-    let _ = std::fs::remove_dir_all(&work);
-    copied
+    /// Copies a result folder aside and renames it into its place. The sweep goes on without a
+    /// cache that fails.
+    fn copy(&self, key: &str, from: &SweepFolder, into: &SweepFolder) {
+        let work = work_folder(into, key);
+        let copied = own(&work)
+            .and_then(|()| copy_folder(&from.case_folder(key), &work.join(RESULT)))
+            .and_then(|()| keep(&work.join(RESULT), &into.case_folder(key)));
+        let _ = std::fs::remove_dir_all(&work);
+        if let Err(d) = copied {
+            self.log.line(format!("cache: {}", d.message));
+        }
+    }
 }

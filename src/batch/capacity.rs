@@ -190,7 +190,7 @@ impl Cell {
             parts.push(format!("*{}*", shown(Some(v), Rounding::Down)));
         }
         if let Some(o @ (Outcome::Failed | Outcome::BadInput | Outcome::TimedOut)) = self.outcome {
-            parts.push(o.word().replace('_', " "));
+            parts.push(o.plain());
         }
         if self.code_fails {
             parts.push("(a check fails)".into());

@@ -3,78 +3,136 @@
 //! The checks of the code leave some joints as candidates. From the cheapest upward each is
 //! accepted by its checks or analysed, until one holds; the dearer ones are not meshed.
 
-use super::analysing::wanted;
-use super::case::Case;
-use super::expansion::typed;
-use super::plan::Plan;
+use super::dimension::words;
+use super::expansion::{Expansion, typed};
+use super::plan::{Header, Plan};
 use super::row::{Outcome, Record};
-use super::screen::{Kit, screen};
+use super::screen::Kit;
 use super::sweep::Choose;
 use crate::assembly::names;
+use crate::assembly::scope::Scope;
 use crate::diag::Diagnostic;
-use crate::spec::expr::{Expr, Value};
+use crate::spec::expr::{Expr, ExprError, Value};
 use crate::units::Dim;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Names of [`Choose::least`] that come from the record of a case.
 const MASS: &str = "mass";
 /// See [`MASS`].
 const BOLTS: &str = "bolts";
 
-/// Cases among which one with sound input is looked for, to check the expression.
-const SOUND: usize = 100;
-
 /// Joints of which one is chosen.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Group {
     /// The values that its joints share, or the name of the row of the table.
     pub name: String,
-    /// Their positions in the plan.
+    /// Their positions in the plan; none if `where` drops all of them.
     pub cases: Vec<usize>,
 }
 
-/// A joint that can be chosen.
+/// What decides whether a joint holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decider {
+    /// Its checks accept it.
+    Checks,
+    /// Its limit analysis.
+    Analysis,
+    /// Nothing: the checks leave it undecided, and no analysis follows, or its cost is not known.
+    Nothing,
+}
+
+/// A joint that may hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// Position in the plan.
     pub case: usize,
-    /// Its cost.
+    /// Its cost; infinite if it is not known.
     pub cost: f64,
-    /// Whether only an analysis decides it; otherwise its checks accept it.
-    pub analyse: bool,
+    /// What decides.
+    pub decider: Decider,
 }
 
-/// The groups of a plan, in the order of their first cases.
+/// The groups of a plan, in the order of the sweep; those that `where` emptied are among them.
 pub fn groups(plan: &Plan, choose: &Choose) -> Vec<Group> {
+    let expansion = &plan.header.expansion;
+    let of = dimensions(expansion, choose);
     let mut out: Vec<Group> = Vec::new();
-    let mut known: HashMap<String, usize> = HashMap::new();
-    for (i, case) in plan.cases.iter().enumerate() {
-        let name = group_name(plan, case, choose);
-        let at = *known.entry(name.clone()).or_insert_with(|| {
+    let mut known: HashMap<Vec<String>, usize> = HashMap::new();
+    let mut names: HashMap<String, u32> = HashMap::new();
+    let mut add = |positions: &[usize], out: &mut Vec<Group>| {
+        let (key, name) = key(expansion, choose, positions);
+        *known.entry(key).or_insert_with(|| {
+            let n = names.entry(name.clone()).or_default();
+            *n += 1;
+            let name = if *n > 1 { format!("{name} ({n})") } else { name };
             out.push(Group { name, cases: Vec::new() });
             out.len() - 1
+        })
+    };
+    // every combination of the dimensions that form groups, the last of them fastest
+    let mut positions = vec![0; expansion.dimensions.len()];
+    loop {
+        add(&positions, &mut out);
+        let next = of.iter().rev().find(|d| {
+            positions[**d] += 1;
+            let more = positions[**d] < expansion.dimensions[**d].steps.len();
+            if !more {
+                positions[**d] = 0;
+            }
+            more
         });
+        if next.is_none() {
+            break;
+        }
+    }
+    for (i, case) in plan.cases.iter().enumerate() {
+        let at = add(&expansion.positions(case.index), &mut out);
         out[at].cases.push(i);
     }
     out
 }
 
-/// The group of a case.
-fn group_name(plan: &Plan, case: &Case, choose: &Choose) -> String {
-    let expansion = &plan.header.expansion;
+/// The dimensions that form groups.
+fn dimensions(expansion: &Expansion, choose: &Choose) -> Vec<usize> {
+    let forms = |d: &usize| match &choose.per {
+        Some(paths) => {
+            expansion.dimensions[*d].paths.iter().any(|p| paths.iter().any(|q| q == p.text()))
+        }
+        None => expansion.dimensions[*d].table,
+    };
+    (0..expansion.dimensions.len()).filter(forms).collect()
+}
+
+/// What the joints of a group share, and its name.
+fn key(expansion: &Expansion, choose: &Choose, positions: &[usize]) -> (Vec<String>, String) {
     match &choose.per {
         Some(paths) => {
-            let values = expansion.values(case.index);
-            let of = |p: &String| values.iter().find(|(q, _)| q == p).map(|(_, v)| v.as_str());
-            paths.iter().filter_map(of).collect::<Vec<_>>().join(" ")
+            let value = |path: &String| {
+                let mut all = expansion.dimensions.iter().zip(positions);
+                all.find_map(|(d, step)| {
+                    let i = d.paths.iter().position(|p| p.text() == path)?;
+                    let value = d.steps[*step].values[i].as_ref();
+                    Some(value.or_else(|| d.paths[i].get(&expansion.base)).map(words))
+                })
+            };
+            let key: Vec<String> =
+                paths.iter().map(|p| value(p).flatten().unwrap_or_default()).collect();
+            let name = key.join(" ");
+            (key, name)
         }
-        None => expansion.row_name(case.index).unwrap_or_default(),
+        None => match expansion.dimensions.iter().position(|d| d.table) {
+            Some(table) => {
+                let row = positions[table];
+                (vec![row.to_string()], expansion.dimensions[table].steps[row].name())
+            }
+            None => (Vec::new(), "all joints".into()),
+        },
     }
 }
 
-/// The joints of a group that can be chosen, the cheapest first; equal costs keep the order of the
-/// plan. `checked` holds the records of the checks by position in the plan; a case without one is
-/// left out.
+/// The joints of a group that may hold, the cheapest first; equal costs keep the order of the plan.
+/// `checked` holds the records of the checks by position in the plan; a case without one is left
+/// out.
 pub fn candidates(
     group: &Group,
     plan: &Plan,
@@ -85,54 +143,107 @@ pub fn candidates(
     let mut out = Vec::new();
     for &case in &group.cases {
         let Some(record) = &checked[case] else { continue };
-        let analyse = plan.header.then.is_some_and(|then| wanted(then.limit, record));
-        if analyse || record.outcome == Outcome::Ok {
-            // a joint whose cost is not known, such as one with bolts longer than stocked, is last
-            let cost = cost(&choose.least, &plan.cases[case], plan, kit, record);
-            out.push(Candidate { case, cost: cost.unwrap_or(f64::INFINITY), analyse });
-        }
+        let decider = match record.outcome {
+            Outcome::BadInput => continue,
+            _ if plan.header.wants(record) => Decider::Analysis,
+            Outcome::Ok => Decider::Checks,
+            Outcome::NotOk => continue,
+            _ => Decider::Nothing,
+        };
+        let index = plan.cases[case].index;
+        out.push(match cost(&choose.least, index, &plan.header, kit, record) {
+            Some(cost) => Candidate { case, cost, decider },
+            None => Candidate { case, cost: f64::INFINITY, decider: Decider::Nothing },
+        });
     }
     // a stable sort
     out.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     out
 }
 
-/// The cost of a case.
-fn cost(
+/// True if a cost needs names of the template.
+fn uses_template(least: &Expr) -> bool {
+    least.names().into_iter().any(|n| n != MASS && n != BOLTS)
+}
+
+/// The names of a combination in its template.
+fn scope(index: u64, header: &Header, kit: &Kit) -> Option<Scope> {
+    let spec = typed(&kit.spec(&header.expansion, index).ok()?, &kit.file).ok()?;
+    names(&spec, kit.template(&spec).ok()?, &kit.catalog).ok()
+}
+
+fn evaluate(
     least: &Expr,
-    case: &Case,
-    plan: &Plan,
-    kit: &Kit,
-    record: &Record,
-) -> Result<f64, Box<Diagnostic>> {
-    let own = |name: &str| match name {
-        MASS => Some(record.mass.ok_or("the mass of this joint is not known")),
-        BOLTS => Some(record.bolts.map(f64::from).ok_or("the number of bolts is not known")),
-        _ => None,
-    };
-    let others = least.names().into_iter().any(|n| n != MASS && n != BOLTS);
-    let scope = match others {
-        true => {
-            let spec = typed(&kit.spec(&plan.header.expansion, case.index)?, &kit.file)?;
-            let scope = names(&spec, kit.template(&spec)?, &kit.catalog);
-            Some(scope.map_err(|faults| Diagnostic::from(faults.into_first()))?)
+    mass: Option<f64>,
+    bolts: Option<u32>,
+    scope: Option<&Scope>,
+) -> Result<f64, ExprError> {
+    let unknown = |what: &str| format!("{what} of this joint is not known");
+    let mut lookup = |name: &str| match (name, scope) {
+        (MASS, _) => mass.map(Value::number).ok_or_else(|| unknown("the mass")),
+        (BOLTS, _) => {
+            bolts.map(|n| Value::number(n.into())).ok_or_else(|| unknown("the number of bolts"))
         }
-        false => None,
+        (_, Some(scope)) => scope.get(name),
+        (_, None) => Err(format!("unknown name `{name}`")),
     };
-    let mut lookup = |name: &str| match (own(name), &scope) {
-        (Some(value), _) => value.map(Value::number).map_err(str::to_owned),
-        (None, Some(scope)) => scope.get(name),
-        (None, None) => Err(format!("unknown name `{name}`")),
-    };
-    let cost = least.eval_as(Dim::NONE, &mut lookup).map_err(|e| {
-        Diagnostic::input("sweep/choose", format!("`choose.least` of `{}`: {e}", case.name))
-            .path("choose.least")
-            .help(
-                "a cost is a number of `mass` (kg), `bolts` and the names of the template; a \
-                 length becomes a number by division: `plate.thickness / 1 mm`",
-            )
-    })?;
-    Ok(cost)
+    least.eval_as(Dim::NONE, &mut lookup)
+}
+
+/// The cost of a case; `None` if it is not known: bolts longer than stocked have no mass, and an
+/// expression may have no value for some joints.
+fn cost(least: &Expr, index: u64, header: &Header, kit: &Kit, record: &Record) -> Option<f64> {
+    let scope = if uses_template(least) { Some(scope(index, header, kit)?) } else { None };
+    evaluate(least, record.mass, record.bolts, scope.as_ref()).ok().filter(|c| c.is_finite())
+}
+
+/// Refuses a cost with a name or a dimension that does not fit a template of the sweep, or with the
+/// mass of a template that has no list of parts.
+pub fn check(plan: &Plan, kit: &Kit, choose: &Choose) -> Result<(), Box<Diagnostic>> {
+    let header = &plan.header;
+    let mut open: BTreeSet<&str> = kit.templates.keys().map(String::as_str).collect();
+    for case in &plan.cases {
+        let spec = kit.spec(&header.expansion, case.index);
+        let Ok(spec) = spec.and_then(|s| typed(&s, &kit.file)) else { continue };
+        if !open.contains(spec.template.as_str()) {
+            continue;
+        }
+        let Some(scope) = scope(case.index, header, kit) else { continue };
+        let template = spec.template.clone();
+        // whether the template has parts does not depend on the values of a case that builds
+        let Ok((joint, _)) = kit.joint(spec) else { continue };
+        open.remove(template.as_str());
+        let refuse = |message: String, help: &str| {
+            let message = format!("`choose.least`, template `{template}`: {message}");
+            Err(Box::new(Diagnostic::input("sweep/choose", message).help(help)))
+        };
+        if joint.end_plate.is_none() && choose.least.names().contains(&MASS) {
+            let help = "write `bolts`, or an expression of the names of the template";
+            return refuse("it has no list of parts, so its mass is not known".into(), help);
+        }
+        if let Err(e) = evaluate(&choose.least, Some(10.5), Some(7), Some(&scope)) {
+            let help = "a cost is a number of `mass` (kg), `bolts` and the names of the template; \
+                        a length becomes a number by division: `plate.thickness / 1 mm`";
+            return refuse(e.to_string(), help);
+        }
+        if open.is_empty() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// A remark where the mass leaves out what the sweep varies.
+pub fn remark(plan: &Plan, choose: &Choose) -> Option<String> {
+    let paths = plan.header.expansion.paths();
+    let left_out = |p: &&str| p.contains("doubler") || p.contains("rib");
+    let path = paths.into_iter().find(left_out)?;
+    choose.least.names().contains(&MASS).then(|| {
+        format!(
+            "`mass` leaves out supplementary web plates and ribs, and `{path}` varies: add their \
+             cost to `choose.least`"
+        )
+    })
 }
 
 /// What became of a group.
@@ -142,42 +253,52 @@ pub struct Decision {
     pub group: String,
     /// Number of its joints.
     pub joints: usize,
-    /// Its candidates, the cheapest first.
+    /// Those that may hold, the cheapest first.
     pub candidates: Vec<Candidate>,
     /// Position of the chosen one among the candidates.
     pub chosen: Option<usize>,
     /// Candidates that are cheaper than the chosen one and neither hold nor fail for certain.
     pub undecided: usize,
+    /// Joints whose input is wrong: nothing is known of them.
+    pub wrong: usize,
     /// Candidates that were analysed.
     pub analysed: usize,
-    /// Whether a candidate still waits for its analysis.
+    /// Whether a candidate still waits for its checks or its analysis.
     pub open: bool,
 }
 
 impl Decision {
-    /// Decides a group. `analysed` returns the record of a case with finite elements.
-    pub fn new<'a>(
+    /// Decides a group. `checked` and `analysed` hold the records by position in the plan.
+    pub fn new(
         group: &Group,
         candidates: Vec<Candidate>,
-        analysed: impl Fn(usize) -> Option<&'a Record>,
-        complete: bool,
+        checked: &[Option<Record>],
+        analysed: &[Option<Record>],
     ) -> Self {
+        let of = |outcome| {
+            let is = |i: &&usize| checked[**i].as_ref().is_some_and(|r| r.outcome == outcome);
+            group.cases.iter().filter(is).count()
+        };
+        let by_analysis =
+            |c: &&Candidate| c.decider == Decider::Analysis && analysed[c.case].is_some();
         let mut out = Self {
             group: group.name.clone(),
             joints: group.cases.len(),
-            analysed: candidates.iter().filter(|c| c.analyse && analysed(c.case).is_some()).count(),
+            wrong: of(Outcome::BadInput),
+            analysed: candidates.iter().filter(by_analysis).count(),
             candidates,
             chosen: None,
             undecided: 0,
-            open: !complete,
+            open: group.cases.iter().any(|&i| checked[i].is_none()),
         };
         if out.open {
             return out;
         }
         for (i, c) in out.candidates.iter().enumerate() {
-            let outcome = match c.analyse {
-                true => analysed(c.case).map(|r| r.outcome),
-                false => Some(Outcome::Ok),
+            let outcome = match c.decider {
+                Decider::Checks => Some(Outcome::Ok),
+                Decider::Analysis => analysed[c.case].as_ref().map(|r| r.outcome),
+                Decider::Nothing => Some(Outcome::Undecided),
             };
             match outcome {
                 Some(Outcome::Ok) => {
@@ -205,24 +326,12 @@ impl Decision {
         self.chosen.map_or(&[], |i| &self.candidates[i + 1..])
     }
 
-    /// The outcome of the group: ok if one is chosen, not ok if no joint holds for certain.
+    /// The outcome of the group: ok if one is chosen, not ok if no joint of it holds for certain.
     pub fn outcome(&self) -> Outcome {
         match self.chosen {
             Some(_) => Outcome::Ok,
-            None if self.open || self.undecided > 0 => Outcome::Undecided,
+            None if self.open || self.undecided + self.wrong > 0 => Outcome::Undecided,
             None => Outcome::NotOk,
         }
-    }
-}
-
-/// Refuses a cost that the first case with sound input does not have: of an unknown name, or the
-/// mass where the template has no parts list.
-pub fn check(plan: &Plan, kit: &Kit, choose: &Choose) -> Result<(), Box<Diagnostic>> {
-    let screened = |case: &Case| screen(case, &plan.header.expansion, kit);
-    let sound = |(_, record): &(&Case, Record)| record.outcome != Outcome::BadInput;
-    let cases = plan.cases.iter().take(SOUND);
-    match cases.map(|c| (c, screened(c))).find(sound) {
-        Some((case, record)) => cost(&choose.least, case, plan, kit, &record).map(drop),
-        None => Ok(()),
     }
 }

@@ -63,6 +63,8 @@ pub struct Shown {
     pub heads: Vec<&'static str>,
     /// The cells by rows.
     pub cells: Vec<Vec<String>>,
+    /// What is least.
+    pub least: String,
     /// How many joints were analysed, and what was left undecided.
     pub sentence: String,
 }
@@ -71,6 +73,7 @@ pub struct Shown {
 pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
     let cell = |row: &Map<String, Value>, key: &str| match &row[key] {
         Value::Null if key == "chosen" => match row["outcome"].as_str() {
+            _ if row["joints"] == 0 => "`where` leaves none".into(),
             Some("not_ok") => "none holds".into(),
             Some("open") => "not finished".into(),
             _ => "none is certain to hold".into(),
@@ -85,14 +88,14 @@ pub fn shown(rows: &[Map<String, Value>], least: &str) -> Shown {
     };
     let cells = rows.iter().map(|r| SHOWN.iter().map(|(key, _)| cell(r, key)).collect()).collect();
     let sum = |key: &str| rows.iter().filter_map(|r| r[key].as_u64()).sum::<u64>();
-    let mut sentence =
-        format!("Cost: {least}. {} of {} joints were meshed.", sum("analysed"), sum("joints"));
+    let mut sentence = format!("{} of {} joints were meshed.", sum("analysed"), sum("joints"));
     match sum("cheaper_undecided") {
         0 => {}
         1 => sentence.push_str(" One cheaper joint is undecided: it may hold."),
         n => sentence.push_str(&format!(" {n} cheaper joints are undecided: they may hold.")),
     }
-    Shown { heads: SHOWN.map(|(_, head)| head).to_vec(), cells, sentence }
+    let heads = SHOWN.map(|(_, head)| head).to_vec();
+    Shown { heads, cells, least: least.into(), sentence }
 }
 
 impl Shown {
@@ -108,13 +111,14 @@ impl Shown {
         if self.cells.len() > most {
             out.push(format!("and {} more groups", self.cells.len() - most));
         }
-        out.push(self.sentence.clone());
+        out.push(format!("least {}; {}", self.least, self.sentence));
         out
     }
 
     /// The table as Markdown.
     pub fn markdown(&self) -> String {
-        let mut out = format!("## Chosen joints\n\n{}\n\n|", self.sentence);
+        let least = self.least.replace('`', "'");
+        let mut out = format!("## Chosen joints\n\nLeast `{least}`. {}\n\n|", self.sentence);
         self.heads.iter().for_each(|h| out.push_str(&format!(" {h} |")));
         out.push_str("\n|");
         self.heads.iter().for_each(|_| out.push_str(" --- |"));

@@ -1,10 +1,10 @@
 //! The steps of `bracket batch`: plan, run, status, merge.
 
-use super::analysing::{Work, chains};
+use super::analysing::{Chain, Work, chains};
 use super::cache::Cache;
 use super::capacity::fill;
 use super::checking::{check_all, runs_of};
-use super::choice::Decision;
+use super::choice::{self, Decision};
 use super::choice_table;
 use super::counts::Counts;
 use super::forecast::{TimeLeft, seconds};
@@ -13,6 +13,7 @@ use super::part::Part;
 use super::plan::Plan;
 use super::results_table::{csv, jsonl, rows};
 use super::row::{Outcome, Record};
+use super::screen::Kit;
 use super::shard::Shard;
 use super::slurm::Array;
 use super::summary;
@@ -21,7 +22,7 @@ use super::sweep_file::SweepFile;
 use super::sweep_folder::{SweepFolder, write_whole};
 use super::worker::clear_work;
 use crate::analysis::memory::room;
-use crate::diag::{Diagnostics, ExitStatus};
+use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::driver::interrupt::Interrupt;
 use crate::mesh::gmsh::Mesher;
 use crate::report::console::log::Log;
@@ -90,7 +91,13 @@ pub fn plan(
     let expect: Vec<String> =
         file.sweep.value.expect.iter().map(|e| e.text().to_string()).collect();
     Counts::default().broken(&expect)?;
+    let place = file.sweep.index.place("choose.least");
     let plan = Plan::new(sweep, file, &mesher)?;
+    if let Some(choose) = &plan.header.choose {
+        choice::check(&plan, &plan.header.kit(&mesher)?, choose)
+            .map_err(|d| Diagnostic { place, ..*d })?;
+        choice::remark(&plan, choose).iter().for_each(|r| log.line(format!("remark: {r}")));
+    }
     folder.write_plan(&plan)?;
     let dropped = match plan.header.dropped {
         0 => String::new(),
@@ -141,8 +148,10 @@ pub fn run(
     // a chain may end before its last job
     let most = if header.choose.is_some() { "at most " } else { "" };
     let all = plan.cases.len();
+    let workers = workers.min(chains.len());
     let forecasts = chains.iter().flat_map(|c| &c.jobs).map(|j| j.forecast);
-    let time = about(TimeLeft::new(forecasts).seconds(workers));
+    let longest = chains.iter().map(Chain::seconds).fold(0.0, f64::max);
+    let time = about(TimeLeft::new(forecasts).seconds(workers).max(longest));
     log.line(format!(
         "finite elements: {most}{total} of {}, {workers} at once, {time}",
         Counts::cases(all)
@@ -159,12 +168,12 @@ pub fn run(
             let (low, up) = bracket_of(l, u, 3);
             format!(", load factor {low} to {up}")
         });
-        let word = record.outcome.word().replace('_', " ");
+        let word = record.outcome.plain();
         let left = if left > 0.0 { format!("; {most}{} left", about(left)) } else { String::new() };
         log.line(format!("{} of {most}{total}: {name}: {word}{bracket}{seconds}{left}", *done));
     };
     clear_work(folder);
-    let cache = options.cache.as_deref().map(Cache::at);
+    let cache = options.cache.as_deref().map(|path| Cache::at(path, log)).transpose()?;
     let work = Work {
         header,
         folder,
@@ -200,22 +209,37 @@ fn side_by_side(
     Ok((fit, memory))
 }
 
+/// The catalogue and templates, where merging needs the names of the template.
+fn naming_kit(plan: &Plan) -> Result<Option<Kit>, Diagnostics> {
+    let header = &plan.header;
+    let needed = header.choose.is_some()
+        || !header.tables.is_empty()
+        || !header.expansion.derived.is_empty();
+    if needed { header.kit(&header.mesher).map(Some) } else { Ok(None) }
+}
+
 /// Counts what is finished.
 pub fn status(plan: &Plan, folder: &SweepFolder) -> Result<Counts, Diagnostics> {
-    Ok(Counts::of(&merged(folder, plan)?))
+    Ok(Counts::of(&merged(folder, plan, naming_kit(plan)?.as_ref())?, plan))
 }
 
 /// The job array for the cases of a plan.
 pub fn slurm_array(plan: &Plan, tasks: Option<usize>) -> Result<Array, Diagnostics> {
     let header = &plan.header;
     let kit = header.kit(&header.mesher)?;
-    let seconds = seconds(plan, &kit);
-    let longest = header
-        .limits
-        .time
-        .map_or_else(|| 2.0 * seconds.iter().copied().fold(0.0, f64::max), |t| t.0);
+    let cases = seconds(plan, &kit);
+    let longest =
+        header.limits.time.map_or_else(|| 2.0 * cases.iter().copied().fold(0.0, f64::max), |t| t.0);
+    // a group of a choice is done by one task
+    let parts = match &header.choose {
+        Some(choose) => choice::groups(plan, choose)
+            .iter()
+            .map(|g| g.cases.iter().map(|i| cases[*i]).sum())
+            .collect(),
+        None => cases,
+    };
     let memory = header.limits.memory(USUAL_MEMORY)?;
-    Ok(Array::new(&seconds, longest, tasks, memory, header.limits.threads()))
+    Ok(Array::new(&parts, longest, tasks, memory, header.limits.threads()))
 }
 
 /// A merged sweep.
@@ -231,14 +255,13 @@ pub struct Merge {
 
 /// Merges the records into the tables, and reports what became of the sweep.
 pub fn merge(plan: &Plan, folder: &SweepFolder, log: &Log) -> Result<Merge, Diagnostics> {
-    let merged = merged(folder, plan)?;
+    let kit = naming_kit(plan)?;
+    let merged = merged(folder, plan, kit.as_ref())?;
     let records = &merged.records;
-    let counts = Counts::of(&merged);
+    let counts = Counts::of(&merged, plan);
     let conditions = counts.broken(&plan.header.expect)?.into_iter().map(str::to_owned);
     let broken: Vec<String> = conditions.chain(unexpected(plan, records)).collect();
     let header = &plan.header;
-    let named = !header.tables.is_empty() || !header.expansion.derived.is_empty();
-    let kit = if named { Some(header.kit(&header.mesher)?) } else { None };
     let rows = rows(plan, &merged, kit.as_ref());
     let path = folder.path();
     write_whole(&path.join("results.csv"), &csv(&rows)?)?;
@@ -314,7 +337,7 @@ fn without_result(plan: &Plan, records: &[Option<Record>]) -> Vec<String> {
         let seen = &mut left[record.outcome as usize];
         *seen += 1;
         if *seen <= SHOWN_WITHOUT_RESULT {
-            let word = record.outcome.word().replace('_', " ");
+            let word = record.outcome.plain();
             let cause = record.cause.as_deref().unwrap_or("no reason is known");
             out.push(format!("{word}: {}: {cause}", case.name));
         }
@@ -322,7 +345,7 @@ fn without_result(plan: &Plan, records: &[Option<Record>]) -> Vec<String> {
     for outcome in Outcome::ALL {
         let more = left[outcome as usize].saturating_sub(SHOWN_WITHOUT_RESULT);
         if more > 0 {
-            let word = outcome.word().replace('_', " ");
+            let word = outcome.plain();
             out.push(format!("{word}: {more} more, see results.csv"));
         }
     }

@@ -1,6 +1,7 @@
 //! How many cases have each outcome.
 
 use super::merged::Merged;
+use super::plan::Plan;
 use super::row::{Outcome, Record};
 use crate::diag::{Diagnostic, Diagnostics, ExitStatus};
 use crate::spec::expr::{Expr, Value};
@@ -12,10 +13,8 @@ pub struct Counts {
     of: [usize; Outcome::ALL.len()],
     /// Cases without a record.
     pub open: usize,
-    /// Groups of the choice.
-    pub groups: usize,
-    /// Groups with a chosen joint.
-    pub chosen: usize,
+    /// Groups of the choice, and those with a chosen joint; `None` where nothing is chosen.
+    pub choice: Option<[usize; 2]>,
 }
 
 impl Counts {
@@ -32,10 +31,10 @@ impl Counts {
     }
 
     /// Counts what a sweep has found.
-    pub fn of(merged: &Merged) -> Self {
+    pub fn of(merged: &Merged, plan: &Plan) -> Self {
         let mut counts = Self::new(merged.records.iter().map(Option::as_ref));
-        counts.groups = merged.decisions.len();
-        counts.chosen = merged.decisions.iter().filter(|d| d.chosen.is_some()).count();
+        let chosen = merged.decisions.iter().filter(|d| d.chosen.is_some()).count();
+        counts.choice = plan.header.choose.as_ref().map(|_| [merged.decisions.len(), chosen]);
         counts
     }
 
@@ -52,9 +51,9 @@ impl Counts {
     /// The numbers by their names in the conditions of `expect`, and `open`.
     pub fn json(&self) -> Map<String, Json> {
         let outcomes = Outcome::ALL.iter().map(|o| (o.word(), self.with(*o)));
-        let others = [("open", self.open), ("groups", self.groups), ("chosen", self.chosen)];
-        let others = others.into_iter().filter(|(name, n)| *name == "open" || *n > 0);
-        let all = outcomes.chain([("cases", self.all())]).chain(others);
+        let choice = self.choice.map(|[groups, chosen]| [("groups", groups), ("chosen", chosen)]);
+        let others = [("cases", self.all()), ("open", self.open)];
+        let all = outcomes.chain(others).chain(choice.into_iter().flatten());
         all.map(|(name, n)| (name.to_string(), n.into())).collect()
     }
 
@@ -68,7 +67,7 @@ impl Counts {
         let mut parts: Vec<String> = Outcome::ALL
             .iter()
             .filter(|o| self.with(**o) > 0)
-            .map(|o| format!("{} {}", self.with(*o), o.word().replace('_', " ")))
+            .map(|o| format!("{} {}", self.with(*o), o.plain()))
             .collect();
         if self.open > 0 {
             parts.push(format!("{} not finished", self.open));
@@ -106,8 +105,8 @@ impl Counts {
         let mut lookup = |name: &str| {
             let count = match name {
                 "cases" => Some(self.all()),
-                "groups" => Some(self.groups),
-                "chosen" => Some(self.chosen),
+                "groups" => Some(self.choice.unwrap_or_default()[0]),
+                "chosen" => Some(self.choice.unwrap_or_default()[1]),
                 _ => Outcome::ALL.into_iter().find(|o| o.word() == name).map(|o| self.with(o)),
             };
             count.map(|n| Value::number(n as f64)).ok_or_else(|| {

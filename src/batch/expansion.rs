@@ -50,16 +50,22 @@ impl Expansion {
         self.dimensions.iter().try_fold(1u64, |n, d| n.checked_mul(d.steps.len() as u64))
     }
 
-    /// The step of each dimension in a combination.
-    pub fn steps(&self, mut index: u64) -> Vec<&Step> {
-        let mut steps: Vec<&Step> = Vec::with_capacity(self.dimensions.len());
+    /// Position of the step of each dimension in a combination.
+    pub fn positions(&self, mut index: u64) -> Vec<usize> {
+        let mut positions: Vec<usize> = Vec::with_capacity(self.dimensions.len());
         for d in self.dimensions.iter().rev() {
             let n = d.steps.len() as u64;
-            steps.push(&d.steps[(index % n) as usize]);
+            positions.push((index % n) as usize);
             index /= n;
         }
-        steps.reverse();
-        steps
+        positions.reverse();
+        positions
+    }
+
+    /// The step of each dimension in a combination.
+    pub fn steps(&self, index: u64) -> Vec<&Step> {
+        let positions = self.positions(index);
+        self.dimensions.iter().zip(positions).map(|(d, i)| &d.steps[i]).collect()
     }
 
     /// The spec of a combination, without the values that follow from others.
@@ -104,12 +110,6 @@ impl Expansion {
         let of_dimensions = self.dimensions.iter().flat_map(|d| &d.paths);
         let of_set = self.derived.iter().map(|d| &d.path);
         of_dimensions.chain(of_set).map(SpecPath::text).collect()
-    }
-
-    /// Name of the row of the table that a combination has; `None` without a table.
-    pub fn row_name(&self, index: u64) -> Option<String> {
-        let at = self.dimensions.iter().position(|d| d.table)?;
-        Some(self.steps(index)[at].name())
     }
 
     /// The spec with a step of the dimension `i` beside the first steps of the others.

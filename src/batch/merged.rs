@@ -1,9 +1,9 @@
 //! The records of all cases of a sweep, in the order of the plan, and what was chosen.
 
-use super::analysing::wanted;
-use super::choice::{self, Decision};
+use super::choice::{self, Decider, Decision, Group};
 use super::plan::Plan;
 use super::row::{Outcome, Record};
+use super::screen::Kit;
 use super::sweep_folder::SweepFolder;
 use crate::checks::verdict::Verdict;
 use crate::diag::{Diagnostic, Diagnostics};
@@ -21,38 +21,52 @@ pub struct Merged {
 /// Reads the records of a plan.
 ///
 /// A case with finite elements has the record of its process; where none are asked for, that of
-/// its checks.
-pub fn merged(folder: &SweepFolder, plan: &Plan) -> Result<Merged, Diagnostics> {
+/// its checks. `kit` is needed where a joint is chosen.
+pub fn merged(folder: &SweepFolder, plan: &Plan, kit: Option<&Kit>) -> Result<Merged, Diagnostics> {
     let header = &plan.header;
-    let count = plan.cases.len();
     let checked = match header.first {
         Some(_) => folder.all_checked(&plan.cases)?,
-        None => vec![None; count],
+        None => vec![None; plan.cases.len()],
     };
-    let analysed = if header.meshes() { analysed(folder, plan)? } else { vec![None; count] };
-    let decisions = decisions(plan, &checked, &analysed)?;
-    // the checks of a case that waits for finite elements are no answer yet
-    let waits = |r: &Record| header.then.is_some_and(|then| wanted(then.limit, r));
-    let alone = checked.iter().map(|c| c.as_ref().filter(|r| !waits(r)));
-    let mut records: Vec<Option<Record>> =
-        analysed.into_iter().zip(alone).map(|(a, c)| a.or_else(|| c.cloned())).collect();
+    // the records of an earlier plan may be there: only what this one asks for counts
+    let asked = |i: usize| checked[i].as_ref().map_or(header.first.is_none(), |r| header.wants(r));
+    let analysed = analysed(folder, plan, &asked)?;
+    let decisions = decisions(plan, kit, &checked, &analysed);
+    let one = |(i, found): (usize, &Option<Record>)| match found {
+        Some(record) => Some(record.clone()),
+        // the checks of a case that waits for finite elements are no answer yet
+        None => checked[i].clone().filter(|r| !header.wants(r)),
+    };
+    let mut records: Vec<Option<Record>> = analysed.iter().enumerate().map(one).collect();
     for decision in &decisions {
         let Some(chosen) = decision.choice() else { continue };
         let name = &plan.cases[chosen.case].name;
-        for c in decision.dearer().iter().filter(|c| c.analyse) {
-            if let (empty @ None, Some(checked)) = (&mut records[c.case], &checked[c.case]) {
-                *empty = Some(not_needed(checked, name));
+        for c in decision.dearer().iter().filter(|c| c.decider == Decider::Analysis) {
+            let record = &mut records[c.case];
+            // an analysis that failed is not tried again either
+            if let (None | Some(false), Some(checked)) =
+                (record.as_ref().map(Record::is_final), &checked[c.case])
+            {
+                *record = Some(not_needed(checked, name));
             }
         }
     }
     Ok(Merged { records, decisions })
 }
 
-/// The records of finite elements.
-fn analysed(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>, Box<Diagnostic>> {
+/// The records of finite elements of the cases that ask for them.
+fn analysed(
+    folder: &SweepFolder,
+    plan: &Plan,
+    asked: &dyn Fn(usize) -> bool,
+) -> Result<Vec<Option<Record>>, Box<Diagnostic>> {
     let mut known: BTreeMap<&str, Option<Record>> = BTreeMap::new();
     let mut out = Vec::with_capacity(plan.cases.len());
-    for case in &plan.cases {
+    for (i, case) in plan.cases.iter().enumerate() {
+        if !asked(i) {
+            out.push(None);
+            continue;
+        }
         if !known.contains_key(case.key.as_str()) {
             known.insert(&case.key, folder.analysed(&case.key)?);
         }
@@ -63,25 +77,23 @@ fn analysed(folder: &SweepFolder, plan: &Plan) -> Result<Vec<Option<Record>>, Bo
 
 fn decisions(
     plan: &Plan,
+    kit: Option<&Kit>,
     checked: &[Option<Record>],
     analysed: &[Option<Record>],
-) -> Result<Vec<Decision>, Diagnostics> {
-    let Some(choose) = &plan.header.choose else { return Ok(Vec::new()) };
-    let kit = plan.header.kit(&plan.header.mesher)?;
-    let mut out = Vec::new();
-    for group in choice::groups(plan, choose) {
-        let complete = group.cases.iter().all(|&i| checked[i].is_some());
-        let candidates = choice::candidates(&group, plan, &kit, choose, checked);
-        out.push(Decision::new(&group, candidates, |i| analysed[i].as_ref(), complete));
-    }
-    Ok(out)
+) -> Vec<Decision> {
+    let Some((choose, kit)) = plan.header.choose.as_ref().zip(kit) else { return Vec::new() };
+    let one = |group: Group| {
+        let candidates = choice::candidates(&group, plan, kit, choose, checked);
+        Decision::new(&group, candidates, checked, analysed)
+    };
+    choice::groups(plan, choose).into_iter().map(one).collect()
 }
 
 /// The record of a case whose analysis the choice made unnecessary.
 fn not_needed(checked: &Record, chosen: &str) -> Record {
     let mut record = checked.clone();
     record.outcome = Outcome::Undecided;
-    record.cause = Some(format!("not analysed: `{chosen}` costs less and holds"));
+    record.cause = Some(format!("not analysed: `{chosen}` costs no more and holds"));
     record.loads.iter_mut().for_each(|l| l.verdict = Verdict::Undecided);
     record
 }

@@ -37,6 +37,6 @@ impl Part {
     pub fn groups(&self, mut groups: Vec<Group>) -> Vec<Group> {
         let of_group = |g: &Group| g.cases.iter().map(|i| self.seconds[*i]).sum();
         let own = self.shard.of(&groups.iter().map(of_group).collect::<Vec<f64>>());
-        own.into_iter().map(|i| std::mem::replace(&mut groups[i], Group::default())).collect()
+        own.into_iter().map(|i| std::mem::take(&mut groups[i])).collect()
     }
 }

@@ -1,8 +1,8 @@
 //! The plan of a sweep: its cases with their keys, in a folder that holds all a run needs.
 
 use super::case::{Case, common, key, own_tables, shared};
-use super::choice;
 use super::expansion::{Expansion, canonical, covers, typed};
+use super::row::Record;
 use super::screen::Kit;
 use super::sweep::{CapacityTable, CaseLimits, Choose, First, Then, meshes};
 use super::sweep_file::{SweepFile, open_catalog};
@@ -133,12 +133,7 @@ impl Plan {
             expansion: file.expansion,
             dropped,
         };
-        let plan = Self { header, cases, remarks };
-        if let Some(choose) = &plan.header.choose {
-            choice::check(&plan, &kit, choose)
-                .map_err(|d| Diagnostic { place: sweep.index.place("choose.least"), ..*d })?;
-        }
-        Ok(plan)
+        Ok(Self { header, cases, remarks })
     }
 }
 
@@ -193,6 +188,13 @@ impl Header {
             return Err(Diagnostic::input("sweep/changed", message).help(help).into());
         }
         Ok(kit)
+    }
+
+    /// Whether a case with these checks gets finite elements. What a binding check rejects cannot
+    /// be chosen, so it gets none where a joint is chosen.
+    pub fn wants(&self, checked: &Record) -> bool {
+        let chosen = self.choose.is_none() || !checked.rejected;
+        chosen && self.then.is_some_and(|then| checked.wants(then.limit))
     }
 
     /// Whether cases are meshed.

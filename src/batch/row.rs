@@ -1,5 +1,6 @@
 //! The record of a case: its outcome, and a row for each load case.
 
+use super::sweep::Who;
 use crate::checks::judgement::Governing;
 use crate::checks::verdict::Verdict;
 use crate::diag::ExitStatus;
@@ -38,6 +39,11 @@ impl Outcome {
             Outcome::BadInput => "bad_input",
             Outcome::Failed => "failed",
         }
+    }
+
+    /// Its word for people.
+    pub fn plain(self) -> String {
+        self.word().replace('_', " ")
     }
 
     /// The outcome of a verdict. Loads that are no demand are undecided.
@@ -130,6 +136,16 @@ impl Record {
     /// Whether the case has its answer: a result, or a fault of its input.
     pub fn is_final(&self) -> bool {
         self.result || !matches!(self.outcome, Outcome::Failed | Outcome::TimedOut)
+    }
+
+    /// Whether the checks of a case ask for finite elements.
+    pub fn wants(&self, who: Who) -> bool {
+        match (who, self.outcome) {
+            (_, Outcome::BadInput | Outcome::Failed | Outcome::TimedOut) => false,
+            (Who::All, _) => true,
+            (Who::Passing, _) => !self.rejected,
+            (Who::Undecided, outcome) => outcome != Outcome::Ok && !self.rejected,
+        }
     }
 
     /// The folder of its result, relative to the sweep.

@@ -2,6 +2,9 @@
 
 use crate::diag::{Diagnostic, Diagnostics};
 
+/// Most shards of a sweep.
+const MOST: u32 = 10_000;
+
 /// A shard; `1/1` is the whole sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
@@ -54,6 +57,9 @@ impl Shard {
         };
         if count == 0 || index == 0 || index > count {
             return Err(refuse(format!("shard {index} of {count} does not exist")));
+        }
+        if count > MOST {
+            return Err(refuse(format!("at most {MOST} shards are possible")));
         }
         Ok(Self { index: index - 1, count })
     }

@@ -46,7 +46,8 @@ impl Array {
         let total: f64 = seconds.iter().sum();
         let fit = ((total / TASK).ceil() as usize).clamp(1, MOST);
         let tasks = tasks.unwrap_or(fit).clamp(1, seconds.len().max(1));
-        let each = total / tasks as f64;
+        // no task is shorter than its longest part
+        let each = seconds.iter().copied().fold(total / tasks as f64, f64::max);
         let minutes = ((MARGIN * each + longest) / 60.0).ceil().max(5.0) as u64;
         let memory = (memory >> 20) + BESIDE;
         Self { tasks, processors: threads, memory, minutes, cache: None }

@@ -99,7 +99,9 @@ fn chosen(table: &Shown) -> String {
     };
     let head = cells("th", &mut table.heads.iter().copied());
     let mut out = format!(
-        "<h2>Chosen joints</h2>\n<p>{}</p>\n<table><thead><tr>{head}</tr></thead>\n<tbody>\n",
+        "<h2>Chosen joints</h2>\n<p>Least <code>{}</code>. {}</p>\n\
+         <table><thead><tr>{head}</tr></thead>\n<tbody>\n",
+        escaped(&table.least),
         escaped(&table.sentence)
     );
     for row in &table.cells {
@@ -133,9 +135,9 @@ pub fn capacity(table: &Filled) -> String {
                     format!("<span class=\"component\">{}</span>", shown(Some(v), Rounding::Down))
                 }),
                 cell.code_fails.then(|| "<span class=\"not_ok\">a check fails</span>".to_string()),
-                cell.outcome.filter(|o| *o >= Outcome::TimedOut).map(|o| {
-                    format!("<span class=\"{0}\">{1}</span>", o.word(), o.word().replace('_', " "))
-                }),
+                cell.outcome
+                    .filter(|o| *o >= Outcome::TimedOut)
+                    .map(|o| format!("<span class=\"{0}\">{1}</span>", o.word(), o.plain())),
             ];
             out.push_str(&bounds.into_iter().flatten().collect::<Vec<_>>().join(" "));
             out.push_str("</td>");

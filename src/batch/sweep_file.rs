@@ -94,6 +94,12 @@ impl SweepFile {
                 let help = "add `first: checks`: they say which joints can be chosen";
                 return Err(at("`choose` needs the checks".into(), "choose", help));
             }
+            let expects = |d: &Dimension| d.steps.iter().any(|s| s.expect.is_some());
+            if dimensions.iter().any(expects) {
+                let message = "the table expects verdicts, and `choose` leaves joints undecided";
+                let help = "leave out the column `expect`, and write `expect: [chosen == groups]`";
+                return Err(at(message.into(), "choose", help));
+            }
             for p in choose.per.iter().flatten() {
                 if let Some(hint) = not_varied(p, &dimensions) {
                     let message = format!("`choose.per` has `{p}`, which nothing varies{hint}");

@@ -34,6 +34,19 @@ const WORK: &str = "work";
 /// File in a folder of work with the process that does it.
 const OWNER: &str = "owner";
 
+/// Result folder in a folder of work.
+pub const RESULT: &str = "result";
+
+/// A new folder for the work on a case.
+pub fn work_folder(folder: &SweepFolder, key: &str) -> PathBuf {
+    folder.path().join(WORK).join(format!("{key}.{}", unique()))
+}
+
+/// Notes in a folder of work that this process does it.
+pub fn own(work: &Path) -> Result<(), Box<Diagnostic>> {
+    write_whole(&work.join(OWNER), this_process(std::process::id()).as_bytes())
+}
+
 /// A process of this machine since it was started, as one line.
 fn this_process(pid: u32) -> String {
     let boot = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
@@ -47,11 +60,26 @@ pub fn clear_work(folder: &SweepFolder) {
     for work in entries.flatten().map(|e| e.path()) {
         let owner = fs::read_to_string(work.join(OWNER)).unwrap_or_default();
         let pid = owner.rsplit(' ').next().and_then(|p| p.parse::<u32>().ok());
-        let ours = pid.filter(|p| this_process(*p) == owner);
-        if ours.is_some_and(|p| !Path::new(&format!("/proc/{p}")).exists()) {
+        // without a name of the boot the owner may be a process of another machine
+        let ours = pid.filter(|p| !owner.starts_with(' ') && this_process(*p) == owner);
+        if ours.is_some_and(has_ended) {
             let _ = fs::remove_dir_all(&work);
         }
     }
+}
+
+/// True if there is no process with this number.
+#[cfg(unix)]
+fn has_ended(pid: u32) -> bool {
+    use nix::errno::Errno;
+    use nix::sys::signal::kill;
+    kill(nix::unistd::Pid::from_raw(pid.cast_signed()), None) == Err(Errno::ESRCH)
+}
+
+/// Whether a process lives is not known here.
+#[cfg(not(unix))]
+fn has_ended(_: u32) -> bool {
+    false
 }
 
 /// Limits of a process.
@@ -97,7 +125,7 @@ pub fn analyse(
     folder: &SweepFolder,
     interrupt: &AtomicBool,
 ) -> Result<Option<Record>, Box<Diagnostic>> {
-    let work = folder.path().join(WORK).join(format!("{}.{}", job.key, unique()));
+    let work = work_folder(folder, &job.key);
     let start = Instant::now();
     let found = run(job, header, &work, interrupt).and_then(|end| match end {
         End::Interrupted => Ok(None),
@@ -105,9 +133,10 @@ pub fn analyse(
             let mut record = outcome(job, &end, &work);
             record.seconds = Some(start.elapsed().as_secs_f64());
             let place = folder.case_folder(&job.key);
-            keep(&work.join("result"), &place)?;
+            keep(&work.join(RESULT), &place)?;
             // another process may have been faster: the record is that of the result that stays
-            if let (true, Some(kept)) = (record.result, found(job, folder)) {
+            let whole = record.result && record.outcome != Outcome::TimedOut;
+            if let (true, Some(kept)) = (whole, found(job, folder)) {
                 record = Record { seconds: record.seconds, ..kept };
             }
             Ok(Some(record))
@@ -152,7 +181,7 @@ fn run(
     let text =
         yaml::to_string(&absolute(job.spec.clone(), &header.folder)).map_err(|f| f.into_first())?;
     write_whole(&spec, text.as_bytes())?;
-    write_whole(&work.join(OWNER), this_process(std::process::id()).as_bytes())?;
+    own(&work)?;
     let program = std::env::current_exe().map_err(|e| {
         Diagnostic::environment("sweep/program", format!("the program does not find itself: {e}"))
     })?;
@@ -164,7 +193,7 @@ fn run(
     let log = fs::File::create(work.join("stderr")).map_err(start_fault)?;
     let mut arguments: Vec<OsString> = vec!["run".into(), spec.into()];
     let mut option = |name: &str, value: OsString| arguments.extend([name.into(), value]);
-    option("--out", work.join("result").into());
+    option("--out", work.join(RESULT).into());
     option("--threads", job.limits.threads.to_string().into());
     option("--memory-limit", format!("{}MiB", job.limits.memory >> 20).into());
     option("--format", "json".into());
@@ -283,7 +312,7 @@ fn kill_all(family: &[u32]) {
 
 /// The record of an ended case.
 fn outcome(job: &Job, end: &End, work: &Path) -> Record {
-    let result = read_result(&work.join("result"));
+    let result = read_result(&work.join(RESULT));
     let message = message(&work.join("stderr"));
     let without = |outcome, cause: String| Record {
         loads: job.checked.as_ref().map_or_else(Vec::new, |c| c.loads.clone()),

@@ -50,6 +50,8 @@ impl Passes<'_> {
         loop {
             let mut stop = None;
             let mut refined = false;
+            // whether a track would make a mesh with more time
+            let mut timed = false;
             let mut order: Vec<usize> = (0..tracks.len()).collect();
             if whole {
                 let gap = |i: usize| tracks[i].track.steps.last().map_or(0.0, |s| s.gap);
@@ -71,6 +73,7 @@ impl Passes<'_> {
                     Refined::Mesh => refined = true,
                     // of both reasons the one that another mesh could remove
                     Refined::Stop(why) => {
+                        timed |= why == Stop::Time;
                         stop = stop.filter(|s| *s != Stop::Target).or(Some(why));
                     }
                     Refined::Failed => tracks[i].failed = true,
@@ -78,7 +81,8 @@ impl Passes<'_> {
                 let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
                 self.drop_unused(&last);
             }
-            if !refined && (whole || tracks.len() == 1) {
+            let alive = tracks.iter().filter(|t| !t.failed).count();
+            if !refined && (whole || alive < 2 || !timed) {
                 return Ok(stop);
             }
             whole = !refined;

@@ -345,6 +345,31 @@ mod tests {
         assert_eq!(next(&[first], 0.04, &far, &ENDLESS, &mut none).0, Next::Stop(Stop::Nothing));
     }
 
+    /// Where the target is out of reach, a design of the same size is not worth its time, however
+    /// much better it promises to be.
+    #[test]
+    fn a_mesh_for_a_distant_target_grows() {
+        let far = Limits { target_gap: 1e-5, ..LIMITS };
+        let steps = [step(1000, 0.2), step(4000, 0.1)];
+        let mut uneven = |most: f64| {
+            let few = |i: usize| if i < 400 { 1.0 } else { 1e-3 };
+            let estimate = Estimate {
+                contributions: (0..4000).map(few).collect(),
+                rates: vec![2.0; 4000],
+                directions: Vec::new(),
+                least_parts: PARTS[0],
+            };
+            estimate.curve(most, &|wanted| wanted.to_vec())
+        };
+        let mut with = |times: f64| {
+            let budget = Budget { seconds: times * steps[1].seconds, bytes: None };
+            next(&steps, 0.1, &far, &budget, &mut uneven).0
+        };
+        assert_eq!(with(1.2), Next::Stop(Stop::Time));
+        let Next::Refine(p) = with(3.0) else { panic!("a pass") };
+        assert!(p.tets >= LARGER * 4000.0 && p.gap < GAIN * 0.1, "{p:?}");
+    }
+
     /// A mesher that makes more tets than requested gets a smaller request.
     #[test]
     fn requests_learn_from_the_mesher() {

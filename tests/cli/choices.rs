@@ -113,7 +113,10 @@ fn limit_analysis_ends_with_the_first_that_holds() {
         assert_eq!(analysed, this <= thickness(load), "{r}");
         if this > thickness(load) {
             assert_eq!([&r["outcome"], &r["choice"]], ["undecided", "not needed"], "{r}");
-            assert!(r["cause"].as_str().is_some_and(|c| c.contains("costs less and holds")), "{r}");
+            assert!(
+                r["cause"].as_str().is_some_and(|c| c.contains("costs no more and holds")),
+                "{r}"
+            );
         }
     }
     let meshed = all.iter().filter(|r| r.get("lambda_low").is_some()).count();
@@ -146,4 +149,37 @@ fn limit_analysis_ends_with_the_first_that_holds() {
     let two = merged("two");
     assert_eq!(two[1..3], whole[1..3]);
     assert_eq!(plain(&two[0]), plain(&whole[0]));
+}
+
+/// What is not certain is never called certain: joints that the checks leave undecided, rows that
+/// `where` empties, and rows without a name that have the same values in different columns.
+#[test]
+fn groups_without_a_chosen_joint() {
+    let stub = "template: t_stub\nmembers: {tee: {profile: IPE300, steel: S235}}\nbolts: {size: \
+                M20, grade: \"8.8\", gauge: 100, rows: [0]}\nparameters: {length: 100, welded: \
+                true, flange_width: 180, flange_thickness: 12, web_thickness: 10, web_height: \
+                30}\nfriction: {mu: 0}\nloads: [{name: PULL, end: top, at: bolt_plane, N: 60 \
+                kN}]\n";
+    let two = "base: joint.yaml\nfirst: checks\nchoose: {least: bolts}\n";
+    let axes = "axes: {parameters.flange_thickness: [12, 14]}\n";
+    let bench = Bench::new().file("joint.yaml", stub).file("sweep.yaml", format!("{two}{axes}"));
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml"], 3);
+    assert!(err.contains("none is certain to hold"), "{err}");
+    // a table of rows A and B, of which `where` drops B
+    let table = "name,members.beam.profile\nA,IPE330\nB,IPE300\n";
+    let sweep = format!("{two}table: t.csv\nwhere: [beam.h > 310 mm]\n");
+    let joint = SPLICE.replace("My: -43.2 kN m, Vz: -28.8 kN", "My: -20 kN m");
+    let bench = Bench::new().file("joint.yaml", &joint).file("t.csv", table);
+    let bench = bench.file("sweep.yaml", sweep);
+    let (_, err) = expect(&bench, &["batch", "sweep.yaml"], 1);
+    assert!(err.contains("A: A") && err.contains("B: `where` leaves none"), "{err}");
+    let (out, _) = expect(&bench, &["batch", "merge", "sweep", "--format", "json"], 1);
+    let counts: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!([&counts["groups"], &counts["chosen"], &counts["cases"]], [2, 1, 1], "{out}");
+    // two loads of the same size in different columns are two joints
+    let table = "loads.ULS1.My,loads.ULS1.Vz\n-20 kN m,\n,-20 kN\n";
+    let bench = Bench::new().file("joint.yaml", &joint).file("t.csv", table);
+    let bench = bench.file("sweep.yaml", format!("{two}table: t.csv\n"));
+    bench.run(&["batch", "sweep.yaml"]);
+    assert_eq!(bench.read("sweep/chosen.csv").lines().count(), 3);
 }

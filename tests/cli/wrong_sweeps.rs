@@ -8,7 +8,7 @@ type Wrong = (&'static str, &'static str, [&'static str; 4]);
 
 const AXES: &str = "base: joint.yaml\nfirst: checks\n";
 
-const WRONG: [Wrong; 41] = [
+const WRONG: [Wrong; 42] = [
     ("", "", ["yaml/empty", "sweep.yaml", "empty", "`bracket new`"]),
     ("AXES", "", ["sweep/value", "sweep.yaml:1", "varies nothing", "give `axes`"]),
     (
@@ -190,6 +190,11 @@ const WRONG: [Wrong; 41] = [
         "AXESaxes: {plate.thickness: [10]}\nchoose: {least: mas}",
         "",
         ["sweep/choose", "sweep.yaml:4", "unknown name `mas`", "`mass` (kg)"],
+    ),
+    (
+        "AXEStable: t.csv\nchoose: {least: mass}",
+        "plate.thickness,expect\n10,ok\n",
+        ["sweep/value", "sweep.yaml:4", "expects verdicts", "chosen == groups"],
     ),
     (
         "AXESaxes: {plate.thickness: [10]}\nchoose: {least: plate.thickness}",

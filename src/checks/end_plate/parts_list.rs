@@ -1,4 +1,5 @@
-//! What a bolted end plate is made of: bolts, plates and stiffeners, with masses from nominal sizes.
+//! What a bolted end plate is made of: bolts, plates and stiffeners, with masses from nominal
+//! sizes.
 
 use super::clamped_plates::{grip, stocked_length};
 use crate::assembly::EndPlate;
