@@ -3,8 +3,9 @@
 usage: check_sweep.py EXAMPLE_FOLDER SWEEP_FOLDER EXIT_CODE TIER
 
 expected.json of an example: {"exit": 0, "outcomes": {"ok": 19, "not_ok": 5}, "heavy": {…}}: the exit code and the number of cases
-with each outcome; "heavy" with the same keys for the sweep as it stands, if it differs from the quick one. A strict lower bound
-above the upper one of the same row is an error.
+with each outcome; "heavy" with the same keys for the sweep as it stands, if it differs from the quick one; "may_differ": so many cases
+may have another outcome, because a bracket made in a given time depends on the machine. A strict lower bound above the upper one of
+the same row is an error.
 """
 
 import collections
@@ -25,7 +26,9 @@ def main() -> int:
     faults = []
     if int(code) != expected["exit"]:
         faults.append(f"exit code {code}, expected {expected['exit']}")
-    if dict(outcomes) != expected["outcomes"]:
+    wanted = collections.Counter(expected["outcomes"])
+    # each case with another outcome is missing in one count
+    if outcomes.total() != wanted.total() or (wanted - outcomes).total() > expected.get("may_differ", 0):
         faults.append(f"outcomes {dict(outcomes)}, expected {expected['outcomes']}")
     for row in rows:
         if row.get("lambda_low", 0.0) > row.get("lambda_up", float("inf")):

@@ -3,14 +3,15 @@
 # (pyarrow, installed into a temporary folder) reads it.
 set -eu
 cd -- "$(dirname -- "$0")/.."
-target=${CARGO_TARGET_DIR:-target}/parquet
+bracket=${CARGO_TARGET_DIR:-target}/release/bracket
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cargo test --release --locked --features parquet --target-dir "$target" --lib parquet
-cargo build --release --locked --features parquet --target-dir "$target"
+# the other tests use the program without the feature
+trap 'rm -rf "$work"; cargo build --quiet --release --locked' EXIT
+cargo test --release --locked --features parquet --lib parquet
+cargo build --release --locked --features parquet
 python3 -m venv "$work/venv"
 "$work/venv/bin/pip" install --quiet pyarrow
-"$target/release/bracket" batch examples/lightest/checks.yaml -o "$work/sweep" --quiet
+"$bracket" batch examples/lightest/checks.yaml -o "$work/sweep" --quiet
 "$work/venv/bin/python" - "$work/sweep" <<'PYTHON'
 import json
 import pathlib

@@ -16,8 +16,8 @@ const USUAL: f64 = 900.0;
 /// Part of its time limit that an analysis uses as a rule: the next mesh does not fit any more.
 const USED: f64 = 0.9;
 
-/// Meshing, pictures and report of a case \[s\].
-const AROUND: f64 = 15.0;
+/// Start, pictures and report of a case \[s\].
+const AROUND: f64 = 3.0;
 
 /// The time limit of a spec's analysis \[s\].
 pub fn time_limit(spec: &Value) -> Option<f64> {

@@ -52,6 +52,8 @@ impl Passes<'_> {
             let mut refined = false;
             // whether a track would make a mesh with more time
             let mut timed = false;
+            // the tracks that shared the time of this round
+            let shared = tracks.iter().filter(|t| !t.failed).count();
             let mut order: Vec<usize> = (0..tracks.len()).collect();
             if whole {
                 let gap = |i: usize| tracks[i].track.steps.last().map_or(0.0, |s| s.gap);
@@ -81,8 +83,7 @@ impl Passes<'_> {
                 let last: Vec<usize> = tracks.iter().map(|t| t.last).collect();
                 self.drop_unused(&last);
             }
-            let alive = tracks.iter().filter(|t| !t.failed).count();
-            if !refined && (whole || alive < 2 || !timed) {
+            if !refined && (whole || shared < 2 || !timed) {
                 return Ok(stop);
             }
             whole = !refined;
