@@ -18,14 +18,14 @@ for folder in "$@"; do
     name=$(basename -- "$folder")
     folder=examples/$name
     if [ -f "$folder/sweep.yaml" ]; then
-        input=$folder/sweep.yaml
-        # the quick tier runs the checks alone
-        if [ "$tier" = quick ] && [ -f "$folder/checks.yaml" ]; then input=$folder/checks.yaml; fi
-        echo "== bracket batch $input" >&2
-        code=0
-        rm -rf "results/$name"
-        "$bracket" batch "$input" -o "results/$name" || code=$?
-        .venv/bin/python scripts/check_sweep.py "$folder" "results/$name" "$code" "$tier"
+        for sweep in $(.venv/bin/python scripts/check_sweep.py --sweeps "$folder" "$tier"); do
+            echo "== bracket batch $folder/$sweep.yaml" >&2
+            code=0
+            out=results/${name}_$sweep
+            rm -rf "$out"
+            "$bracket" batch "$folder/$sweep.yaml" -o "$out" || code=$?
+            .venv/bin/python scripts/check_sweep.py "$folder" "$sweep" "$out" "$code" "$tier"
+        done
         continue
     fi
     if [ -f "$folder/joint.yaml" ]; then
